@@ -1,0 +1,59 @@
+#pragma once
+// Faces of two blocks that lie against each other: where interfaces are.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/face_frame.h"
+#include "geometry/polygon.h"
+#include "talus/polyhedron.h"
+
+namespace talus {
+
+/// A block as it stands in the world; refers to the caller's arrays.
+struct WorldShape {
+    std::span<const Vec3> vertices;                    ///< [m]
+    std::span<const std::vector<std::int32_t>> faces;  ///< as in Polyhedron
+    std::span<const Vec3> normals;                     ///< outward unit normal per face
+};
+
+struct FacePairLimits {
+    double max_gap = 0;            ///< of the patch's nearest point [m]
+    double max_overlap = 0;        ///< [m], positive; smaller than a block is thick
+    double max_angle = 0;          ///< between the two planes [rad]
+    double min_area_share = 1e-6;  ///< of the smaller face; a patch of less is no interface
+    /// Share of the patch's size below which its corners are merged or straightened: two outlines that coincide but for
+    /// their elastic displacements would else give mid-edge corners, hence contact points, that come and go.
+    double outline_tolerance = 1e-6;
+};
+
+/// Which of the two faces gives the patch its plane, normal and tangents.
+enum class Reference : std::uint8_t {
+    face_a,
+    face_b,
+    larger  ///< the face of larger area; a when they are equal within rounding
+};
+
+struct FacePair {
+    std::int32_t face_a = 0, face_b = 0;
+    bool ref_is_a = true;
+    Polygon patch{};       ///< in the reference face's frame [m]
+    double gap = 0;        ///< at the patch's centroid along the reference normal, negative for overlap [m]
+    double least_gap = 0;  ///< over the patch; differs from `gap` where the planes are not parallel [m]
+    double most_gap = 0;   ///< likewise [m]
+};
+
+FaceFrame faceFrame(const WorldShape& shape, std::size_t face);
+
+/// The patch between two given faces, if they lie against each other: normals opposite within the angle, outlines that
+/// overlap when the other one is projected along the reference normal, least gap within the limits.
+std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, const WorldShape& b,
+                                     std::size_t face_b, const FacePairLimits& limits, Reference reference);
+
+/// All of them, by face_a, then face_b.
+std::vector<FacePair> findFacePairs(const WorldShape& a, const WorldShape& b, const FacePairLimits& limits,
+                                    Reference reference);
+
+}  // namespace talus

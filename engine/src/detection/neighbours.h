@@ -1,0 +1,30 @@
+#pragma once
+// Which blocks may touch: pairs of overlapping boxes.
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "talus/polyhedron.h"
+
+namespace talus {
+
+/// Axis-aligned bounds of a block, with whatever margin the caller wants [m].
+struct Box {
+    Vec3 min = Vec3::Zero(), max = Vec3::Zero();
+};
+
+/// Touching counts.
+inline bool overlaps(const Box& a, const Box& b) {
+    return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
+}
+
+using BoxPair = std::pair<std::int32_t, std::int32_t>;
+
+/// All pairs i < j of overlapping boxes, sorted. `parallel` runs in the caller's TBB arena; the result is the same for
+/// any number of threads and for the serial path. Close to linear in the number of boxes and pairs, whatever the mix of
+/// sizes.
+/// \pre finite boxes, min <= max
+std::vector<BoxPair> findNeighbours(const std::vector<Box>& boxes, bool parallel);
+
+}  // namespace talus
