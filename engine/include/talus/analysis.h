@@ -1,0 +1,95 @@
+#pragma once
+// The questions a user asks: run, critical angle, factor of safety, failure mode.
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "talus/model.h"
+#include "talus/result.h"
+
+namespace talus {
+
+/// How far a long computation has come; called now and then from the computing thread.
+struct Progress {
+    std::string stage;    ///< "loading", "probe 7", "run", ...
+    double fraction = 0;  ///< of the whole, 0..1 (an estimate)
+    std::string detail;   ///< one line for people: "tilt 19.53 deg, failing"
+};
+
+/// What the caller lends to a computation. Threads: 1 runs in the calling thread; 0 takes all cores.
+struct Control {
+    std::function<void(const Progress&)> progress{};
+    const std::atomic<bool>* stop = nullptr;  ///< set it to end early; what was found so far is returned
+    int threads = 1;
+};
+
+enum class SearchStatus { found, unstable_at_start, stable_to_stop, undecided, interrupted };
+enum class FailureMode { none, sliding, toppling, mixed };
+enum class Verdict { stable, failing, undecided };
+
+const char* toString(SearchStatus status);
+const char* toString(FailureMode mode);
+const char* toString(Verdict verdict);
+
+/// One probe of a search: the load was brought to `load`, then the assembly came to rest or did not.
+struct Probe {
+    double load = 0;            ///< tilt [rad], or factor of safety
+    Verdict verdict = Verdict::undecided;
+    std::int64_t steps = 0;
+    double out_of_balance = 0;  ///< largest out-of-balance force of a block over its weight, at the end
+    double displacement = 0;    ///< largest of a block during the probe [m]
+    std::string reason;         ///< why this verdict, for people
+};
+
+/// How one block moves at failure, and on what that rests.
+struct BlockMotion {
+    std::string block;
+    FailureMode mode = FailureMode::none;
+    Vec3 translation = Vec3::Zero();  ///< of its centroid during the continuation [m]
+    double rotation = 0;              ///< during the continuation [rad]
+    double rotation_share = 0;        ///< motion at its corners that is due to rotation, 0..1
+    double open_share = 0;            ///< area share of its contact points that are open, 0..1
+    double mobilised_friction = 0;    ///< shear force over shear strength, summed over its closed points, 0..1
+    bool moving = false;
+};
+
+struct SearchResult {
+    SearchStatus status = SearchStatus::undecided;
+    double answer = 0;               ///< midpoint of the bracket: tilt [rad] or factor of safety; valid when found
+    double low = 0;                  ///< last stable load (or -infinity)
+    double high = 0;                 ///< first failing load (or infinity)
+    FailureMode mode = FailureMode::none;
+    std::vector<std::string> moving_blocks;  ///< sorted
+    std::vector<BlockMotion> motions;        ///< evidence, one per free block, in the order of the blocks
+    double continuation_seconds = 0;         ///< simulated time of the continuation with true inertia [s]
+    bool confirmed = false;                  ///< the continuation bore the failure out
+    std::vector<Probe> probes;
+    std::int64_t steps = 0;
+    double wall_seconds = 0;
+    std::uint64_t state_hash = 0;    ///< over the state at the end of the last step computed
+    bool inertia_scaled = false;
+    double damping_local = 0;        ///< what the quasi-static part used
+    double time_step = 0;            ///< true-inertia step of the continuation [s]
+    std::size_t blocks = 0, interfaces = 0, contact_points = 0;
+    std::vector<std::string> warnings;
+};
+
+/// Knobs of the quasi-static machinery; the answers do not depend on them by more than the bracket.
+struct QuasiStatic {
+    double local_damping = 0.1;   ///< Cundall; takes out what chatters
+    double drag_ratio = 0.5;      ///< drag on translation and rotation, over the critical one of the slowest mode
+    double step_safety = 0.6;     ///< share of the stability bound
+    double ramp_periods = 2.0;    ///< slowest periods over which a load is changed
+    std::int64_t max_steps_per_probe = 2'000'000;
+};
+
+/// The tilt at which the assembly first fails. Loading order: gravity at the start tilt, water, tilt.
+Result<SearchResult> criticalAngle(const Model& model, const Control& control = {}, const QuasiStatic& settings = {});
+
+/// Strength reduction (tan phi and C, peak and residual, over F) at the model's own tilt.
+Result<SearchResult> safetyFactor(const Model& model, const Control& control = {}, const QuasiStatic& settings = {});
+
+}  // namespace talus

@@ -1,0 +1,67 @@
+#pragma once
+// The state that moves, as structures of arrays, and the step that moves it.
+//
+//   model --build--> Simulation: blocks | interfaces | contact points | wet patches
+//
+//   step:  drift            poses            <- velocities, forces of the last step
+//          update patches   interfaces       <- poses (only when something moved far enough)
+//          update contacts  Lp forces, interface wrenches <- poses
+//          update water     wet wrenches     <- poses, gravity, level (only when one of them changed)
+//          gather           block forces, velocities <- wrenches, in stored order
+//
+// See engine/README.md for what each stage reads and writes.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "talus/analysis.h"
+#include "talus/model.h"
+#include "talus/result.h"
+
+namespace talus {
+
+struct SimulationState;  // the arrays; private to the engine
+
+/// One watched block, at the end of a step.
+struct BlockReport {
+    std::string name;
+    Vec3 position = Vec3::Zero();  ///< of the centroid [m]
+    Vec3 velocity = Vec3::Zero();  ///< [m/s]
+    Vec3 displacement = Vec3::Zero();  ///< of the centroid since the start [m]
+    double rotation = 0;           ///< angle turned since the start [rad]
+};
+
+/// One record of a run's history.
+struct HistoryRecord {
+    double time = 0;            ///< [s]
+    std::int64_t step = 0;
+    double kinetic_energy = 0;  ///< [J]
+    double elastic_energy = 0;  ///< stored in the contact springs [J]
+    double gravity_energy = 0;  ///< relative to the start [J]
+    double out_of_balance = 0;  ///< largest out-of-balance force of a free block over its weight
+    std::vector<BlockReport> watch;
+};
+
+struct RunResult {
+    std::int64_t steps = 0;
+    double simulated_seconds = 0;
+    double time_step = 0;        ///< [s]
+    std::size_t blocks = 0, interfaces = 0, contact_points = 0;
+    double kinetic_energy = 0;   ///< [J]
+    std::uint64_t state_hash = 0;
+    double wall_seconds = 0;
+    std::vector<BlockReport> watch;
+    bool interrupted = false;
+    std::vector<std::string> warnings;  ///< what left the valid range, if anything did
+};
+
+/// Time history of a model; `record` is called at the start, at every frame interval and at the end.
+Result<RunResult> run(const Model& model, const Control& control,
+                      const std::function<void(const HistoryRecord&)>& record);
+
+/// Checks what needs geometry: blocks that overlap, water on faces that are not there, pairs that do not touch.
+/// Empty when the model can be built.
+std::vector<Error> checkModel(const Model& model, int threads = 1);
+
+}  // namespace talus

@@ -1,0 +1,159 @@
+#include "analysis/failure_mode.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stages/contacts.h"
+#include "stages/measure.h"
+#include "stages/patches.h"
+#include "stages/step.h"
+#include "stages/time_step.h"
+#include "state/build.h"
+
+namespace talus::analysis {
+namespace {
+
+constexpr double kStepSafety = 0.7;
+constexpr double kDashpot = 0.5;            // damping ratio of the fastest mode: takes out the rattle only
+constexpr int kStepsPerLook = 20;
+constexpr std::int64_t kMostSteps = 400'000;
+constexpr double kMovingShare = 0.1;        // a block moves when it goes this share of the farthest one's way
+constexpr double kTopplingShare = 0.25;     // rotation times the moving group's extent, over the motion
+constexpr double kPureShare = 0.9;          // share of the moving mass that gives the whole its mode
+
+struct Poses {
+    VectorArray position;
+    QuaternionArray orientation;
+};
+
+double motionSince(const State& state, const Poses& start, std::size_t b) {
+    return (state.blocks.position.get(b) - start.position.get(b)).norm() +
+           stages::rotationFrom(start.orientation, state.blocks.orientation, b) * state.geometry->radius[b];
+}
+
+double largestMotion(const State& state, const Poses& start) {
+    double largest = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free) largest = std::max(largest, motionSince(state, start, b));
+    return largest;
+}
+
+/// True inertia, at rest, with dashpots that only take out the rattle. Returns the time step [s].
+double makeDynamic(State& state, bool parallel) {
+    setInertia(state, std::vector<double>(state.blocks.size(), 1.0));
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        state.blocks.velocity.set(b, Vec3::Zero());
+        state.blocks.angular_momentum.set(b, Vec3::Zero());
+    }
+    const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
+    const double bound = *std::max_element(bounds.begin(), bounds.end());
+    const double omega_squared = bound > 0 ? bound : 1.0;
+    state.damping = {.contact = 2.0 * kDashpot / std::sqrt(omega_squared)};
+    state.release = 1.0;
+    stages::updateForces(state, parallel);
+    return kStepSafety * stages::stableTimeStep(omega_squared, state.damping.contact);
+}
+
+/// Shares of open area and of mobilised friction over a block's Lps.
+void addContactEvidence(const State& state, std::size_t block, BlockMotion& motion) {
+    double area = 0, open_area = 0, shear = 0, strength = 0;
+    for (auto k = state.incidence.interface_begin[block]; k < state.incidence.interface_begin[block + 1]; ++k) {
+        const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
+        const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
+        const auto end = static_cast<std::size_t>(state.interfaces.point_begin[i + 1]);
+        for (auto p = static_cast<std::size_t>(state.interfaces.point_begin[i]); p < end; ++p) {
+            area += state.points.area[p];
+            const double normal = state.points.normal[p];
+            if (normal == 0.0) {
+                open_area += state.points.area[p];
+                continue;
+            }
+            shear += std::hypot(state.points.shear_1[p], state.points.shear_2[p]);
+            strength += contact::shearStrength(law, state.points.area[p], normal, state.points.bond[p]);
+        }
+    }
+    motion.open_share = area > 0 ? open_area / area : 1.0;
+    motion.mobilised_friction = strength > 0 ? std::min(1.0, shear / strength) : 0.0;
+}
+
+/// Diagonal of the box around the moving blocks: the length that makes a rotation comparable with a translation. A
+/// block that turns about a pivot within reach of the moving group topples; one whose pivot is far away slides.
+double movingExtent(const State& state, const std::vector<char>& moving) {
+    Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
+    for (std::size_t b = 0; b < moving.size(); ++b) {
+        if (!moving[b]) continue;
+        const Vec3 reach = Vec3::Constant(state.geometry->radius[b]);
+        low = low.cwiseMin(state.blocks.position.get(b) - reach);
+        high = high.cwiseMax(state.blocks.position.get(b) + reach);
+    }
+    return (high - low).norm();
+}
+
+BlockMotion describeBlock(const State& state, const Poses& start, std::size_t b, double extent, bool moving) {
+    BlockMotion motion;
+    motion.block = state.geometry->model.blocks[b].name;
+    motion.translation = state.blocks.position.get(b) - start.position.get(b);
+    motion.rotation = stages::rotationFrom(start.orientation, state.blocks.orientation, b);
+    const double turned = motion.rotation * state.geometry->radius[b];
+    const double whole = turned + motion.translation.norm();
+    motion.rotation_share = whole > 0 ? turned / whole : 0.0;
+    motion.moving = moving;
+    addContactEvidence(state, b, motion);
+    if (!moving) return motion;
+    const bool topples = motion.rotation * extent > kTopplingShare * whole;
+    motion.mode = topples ? FailureMode::toppling : FailureMode::sliding;
+    return motion;
+}
+
+FailureMode overallMode(const State& state, const std::vector<BlockMotion>& motions,
+                        const std::vector<std::size_t>& blocks) {
+    double sliding = 0, toppling = 0;
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+        const double mass = state.blocks.mass[blocks[k]];
+        if (motions[k].mode == FailureMode::sliding) sliding += mass;
+        if (motions[k].mode == FailureMode::toppling) toppling += mass;
+    }
+    const double all = sliding + toppling;
+    if (all == 0) return FailureMode::none;
+    if (sliding >= kPureShare * all) return FailureMode::sliding;
+    return toppling >= kPureShare * all ? FailureMode::toppling : FailureMode::mixed;
+}
+
+void describeFailure(const State& state, const Poses& start, Failure& failure) {
+    const double largest = largestMotion(state, start);
+    std::vector<char> moving(state.blocks.size(), 0);
+    for (std::size_t b = 0; b < moving.size(); ++b)
+        moving[b] = state.blocks.motion[b] == Motion::free &&
+                    motionSince(state, start, b) > kMovingShare * largest;
+    const double extent = movingExtent(state, moving);
+    std::vector<std::size_t> blocks;
+    for (std::size_t b = 0; b < moving.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        failure.motions.push_back(describeBlock(state, start, b, extent, moving[b] != 0));
+        blocks.push_back(b);
+        if (moving[b]) failure.moving_blocks.push_back(failure.motions.back().block);
+    }
+    std::sort(failure.moving_blocks.begin(), failure.moving_blocks.end());
+    failure.mode = overallMode(state, failure.motions, blocks);
+}
+
+}  // namespace
+
+Failure continueFailure(State& state, double target, const Control& control, bool parallel) {
+    Failure failure;
+    failure.time_step = makeDynamic(state, parallel);
+    const Poses start{state.blocks.position, state.blocks.orientation};
+    while (failure.steps < kMostSteps && !failure.confirmed) {
+        if (control.stop != nullptr && control.stop->load(std::memory_order_relaxed)) break;
+        for (int k = 0; k < kStepsPerLook; ++k) stages::advance(state, {failure.time_step, parallel});
+        failure.steps += kStepsPerLook;
+        stages::refreshInterfaces(state, parallel, kStepsPerLook * failure.time_step);
+        failure.confirmed = largestMotion(state, start) >= target;
+    }
+    failure.seconds = static_cast<double>(failure.steps) * failure.time_step;
+    describeFailure(state, start, failure);
+    return failure;
+}
+
+}  // namespace talus::analysis

@@ -1,0 +1,239 @@
+#include "analysis/quasi_static.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "stages/measure.h"
+#include "stages/motion.h"
+#include "stages/patches.h"
+#include "stages/step.h"
+#include "stages/time_step.h"
+#include "state/build.h"
+
+namespace talus::analysis {
+namespace {
+
+constexpr int kStepsPerSample = 10;          // out-of-balance force is looked at this often
+constexpr double kPeriodsPerWindow = 1.5;    // length of the windows in which a plateau is looked for
+constexpr int kLeastStepsPerWindow = 100;
+constexpr double kFlat = 0.03;               // spread of the out-of-balance force over its mean, within a window
+constexpr int kWindowsInSpan = 4;            // where it is not flat: windows per span, and spans are compared
+constexpr double kPlateau = 0.8;             // out-of-balance force of a span over that of the span before
+constexpr double kSteady = 0.9;              // motion of a window over that of the window before: it does not slow down
+constexpr double kShareOfTolerance = 0.01;   // at rest, the imbalance is worth this share of the load's tolerance
+constexpr double kSlowPeriodGrowth = 8.0;    // slip makes the observed period longer; not without bound
+
+/// Displacement of the farthest-moved point of any block between two sets of poses [m].
+double largestMotion(const State& state, const VectorArray& position, const QuaternionArray& orientation) {
+    double largest = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        const double shift = (state.blocks.position.get(b) - position.get(b)).norm();
+        const double turn = stages::rotationFrom(orientation, state.blocks.orientation, b);
+        largest = std::max(largest, shift + turn * state.geometry->radius[b]);
+    }
+    return largest;
+}
+
+/// What is seen of the out-of-balance force over some time.
+struct Window {
+    double sum = 0, least = kInfinity, most = 0;
+    double motion = 0;  ///< of the farthest-moved block [m]
+    int samples = 0;
+
+    void add(double ratio) {
+        sum += ratio;
+        least = std::min(least, ratio);
+        most = std::max(most, ratio);
+        ++samples;
+    }
+    double mean() const { return sum / samples; }
+};
+
+/// Load on the blocks that an analysis controls: weight and water, for the period estimate.
+struct ExternalLoad {
+    std::vector<Vec3> force;
+};
+
+ExternalLoad externalLoad(const State& state) {
+    ExternalLoad load;
+    const Vec3 g = stages::gravity(state);
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        Vec3 force = state.blocks.mass[b] * g;
+        const Mat3 turn = state.blocks.orientation.matrix(b);
+        for (auto k = state.incidence.wet_begin[b]; k < state.incidence.wet_begin[b + 1]; ++k)
+            force += turn * state.wet.force.get(static_cast<std::size_t>(
+                                state.incidence.wet[static_cast<std::size_t>(k)]));
+        load.force.push_back(force);
+    }
+    return load;
+}
+
+/// Rayleigh's quotient of the displacement that a change of load has caused: omega^2 = (f . u) / (u . M u). Returns the
+/// period [s], 0 when the change of load did no work.
+double observedPeriod(const State& state, const VectorArray& position_before, const ExternalLoad& before) {
+    const ExternalLoad now = externalLoad(state);
+    double work = 0, inertia = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        const Vec3 u = state.blocks.position.get(b) - position_before.get(b);
+        work += u.dot(now.force[b] - before.force[b]);
+        inertia += u.squaredNorm() / state.blocks.inverse_mass[b];
+    }
+    return work > 0 ? 2.0 * M_PI * std::sqrt(inertia / work) : 0.0;
+}
+
+void setAtRest(Blocks& blocks) {
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (blocks.motion[b] != Motion::free) continue;
+        blocks.velocity.set(b, Vec3::Zero());
+        blocks.angular_momentum.set(b, Vec3::Zero());
+    }
+}
+
+std::string describe(const char* what, double out_of_balance, std::int64_t steps) {
+    char text[160];
+    std::snprintf(text, sizeof text, "%s %.2e of the weight after %lld steps", what, out_of_balance,
+                  static_cast<long long>(steps));
+    return text;
+}
+
+/// Watches an assembly under constant load until its verdict is clear.
+class Watch {
+public:
+    Watch(const State& state, const QuasiStaticWork& work)
+        : state_(state),
+          limit_(work.out_of_balance_limit),
+          steps_per_period_(static_cast<int>(std::ceil(work.slow_period / work.time_step))),
+          samples_per_window_(std::max(kLeastStepsPerWindow, static_cast<int>(kPeriodsPerWindow * steps_per_period_)) /
+                              kStepsPerSample),
+          position_(state.blocks.position),
+          orientation_(state.blocks.orientation) {}
+
+    /// Looks once more; true when the verdict in `probe` is final.
+    bool look(Probe& probe) {
+        const double ratio = stages::outOfBalanceRatio(state_);
+        probe.out_of_balance = ratio;
+        window_.add(ratio);
+        span_.add(ratio);
+        quiet_steps_ = ratio < limit_ ? quiet_steps_ + kStepsPerSample : 0;
+        if (quiet_steps_ >= std::max(steps_per_period_, 2 * kStepsPerSample)) {
+            probe.verdict = Verdict::stable;
+            probe.reason = describe("at rest: out-of-balance force stays below", ratio, probe.steps);
+            return true;
+        }
+        if (window_.samples < samples_per_window_) return false;
+        return closeWindow(probe);
+    }
+
+private:
+    bool closeWindow(Probe& probe) {
+        const double motion = largestMotion(state_, position_, orientation_);
+        window_.motion = motion - last_motion_;
+        const bool flat = window_.most - window_.least < kFlat * window_.mean() && window_.mean() > limit_ &&
+                          last_window_.samples > 0 && window_.motion > kSteady * last_window_.motion &&
+                          window_.mean() > (1.0 - kFlat) * last_window_.mean();
+        last_window_ = window_;
+        last_motion_ = motion;
+        window_ = {};
+        if (flat) return fails(probe, last_window_);
+        return ++windows_ % kWindowsInSpan == 0 && closeSpan(probe, motion);
+    }
+
+    /// A noisy plateau, seen over a longer time.
+    bool closeSpan(Probe& probe, double motion) {
+        span_.motion = motion - last_span_motion_;
+        const bool plateau = last_span_.samples > 0 && span_.mean() > limit_ &&
+                             span_.mean() > kPlateau * last_span_.mean() && span_.motion > kSteady * last_span_.motion;
+        last_span_ = span_;
+        last_span_motion_ = motion;
+        span_ = {};
+        return plateau && fails(probe, last_span_);
+    }
+
+    bool fails(Probe& probe, const Window& seen) {
+        probe.verdict = Verdict::failing;
+        probe.out_of_balance = seen.mean();
+        probe.reason = describe("moves on: out-of-balance force stays at", seen.mean(), probe.steps);
+        return true;
+    }
+
+    const State& state_;
+    double limit_;
+    int steps_per_period_, samples_per_window_;
+    int quiet_steps_ = 0, windows_ = 0;
+    Window window_, last_window_, span_, last_span_;
+    double last_motion_ = 0, last_span_motion_ = 0;
+    VectorArray position_;
+    QuaternionArray orientation_;
+};
+
+bool interrupted(const QuasiStaticWork& work) {
+    return work.control->stop != nullptr && work.control->stop->load(std::memory_order_relaxed);
+}
+
+void takeStep(State& state, QuasiStaticWork& work, Probe& probe) {
+    stages::advance(state, {work.time_step, work.parallel});
+    ++probe.steps;
+    ++work.steps;
+    if (probe.steps % kStepsPerSample == 0) stages::refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step);
+}
+
+}  // namespace
+
+QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control& control, double load_tolerance,
+                        bool parallel) {
+    QuasiStaticWork work{.settings = settings, .control = &control, .parallel = parallel};
+    const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
+    const double highest = *std::max_element(bounds.begin(), bounds.end());
+    const double bound = highest > 0 ? highest : 1.0;
+    work.time_step = settings.step_safety * stages::stableTimeStep(bound, 0.0);
+    work.inertia_scaled = state.geometry->model.analysis.time_scaling;
+    if (work.inertia_scaled) {
+        std::vector<double> scale(bounds.size(), 1.0);
+        for (std::size_t b = 0; b < bounds.size(); ++b)
+            if (bounds[b] > 0) scale[b] = bounds[b] / bound;
+        setInertia(state, scale);
+    }
+    state.damping = {.local = settings.local_damping};
+    // A first guess that the gravity loading corrects: an assembly n blocks across has a slowest period of about 2 n
+    // times its fastest.
+    const double across = std::cbrt(static_cast<double>(state.blocks.size()));
+    work.slow_period = 4.0 * across * 2.0 * M_PI / std::sqrt(bound);
+    work.slow_period_limit = kSlowPeriodGrowth * work.slow_period;
+    work.out_of_balance_limit = kShareOfTolerance * load_tolerance;
+    state.release = std::min(1.0, work.time_step / (2.0 * work.slow_period));
+    return work;
+}
+
+Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
+    Probe probe;
+    // Drag at a share of what is critical for the slowest mode: c = 2 ratio omega.
+    state.damping.mass = state.damping.rotation = 4.0 * M_PI * work.settings.drag_ratio / work.slow_period;
+    const VectorArray position = state.blocks.position;
+    const QuaternionArray orientation = state.blocks.orientation;
+    const ExternalLoad before = externalLoad(state);
+    const auto ramp_steps = std::max<std::int64_t>(
+        20, std::llround(work.settings.ramp_periods * work.slow_period / work.time_step));
+    for (std::int64_t k = 1; k <= ramp_steps && !interrupted(work); ++k) {
+        ramp(state, static_cast<double>(k) / static_cast<double>(ramp_steps));
+        takeStep(state, work, probe);
+    }
+    Watch watch(state, work);
+    bool decided = false;
+    while (!decided && !interrupted(work) && probe.steps < work.settings.max_steps_per_probe) {
+        for (int k = 0; k < kStepsPerSample; ++k) takeStep(state, work, probe);
+        decided = watch.look(probe);
+    }
+    if (!decided) probe.reason = interrupted(work) ? "interrupted" : describe("still moving with", probe.out_of_balance, probe.steps);
+    probe.displacement = largestMotion(state, position, orientation);
+    if (probe.verdict == Verdict::stable) {
+        setAtRest(state.blocks);
+        const double period = observedPeriod(state, position, before);
+        work.slow_period = std::clamp(period, work.slow_period, work.slow_period_limit);
+    }
+    return probe;
+}
+
+}  // namespace talus::analysis

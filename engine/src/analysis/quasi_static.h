@@ -1,0 +1,46 @@
+#pragma once
+// Quasi-static work: a load is changed slowly, then the assembly is watched until it is at rest or is seen to fail.
+//
+// The path to equilibrium is that of a system with scaled inertia (never scaled weight), drag near the critical one of
+// its slowest mode and a little of Cundall's local damping. Where it comes to rest forces balance, so none of these
+// matters to the answer. (Local damping alone converges several times more slowly: its sign follows the fastest modes,
+// and the slow ones go undamped.)
+
+#include <cstdint>
+#include <functional>
+
+#include "state/arrays.h"
+#include "talus/analysis.h"
+
+namespace talus::analysis {
+
+/// Everything quasi-static work needs beside the state.
+struct QuasiStaticWork {
+    QuasiStatic settings;
+    const Control* control = nullptr;
+    bool parallel = false;
+    double time_step = 0;            ///< of the scaled system [s]
+    double slow_period = 0;          ///< estimate of its slowest period [s]
+    double slow_period_limit = 0;    ///< the estimate grows with what is observed, at most to this [s]
+    double out_of_balance_limit = 0; ///< at rest below this share of the weight
+    std::int64_t steps = 0;          ///< taken so far
+    bool inertia_scaled = false;
+};
+
+/// Sets damping, inertia and time step of quasi-static work on a state, and a first estimate of the slowest period.
+QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control& control, double load_tolerance,
+                        bool parallel);
+
+/// Changes a load: called with 0 < share <= 1 of the way.
+using Ramp = std::function<void(State&, double share)>;
+
+/// Brings the load on over some slowest periods, then decides:
+///  - stable: the out-of-balance force stays below its limit for one slowest period;
+///  - failing: motion without resistance: the out-of-balance force stays on a plateau, or grows, while the blocks do
+///    not slow down. Either flat to a few per cent over a window of some slowest periods (an oscillation of up to
+///    thirty times that period would not look so), or noisy but no lower over a span of several windows than before;
+///  - undecided: neither within the allowed steps, or interrupted.
+/// At rest the velocities are set to zero.
+Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp);
+
+}  // namespace talus::analysis

@@ -1,0 +1,200 @@
+// Time history of a model.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "analysis/threads.h"
+#include "stages/measure.h"
+#include "stages/patches.h"
+#include "stages/step.h"
+#include "stages/time_step.h"
+#include "stages/water.h"
+#include "state/build.h"
+#include "talus/simulation.h"
+
+namespace talus {
+namespace {
+
+// Share of the stability bound. A spring that closes or opens in the middle of a step costs or gives up to
+// (omega dt)^2 / 4 of the energy of the impact, so models in which blocks fly or move from the start get a step that
+// keeps this below 0.1 %.
+constexpr double kStepSafety = 0.4;
+constexpr double kImpactStepSafety = 0.03;
+constexpr int kStepsPerLook = 10;      // neighbours, patches, draining, interruption
+constexpr int kStepsPerReport = 2000;
+
+bool expectsImpacts(const State& state) {
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        const bool touches = state.incidence.interface_begin[b] < state.incidence.interface_begin[b + 1];
+        if (state.blocks.motion[b] == Motion::free && (!touches || state.blocks.velocity.get(b).norm() > 0))
+            return true;
+        if (state.blocks.motion[b] == Motion::driven) return true;
+    }
+    return false;
+}
+
+/// Highest frequency bound a free block could have: with no interface yet, that of its own largest face closed.
+double highestFrequency(const State& state, bool parallel) {
+    const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
+    double highest = *std::max_element(bounds.begin(), bounds.end());
+    const auto& shapes = state.geometry->shape;
+    for (std::size_t b = 0; b < bounds.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free || bounds[b] > 0) continue;
+        double area = 0, stiffness = 0;
+        for (std::size_t f = 0; f < shapes[b].faces.size(); ++f) area = std::max(area, shapes[b].faceArea(f));
+        for (const contact::JointLaw& law : state.laws)
+            stiffness = std::max({stiffness, law.normal_stiffness, law.shear_stiffness});
+        // lambda_max <= trace: k A (1/m * 3 + 3 r^2 / I_min).
+        const double r = state.geometry->radius[b];
+        highest = std::max(highest, stiffness * area *
+                                        (3.0 / state.blocks.mass[b] +
+                                         3.0 * r * r / state.blocks.inertia.get(b).minCoeff()));
+    }
+    return highest;
+}
+
+BlockReport reportOn(const State& state, std::size_t b) {
+    BlockReport report;
+    report.name = state.geometry->model.blocks[b].name;
+    report.position = state.blocks.position.get(b);
+    report.velocity = state.blocks.velocity.get(b);
+    report.displacement = report.position - state.geometry->initial_position.get(b);
+    report.rotation = stages::rotationFrom(state.geometry->initial_orientation, state.blocks.orientation, b);
+    return report;
+}
+
+std::vector<std::size_t> watchedBlocks(const Model& model) {
+    std::vector<std::size_t> watched;
+    for (const std::string& name : model.run.watch)
+        for (std::size_t b = 0; b < model.blocks.size(); ++b)
+            if (model.blocks[b].name == name) watched.push_back(b);
+    return watched;
+}
+
+HistoryRecord recordOf(const State& state, const std::vector<std::size_t>& watched) {
+    HistoryRecord record;
+    record.time = state.time;
+    record.step = state.step;
+    record.kinetic_energy = stages::kineticEnergy(state);
+    record.elastic_energy = stages::elasticEnergy(state);
+    record.gravity_energy = stages::gravityEnergy(state);
+    record.out_of_balance = stages::outOfBalanceRatio(state);
+    for (std::size_t b : watched) record.watch.push_back(reportOn(state, b));
+    return record;
+}
+
+class TimeHistory {
+public:
+    TimeHistory(State state, const Control& control, const std::function<void(const HistoryRecord&)>& record,
+                bool parallel)
+        : state_(std::move(state)),
+          control_(control),
+          record_(record),
+          parallel_(parallel),
+          settings_(state_.geometry->model.run),
+          watched_(watchedBlocks(state_.geometry->model)),
+          safety_(expectsImpacts(state_) ? kImpactStepSafety : kStepSafety) {}
+
+    RunResult run() {
+        chooseTimeStep();
+        stages::updateForces(state_, parallel_);
+        if (record_) record_(recordOf(state_, watched_));
+        double next_frame = settings_.frame_interval;
+        while (state_.time < settings_.duration - 0.5 * time_step_ && !interrupted()) {
+            oneStep();
+            if (record_ && state_.time >= next_frame - 0.5 * time_step_) {
+                record_(recordOf(state_, watched_));
+                while (next_frame <= state_.time + 0.5 * time_step_) next_frame += settings_.frame_interval;
+            }
+        }
+        return result();
+    }
+
+private:
+    bool interrupted() {
+        if (state_.step % kStepsPerLook == 0 && control_.stop != nullptr &&
+            control_.stop->load(std::memory_order_relaxed))
+            interrupted_ = true;
+        return interrupted_;
+    }
+
+    void chooseTimeStep() {
+        const double highest = highestFrequency(state_, parallel_);
+        const double bound = highest > 0 ? stages::stableTimeStep(highest, state_.damping.contact)
+                                         : settings_.duration / 1000;
+        if (settings_.time_step) {
+            time_step_ = *settings_.time_step;
+            if (time_step_ > bound && !warned_step_) {
+                state_.warnings.push_back("run.time_step_s is above the stability bound of " +
+                                          std::to_string(bound * 1e6) + " us");
+                warned_step_ = true;
+            }
+            return;
+        }
+        // A whole number of steps ends exactly at the duration.
+        const double left = settings_.duration - state_.time;
+        time_step_ = left / std::ceil(left / (safety_ * bound));
+    }
+
+    void oneStep() {
+        state_.load.time = state_.time + time_step_;
+        stages::advance(state_, {time_step_, parallel_});
+        state_.time += time_step_;
+        if (state_.step % kStepsPerLook == 0) {
+            stages::drainWater(state_);
+            if (stages::refreshInterfaces(state_, parallel_, kStepsPerLook * time_step_)) chooseTimeStep();
+        }
+        if (state_.step % kStepsPerReport == 0 && control_.progress)
+            control_.progress({"run", state_.time / settings_.duration,
+                               "t = " + std::to_string(state_.time) + " s"});
+    }
+
+    RunResult result() {
+        RunResult result;
+        result.steps = state_.step;
+        result.simulated_seconds = state_.time;
+        result.time_step = time_step_;
+        result.blocks = state_.blocks.size();
+        result.interfaces = state_.interfaces.size();
+        result.contact_points = state_.points.size();
+        result.kinetic_energy = stages::kineticEnergy(state_);
+        result.state_hash = stages::stateHash(state_);
+        for (std::size_t b : watched_) result.watch.push_back(reportOn(state_, b));
+        result.interrupted = interrupted_;
+        result.warnings = state_.warnings;
+        return result;
+    }
+
+    State state_;
+    const Control& control_;
+    const std::function<void(const HistoryRecord&)>& record_;
+    bool parallel_;
+    const RunSettings& settings_;
+    std::vector<std::size_t> watched_;
+    double safety_;
+    double time_step_ = 0;
+    bool warned_step_ = false;
+    bool interrupted_ = false;
+};
+
+}  // namespace
+
+Result<RunResult> run(const Model& model, const Control& control,
+                      const std::function<void(const HistoryRecord&)>& record) {
+    return analysis::inArena(control.threads, [&]() -> Result<RunResult> {
+        const auto begin = std::chrono::steady_clock::now();
+        Result<State> built = buildState(model, control.threads != 1);
+        if (!built) return built.errors();
+        const bool parallel = analysis::worthThreads(*built, control.threads);
+        RunResult result = TimeHistory(std::move(*built), control, record, parallel).run();
+        result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return result;
+    });
+}
+
+std::vector<Error> checkModel(const Model& model, int threads) {
+    return analysis::inArena(threads, [&]() { return buildState(model, threads != 1).errors(); });
+}
+
+}  // namespace talus

@@ -1,0 +1,290 @@
+// Critical angle and factor of safety: one search over a load that only grows, each probe from the last stable state.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "analysis/bracket.h"
+#include "analysis/failure_mode.h"
+#include "analysis/quasi_static.h"
+#include "analysis/threads.h"
+#include "stages/measure.h"
+#include "state/build.h"
+#include "talus/analysis.h"
+
+namespace talus {
+namespace {
+
+constexpr double kContinuationShare = 5.0;  // the continuation goes this many times the deflection at rest
+constexpr double kOverload = 4.0;            // cells beyond the failing load at which the continuation runs
+constexpr int kAttempts = 3;                 // with half the time step each, when a failure is not confirmed
+
+/// The load that is searched over. Probes stand on a grid of cells no wider than the tolerance, so that the bracket
+/// found is one of these cells whatever way led to it.
+struct Axis {
+    double start = 0;
+    std::int64_t stop = 0;          ///< [cells from the start]
+    double cell = 0;                ///< width of the bracket
+    double imbalance_tolerance = 0; ///< out-of-balance force over weight that a change by one cell is worth
+    std::function<std::int64_t(std::int64_t)> next;  ///< from a stable load to the next one up [cells]
+    std::function<void(State&, double)> apply;
+    std::function<std::string(double)> say;  ///< for progress
+
+    double load(std::int64_t cells) const { return start + cell * static_cast<double>(cells); }
+};
+
+double degrees(double radians) { return radians * 180.0 / M_PI; }
+
+class Search {
+public:
+    Search(const State& state, const Axis& axis, const Control& control, const QuasiStatic& settings, bool parallel)
+        : axis_(axis),
+          control_(control),
+          parallel_(parallel),
+          bracket_(axis.stop),
+          last_stable_(state),
+          work_(analysis::prepare(last_stable_, settings, control, axis.imbalance_tolerance, parallel)) {}
+
+    SearchResult run() {
+        result_.low = -kInfinity;
+        result_.high = kInfinity;
+        if (loadGravityAndWater()) {
+            findFailure();
+            narrow();
+        }
+        finish();
+        return std::move(result_);
+    }
+
+private:
+    bool interrupted() const {
+        return control_.stop != nullptr && control_.stop->load(std::memory_order_relaxed);
+    }
+
+    void report(const std::string& stage, double load, Verdict verdict) const {
+        if (!control_.progress) return;
+        const double expected = 10.0 + std::log2(static_cast<double>(axis_.stop)) / 2;
+        const double probes = static_cast<double>(result_.probes.size());
+        control_.progress({stage, std::min(0.99, probes / expected), axis_.say(load) + ", " + toString(verdict)});
+    }
+
+    /// One probe from the last stable state; keeps the state it ends in.
+    Verdict probe(const std::string& stage, double load, const analysis::Ramp& ramp) {
+        State state = last_stable_;
+        Probe probe = analysis::bringOn(state, work_, ramp);
+        probe.load = load;
+        result_.probes.push_back(probe);
+        report(stage, load, probe.verdict);
+        (probe.verdict == Verdict::stable ? last_stable_ : last_moving_) = std::move(state);
+        return probe.verdict;
+    }
+
+    Verdict probeAt(std::int64_t cell) {
+        const double from = axis_.load(bracket_.low()), to = axis_.load(cell);
+        const auto ramp = [&](State& state, double share) { axis_.apply(state, from + share * (to - from)); };
+        const Verdict verdict = probe("probe " + std::to_string(result_.probes.size() + 1), to, ramp);
+        if (verdict == Verdict::stable) bracket_.stands(cell);
+        if (verdict == Verdict::failing) bracket_.fails(cell, result_.probes.back().out_of_balance);
+        return verdict;
+    }
+
+    /// Gravity at the start, then water. True when the assembly stands.
+    bool loadGravityAndWater() {
+        axis_.apply(last_stable_, axis_.start);
+        last_stable_.load.gravity_share = last_stable_.load.water_share = 0;
+        Verdict verdict = probe("gravity", axis_.start,
+                                [](State& state, double share) { state.load.gravity_share = share; });
+        if (verdict == Verdict::stable && !last_stable_.geometry->model.waters.empty())
+            verdict = probe("water", axis_.start, [](State& state, double share) { state.load.water_share = share; });
+        if (verdict == Verdict::failing) {
+            result_.status = SearchStatus::unstable_at_start;
+            result_.high = axis_.start;
+        }
+        if (verdict == Verdict::stable) result_.low = axis_.start;
+        return verdict == Verdict::stable;
+    }
+
+    /// Up from the start until a probe fails or the end is reached.
+    void findFailure() {
+        while (!bracket_.high() && !bracket_.stoodToTheEnd() && !interrupted())
+            if (probeAt(std::min(axis_.stop, axis_.next(bracket_.low()))) == Verdict::undecided) return;
+        if (bracket_.stoodToTheEnd()) result_.status = SearchStatus::stable_to_stop;
+    }
+
+    /// An undecided probe is answered by one between it and the failing load; a second one ends the search.
+    void narrow() {
+        while (bracket_.high() && !bracket_.closed() && !interrupted()) {
+            const std::int64_t cell = bracket_.next();
+            if (probeAt(cell) != Verdict::undecided) continue;
+            const std::int64_t higher = (cell + *bracket_.high() + 1) / 2;
+            if (higher >= *bracket_.high() || probeAt(higher) == Verdict::undecided) break;
+        }
+        if (bracket_.closed()) result_.status = SearchStatus::found;
+    }
+
+    void finish() {
+        if (interrupted()) result_.status = SearchStatus::interrupted;
+        if (result_.low > -kInfinity) result_.low = axis_.load(bracket_.low());
+        if (bracket_.high()) result_.high = axis_.load(*bracket_.high());
+        if (result_.status == SearchStatus::found) result_.answer = 0.5 * (result_.low + result_.high);
+        const bool fails = result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start;
+        if (fails) continueToFailure();
+        const State& last = fails ? last_moving_ : last_stable_;
+        result_.steps = work_.steps + continuation_steps_;
+        result_.state_hash = stages::stateHash(last);
+        result_.inertia_scaled = work_.inertia_scaled;
+        result_.damping_local = work_.settings.local_damping;
+        result_.blocks = last.blocks.size();
+        result_.interfaces = last.interfaces.size();
+        result_.contact_points = last.points.size();
+        result_.warnings = last.warnings;
+    }
+
+    /// How far the assembly has come at rest; when it fails before it has stood, what one slowest period of its own
+    /// weight would move it stands in for that [m].
+    double deflectionAtRest() const {
+        double sum = 0;
+        for (const Probe& p : result_.probes)
+            if (p.verdict == Verdict::stable) sum += p.displacement;
+        const double g = last_moving_.geometry->model.gravity.magnitude;
+        return sum > 0 ? sum : g * std::pow(work_.slow_period / (2.0 * M_PI), 2);
+    }
+
+    void continueToFailure() {
+        // A few cells beyond the failing load, because at it the motion would start as slowly as the bracket is fine.
+        const double load = result_.probes.back().verdict == Verdict::failing || bracket_.high() ? result_.high : axis_.start;
+        axis_.apply(last_moving_, load + kOverload * axis_.cell);
+        analysis::Failure failure =
+            analysis::continueFailure(last_moving_, kContinuationShare * deflectionAtRest(), control_, parallel_);
+        result_.mode = failure.mode;
+        result_.moving_blocks = std::move(failure.moving_blocks);
+        result_.motions = std::move(failure.motions);
+        result_.continuation_seconds = failure.seconds;
+        result_.time_step = failure.time_step;
+        continuation_steps_ = failure.steps;
+        result_.confirmed = failure.confirmed;
+    }
+
+    const Axis& axis_;
+    const Control& control_;
+    bool parallel_;
+    analysis::Bracket bracket_;
+    State last_stable_;
+    State last_moving_;
+    analysis::QuasiStaticWork work_;
+    SearchResult result_;
+    std::int64_t continuation_steps_ = 0;
+};
+
+bool claimsFailure(const SearchResult& result) {
+    return result.status == SearchStatus::found || result.status == SearchStatus::unstable_at_start;
+}
+
+/// A failure that the continuation with true inertia does not bear out was one of the numbers (contacts that chatter at
+/// too long a step): the search is made again with half the step, and is undecided if that does not help.
+SearchResult searchConfirmed(const State& state, const Axis& axis, const Control& control, QuasiStatic settings,
+                             bool parallel) {
+    std::int64_t steps = 0;
+    for (int attempt = 1;; ++attempt) {
+        SearchResult result = Search(state, axis, control, settings, parallel).run();
+        result.steps += steps;
+        if (!claimsFailure(result) || result.confirmed) return result;
+        if (attempt == kAttempts) {
+            result.status = SearchStatus::undecided;
+            result.warnings.push_back("the failing motion is not borne out by the continuation with true inertia");
+            return result;
+        }
+        steps = result.steps;
+        settings.step_safety *= 0.5;
+    }
+}
+
+Result<SearchResult> search(const Model& model, const Axis& axis, const Control& control,
+                            const QuasiStatic& settings) {
+    return analysis::inArena(control.threads, [&]() -> Result<SearchResult> {
+        const auto begin = std::chrono::steady_clock::now();
+        Result<State> built = buildState(model, control.threads != 1);
+        if (!built) return built.errors();
+        const bool parallel = analysis::worthThreads(*built, control.threads);
+        SearchResult result = searchConfirmed(*built, axis, control, settings, parallel);
+        result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return result;
+    });
+}
+
+/// Halvings of `step` until it is no wider than the tolerance.
+int halvings(double step, double tolerance) {
+    return std::max(0, static_cast<int>(std::ceil(std::log2(step / tolerance) - 1e-9)));
+}
+
+std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+}  // namespace
+
+Result<SearchResult> criticalAngle(const Model& model, const Control& control, const QuasiStatic& settings) {
+    Axis axis;
+    axis.start = model.analysis.start.value_or(model.gravity.tilt);
+    const double step = (model.analysis.stop - axis.start) / 8;
+    const std::int64_t cells = std::int64_t{1} << halvings(step, model.analysis.tolerance);
+    axis.cell = step / static_cast<double>(cells);
+    axis.stop = 8 * cells;
+    axis.imbalance_tolerance = axis.cell;  // out-of-balance force over weight changes like the tilt [rad]
+    axis.next = [cells](std::int64_t cell) { return cell + cells; };
+    axis.apply = [](State& state, double tilt) { state.load.tilt = tilt; };
+    axis.say = [](double tilt) { return formatted("tilt %.4f deg", degrees(tilt)); };
+    return search(model, axis, control, settings);
+}
+
+Result<SearchResult> safetyFactor(const Model& model, const Control& control, const QuasiStatic& settings) {
+    constexpr double kStart = 0.1;  // ten times the strength; then twice the factor until it fails
+    constexpr int kDoublings = 10;
+    Axis axis;
+    axis.start = kStart;
+    const std::int64_t cells = std::int64_t{1} << halvings(kStart, model.analysis.factor_tolerance);
+    axis.cell = kStart / static_cast<double>(cells);
+    axis.stop = ((std::int64_t{1} << kDoublings) - 1) * cells;
+    // The driving force is at most the weight, so a change of F by a cell is worth at most that share of it.
+    axis.imbalance_tolerance = 0.1 * axis.cell;
+    axis.next = [cells](std::int64_t cell) { return 2 * cell + cells; };
+    axis.apply = [&model](State& state, double factor) { state.laws = jointLaws(model.joints, factor); };
+    axis.say = [](double factor) { return formatted("factor %.4f", factor); };
+    return search(model, axis, control, settings);
+}
+
+const char* toString(SearchStatus status) {
+    switch (status) {
+        case SearchStatus::found: return "found";
+        case SearchStatus::unstable_at_start: return "unstable_at_start";
+        case SearchStatus::stable_to_stop: return "stable_to_stop";
+        case SearchStatus::interrupted: return "undecided";
+        case SearchStatus::undecided: break;
+    }
+    return "undecided";
+}
+
+const char* toString(FailureMode mode) {
+    switch (mode) {
+        case FailureMode::sliding: return "sliding";
+        case FailureMode::toppling: return "toppling";
+        case FailureMode::mixed: return "mixed";
+        case FailureMode::none: break;
+    }
+    return "none";
+}
+
+const char* toString(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::stable: return "stable";
+        case Verdict::failing: return "failing";
+        case Verdict::undecided: break;
+    }
+    return "undecided";
+}
+
+}  // namespace talus

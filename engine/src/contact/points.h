@@ -1,0 +1,28 @@
+#pragma once
+// Where the contact points (Lps) of a patch lie, and which share of its area each stands for.
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "talus/model.h"
+
+namespace talus::contact {
+
+struct PatchPoint {
+    Eigen::Vector2d position;  ///< in the plane of the patch [m]
+    double area;               ///< A_s [m^2]
+};
+
+/// Lps of a convex patch given counter-clockwise. The areas add up to the patch's.
+///  - vertex: exact for polynomials of degree 2 (so the closed stiffness is exact), outermost points on the outline
+///    (so the overturning pivot is exact);
+///  - quarter: the paper's rule, one sub-area per vertex, its Lp at the sub-area's centroid;
+///  - corner: the patch's vertices, equal shares;
+///  - grid N: centroids of N x N equal cells; rectangular patches only (see isRectangle).
+std::vector<PatchPoint> patchPoints(std::span<const Eigen::Vector2d> patch, const PointRule& rule);
+
+/// Four right angles, to a relative 1e-9.
+bool isRectangle(std::span<const Eigen::Vector2d> patch);
+
+}  // namespace talus::contact

@@ -1,0 +1,23 @@
+#pragma once
+// What can be measured on a state: energies, out-of-balance force, displacements, the state hash.
+
+#include <cstdint>
+
+#include "state/arrays.h"
+
+namespace talus::stages {
+
+double kineticEnergy(const State& state);  ///< with the inertia used in the motion [J]
+double elasticEnergy(const State& state);  ///< in the contact springs [J]
+double gravityEnergy(const State& state);  ///< relative to the initial position, free blocks [J]
+
+/// Largest out-of-balance force of a free block over its weight; torque counts over weight times the block's radius.
+double outOfBalanceRatio(const State& state);
+
+/// xxh3-64 over poses, velocities, and Lp forces and states.
+std::uint64_t stateHash(const State& state);
+
+/// Angle a block has turned from a given orientation [rad].
+double rotationFrom(const QuaternionArray& from, const QuaternionArray& to, std::size_t block);
+
+}  // namespace talus::stages

@@ -1,0 +1,29 @@
+#pragma once
+// Stages "drift" and "gather": the equations of motion (eqs 3-4) by a symplectic second-order step, kick-drift-kick.
+
+#include "state/arrays.h"
+#include "state/range.h"
+
+namespace talus::stages {
+
+/// Half kick with the forces of the last step, then the poses move by dt.
+/// Reads:  force, torque, inverse masses, velocity, angular_momentum, pose
+/// Writes: velocity, angular_momentum, pose
+void drift(State& state, Range blocks, double time_step);
+
+/// Sums the wrenches on each block in stored order, adds weight and local damping, and gives the second half kick.
+/// Reads:  interface wrenches, wet wrenches, load
+/// Writes: force, torque, velocity, angular_momentum
+void gather(State& state, Range blocks, double time_step);
+
+/// Force and torque on a block without local damping: contacts, water, weight [N, N m].
+struct Wrench {
+    Vec3 force = Vec3::Zero();
+    Vec3 torque = Vec3::Zero();
+};
+Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity);
+
+/// Gravity as the load has it now [m/s^2].
+Vec3 gravity(const State& state);
+
+}  // namespace talus::stages

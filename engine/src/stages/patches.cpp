@@ -1,0 +1,355 @@
+#include "stages/patches.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "contact/points.h"
+#include "detection/face_pairs.h"
+#include "detection/neighbours.h"
+#include "geometry/separation.h"
+#include "stages/carry_over.h"
+#include "stages/contacts.h"
+#include "stages/measure.h"
+#include "stages/water.h"
+#include "state/build.h"
+#include "state/range.h"
+
+namespace talus::stages {
+namespace {
+
+constexpr double kClosedGap = 1e-4;     // of the smaller block's size: closed and unstressed at the start
+constexpr double kSearchMargin = 0.05;  // of the median block size: pairs nearer than this are interfaces
+constexpr double kSlideLimit = 0.01;    // of the root of the patch area: then the patch is clipped again
+constexpr double kTurnLimit = 0.01;     // [rad], likewise
+constexpr double kFaceAngle = 0.8;      // [rad] faces up to 46 deg apart meet as faces; a box always has one such face
+
+double searchMargin(const State& state, double ahead) {
+    double fastest = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        fastest = std::max(fastest, state.blocks.velocity.get(b).norm() +
+                                        angularVelocity(state.blocks, b).norm() * state.geometry->radius[b]);
+    return std::max(kSearchMargin * state.geometry->length_scale, 4.0 * fastest * ahead);
+}
+
+Box boundingBox(const Polyhedron& shape, double margin) {
+    Box box{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
+    for (const Vec3& v : shape.vertices) {
+        box.min = box.min.cwiseMin(v);
+        box.max = box.max.cwiseMax(v);
+    }
+    box.min.array() -= margin;
+    box.max.array() += margin;
+    return box;
+}
+
+/// The reference face is the fixed block's, else the larger block's, else that of the block with the lower index.
+bool firstIsReference(const State& state, std::size_t first, std::size_t second) {
+    const bool first_free = state.blocks.motion[first] == Motion::free;
+    const bool second_free = state.blocks.motion[second] == Motion::free;
+    if (first_free != second_free) return second_free;
+    const double radius_1 = state.geometry->radius[first], radius_2 = state.geometry->radius[second];
+    return radius_1 >= radius_2 * (1.0 - 1e-9);
+}
+
+/// What the search finds for one pair of blocks.
+struct PairFinding {
+    std::vector<FacePair> faces;  ///< face_a on the reference block
+    std::int32_t block_a = 0, block_b = 0;
+    bool overlaps = false;
+    double depth = 0;  ///< [m], when they overlap
+};
+
+/// Shapes of all blocks where they are now, with their face normals.
+struct PlacedShapes {
+    std::vector<Polyhedron> shapes;
+    std::vector<std::vector<Vec3>> normals;
+
+    WorldShape world(std::size_t b) const { return {shapes[b].vertices, shapes[b].faces, normals[b]}; }
+};
+
+PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair pair, double margin, bool initial) {
+    PairFinding finding;
+    const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
+    if (state.blocks.motion[first] != Motion::free && state.blocks.motion[second] != Motion::free) return finding;
+    const bool first_is_a = firstIsReference(state, first, second);
+    const std::size_t a = first_is_a ? first : second, b = first_is_a ? second : first;
+    finding.block_a = static_cast<std::int32_t>(a);
+    finding.block_b = static_cast<std::int32_t>(b);
+    const double size = std::min(state.geometry->size[a], state.geometry->size[b]);
+    const double closed = kClosedGap * size;
+    finding.faces = findFacePairs(placed.world(a), placed.world(b),
+                                  {.max_gap = margin, .max_overlap = 0.5 * size, .max_angle = kFaceAngle},
+                                  Reference::face_a);
+    if (!initial && !finding.faces.empty()) return finding;
+    for (const FacePair& face : finding.faces)  // parallel faces that do not overlap: a plane between the blocks
+        if (face.least_gap >= -closed && face.most_gap - face.least_gap <= closed) return finding;
+    finding.depth = -findSeparation(placed.shapes[a], placed.shapes[b], -closed).distance;
+    finding.overlaps = finding.depth > closed;
+    return finding;
+}
+
+std::vector<PairFinding> examinePairs(const State& state, double margin, bool initial, bool parallel) {
+    const std::size_t n = state.blocks.size();
+    PlacedShapes placed{std::vector<Polyhedron>(n), std::vector<std::vector<Vec3>>(n)};
+    std::vector<Box> boxes(n);
+    forRange(n, 256, parallel, [&](Range range) {
+        for (std::size_t b = range.begin; b < range.end; ++b) {
+            placed.shapes[b] = placedShape(state, b);
+            for (std::size_t f = 0; f < placed.shapes[b].faces.size(); ++f)
+                placed.normals[b].push_back(placed.shapes[b].faceNormal(f));
+            boxes[b] = boundingBox(placed.shapes[b], 0.5 * margin);
+        }
+    });
+    const auto pairs = findNeighbours(boxes, parallel);
+    std::vector<PairFinding> findings(pairs.size());
+    forRange(pairs.size(), 64, parallel, [&](Range range) {
+        for (std::size_t k = range.begin; k < range.end; ++k)
+            findings[k] = examinePair(state, placed, pairs[k], margin, initial);
+    });
+    return findings;
+}
+
+std::vector<Error> overlapErrors(const State& state, const std::vector<PairFinding>& findings) {
+    std::vector<Error> errors;
+    for (const PairFinding& finding : findings) {
+        if (!finding.overlaps) continue;
+        const auto& blocks = state.geometry->model.blocks;
+        const Block& a = blocks[static_cast<std::size_t>(std::min(finding.block_a, finding.block_b))];
+        const Block& b = blocks[static_cast<std::size_t>(std::max(finding.block_a, finding.block_b))];
+        char depth[96];
+        std::snprintf(depth, sizeof depth, "by %.3g m; allowed: at most 1e-4 of the block size", finding.depth);
+        errors.push_back({b.field, "blocks \"" + a.name + "\" and \"" + b.name + "\" overlap " + depth});
+    }
+    return errors;
+}
+
+/// Appends one interface with frames at the patch's centroid and its Lps; strengths are unbroken.
+void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePair& pair) {
+    Interfaces& f = state.interfaces;
+    const double patch_area = area(pair.patch);
+    const auto ia = static_cast<std::size_t>(a), ib = static_cast<std::size_t>(b);
+    const Mat3 turn_a = state.blocks.orientation.matrix(ia), turn_b = state.blocks.orientation.matrix(ib);
+    const Vec3 x_a = state.blocks.position.get(ia), x_b = state.blocks.position.get(ib);
+    const auto face_a = static_cast<std::size_t>(pair.face_a), face_b = static_cast<std::size_t>(pair.face_b);
+
+    const FaceFrame own = faceFrame(state.geometry->shape[ia], face_a);
+    std::vector<Eigen::Vector2d> outline(pair.patch.begin(), pair.patch.end());
+    const Eigen::Vector2d centre = centroid(pair.patch);
+    for (Eigen::Vector2d& v : outline) v -= centre;
+    const Vec3 origin_a = own.origin + centre.x() * own.e1 + centre.y() * own.e2;
+
+    // b's face plane at that point, and a's tangents carried into it.
+    const Vec3 origin = x_a + turn_a * origin_a, e1 = turn_a * own.e1, e3 = turn_a * own.e3;
+    const FaceFrame other = faceFrame(state.geometry->shape[ib], face_b);
+    const Vec3 normal_b = turn_b * other.e3;
+    const double gap = normal_b.dot(x_b + turn_b * other.origin - origin) / normal_b.dot(e3);
+    const Vec3 b1 = (e1 - normal_b.dot(e1) * normal_b).normalized();
+    const Vec3 b2 = b1.cross(normal_b);  // b1 x b2 = -normal_b, which points from a to b
+
+    f.block_a.push_back(a);
+    f.block_b.push_back(b);
+    f.face_a.push_back(pair.face_a);
+    f.face_b.push_back(pair.face_b);
+    f.joint.push_back(interfaceJoint(state.geometry->model, ia, face_a, ib, face_b));
+    f.area.push_back(patch_area);
+    f.origin_a.add(origin_a);
+    f.e1_a.add(own.e1);
+    f.e2_a.add(own.e2);
+    f.origin_b.add(turn_b.transpose() * (origin + gap * e3 - x_b));
+    f.e1_b.add(turn_b.transpose() * b1);
+    f.e2_b.add(turn_b.transpose() * b2);
+    f.reference_gap.add(Vec3::Zero());
+    f.force.add(Vec3::Zero());
+    f.moment_a.add(Vec3::Zero());
+    f.moment_b.add(Vec3::Zero());
+    for (const Eigen::Vector2d& v : outline) {
+        f.patch_xi.push_back(v.x());
+        f.patch_eta.push_back(v.y());
+    }
+    f.patch_begin.push_back(static_cast<std::int64_t>(f.patch_xi.size()));
+    for (const contact::PatchPoint& point : contact::patchPoints(outline, state.geometry->model.points)) {
+        state.points.xi.push_back(point.position.x());
+        state.points.eta.push_back(point.position.y());
+        state.points.area.push_back(point.area);
+    }
+    f.point_begin.push_back(static_cast<std::int64_t>(state.points.area.size()));
+}
+
+void resizePoints(ContactPoints& points, bool dilates) {
+    const std::size_t n = points.area.size();
+    for (auto* values : {&points.offset_1, &points.offset_2, &points.normal, &points.shear_1, &points.shear_2})
+        values->assign(n, 0.0);
+    points.bond.assign(n, 0.0);
+    if (dilates) points.dilation.assign(n, 0.0);
+}
+
+/// Interfaces that touch at the start: their gap becomes the reference, their Lps are intact.
+void closeInitialInterfaces(State& state) {
+    Interfaces& f = state.interfaces;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        const RelativePose pose = relativePose(state, i);
+        const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
+        const double closed = kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
+        double widest = 0;
+        for (auto v = static_cast<std::size_t>(f.patch_begin[i]); v < static_cast<std::size_t>(f.patch_begin[i + 1]); ++v)
+            widest = std::max(widest, std::abs(pose.gap.x() + f.patch_xi[v] * pose.gap.y() + f.patch_eta[v] * pose.gap.z()));
+        if (widest > closed) continue;
+        f.reference_gap.set(i, pose.gap);
+        const auto begin = state.points.bond.begin();
+        std::fill(begin + f.point_begin[i], begin + f.point_begin[i + 1], 1.0);
+    }
+}
+
+void buildIncidence(State& state) {
+    Incidence& incidence = state.incidence;
+    const Interfaces& f = state.interfaces;
+    const std::size_t n = state.blocks.size();
+    incidence.interface_begin.assign(n + 1, 0);
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        ++incidence.interface_begin[static_cast<std::size_t>(f.block_a[i]) + 1];
+        ++incidence.interface_begin[static_cast<std::size_t>(f.block_b[i]) + 1];
+    }
+    for (std::size_t b = 0; b < n; ++b) incidence.interface_begin[b + 1] += incidence.interface_begin[b];
+    incidence.interface.resize(2 * f.size());
+    incidence.side.resize(2 * f.size());
+    std::vector<std::int64_t> next(incidence.interface_begin.begin(), incidence.interface_begin.end() - 1);
+    for (std::size_t i = 0; i < f.size(); ++i)
+        for (const std::int8_t side : {std::int8_t{0}, std::int8_t{1}}) {
+            const auto block = static_cast<std::size_t>(side == 0 ? f.block_a[i] : f.block_b[i]);
+            const auto slot = static_cast<std::size_t>(next[block]++);
+            incidence.interface[slot] = static_cast<std::int32_t>(i);
+            incidence.side[slot] = side;
+        }
+    if (incidence.wet_begin.size() != n + 1) incidence.wet_begin.assign(n + 1, 0);
+}
+
+std::vector<Error> gridErrors(const State& state, const std::vector<PairFinding>& findings) {
+    std::vector<Error> errors;
+    if (state.geometry->model.points.kind != PointRule::Kind::grid) return errors;
+    for (const PairFinding& finding : findings)
+        for (const FacePair& pair : finding.faces) {
+            const std::vector<Eigen::Vector2d> outline(pair.patch.begin(), pair.patch.end());
+            if (contact::isRectangle(outline)) continue;
+            const auto& blocks = state.geometry->model.blocks;
+            errors.push_back({"contact.points",
+                              "\"grid N\" needs rectangular patches; the one between \"" +
+                                  blocks[static_cast<std::size_t>(finding.block_a)].name + "\" and \"" +
+                                  blocks[static_cast<std::size_t>(finding.block_b)].name + "\" has " +
+                                  std::to_string(outline.size()) + " corners"});
+            return errors;
+        }
+    return errors;
+}
+
+std::vector<Error> touchErrors(const State& state) {
+    std::vector<Error> errors;
+    const Model& model = state.geometry->model;
+    for (const PairJoint& pair : model.pair_joints) {
+        if (!pair.must_touch) continue;
+        bool found = false;
+        for (std::size_t i = 0; i < state.interfaces.size() && !found; ++i)
+            found = std::minmax(state.interfaces.block_a[i], state.interfaces.block_b[i]) ==
+                    std::minmax(pair.block_a, pair.block_b);
+        if (!found)
+            errors.push_back({pair.field + ".between",
+                              "blocks \"" + model.blocks[static_cast<std::size_t>(pair.block_a)].name + "\" and \"" +
+                                  model.blocks[static_cast<std::size_t>(pair.block_b)].name +
+                                  "\" share no interface; allowed: two blocks whose faces touch"});
+    }
+    return errors;
+}
+
+/// Blocks that have come into each other without faces that meet: edges against edges, which are not modelled.
+void warnOfMissedContacts(State& state, const std::vector<PairFinding>& findings) {
+    for (const PairFinding& finding : findings) {
+        if (!finding.overlaps || state.invalid_since >= 0) continue;
+        const auto& blocks = state.geometry->model.blocks;
+        state.invalid_since = state.time;
+        state.warnings.push_back("blocks \"" + blocks[static_cast<std::size_t>(finding.block_a)].name + "\" and \"" +
+                                 blocks[static_cast<std::size_t>(finding.block_b)].name +
+                                 "\" meet by edges only, which is outside the valid range, from t = " +
+                                 std::to_string(state.time) + " s on");
+    }
+}
+
+std::vector<Error> findInterfacesWithin(State& state, double margin, bool initial, bool parallel) {
+    const std::vector<PairFinding> findings = examinePairs(state, margin, initial, parallel);
+    if (initial) {
+        std::vector<Error> errors = overlapErrors(state, findings);
+        if (errors.empty()) errors = gridErrors(state, findings);
+        if (!errors.empty()) return errors;
+    }
+    const OldInterfaces old{std::move(state.interfaces), std::move(state.points)};
+    state.interfaces = {};
+    state.points = {};
+    state.interfaces.point_begin.push_back(0);
+    state.interfaces.patch_begin.push_back(0);
+    for (const PairFinding& finding : findings)
+        for (const FacePair& pair : finding.faces) appendInterface(state, finding.block_a, finding.block_b, pair);
+    resizePoints(state.points, anyDilates(state.laws));
+    if (initial) closeInitialInterfaces(state);
+    else carryOver(old, state);
+    buildIncidence(state);
+    state.search_position = state.blocks.position;
+    state.search_orientation = state.blocks.orientation;
+    state.search_margin = margin;
+    if (initial) return touchErrors(state);
+    rebuildPairWater(state);
+    warnOfMissedContacts(state, findings);
+    return {};
+}
+
+/// Far enough that a contact could be missed, or that a patch has slid or turned too far over its partner.
+bool movedTooFar(const State& state, double margin) {
+    double farthest = 0, most_turned = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] == Motion::fixed) continue;
+        const double shift = (state.blocks.position.get(b) - state.search_position.get(b)).norm();
+        const double turn = rotationFrom(state.search_orientation, state.blocks.orientation, b);
+        farthest = std::max(farthest, shift + turn * state.geometry->radius[b]);
+        most_turned = std::max(most_turned, turn);
+    }
+    if (most_turned > kTurnLimit) return true;
+    // Two blocks may come towards each other: half the margin each, less what they may go before the next look.
+    if (farthest > 0.25 * state.search_margin || margin > 1.001 * state.search_margin) return true;
+    const Interfaces& f = state.interfaces;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        const double limit = kSlideLimit * std::sqrt(f.area[i]);
+        if (2.0 * farthest < limit) continue;
+        const RelativePose pose = relativePose(state, i);
+        if (std::hypot(pose.slide_1.x(), pose.slide_2.x()) > limit) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::vector<Error> findInterfaces(State& state, bool initial, bool parallel) {
+    const double margin = searchMargin(state, 0.0);
+    return findInterfacesWithin(state, margin, initial, parallel);
+}
+
+bool refreshInterfaces(State& state, bool parallel, double ahead) {
+    const double margin = searchMargin(state, ahead);
+    if (!movedTooFar(state, margin)) return false;
+    findInterfacesWithin(state, margin, false, parallel);
+    return true;
+}
+
+std::int32_t interfaceJoint(const Model& model, std::size_t block_a, std::size_t face_a, std::size_t block_b,
+                            std::size_t face_b) {
+    for (const PairJoint& pair : model.pair_joints) {
+        const auto a = static_cast<std::size_t>(pair.block_a), b = static_cast<std::size_t>(pair.block_b);
+        if ((a == block_a && b == block_b) || (a == block_b && b == block_a)) return pair.joint;
+    }
+    const std::int32_t joint_a = model.blocks[block_a].face_joint[face_a];
+    const std::int32_t joint_b = model.blocks[block_b].face_joint[face_b];
+    const double phi_a = model.joints[static_cast<std::size_t>(joint_a)].friction;
+    const double phi_b = model.joints[static_cast<std::size_t>(joint_b)].friction;
+    if (phi_a == phi_b) return std::min(joint_a, joint_b);
+    return phi_a < phi_b ? joint_a : joint_b;
+}
+
+}  // namespace talus::stages

@@ -1,0 +1,36 @@
+#pragma once
+// Stage "update water": the wrench of fissure water (eqs 1-2) on each wet wall, exact for partly wet polygons.
+//
+// p = rho_w g (depth below a horizontal table, along gravity). For a joint at tilt beta and a distance s along it that
+// is rho_w g cos(beta) (H - s), the paper's eq 16. Walls are polygons fixed to their blocks: water keeps pushing when
+// the joint opens.
+
+#include <vector>
+
+#include "state/arrays.h"
+#include "talus/result.h"
+
+namespace talus::stages {
+
+/// Makes the wet walls out of the model's waters and finds which act on which block.
+/// Errors: no wall, nothing below the base, two waters on the same place of a wall.
+std::vector<Error> buildWater(State& state);
+
+/// Makes the walls again after patches were clipped, for waters that stand on the patch of two blocks.
+void rebuildPairWater(State& state);
+
+/// Brings the wrenches up to date where the load, the level or the block's pose changed; nothing to do otherwise.
+/// Reads:  load, poses, drained
+/// Writes: wet.force, wet.moment
+void updateWater(State& state);
+
+/// Marks waters as drained whose interfaces have opened wider than they allow. Reads poses, writes drained.
+void drainWater(State& state);
+
+/// The pressure of a water under the state's load.
+PressureField pressureField(const State& state, std::size_t water);
+
+/// Depth or elevation of a water at a time: linear between the entries of its table, constant beyond [m].
+double levelAt(const Water& water, double time);
+
+}  // namespace talus::stages

@@ -1,0 +1,150 @@
+#include "state/build.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "stages/contacts.h"
+#include "stages/patches.h"
+#include "stages/water.h"
+
+namespace talus {
+namespace {
+
+/// Principal axes; the model's own axes where the inertia is diagonal already, so that boxes keep theirs.
+Mat3 principalAxes(const Mat3& inertia, Vec3& moments) {
+    const double off_diagonal =
+        std::abs(inertia(0, 1)) + std::abs(inertia(0, 2)) + std::abs(inertia(1, 2));
+    moments = inertia.diagonal();
+    if (off_diagonal <= 1e-12 * inertia.trace()) return Mat3::Identity();
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia);
+    moments = solver.eigenvalues();
+    Mat3 axes = solver.eigenvectors();
+    if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
+    return axes;
+}
+
+/// Smallest extent over the face normals: how thick the block is [m].
+double smallestExtent(const Polyhedron& shape) {
+    double smallest = kInfinity;
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+        const Vec3 normal = shape.faceNormal(f);
+        double low = kInfinity, high = -kInfinity;
+        for (const Vec3& v : shape.vertices) {
+            low = std::min(low, normal.dot(v));
+            high = std::max(high, normal.dot(v));
+        }
+        smallest = std::min(smallest, high - low);
+    }
+    return smallest;
+}
+
+void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<Error>& errors) {
+    const MassProperties mass = massProperties(block.shape);
+    if (!(mass.volume > 0) || !std::isfinite(mass.volume)) {
+        errors.push_back({block.field, "block \"" + block.name + "\" has no volume"});
+        return;
+    }
+    Blocks& blocks = state.blocks;
+    Vec3 moments;
+    const Mat3 axes = principalAxes(mass.inertia, moments);
+    const Eigen::Quaterniond turn(axes);
+    Polyhedron own = block.shape;
+    double radius = 0;
+    for (Vec3& v : own.vertices) {
+        v = axes.transpose() * (v - mass.centroid);
+        radius = std::max(radius, v.norm());
+    }
+    geometry.size.push_back(smallestExtent(own));
+    geometry.radius.push_back(radius);
+    geometry.shape.push_back(std::move(own));
+
+    const bool free = block.motion == Motion::free;
+    blocks.position.add(mass.centroid);
+    blocks.orientation.w.push_back(turn.w());
+    blocks.orientation.x.push_back(turn.x());
+    blocks.orientation.y.push_back(turn.y());
+    blocks.orientation.z.push_back(turn.z());
+    blocks.velocity.add(block.motion == Motion::fixed ? Vec3(Vec3::Zero()) : block.velocity);
+    blocks.mass.push_back(block.density * mass.volume);
+    const Vec3 inertia = block.density * moments;
+    blocks.inertia.add(inertia);
+    blocks.inverse_mass.push_back(free ? 1.0 / blocks.mass.back() : 0.0);
+    blocks.inverse_inertia.add(free ? Vec3(inertia.cwiseInverse()) : Vec3(Vec3::Zero()));
+    blocks.motion.push_back(block.motion);
+}
+
+double medianOf(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+}  // namespace
+
+std::vector<contact::JointLaw> jointLaws(const std::vector<Joint>& joints, double factor) {
+    std::vector<contact::JointLaw> laws;
+    for (const Joint& joint : joints)
+        laws.push_back({.normal_stiffness = joint.normal_stiffness,
+                        .shear_stiffness = joint.shear_stiffness,
+                        .tan_friction = std::tan(joint.friction) / factor,
+                        .cohesion = joint.cohesion / factor,
+                        .tensile_strength = joint.tensile_strength,
+                        .residual_tan_friction = std::tan(joint.residual_friction) / factor,
+                        .residual_cohesion = joint.residual_cohesion / factor,
+                        .tan_dilation = std::tan(joint.dilation),
+                        .bonded = joint.cohesion > 0 || joint.tensile_strength > 0});
+    return laws;
+}
+
+Polyhedron placedShape(const State& state, std::size_t block) {
+    Polyhedron shape = state.geometry->shape[block];
+    const Mat3 turn = state.blocks.orientation.matrix(block);
+    const Vec3 position = state.blocks.position.get(block);
+    for (Vec3& v : shape.vertices) v = position + turn * v;
+    return shape;
+}
+
+void setInertia(State& state, const std::vector<double>& scale) {
+    Blocks& blocks = state.blocks;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (blocks.motion[b] != Motion::free) continue;
+        const Vec3 inverse = blocks.inertia.get(b).cwiseInverse() / scale[b];
+        const double change = inverse.x() > 0 ? blocks.inverse_inertia.x[b] / inverse.x() : 1.0;
+        blocks.angular_momentum.set(b, change * blocks.angular_momentum.get(b));
+        blocks.inverse_mass[b] = 1.0 / (blocks.mass[b] * scale[b]);
+        blocks.inverse_inertia.set(b, inverse);
+    }
+}
+
+Result<State> buildState(const Model& model, bool parallel) {
+    State state;
+    auto geometry = std::make_shared<Geometry>();
+    std::vector<Error> errors;
+    if (model.blocks.empty()) return Error{"", "there are no blocks"};
+    for (const Block& block : model.blocks) addBlock(block, state, *geometry, errors);
+    if (!errors.empty()) return errors;
+
+    const std::size_t n = state.blocks.size();
+    state.blocks.angular_momentum.resize(n);
+    state.blocks.force.resize(n);
+    state.blocks.torque.resize(n);
+    geometry->model = model;
+    geometry->length_scale = medianOf(geometry->size);
+    geometry->initial_position = state.blocks.position;
+    geometry->initial_orientation = state.blocks.orientation;
+    state.geometry = std::move(geometry);
+    state.laws = jointLaws(model.joints);
+    state.load.tilt = model.gravity.tilt;
+    state.damping = model.damping;
+    state.drained.assign(model.waters.size(), 0);
+
+    errors = stages::findInterfaces(state, true, parallel);
+    if (!errors.empty()) return errors;
+    errors = stages::buildWater(state);
+    if (!errors.empty()) return errors;
+    return state;
+}
+
+}  // namespace talus
