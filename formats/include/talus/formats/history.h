@@ -1,0 +1,50 @@
+#pragma once
+// History of a run as CSV: one row per record, written as it comes, so that a run that is stopped or killed keeps what
+// it has done. Comment lines start with '#'; the last one says how the run ended, and a file without it is unfinished.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "talus/result.h"
+#include "talus/simulation.h"
+
+namespace talus::formats {
+
+enum class HistoryFile { absent, empty, unfinished, finished, foreign };
+
+/// What stands at this path. Devices and pipes count as absent, there is nothing in them to lose.
+HistoryFile inspectHistory(const std::string& path);
+
+class HistoryWriter {
+ public:
+    /// Opens the file for writing, without touching what is in it: that goes with the first record. `comments` are
+    /// whole lines starting with '#'; `watch` are the blocks every record will report, in this order.
+    static Result<HistoryWriter> open(const std::string& path, std::string comments,
+                                      std::vector<std::string> watch);
+
+    HistoryWriter(HistoryWriter&& other) noexcept;
+    HistoryWriter& operator=(HistoryWriter&&) = delete;
+    ~HistoryWriter();  ///< an opened file that got no record is as it was before
+
+    /// Errors: the file system's refusal, with path and reason. After the first one nothing more is written.
+    std::vector<Error> write(const HistoryRecord& record);
+
+    /// Adds the last line ("# end: finished") and closes.
+    std::vector<Error> finish(std::string_view how);
+
+ private:
+    HistoryWriter(int file, bool created, std::string path, std::string comments,
+                  std::vector<std::string> watch);
+    std::string head() const;
+    std::string row(const HistoryRecord& record) const;
+    std::vector<Error> append(std::string_view text);
+    std::vector<Error> refusal(const char* doing, int error_number);
+
+    int file_ = -1;
+    bool created_ = false, started_ = false, failed_ = false;
+    std::string path_, comments_;
+    std::vector<std::string> watch_;
+};
+
+}  // namespace talus::formats

@@ -1,0 +1,45 @@
+#pragma once
+// Scenario files: TOML in, a Model out, every fault with its line and column.
+//
+// The order of the model's blocks: stack by stack as in the file (its floor first, then column by column from
+// the toe, row by row from the floor, slice by slice), then the blocks placed by hand. Joints stand in the
+// order of the file, behind them those derived for bed levels with a friction angle of their own
+// ("default@18.5deg").
+//
+// Optional keys beyond the plain ones: joint.NAME.residual_friction_deg, joint.NAME.dilation_deg,
+// analysis.factor_tolerance, and water[].stack, the name of the stack meant where there are several.
+// Limits: 64 MiB of text, two million blocks, 1000 vertices of a block placed by hand.
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "talus/model.h"
+#include "talus/result.h"
+
+namespace talus::formats {
+
+/// A read scenario: the model, the text it came from, and where each field stands in it.
+struct Scenario {
+    Model model;
+    std::string path;  ///< as given, for messages
+    std::string text;
+    std::map<std::string, std::pair<int, int>> places;  ///< "stack[0].columns" -> (line, column), 1-based
+};
+
+/// Reads and checks a scenario file. All faults found are reported, not just the first.
+Result<Scenario> readScenario(const std::string& path);
+
+/// The same for text already in memory; `path` is used in messages only.
+Result<Scenario> parseScenario(const std::string& text, const std::string& path);
+
+/// Adds file, line and column to errors of the engine (overlaps, water on no face, ...), by their field: the
+/// place of the field itself, else of the nearest enclosing table ("water[1].walls" falls back to
+/// "water[1]").
+std::vector<Error> placed(const Scenario& scenario, std::vector<Error> errors);
+
+/// "FILE:LINE:COLUMN: error: FIELD: what was found, what is allowed" (line and column left out when unknown).
+std::string format(const Error& error);
+
+}  // namespace talus::formats

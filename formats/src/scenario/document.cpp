@@ -1,0 +1,131 @@
+#include "document.h"
+
+#define TOML_HEADER_ONLY 0
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "key_depth.h"
+#include "wording.h"
+
+namespace talus::formats::scenario {
+
+namespace {
+
+const toml::node& raw(const void* node) { return *static_cast<const toml::node*>(node); }
+
+Place placeOf(const toml::source_region& region) {
+    return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+}
+
+Error syntaxError(const std::string& path, Place place, std::string message) {
+    return {"", std::move(message), path, place.line, place.column};
+}
+
+}  // namespace
+
+Kind Node::kind() const {
+    switch (raw(node_).type()) {
+        case toml::node_type::table:
+            return Kind::table;
+        case toml::node_type::array:
+            return Kind::array;
+        case toml::node_type::string:
+            return Kind::text;
+        case toml::node_type::integer:
+            return Kind::integer;
+        case toml::node_type::floating_point:
+            return Kind::real;
+        case toml::node_type::boolean:
+            return Kind::boolean;
+        default:
+            return Kind::date;
+    }
+}
+
+Place Node::place() const { return placeOf(raw(node_).source()); }
+
+std::int64_t Node::integer() const { return raw(node_).as_integer()->get(); }
+
+double Node::real() const { return raw(node_).as_floating_point()->get(); }
+
+bool Node::boolean() const { return raw(node_).as_boolean()->get(); }
+
+const std::string& Node::text() const { return raw(node_).as_string()->get(); }
+
+std::size_t Node::size() const {
+    const toml::node& node = raw(node_);
+    return node.is_array() ? node.as_array()->size() : node.as_table()->size();
+}
+
+Node Node::at(std::size_t index) const { return Node(raw(node_).as_array()->get(index)); }
+
+std::optional<Node> Node::find(std::string_view key) const {
+    const toml::node* value = raw(node_).as_table()->get(key);
+    return value ? std::optional<Node>(Node(value)) : std::nullopt;
+}
+
+std::vector<Entry> Node::entries() const {
+    std::vector<Entry> entries;
+    for (const auto& [key, value] : *raw(node_).as_table())
+        entries.push_back({std::string(key.str()), placeOf(key.source()), Node(&value)});
+    // toml++ keeps tables sorted by key; the file's order decides ties between joints.
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+    });
+    return entries;
+}
+
+std::string valueText(const Node& node) {
+    switch (node.kind()) {
+        case Kind::table:
+            return "a table";
+        case Kind::array:
+            return "an array";
+        case Kind::text:
+            return quoted(node.text());
+        case Kind::integer:
+            return std::to_string(node.integer());
+        case Kind::real:
+            return numberText(node.real());
+        case Kind::boolean:
+            return node.boolean() ? "true" : "false";
+        default:
+            return "a date or time";
+    }
+}
+
+std::string describe(const Node& node) {
+    switch (node.kind()) {
+        case Kind::text:
+            return "a string " + valueText(node);
+        case Kind::integer:
+            return "an integer " + valueText(node);
+        case Kind::boolean:
+            return "a boolean " + valueText(node);
+        case Kind::real: {
+            const std::string value = valueText(node);
+            const bool looks_integer = value.find_first_not_of("-0123456789") == std::string::npos;
+            return "a number " + value + (looks_integer ? ".0" : "");
+        }
+        default:
+            return valueText(node);
+    }
+}
+
+Result<Document> Document::parse(const std::string& text, const std::string& path) {
+    if (const auto place = tooDeepKey(text))
+        return syntaxError(path, *place,
+                           "found a key of more than " + std::to_string(kMaxKeyDepth) + " dotted parts");
+    try {
+        auto table =
+            std::make_shared<toml::table>(toml::parse(std::string_view(text), std::string_view(path)));
+        return Document(std::shared_ptr<const void>(table, static_cast<const toml::node*>(table.get())));
+    } catch (const toml::parse_error& error) {
+        return syntaxError(path, placeOf(error.source()),
+                           "not valid TOML: " + oneLine(std::string(error.description())));
+    }
+}
+
+}  // namespace talus::formats::scenario

@@ -1,0 +1,72 @@
+#pragma once
+// A parsed TOML text as plain nodes with their places. The one door to toml++, which takes long to compile
+// and is therefore seen by document.cpp alone.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "talus/result.h"
+
+namespace talus::formats::scenario {
+
+/// Where something stands in the text, 1-based; columns count code points.
+struct Place {
+    int line = 0;
+    int column = 0;
+};
+
+enum class Kind : std::uint8_t { table, array, text, integer, real, boolean, date };
+
+struct Entry;
+
+/// A node of a Document, valid as long as the document lives. Cheap to copy.
+class Node {
+ public:
+    explicit Node(const void* node) : node_(node) {}
+
+    Kind kind() const;
+    Place place() const;
+
+    /// \pre the node is of the kind asked for
+    std::int64_t integer() const;
+    double real() const;
+    bool boolean() const;
+    const std::string& text() const;
+    std::size_t size() const;                              ///< of an array or a table
+    Node at(std::size_t index) const;                      ///< of an array
+    std::optional<Node> find(std::string_view key) const;  ///< of a table
+    std::vector<Entry> entries() const;                    ///< of a table, in the order of the file
+
+ private:
+    const void* node_;  ///< a toml::node
+};
+
+struct Entry {
+    std::string key;
+    Place place;  ///< of the key
+    Node value;
+};
+
+/// What was found, for messages: `a string "abc"`, `an integer 3`, `a table`.
+std::string describe(const Node& node);
+
+/// The value alone, for messages about its size: `-3`, `"abc"`, `nan`.
+std::string valueText(const Node& node);
+
+class Document {
+ public:
+    /// Syntax errors carry their line and column.
+    static Result<Document> parse(const std::string& text, const std::string& path);
+
+    Node root() const { return Node(root_.get()); }
+
+ private:
+    explicit Document(std::shared_ptr<const void> root) : root_(std::move(root)) {}
+    std::shared_ptr<const void> root_;  ///< a toml::node, namely a table
+};
+
+}  // namespace talus::formats::scenario

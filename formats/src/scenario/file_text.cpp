@@ -1,0 +1,40 @@
+#include "file_text.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+namespace talus::formats::scenario {
+
+namespace {
+
+constexpr std::size_t kMaxFileSize = std::size_t{64} << 20;  // [bytes]
+
+Error fileError(const std::string& path, std::string message) { return {"", std::move(message), path}; }
+
+}  // namespace
+
+Result<std::string> readFileText(const std::string& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        return fileError(path, "found a directory, allowed: a scenario file");
+    errno = 0;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!file) return fileError(path, std::string("cannot be opened: ") + std::strerror(errno));
+    std::string text;
+    std::array<char, 1 << 16> chunk;
+    // Counted while reading: devices and pipes do not tell their size.
+    while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
+        if (text.size() + count > kMaxFileSize)
+            return fileError(path, "is larger than 64 MiB, allowed: at most that");
+        text.append(chunk.data(), count);
+    }
+    if (std::ferror(file.get()))
+        return fileError(path, std::string("cannot be read: ") + std::strerror(errno));
+    return text;
+}
+
+}  // namespace talus::formats::scenario

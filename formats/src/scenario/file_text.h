@@ -1,0 +1,13 @@
+#pragma once
+// A whole text file, within reason.
+
+#include <string>
+
+#include "talus/result.h"
+
+namespace talus::formats::scenario {
+
+/// Errors name the file: it cannot be opened, is a directory, cannot be read, or is larger than 64 MiB.
+Result<std::string> readFileText(const std::string& path);
+
+}  // namespace talus::formats::scenario

@@ -1,0 +1,21 @@
+#pragma once
+// [[interface]]: the joint of one pair of blocks by hand.
+
+#include "directory.h"
+#include "properties.h"
+#include "table_reader.h"
+
+namespace talus::formats::scenario {
+
+/// Two different blocks named under "between"; nothing when that is reported.
+std::optional<std::pair<std::int32_t, std::int32_t>> readBetween(Report& report, TableReader& table,
+                                                                 const BlockDirectory& blocks);
+
+std::vector<PairJoint> readInterfaces(Report& report, TableReader& root, const BlockDirectory& blocks,
+                                      const Joints& joints);
+
+/// Adds interfaces given by hand to the model's pairs; they replace what a stack derived for the same two
+/// blocks.
+void addInterfaces(const std::vector<PairJoint>& interfaces, Model& model);
+
+}  // namespace talus::formats::scenario

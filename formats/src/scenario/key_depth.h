@@ -1,0 +1,17 @@
+#pragma once
+// A guard before the TOML parser: it builds one nested table per part of a dotted key and takes them down
+// recursively, so a key of a hundred thousand parts would overflow the stack.
+
+#include <optional>
+#include <string_view>
+
+#include "document.h"
+
+namespace talus::formats::scenario {
+
+inline constexpr int kMaxKeyDepth = 16;  ///< a scenario needs three ("material.granite.density")
+
+/// Place of the first dotted key of more than kMaxKeyDepth parts.
+std::optional<Place> tooDeepKey(std::string_view text);
+
+}  // namespace talus::formats::scenario

@@ -1,0 +1,71 @@
+#pragma once
+// Materials and joints: what other tables refer to by name.
+
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "table_reader.h"
+#include "talus/model.h"
+
+namespace talus::formats::scenario {
+
+/// Names in the order of the file, with their indices.
+class NameList {
+ public:
+    explicit NameList(std::string what) : what_(std::move(what)) {}
+
+    void add(const std::string& name);
+    bool empty() const { return names_.empty(); }
+    std::size_t size() const { return names_.size(); }
+
+    std::optional<std::int32_t> find(const std::string& name) const;
+    std::string list() const;  ///< for messages
+
+    /// Index of a name a user wrote; an unknown one is reported.
+    std::optional<std::int32_t> resolve(Report& report, Place place, const std::string& field,
+                                        const std::string& name) const;
+
+ private:
+    std::string what_;  ///< "material", "joint"
+    std::vector<std::string> names_;
+    std::unordered_map<std::string, std::int32_t> indices_;
+};
+
+struct Materials {
+    NameList names{"material"};
+    std::vector<double> densities;  ///< [kg/m^3]
+};
+
+/// The joints of the file, and those derived from them for bed levels of their own friction angle.
+class Joints {
+ public:
+    NameList names{"joint"};
+
+    void add(Joint joint, double friction_deg, bool has_residual_friction);
+    std::vector<Joint>& all() { return joints_; }
+
+    /// The joint like `base` with another friction angle, named like "default@18.5deg"; `base` itself when it
+    /// is the same angle. The residual angle follows unless the file gave one.
+    std::int32_t withFriction(std::int32_t base, double friction_deg);
+
+ private:
+    std::vector<Joint> joints_;
+    std::vector<double> friction_deg_;         ///< as written, per joint of the file
+    std::vector<bool> has_residual_friction_;  ///< likewise
+    std::map<std::pair<std::int32_t, double>, std::int32_t> derived_;
+};
+
+Materials readMaterials(Report& report, TableReader& root);
+Joints readJoints(Report& report, TableReader& root);
+
+/// The material a table names under "material"; the only one there is when it names none.
+std::optional<std::int32_t> readMaterial(Report& report, TableReader& table, const Materials& materials);
+
+/// The joint a table names under `key`, "default" when it names none.
+std::optional<std::int32_t> readJoint(Report& report, TableReader& table, std::string_view key,
+                                      const Joints& joints);
+
+}  // namespace talus::formats::scenario

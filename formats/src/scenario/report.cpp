@@ -1,0 +1,35 @@
+#include "report.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace talus::formats::scenario {
+
+namespace {
+
+constexpr std::size_t kMaxKept = 1000;
+constexpr std::size_t kMaxShown = 50;
+
+bool standsBefore(const Error& a, const Error& b) {
+    return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+}
+
+}  // namespace
+
+bool Report::full() const { return errors_.size() >= kMaxKept; }
+
+void Report::add(Place place, std::string field, std::string message) {
+    ++count_;
+    if (!full()) errors_.push_back({std::move(field), std::move(message), path_, place.line, place.column});
+}
+
+std::vector<Error> Report::errors() const {
+    std::vector<Error> sorted = errors_;
+    std::stable_sort(sorted.begin(), sorted.end(), standsBefore);
+    if (sorted.size() > kMaxShown) sorted.resize(kMaxShown);
+    if (count_ > sorted.size())
+        sorted.push_back({"", "and " + std::to_string(count_ - sorted.size()) + " further errors", path_});
+    return sorted;
+}
+
+}  // namespace talus::formats::scenario

@@ -1,0 +1,37 @@
+#pragma once
+// Collects every fault found while a scenario is read, and the place of every field.
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "document.h"
+
+namespace talus::formats::scenario {
+
+class Report {
+ public:
+    explicit Report(std::string path) : path_(std::move(path)) {}
+
+    void add(Place place, std::string field, std::string message);
+
+    /// So many faults that further ones are only counted; callers may skip costly suggestions.
+    bool full() const;
+    bool clean() const { return count_ == 0; }
+    std::size_t count() const { return count_; }
+
+    /// The first faults in the order of the file, and a last entry that counts the others, if any.
+    std::vector<Error> errors() const;
+
+    void mark(const std::string& field, Place place) { places_[field] = {place.line, place.column}; }
+    std::map<std::string, std::pair<int, int>> takePlaces() { return std::move(places_); }
+
+ private:
+    std::string path_;
+    std::vector<Error> errors_;
+    std::size_t count_ = 0;
+    std::map<std::string, std::pair<int, int>> places_;
+};
+
+}  // namespace talus::formats::scenario

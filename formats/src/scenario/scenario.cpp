@@ -1,0 +1,148 @@
+// Scenario files: the order of reading. First every table is read and checked, then, if nothing is wrong, the
+// model is built, then what needs the built blocks is checked.
+
+#include "talus/formats/scenario.h"
+
+#include "directory.h"
+#include "document.h"
+#include "file_text.h"
+#include "interface.h"
+#include "placed_block.h"
+#include "properties.h"
+#include "settings.h"
+#include "stack.h"
+#include "water.h"
+
+namespace talus::formats {
+
+namespace scenario {
+namespace {
+
+constexpr Place kFileStart{1, 1};
+
+class ScenarioReader {
+ public:
+    ScenarioReader(Report& report, Node root)
+        : report_(report),
+          root_(report, root, "",
+                {"format", "analysis", "run", "damping", "gravity", "contact", "material", "joint", "stack",
+                 "block", "water", "interface"}) {}
+
+    /// \post the model is complete when the report is clean
+    Model read() {
+        root_.integer("format", {1, 1});
+        readSettings(root_, model_);
+        materials_ = readMaterials(report_, root_);
+        joints_ = readJoints(report_, root_);
+        readBlocks();
+        const BlockDirectory directory(report_, stacks_, placed_);
+        checkWatch(directory);
+        const auto interfaces = readInterfaces(report_, root_, directory, joints_);
+        const auto waters = readWaters(report_, root_, stacks_, directory);
+        if (report_.clean()) buildBlocks();
+        if (report_.clean()) {
+            addInterfaces(interfaces, model_);
+            appendWaters(report_, waters, stacks_, model_);
+            checkWaterOverlaps(report_, waters, model_);
+        }
+        return std::move(model_);
+    }
+
+ private:
+    void readBlocks() {
+        std::int64_t count = 0;
+        for (const FieldNode& entry : root_.tables("stack")) {
+            stacks_.push_back(readStack(report_, entry, materials_, joints_));
+            Stack& stack = stacks_.back();
+            stack.first_block = static_cast<std::int32_t>(count);
+            if (stack.shape_known) count += stack.blockCount();
+            if (!checkCount(stack.place, stack.field, count)) return;
+        }
+        for (const FieldNode& entry : root_.tables("block")) {
+            placed_.push_back(readPlacedBlock(report_, entry, materials_, joints_));
+            if (!checkCount(placed_.back().place, entry.field, ++count)) return;
+        }
+        checkThereAreBlocks();
+    }
+
+    bool checkCount(Place place, const std::string& field, std::int64_t count) {
+        if (count <= kMaxBlocks) return true;
+        report_.add(
+            place, field,
+            "found " + std::to_string(count) + " blocks up to here, allowed: " + std::to_string(kMaxBlocks));
+        return false;
+    }
+
+    void checkThereAreBlocks() {
+        if (isEmpty("stack") && isEmpty("block")) {
+            if (!root_.isMeant("stack") && !root_.isMeant("block"))
+                report_.add(kFileStart, "stack",
+                            "found no blocks, allowed: at least one [[stack]] or [[block]]");
+            return;
+        }
+        if (materials_.names.empty()) reportNone("material", "[material.NAME] with a density");
+        if (joints_.names.empty()) reportNone("joint", "[joint.default] with stiffness and friction");
+    }
+
+    /// Unless a misspelt key, or a value of the wrong type, is reported already.
+    void reportNone(std::string_view key, const std::string& required) {
+        const auto node = root_.find(key);
+        const bool has_faulty_entries = node && (node->kind() != Kind::table || node->size() > 0);
+        if (!root_.isMeant(key) && !has_faulty_entries) root_.error(key, "missing; required: " + required);
+    }
+
+    /// A value of the wrong type counts as something: it is reported where it is read.
+    bool isEmpty(std::string_view key) const {
+        const auto node = root_.find(key);
+        return !node || (node->kind() == Kind::array && node->size() == 0);
+    }
+
+    void checkWatch(const BlockDirectory& directory) {
+        const auto run = root_.find("run");
+        const auto watch = run && run->kind() == Kind::table ? run->find("watch") : std::nullopt;
+        if (watch && watch->kind() == Kind::array) directory.checkNames(report_, *watch, "run.watch");
+    }
+
+    void buildBlocks() {
+        std::int64_t count = static_cast<std::int64_t>(placed_.size());
+        for (const Stack& stack : stacks_) count += stack.blockCount();
+        model_.blocks.reserve(static_cast<std::size_t>(count));
+        for (const Stack& stack : stacks_) appendStack(report_, stack, joints_, model_);
+        for (PlacedBlock& placed : placed_) model_.blocks.push_back(std::move(placed.block));
+        model_.joints = joints_.all();
+        if (stacks_.size() == 1 && placed_.empty()) model_.stack = shapeOf(stacks_[0]);
+    }
+
+    static StackShape shapeOf(const Stack& stack) {
+        return {stack.columns, stack.rows,    stack.slices, stack.block,
+                stack.origin,  stack.running, stack.heights};
+    }
+
+    Report& report_;
+    TableReader root_;
+    Model model_;
+    Materials materials_;
+    Joints joints_;
+    std::vector<Stack> stacks_;
+    std::vector<PlacedBlock> placed_;
+};
+
+}  // namespace
+}  // namespace scenario
+
+Result<Scenario> parseScenario(const std::string& text, const std::string& path) {
+    const auto document = scenario::Document::parse(text, path);
+    if (!document) return document.errors();
+    scenario::Report report(path);
+    Model model = scenario::ScenarioReader(report, document->root()).read();
+    if (!report.clean()) return report.errors();
+    return Scenario{std::move(model), path, text, report.takePlaces()};
+}
+
+Result<Scenario> readScenario(const std::string& path) {
+    const auto text = scenario::readFileText(path);
+    if (!text) return text.errors();
+    return parseScenario(*text, path);
+}
+
+}  // namespace talus::formats

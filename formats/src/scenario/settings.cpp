@@ -1,0 +1,129 @@
+#include "settings.h"
+
+#include <charconv>
+
+#include "wording.h"
+
+namespace talus::formats::scenario {
+
+namespace {
+
+constexpr double kDefaultStopDeg = 45;
+constexpr double kMaxFrames = 1e7;  // of a run: keeps a slip in the units from filling the disk
+constexpr int kMaxGrid = 64;
+
+// Narrower brackets are below what doubles resolve in a search.
+constexpr Range kToleranceDeg{1e-9, 45, false, false};
+constexpr Range kFactorTolerance{1e-9, 1, false, false};
+
+void readGravity(TableReader& root, Model& model, double& tilt_deg) {
+    auto table = root.table("gravity", {"magnitude", "tilt_deg"});
+    if (!table) return;
+    model.gravity.magnitude = table->number("magnitude", kNotNegative).value_or(model.gravity.magnitude);
+    tilt_deg = table->number("tilt_deg", kTiltDeg).value_or(tilt_deg);
+    model.gravity.tilt = tilt_deg * kRadPerDeg;
+}
+
+/// Where the search ends if the file does not say: 45 deg, or half way up from a scenario steeper than that.
+double defaultStopDeg(double start_deg) {
+    return start_deg < kDefaultStopDeg ? kDefaultStopDeg : (start_deg + 90) / 2;
+}
+
+void checkSearchRange(TableReader& table, double start_deg, double stop_deg) {
+    if (start_deg < stop_deg) return;
+    const bool has_stop = table.has("stop_deg");
+    const std::string start = numberText(start_deg) + (table.has("start_deg") ? "" : " (gravity.tilt_deg)");
+    const std::string stop = numberText(stop_deg) + (has_stop ? "" : " (the default)");
+    table.error(has_stop ? "stop_deg" : "start_deg",
+                "found a search from " + start + " to " + stop + ", allowed: start_deg less than stop_deg");
+}
+
+void readAnalysis(TableReader& root, Model& model, double tilt_deg) {
+    AnalysisSettings& settings = model.analysis;
+    settings.stop = defaultStopDeg(tilt_deg) * kRadPerDeg;
+    auto table = root.table("analysis",
+                            {"start_deg", "stop_deg", "tolerance_deg", "factor_tolerance", "time_scaling"});
+    if (!table) return;
+    const auto start_deg = table->number("start_deg", kTiltDeg);
+    const auto stop_deg = table->number("stop_deg", kTiltDeg);
+    if (start_deg) settings.start = *start_deg * kRadPerDeg;
+    if (start_deg || stop_deg) {
+        settings.stop = stop_deg.value_or(kDefaultStopDeg) * kRadPerDeg;
+        checkSearchRange(*table, start_deg.value_or(tilt_deg), stop_deg.value_or(kDefaultStopDeg));
+    }
+    if (const auto tolerance_deg = table->number("tolerance_deg", kToleranceDeg))
+        settings.tolerance = *tolerance_deg * kRadPerDeg;
+    settings.factor_tolerance =
+        table->number("factor_tolerance", kFactorTolerance).value_or(settings.factor_tolerance);
+    settings.time_scaling = table->boolean("time_scaling").value_or(settings.time_scaling);
+}
+
+void readRun(TableReader& root, Model& model) {
+    auto table = root.table("run", {"duration_s", "time_step_s", "frame_interval_s", "watch"});
+    if (!table) return;
+    RunSettings& run = model.run;
+    run.duration = table->number("duration_s", kPositive).value_or(run.duration);
+    run.time_step = table->number("time_step_s", kPositive);
+    run.frame_interval = table->number("frame_interval_s", kPositive).value_or(run.frame_interval);
+    if (run.duration / run.frame_interval > kMaxFrames)
+        table->error("frame_interval_s", "found " + numberText(run.frame_interval) + " s in a run of " +
+                                             numberText(run.duration) + " s, allowed: at most " +
+                                             numberText(kMaxFrames) + " frames");
+    // Whether the watched blocks exist is checked once all blocks are known.
+    run.watch = table->texts("watch", std::nullopt).value_or(std::vector<std::string>{});
+}
+
+void readDamping(TableReader& root, Model& model) {
+    auto table = root.table("damping", {"mass", "rotation", "contact", "local"});
+    if (!table) return;
+    Damping& damping = model.damping;
+    damping.mass = table->number("mass", kNotNegative).value_or(0);
+    damping.rotation = table->number("rotation", kNotNegative).value_or(0);
+    damping.contact = table->number("contact", kNotNegative).value_or(0);
+    damping.local = table->number("local", Range{0, 1, false, true}).value_or(0);
+}
+
+/// N of "grid N".
+std::optional<int> gridSize(const std::string& text) {
+    constexpr std::string_view kPrefix = "grid ";
+    if (text.compare(0, kPrefix.size(), kPrefix) != 0) return std::nullopt;
+    int size = 0;
+    const char* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data() + kPrefix.size(), end, size);
+    if (read.ec != std::errc() || read.ptr != end || size < 1 || size > kMaxGrid) return std::nullopt;
+    return size;
+}
+
+void readContact(TableReader& root, Model& model) {
+    auto table = root.table("contact", {"points"});
+    if (!table) return;
+    const auto text = table->text("points");
+    if (!text) return;
+    if (*text == "vertex") {
+        model.points = {PointRule::Kind::vertex, 0};
+    } else if (*text == "quarter") {
+        model.points = {PointRule::Kind::quarter, 0};
+    } else if (*text == "corner") {
+        model.points = {PointRule::Kind::corner, 0};
+    } else if (const auto grid = gridSize(*text)) {
+        model.points = {PointRule::Kind::grid, *grid};
+    } else {
+        table->error("points",
+                     "found " + quoted(*text) +
+                         R"(, allowed: "vertex", "quarter", "corner", or "grid N" with N from 1 to )" +
+                         std::to_string(kMaxGrid));
+    }
+}
+
+}  // namespace
+
+void readSettings(TableReader& root, Model& model) {
+    double tilt_deg = 0;
+    readGravity(root, model, tilt_deg);
+    readAnalysis(root, model, tilt_deg);
+    readRun(root, model);
+    readDamping(root, model);
+    readContact(root, model);
+}
+
+}  // namespace talus::formats::scenario

@@ -1,0 +1,263 @@
+#include "table_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wording.h"
+
+namespace talus::formats::scenario {
+
+namespace {
+
+constexpr std::size_t kMaxNameLength = 100;
+
+std::string countWord(std::size_t count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// True if `node` is an array of the length wanted.
+bool checkArray(Report& report, Node node, const std::string& field, const std::string& what,
+                std::optional<std::size_t> length) {
+    const std::string allowed = "an array of " + (length ? countWord(*length, what) : what + "s");
+    if (node.kind() != Kind::array) {
+        reportFound(report, node, field, allowed);
+        return false;
+    }
+    if (!length || node.size() == *length) return true;
+    report.add(node.place(), field,
+               "found an array of " + countWord(node.size(), "value") + ", allowed: " + allowed);
+    return false;
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+    if (!std::isfinite(value)) return false;
+    return (open_min ? value > min : value >= min) && (open_max ? value < max : value <= max);
+}
+
+std::string Range::allowed() const {
+    std::string text;
+    if (std::isfinite(min)) text = (open_min ? "greater than " : "at least ") + numberText(min);
+    if (std::isfinite(min) && std::isfinite(max)) text += " and ";
+    if (std::isfinite(max)) text += (open_max ? "less than " : "at most ") + numberText(max);
+    return text.empty() ? "a finite number" : text;
+}
+
+void reportFound(Report& report, Node node, const std::string& field, const std::string& allowed) {
+    report.add(node.place(), field, "found " + describe(node) + ", allowed: " + allowed);
+}
+
+std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Range& range) {
+    const Kind kind = node.kind();
+    if (kind != Kind::integer && kind != Kind::real) {
+        const bool any = !std::isfinite(range.min) && !std::isfinite(range.max);
+        reportFound(report, node, field, any ? "a number" : "a number, " + range.allowed());
+        return std::nullopt;
+    }
+    const double value = kind == Kind::integer ? static_cast<double>(node.integer()) : node.real();
+    if (range.contains(value)) return value;
+    const std::string allowed = std::isfinite(value) ? range.allowed() : "a finite number";
+    report.add(node.place(), field, "found " + valueText(node) + ", allowed: " + allowed);
+    return std::nullopt;
+}
+
+std::optional<std::int64_t> readInteger(Report& report, Node node, const std::string& field, Bounds bounds) {
+    const std::string range = std::to_string(bounds.min) + " to " + std::to_string(bounds.max);
+    if (node.kind() != Kind::integer) {
+        reportFound(report, node, field, "an integer, " + range);
+        return std::nullopt;
+    }
+    const std::int64_t value = node.integer();
+    if (value >= bounds.min && value <= bounds.max) return value;
+    report.add(node.place(), field, "found " + std::to_string(value) + ", allowed: " + range);
+    return std::nullopt;
+}
+
+std::optional<std::string> readText(Report& report, Node node, const std::string& field) {
+    if (node.kind() == Kind::text) return node.text();
+    reportFound(report, node, field, "a string");
+    return std::nullopt;
+}
+
+std::optional<std::vector<double>> readNumbers(Report& report, Node node, const std::string& field,
+                                               const Range& range, std::optional<std::size_t> length) {
+    if (!checkArray(report, node, field, "number", length)) return std::nullopt;
+    std::vector<double> values;
+    values.reserve(node.size());
+    for (std::size_t i = 0; i < node.size(); ++i)
+        if (const auto value = readNumber(report, node.at(i), elementField(field, i), range))
+            values.push_back(*value);
+    if (values.size() < node.size()) return std::nullopt;
+    return values;
+}
+
+std::optional<Vec3> readVector(Report& report, Node node, const std::string& field, const Range& range) {
+    const auto values = readNumbers(report, node, field, range, 3);
+    if (!values) return std::nullopt;
+    return Vec3((*values)[0], (*values)[1], (*values)[2]);
+}
+
+TableReader::TableReader(Report& report, Node table, std::string field, std::vector<std::string> allowed)
+    : report_(report), table_(table), place_(table.place()), field_(std::move(field)) {
+    if (!field_.empty()) report_.mark(field_, place_);
+    for (const Entry& entry : table_.entries()) {
+        if (std::find(allowed.begin(), allowed.end(), entry.key) != allowed.end()) {
+            report_.mark(fieldOf(entry.key), entry.value.place());
+            continue;
+        }
+        // A near key that is there already is not what was meant.
+        std::vector<std::string> absent;
+        for (const std::string& key : allowed)
+            if (!has(key)) absent.push_back(key);
+        const auto meant = nearest(entry.key, absent);
+        if (meant) meant_.push_back(*meant);
+        report_.add(entry.place, fieldOf(entry.key),
+                    "found an unknown key " + quoted(entry.key) +
+                        (meant ? ", did you mean " + quoted(*meant) + "?" : ", allowed: " + listed(allowed)));
+    }
+}
+
+std::string TableReader::fieldOf(std::string_view key) const { return joinField(field_, key); }
+
+Place TableReader::placeOf(std::string_view key) const {
+    const auto node = find(key);
+    return node ? node->place() : place_;
+}
+
+void TableReader::require(std::initializer_list<std::string_view> keys) {
+    for (const std::string_view key : keys)
+        if (!has(key) && !isMeant(key)) error(key, "missing; this key is required");
+}
+
+bool TableReader::isMeant(std::string_view key) const {
+    return std::find(meant_.begin(), meant_.end(), key) != meant_.end();
+}
+
+void TableReader::error(std::string_view key, std::string message) {
+    report_.add(placeOf(key), fieldOf(key), std::move(message));
+}
+
+std::optional<double> TableReader::number(std::string_view key, const Range& range) {
+    const auto node = find(key);
+    return node ? readNumber(report_, *node, fieldOf(key), range) : std::nullopt;
+}
+
+std::optional<std::int64_t> TableReader::integer(std::string_view key, Bounds bounds) {
+    const auto node = find(key);
+    return node ? readInteger(report_, *node, fieldOf(key), bounds) : std::nullopt;
+}
+
+std::optional<bool> TableReader::boolean(std::string_view key) {
+    const auto node = find(key);
+    if (!node) return std::nullopt;
+    if (node->kind() == Kind::boolean) return node->boolean();
+    reportFound(report_, *node, fieldOf(key), "true or false");
+    return std::nullopt;
+}
+
+std::optional<std::string> TableReader::text(std::string_view key) {
+    const auto node = find(key);
+    return node ? readText(report_, *node, fieldOf(key)) : std::nullopt;
+}
+
+std::optional<std::size_t> TableReader::choice(std::string_view key,
+                                               const std::vector<std::string>& allowed) {
+    const auto value = text(key);
+    if (!value) return std::nullopt;
+    const auto found = std::find(allowed.begin(), allowed.end(), *value);
+    if (found != allowed.end()) return static_cast<std::size_t>(found - allowed.begin());
+    std::string list;
+    for (const std::string& name : allowed) list += (list.empty() ? "" : ", ") + quoted(name);
+    error(key, "found " + quoted(*value) + ", allowed: " + list);
+    return std::nullopt;
+}
+
+std::optional<Vec3> TableReader::vector(std::string_view key, const Range& range) {
+    const auto node = find(key);
+    return node ? readVector(report_, *node, fieldOf(key), range) : std::nullopt;
+}
+
+std::optional<std::vector<double>> TableReader::numbers(std::string_view key, const Range& range,
+                                                        std::optional<std::size_t> length) {
+    const auto node = find(key);
+    return node ? readNumbers(report_, *node, fieldOf(key), range, length) : std::nullopt;
+}
+
+std::optional<std::vector<std::string>> TableReader::texts(std::string_view key,
+                                                           std::optional<std::size_t> length) {
+    const auto node = find(key);
+    if (!node || !checkArray(report_, *node, fieldOf(key), "string", length)) return std::nullopt;
+    std::vector<std::string> values;
+    for (std::size_t i = 0; i < node->size(); ++i)
+        if (auto value = readText(report_, node->at(i), elementField(fieldOf(key), i)))
+            values.push_back(std::move(*value));
+    if (values.size() < node->size()) return std::nullopt;
+    return values;
+}
+
+std::optional<Node> TableReader::array(std::string_view key) {
+    const auto node = find(key);
+    if (!node || node->kind() == Kind::array) return node;
+    reportFound(report_, *node, fieldOf(key), "an array");
+    return std::nullopt;
+}
+
+std::optional<TableReader> TableReader::table(std::string_view key, std::vector<std::string> allowed) {
+    const auto node = find(key);
+    if (!node) return std::nullopt;
+    if (node->kind() == Kind::table) return TableReader(report_, *node, fieldOf(key), std::move(allowed));
+    reportFound(report_, *node, fieldOf(key), "a table");
+    return std::nullopt;
+}
+
+std::vector<FieldNode> TableReader::tables(std::string_view key) {
+    const auto node = find(key);
+    if (!node) return {};
+    const std::string allowed = "tables that begin with [[" + std::string(key) + "]]";
+    std::vector<FieldNode> tables;
+    if (node->kind() != Kind::array) {
+        reportFound(report_, *node, fieldOf(key), allowed);
+        return tables;
+    }
+    for (std::size_t i = 0; i < node->size(); ++i) {
+        FieldNode element{elementField(fieldOf(key), i), "", node->at(i)};
+        if (element.node.kind() == Kind::table)
+            tables.push_back(std::move(element));
+        else
+            reportFound(report_, element.node, element.field, allowed);
+    }
+    return tables;
+}
+
+std::vector<FieldNode> TableReader::namedTables(std::string_view key) {
+    const auto node = find(key);
+    if (!node) return {};
+    const std::string allowed = "tables that begin with [" + std::string(key) + ".NAME]";
+    std::vector<FieldNode> tables;
+    if (node->kind() != Kind::table) {
+        reportFound(report_, *node, fieldOf(key), allowed);
+        return tables;
+    }
+    for (const Entry& entry : node->entries()) {
+        FieldNode element{joinField(fieldOf(key), entry.key), entry.key, entry.value};
+        if (entry.value.kind() == Kind::table)
+            tables.push_back(std::move(element));
+        else
+            reportFound(report_, entry.value, element.field, allowed);
+    }
+    return tables;
+}
+
+std::optional<std::string> TableReader::name(std::string_view key, bool may_be_empty) {
+    auto value = text(key);
+    if (!value) return std::nullopt;
+    const bool has_control =
+        std::any_of(value->begin(), value->end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+    if (value->size() <= kMaxNameLength && !has_control && (may_be_empty || !value->empty())) return value;
+    error(key, "found " + quoted(*value) + ", allowed: " + (may_be_empty ? "0" : "1") + " to " +
+                   std::to_string(kMaxNameLength) + " bytes without control characters");
+    return std::nullopt;
+}
+
+}  // namespace talus::formats::scenario

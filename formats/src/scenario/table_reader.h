@@ -1,0 +1,112 @@
+#pragma once
+// Typed access to one table of a scenario. Every read checks the type and the range, reports what is wrong at
+// its place and then yields nothing, so that reading goes on and all faults are found in one pass.
+
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "document.h"
+#include "report.h"
+#include "talus/polyhedron.h"
+
+namespace talus::formats::scenario {
+
+/// Numbers allowed: from `min` to `max`, without the ends that are open. Always finite.
+struct Range {
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+    bool open_min = false;
+    bool open_max = false;
+
+    bool contains(double value) const;
+    std::string allowed() const;  ///< "greater than 0 and at most 10"
+};
+
+inline constexpr double kMaxLength =
+    1e6;  ///< [m]; far beyond any slope, near enough that sums stay exact to 1e-9 m
+
+inline constexpr Range kAnyNumber{};
+inline constexpr Range kPositive{0, std::numeric_limits<double>::infinity(), true, false};
+inline constexpr Range kNotNegative{0, std::numeric_limits<double>::infinity(), false, false};
+inline constexpr Range kCoordinate{-kMaxLength, kMaxLength, false, false};  ///< [m]
+inline constexpr Range kSize{0, kMaxLength, true, false};                   ///< [m]
+inline constexpr Range kFrictionDeg{0, 90, false, true};
+inline constexpr Range kTiltDeg{-90, 90, true, true};
+
+struct Bounds {
+    std::int64_t min = 0;
+    std::int64_t max = 0;
+};
+
+inline constexpr double kRadPerDeg = 3.14159265358979323846 / 180;
+
+/// A table with its field ("stack[0]", "joint.default") and the last part of that, when it is a name.
+struct FieldNode {
+    std::string field;
+    std::string name;
+    Node node;
+};
+
+// One node each; `field` names it in messages.
+std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Range& range);
+std::optional<std::int64_t> readInteger(Report& report, Node node, const std::string& field, Bounds bounds);
+std::optional<std::string> readText(Report& report, Node node, const std::string& field);
+/// \param length the number of elements wanted, any when nothing
+std::optional<std::vector<double>> readNumbers(Report& report, Node node, const std::string& field,
+                                               const Range& range, std::optional<std::size_t> length);
+std::optional<Vec3> readVector(Report& report, Node node, const std::string& field, const Range& range);
+
+/// Adds `found X, allowed: Y`.
+void reportFound(Report& report, Node node, const std::string& field, const std::string& allowed);
+
+class TableReader {
+ public:
+    /// Reports the keys that are not among `allowed`. \pre `table` is a table
+    TableReader(Report& report, Node table, std::string field, std::vector<std::string> allowed);
+
+    const std::string& field() const { return field_; }
+    std::string fieldOf(std::string_view key) const;
+    Place place() const { return place_; }
+    Place placeOf(std::string_view key) const;  ///< of the key's value, else of the table
+
+    bool has(std::string_view key) const { return table_.find(key).has_value(); }
+    std::optional<Node> find(std::string_view key) const { return table_.find(key); }
+
+    bool isMeant(std::string_view key) const;  ///< an unknown key is near to this absent one
+
+    /// Reports those of `keys` that are missing, unless a misspelt key shows what was meant.
+    void require(std::initializer_list<std::string_view> keys);
+    void error(std::string_view key, std::string message);
+
+    // Nothing when the key is missing or its value is not allowed (which is then reported).
+    std::optional<double> number(std::string_view key, const Range& range);
+    std::optional<std::int64_t> integer(std::string_view key, Bounds bounds);
+    std::optional<bool> boolean(std::string_view key);
+    std::optional<std::string> text(std::string_view key);
+    std::optional<std::size_t> choice(std::string_view key, const std::vector<std::string>& allowed);
+    std::optional<Vec3> vector(std::string_view key, const Range& range);
+    std::optional<std::vector<double>> numbers(std::string_view key, const Range& range,
+                                               std::optional<std::size_t> length);
+    std::optional<std::vector<std::string>> texts(std::string_view key, std::optional<std::size_t> length);
+    std::optional<Node> array(std::string_view key);
+    std::optional<TableReader> table(std::string_view key, std::vector<std::string> allowed);
+    std::vector<FieldNode> tables(std::string_view key);       ///< the elements of an array of tables
+    std::vector<FieldNode> namedTables(std::string_view key);  ///< [key.NAME]: in the order of the file
+
+    /// Names of blocks and stacks end up in tables and files: short, and without control characters.
+    std::optional<std::string> name(std::string_view key, bool may_be_empty);
+
+ private:
+    Report& report_;
+    Node table_;
+    Place place_;
+    std::string field_;
+    std::vector<std::string> meant_;  ///< keys that misspelt ones stand for
+};
+
+}  // namespace talus::formats::scenario

@@ -1,0 +1,38 @@
+#pragma once
+// [[water]]: in a joint of a stack, on the interface of two blocks, or on one face of a block.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "directory.h"
+#include "stack.h"
+#include "table_reader.h"
+#include "talus/model.h"
+
+namespace talus::formats::scenario {
+
+/// What a [[water]] table says; its walls are looked up once the blocks are built.
+struct WaterEntry {
+    enum class Where { stack_joint, between_blocks, block_face };
+    Where where = Where::stack_joint;
+    Water water;  ///< complete but for its walls
+    Place place;
+    std::size_t stack = 0;           ///< stack_joint: which stack
+    int fissure = 0;                 ///< stack_joint: between this many columns and the others
+    std::int32_t block = 0;          ///< block_face
+    Vec3 direction = Vec3::UnitX();  ///< block_face: the face whose normal is nearest
+};
+
+std::vector<WaterEntry> readWaters(Report& report, TableReader& root, const std::vector<Stack>& stacks,
+                                   const BlockDirectory& blocks);
+
+/// Looks up the walls and adds the waters to the model. \pre the model has all its blocks
+void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const std::vector<Stack>& stacks,
+                  Model& model);
+
+/// Reports water entries whose wet parts overlap on a common wall that stands normal to x, at the scenario's
+/// start tilt. Other walls, and water between two blocks, need the engine's geometry and are checked there.
+void checkWaterOverlaps(Report& report, const std::vector<WaterEntry>& entries, const Model& model);
+
+}  // namespace talus::formats::scenario

@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+#include "interface.h"
+#include "water.h"
+#include "wording.h"
+
+namespace talus::formats::scenario {
+
+namespace {
+
+const std::array<Vec3, 6> kFaceDirections = {Vec3::UnitX(),  -Vec3::UnitX(), Vec3::UnitY(),
+                                             -Vec3::UnitY(), Vec3::UnitZ(),  -Vec3::UnitZ()};
+const std::vector<std::string> kFaceNames = {"+x", "-x", "+y", "-y", "+z", "-z"};
+
+/// The keys of `keys` that a table has.
+std::vector<std::string> present(const TableReader& table, const std::vector<std::string>& keys) {
+    std::vector<std::string> found;
+    for (const std::string& key : keys)
+        if (table.has(key)) found.push_back(key);
+    return found;
+}
+
+/// True if exactly one of `keys` is there.
+bool checkExactlyOne(TableReader& table, const std::vector<std::string>& keys) {
+    const auto found = present(table, keys);
+    if (found.size() == 1) return true;
+    if (found.empty() &&
+        std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return table.isMeant(key); }))
+        return false;  // a misspelt one is reported
+    if (found.empty())
+        table.error(keys.front(), "missing; one of these is required: " + listed(keys));
+    else
+        table.error(found[1],
+                    "found " + listed(found) + " together, allowed: exactly one of " + listed(keys));
+    return false;
+}
+
+std::vector<LevelPoint> readLevels(Report& report, TableReader& table) {
+    std::vector<LevelPoint> levels;
+    const auto array = table.array("levels");
+    if (!array) return levels;
+    const std::string field = table.fieldOf("levels");
+    if (array->size() == 0) table.error("levels", "found an empty array, allowed: [[time s, depth m], ...]");
+    for (std::size_t i = 0; i < array->size(); ++i) {
+        const auto point = readNumbers(report, array->at(i), elementField(field, i), kNotNegative, 2);
+        if (!point) continue;
+        if (!levels.empty() && (*point)[0] <= levels.back().time)
+            report.add(array->at(i).place(), elementField(field, i),
+                       "found the time " + numberText((*point)[0]) +
+                           ", allowed: greater than the one before, " + numberText(levels.back().time));
+        levels.push_back({(*point)[0], (*point)[1]});
+    }
+    return levels;
+}
+
+void readLevel(Report& report, TableReader& table, const std::vector<std::string>& kinds, Water& water) {
+    if (!checkExactlyOne(table, kinds)) return;
+    if (const auto depth = table.number("depth", Range{0, kMaxLength})) water.level = {{0, *depth}};
+    if (table.has("levels")) water.level = readLevels(report, table);
+    if (const auto elevation = table.number("elevation", kCoordinate)) {
+        water.kind = Water::Level::elevation;
+        water.level = {{0, *elevation}};
+    }
+    if (const auto head = table.numbers("head", Range{0, kMaxLength}, 2)) {
+        water.kind = Water::Level::head;
+        water.head = {(*head)[0], (*head)[1]};
+    }
+}
+
+class WaterReader {
+ public:
+    WaterReader(Report& report, const std::vector<Stack>& stacks, const BlockDirectory& blocks)
+        : report_(report), stacks_(stacks), blocks_(blocks) {
+        for (std::size_t i = 0; i < stacks.size(); ++i) stack_names_.add(stacks[i].name);
+    }
+
+    std::optional<WaterEntry> read(const FieldNode& node) const {
+        TableReader table(report_, node.node, node.field,
+                          {"fissure", "stack", "between", "block", "face", "depth", "elevation", "levels",
+                           "head", "base", "density", "drains_at_aperture"});
+        WaterEntry entry;
+        entry.place = table.place();
+        entry.water.field = node.field;
+        entry.water.density = table.number("density", kPositive).value_or(entry.water.density);
+        entry.water.drains_at_aperture = table.number("drains_at_aperture", kPositive).value_or(kInfinity);
+        if (!checkExactlyOne(table, {"fissure", "between", "block"})) return std::nullopt;
+        refuseForeignKeys(table);
+        if (table.has("fissure")) return readStackJoint(table, entry);
+        if (table.has("between")) return readBetweenBlocks(table, entry);
+        return readBlockFace(table, entry);
+    }
+
+ private:
+    /// Keys that mean something in another kind of [[water]] only.
+    static void refuseForeignKeys(TableReader& table) {
+        const auto refuse = [&](const char* owner, const std::vector<std::string>& keys) {
+            if (table.has(owner)) return;
+            for (const std::string& key : present(table, keys))
+                table.error(key,
+                            "found " + key + " without " + owner + ", allowed: only together with " + owner);
+        };
+        refuse("fissure", {"stack", "base"});
+        refuse("between", {"head"});
+        refuse("block", {"face"});
+    }
+
+    /// Index of the stack meant; nothing when that is reported.
+    std::optional<std::size_t> readStackName(TableReader& table) const {
+        if (stacks_.empty()) {
+            table.error("fissure",
+                        "found a fissure in a scenario without a [[stack]], allowed: between, or block");
+            return std::nullopt;
+        }
+        if (table.has("stack")) {
+            const auto name = table.text("stack");
+            if (!name) return std::nullopt;
+            return stack_names_.resolve(report_, table.placeOf("stack"), table.fieldOf("stack"), *name);
+        }
+        if (stacks_.size() == 1) return 0;
+        table.error("stack",
+                    "missing; required because there are several stacks, allowed: " + stack_names_.list());
+        return std::nullopt;
+    }
+
+    std::optional<WaterEntry> readStackJoint(TableReader& table, WaterEntry& entry) const {
+        readLevel(report_, table, {"depth", "elevation", "levels"}, entry.water);
+        const double base = table.number("base", Range{0, kMaxLength}).value_or(0);
+        const auto index = readStackName(table);
+        const auto fissure = table.integer("fissure", {0, fissureLimit(index)});
+        if (!index || !fissure || !stacks_[*index].shape_known) return std::nullopt;
+        const Stack& stack = stacks_[*index];
+        if (stack.running) {
+            table.error("fissure",
+                        "found water in " + stack.field + " with running bond, allowed: bond \"stack\" only");
+            return std::nullopt;
+        }
+        entry.stack = *index;
+        entry.fissure = static_cast<int>(*fissure);
+        entry.water.base = stack.origin.z() + base;
+        checkBase(table, stack, entry.fissure, base);
+        return entry;
+    }
+
+    std::int64_t fissureLimit(std::optional<std::size_t> stack) const {
+        return stack && stacks_[*stack].shape_known ? stacks_[*stack].columns : INT32_MAX;
+    }
+
+    static void checkBase(TableReader& table, const Stack& stack, int fissure, double base) {
+        int rows = 0;
+        for (const int column : {fissure - 1, fissure})
+            if (column >= 0 && column < stack.columns)
+                rows = std::max(rows, stack.heights[static_cast<std::size_t>(column)]);
+        const double top = rows * stack.block.z();
+        if (base >= top)
+            table.error("base", "found " + numberText(base) +
+                                    ", allowed: less than the height of the joint's walls, " +
+                                    numberText(top));
+    }
+
+    std::optional<WaterEntry> readBetweenBlocks(TableReader& table, WaterEntry& entry) const {
+        entry.where = WaterEntry::Where::between_blocks;
+        readLevel(report_, table, {"depth", "elevation", "levels", "head"}, entry.water);
+        entry.water.pair = readBetween(report_, table, blocks_);
+        return entry;
+    }
+
+    std::optional<WaterEntry> readBlockFace(TableReader& table, WaterEntry& entry) const {
+        entry.where = WaterEntry::Where::block_face;
+        table.require({"face"});
+        readLevel(report_, table, {"depth", "elevation", "levels"}, entry.water);
+        if (const auto face = table.choice("face", kFaceNames)) entry.direction = kFaceDirections[*face];
+        const auto name = table.text("block");
+        if (!name) return std::nullopt;
+        const auto block = blocks_.resolve(report_, table.placeOf("block"), table.fieldOf("block"), *name);
+        entry.block = block.value_or(0);
+        return entry;
+    }
+
+    Report& report_;
+    const std::vector<Stack>& stacks_;
+    const BlockDirectory& blocks_;
+    NameList stack_names_{"stack"};
+};
+
+}  // namespace
+
+std::vector<WaterEntry> readWaters(Report& report, TableReader& root, const std::vector<Stack>& stacks,
+                                   const BlockDirectory& blocks) {
+    const WaterReader reader(report, stacks, blocks);
+    std::vector<WaterEntry> entries;
+    for (const FieldNode& node : root.tables("water"))
+        if (auto entry = reader.read(node)) entries.push_back(std::move(*entry));
+    return entries;
+}
+
+}  // namespace talus::formats::scenario
