@@ -1,0 +1,138 @@
+// The talus command line: finds the subcommand, runs it, and turns every failure into a message and an exit code.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <numeric>
+
+#include "command.h"
+#include "talus/build_info.h"
+
+namespace talus::tools {
+
+namespace {
+
+std::string versionText() {
+    const BuildInfo& build = buildInfo();
+    return "talus " + build.version + " (" + build.git_hash + ", " + build.compiler + ", " +
+           build.instruction_set + ", " + build.build_type + ")";
+}
+
+bool wantsJson(int argc, char** argv) {
+    return std::any_of(argv + 1, argv + argc,
+                       [](const char* word) { return std::strcmp(word, "--json") == 0; });
+}
+
+/// Prints faults to both readers: lines for people on stderr, with --json an object for programs on stdout.
+int report(const std::vector<Error>& errors, bool json, int exit_code) {
+    for (const Error& error : errors) std::fprintf(stderr, "%s\n", formats::format(error).c_str());
+    if (json) printJson(errorsJson(errors));
+    return exit_code;
+}
+
+/// The same for faults that have no place in a file.
+int report(const std::string& prefix, const std::string& message, bool json, int exit_code) {
+    std::fprintf(stderr, "%s: %s\n", prefix.c_str(), message.c_str());
+    if (json) printJson(errorsJson({Error{"", message}}));
+    return exit_code;
+}
+
+/// Levenshtein distance: letters to insert, delete or replace.
+std::size_t distance(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i);
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = diagonal + (a[i - 1] != b[j - 1]);
+            diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
+        }
+    }
+    return row[b.size()];
+}
+
+std::string unknownCommand(const std::string& word, const std::vector<Command>& commands) {
+    const auto nearest =
+        std::min_element(commands.begin(), commands.end(), [&](const Command& a, const Command& b) {
+            return distance(word, a.app->get_name()) < distance(word, b.app->get_name());
+        });
+    const std::string name = nearest->app->get_name();
+    const bool close = distance(word, name) <= 1 + name.size() / 3 || name.starts_with(word);
+    return "there is no command '" + word + "'" + (close ? "; did you mean '" + name + "'?" : "") +
+           " ('talus --help' lists them)";
+}
+
+std::vector<Command> addCommands(CLI::App& root) {
+    return {addPaper(root), addCriticalAngle(root), addSafetyFactor(root),
+            addRun(root),   addValidate(root),      addTheory(root)};
+}
+
+int execute(const std::vector<Command>& commands) {
+    for (const Command& command : commands)
+        if (command.app->parsed()) return command.execute();
+    return kInternalError;  // CLI11 requires a subcommand, so one of them was parsed
+}
+
+/// Help, version and wrong usage.
+int onParseError(const CLI::App& root, const CLI::ParseError& error, bool json) {
+    if (error.get_exit_code() == 0) return root.exit(error);
+    std::string command = "talus";
+    for (const CLI::App* app = &root; !app->get_subcommands().empty();) {
+        app = app->get_subcommands().front();
+        command += " " + app->get_name();
+    }
+    return report("error", error.what() + std::string(" ('") + command + " --help' shows the usage)", json,
+                  kBadInput);
+}
+
+int runTool(int argc, char** argv, bool json) {
+    CLI::App root("Talus: rigid-block discrete elements for jointed rock slopes with water in their fissures",
+                  "talus");
+    root.set_version_flag("--version", versionText(), "Version, git hash and compiler");
+    root.require_subcommand(1);
+    root.footer(
+        "Example:\n  talus critical-angle bench/paper/fissure-1.toml\n\n'talus COMMAND --help' explains a "
+        "command. Exit codes: 0 done, 1 internal error, 2 bad input or usage,\n3 undecided, 4 the file "
+        "system "
+        "refused, 130 interrupted.");
+    const std::vector<Command> commands = addCommands(root);
+    const bool names_unknown = argc > 1 && argv[1][0] != '-' &&
+                               std::none_of(commands.begin(), commands.end(), [&](const Command& command) {
+                                   return command.app->get_name() == argv[1];
+                               });
+    if (names_unknown) return report("error", unknownCommand(argv[1], commands), json, kBadInput);
+    try {
+        root.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return onParseError(root, error, json);
+    }
+    catchStopSignals();
+    return execute(commands);
+}
+
+int guarded(int argc, char** argv) {
+    const bool json = wantsJson(argc, argv);
+    try {
+        return runTool(argc, argv, json);
+    } catch (const BadInput& bad) {
+        return report(bad.errors, json, kBadInput);
+    } catch (const FileRefused& refused) {
+        return report("error", refused.what(), json, kFileRefused);
+    } catch (const std::exception& error) {
+        return report("internal error", error.what(), json, kInternalError);
+    }
+}
+
+}  // namespace
+
+}  // namespace talus::tools
+
+int main(int argc, char** argv) {
+    talus::tools::rememberCommandLine(argc, argv);
+    try {
+        return talus::tools::guarded(argc, argv);
+    } catch (const std::exception& error) {  // stdout itself refused the report
+        std::fprintf(stderr, "error: %s\n", error.what());
+        return talus::tools::kFileRefused;
+    }
+}

@@ -1,0 +1,113 @@
+// talus paper: the paper's Table 1, Fig. 6 and section 5, computed again.
+
+#include <chrono>
+
+#include "command.h"
+#include "paper_cases.h"
+#include "paper_data.h"
+#include "paper_page.h"
+#include "paper_plots.h"
+#include "paper_run.h"
+#include "paper_slope.h"
+#include "paper_table.h"
+
+namespace talus::tools {
+namespace {
+
+struct PaperOptions {
+    Common common;
+    std::string out = "talus-paper";
+    std::string points = "vertex";
+};
+
+PaperResults computeAll(const PaperOptions& options) {
+    PaperResults results;
+    results.threads = threadsUsed(options.common);
+    results.table_points = options.points;
+    results.provenance = provenance(options.common, "");
+    results.provenance_comments = provenanceComments(options.common, "");
+    ProgressPrinter printer(options.common);
+    const auto begin = std::chrono::steady_clock::now();
+    results.runs = runCases(
+        paperCases(options.points),
+        [](const Model& model, const Control& control) { return criticalAngle(model, control); },
+        results.threads, stopRequested(),
+        [&](const PaperProgress& progress) {
+            printer.show(
+                {doneText(progress), progress.fraction, progress.last ? answerText(*progress.last) : ""});
+        });
+    results.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    results.interrupted = stopRequested();
+    return results;
+}
+
+std::string fileName(const PaperCase& what) {
+    return what.group == PaperGroup::table ? what.name + "-phi-" + text(what.friction_deg, 1) : what.name;
+}
+
+void writeScenarios(const PaperResults& results, const std::string& folder) {
+    makeFolder(folder);
+    for (const PaperRun& run : results.runs) {
+        writeFile(folder + "/" + fileName(run.what) + ".toml", run.what.scenario.text);
+    }
+}
+
+void writeSlopes(const PaperResults& results, const std::string& folder) {
+    makeFolder(folder);
+    for (const PaperRun& run : results.runs) {
+        if (criticalDeg(run))
+            writeFile(folder + "/" + fileName(run.what) + ".svg", drawSlope(run).standalone());
+    }
+}
+
+void writeAll(const PaperResults& results, const std::string& out) {
+    makeFolder(out);
+    writeFile(out + "/cases.csv", paperCsv(results));
+    writeFile(out + "/laboratory.csv", laboratoryCsv(results));
+    writeFile(out + "/results.json", paperJson(results).dump(2) + '\n');
+    writeFile(out + "/fig6.svg", plotFig6(results).standalone());
+    writeFile(out + "/difference.svg", plotDifference(results).standalone());
+    writeFile(out + "/contact-points.svg", plotPoints(results).standalone());
+    writeSlopes(results, out + "/slopes");
+    writeScenarios(results, out + "/scenarios");
+    writeFile(out + "/index.html", paperPage(results));
+}
+
+int exitCode(const PaperResults& results) {
+    if (results.interrupted) return kInterrupted;
+    bool undecided = false;
+    for (const PaperRun& run : results.runs) {
+        if (!run.errors.empty()) return kInternalError;  // a scenario built in was refused
+        undecided = undecided || run.search.status == SearchStatus::undecided;
+    }
+    return undecided ? kUndecided : kDone;
+}
+
+int execute(const PaperOptions& options) {
+    makeFolder(
+        options.out);  // a folder that cannot be written is told before minutes of computing, not after
+    const PaperResults results = computeAll(options);
+    writeAll(results, options.out);
+    if (options.common.json) {
+        printJson(paperJson(results));
+    } else {
+        printText(terminalTable(results) + "\nPage, plots and tables: " + options.out + "/index.html\n");
+    }
+    return exitCode(results);
+}
+
+}  // namespace
+
+Command addPaper(CLI::App& root) {
+    CLI::App* app = root.add_subcommand("paper", "Compute the paper's Table 1, Fig. 6 and section 5 again");
+    const auto options = std::make_shared<PaperOptions>();
+    app->add_option("--out,-o", options->out, "Folder for the page, plots and tables")->capture_default_str();
+    app->add_option("--points", options->points,
+                    "Contact points of Table 1 and section 5: quarter, corner, vertex or \"grid N\"")
+        ->capture_default_str();
+    app->footer("Example: talus paper --out reproduction");
+    addCommon(*app, options->common);
+    return {app, [options] { return execute(*options); }};
+}
+
+}  // namespace talus::tools
