@@ -1,0 +1,82 @@
+// Same binary, same input, same bits: for any number of threads.
+
+#include <doctest/doctest.h>
+#include <tbb/task_arena.h>
+
+#include "stages/measure.h"
+#include "stages/patches.h"
+#include "stages/step.h"
+#include "stages/time_step.h"
+#include "state/build.h"
+#include "support/models.h"
+#include "talus/analysis.h"
+#include "talus/simulation.h"
+
+using namespace talus;
+using namespace talus::test;
+
+namespace {
+
+/// A slope that fails: 600 blocks and some 2,000 interfaces, so that every stage's range is cut.
+Model slidingSlope() {
+    Model model = stackModel(10, 6, 10, 15);
+    model.gravity.tilt = radians(20);
+    model.damping.contact = 1e-6;
+    model.waters = {fissureAt(model, 1.0, 0.4)};
+    return model;
+}
+
+std::uint64_t hashAfter(const Model& model, int threads, bool parallel) {
+    tbb::task_arena arena(threads);
+    return arena.execute([&] {
+        State state = *buildState(model, parallel);
+        const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
+        const double dt = 0.5 * stages::stableTimeStep(*std::max_element(bounds.begin(), bounds.end()), state.damping.contact);
+        stages::updateForces(state, parallel);
+        for (int k = 0; k < 300; ++k) {
+            stages::advance(state, {dt, parallel});
+            if (k == 150) stages::findInterfaces(state, false, parallel);
+        }
+        return stages::stateHash(state);
+    });
+}
+
+}  // namespace
+
+TEST_SUITE("determinism") {
+    TEST_CASE("state hash is equal for 1, 2, 3, 5 and 8 threads and for the serial path") {
+        const Model model = slidingSlope();
+        const std::uint64_t serial = hashAfter(model, 1, false);
+        for (const int threads : {1, 2, 3, 5, 8}) {
+            CAPTURE(threads);
+            CHECK(hashAfter(model, threads, true) == serial);
+        }
+    }
+
+    TEST_CASE("a copied state goes on to the same bits") {
+        Model model = slidingSlope();
+        State state = *buildState(model, false);
+        const double dt = 2e-6;
+        stages::updateForces(state, false);
+        for (int k = 0; k < 100; ++k) stages::advance(state, {dt, false});
+        State copy = state;
+        for (int k = 0; k < 100; ++k) stages::advance(state, {dt, false});
+        for (int k = 0; k < 100; ++k) stages::advance(copy, {dt, false});
+        CHECK(stages::stateHash(copy) == stages::stateHash(state));
+    }
+
+    TEST_CASE("analyses end in the same state with any number of threads, and again") {
+        Model model = stackModel(3, 4, 1, 19.5);
+        model.waters = {fissureAt(model, 0.2, 0.25)};
+        const SearchResult first = *criticalAngle(model, {.threads = 1});
+        for (const int threads : {1, 2, 3, 5, 8}) {
+            const SearchResult again = *criticalAngle(model, {.threads = threads});
+            CHECK(again.state_hash == first.state_hash);
+            CHECK(again.answer == first.answer);
+            CHECK(again.steps == first.steps);
+        }
+        model.run.duration = 0.01;
+        const std::uint64_t hash = run(model, {.threads = 1}, {})->state_hash;
+        CHECK(run(model, {.threads = 8}, {})->state_hash == hash);
+    }
+}

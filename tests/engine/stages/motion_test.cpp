@@ -1,0 +1,148 @@
+#include "stages/motion.h"
+
+#include <doctest/doctest.h>
+
+#include "stages/measure.h"
+#include "stages/step.h"
+#include "state/build.h"
+#include "support/models.h"
+
+using namespace talus;
+using namespace talus::test;
+
+namespace {
+
+/// One box in empty space, all three inertias different; principal moments in kg m2.
+State spinningBox(const Vec3& angular_velocity) {
+    Model model;
+    model.joints = {joint(30)};
+    model.gravity.magnitude = 0;
+    model.blocks = {box("body", {0, 0, 0}, {0.3, 0.2, 0.1})};
+    State state = *buildState(model, false);
+    state.blocks.angular_momentum.set(0, state.blocks.inertia.get(0).cwiseProduct(angular_velocity));
+    return state;
+}
+
+void fly(State& state, double dt, int steps) {
+    for (int k = 0; k < steps; ++k) stages::advance(state, {dt, false});
+}
+
+/// Distance between the orientations of two states [rad].
+double orientationError(const State& a, const State& b) {
+    return stages::rotationFrom(a.blocks.orientation, b.blocks.orientation, 0);
+}
+
+}  // namespace
+
+TEST_SUITE("stages") {
+    TEST_CASE("a spinning box keeps its energy and momentum over 1000 turns") {
+        State state = spinningBox({0.3, 6.0, 0.2});  // near the unstable axis: it tumbles
+        const Vec3 momentum = state.blocks.angular_momentum.get(0);
+        const double energy = stages::kineticEnergy(state);
+        const double dt = 0.005;  // about 200 steps a turn
+        double most = 0;
+        for (int k = 0; k < 1000; ++k) {
+            fly(state, dt, 210);
+            most = std::max(most, std::abs(stages::kineticEnergy(state) / energy - 1));
+        }
+        MESSAGE("energy error over 1000 turns: " << most);
+        CHECK(most < 2e-3);  // bounded, no drift: see the order below
+        CHECK((state.blocks.angular_momentum.get(0) - momentum).norm() < 1e-12 * momentum.norm());
+    }
+
+    TEST_CASE("rotation is of second order") {
+        const auto errorAt = [](int steps) {
+            State coarse = spinningBox({2, 6, 3}), fine = spinningBox({2, 6, 3});
+            fly(coarse, 1.0 / steps, steps);
+            fly(fine, 1.0 / 64000, 64000);
+            return orientationError(coarse, fine);
+        };
+        const double ratio = errorAt(500) / errorAt(1000);
+        MESSAGE("halving the step divides the error by " << ratio);
+        CHECK(ratio == doctest::Approx(4).epsilon(0.03));
+    }
+
+    TEST_CASE("translation in a spring is of second order and keeps its energy") {
+        // A cube pressed 0.1 mm into the floor and let go would leave it; a bonded joint holds it as a spring.
+        const auto swing = [](int steps, double& energy_error) {
+            Model model = floorModel(30, 1e8);
+            model.joints[0].tensile_strength = 1e12;
+            model.gravity.magnitude = 0;
+            addBox(model, "cube", {0, 0, 0}, {1, 1, 1}, 1000);
+            State state = *buildState(model, false);
+            state.blocks.position.z[1] += 1e-4;
+            stages::updateForces(state, false);
+            const double energy = stages::elasticEnergy(state);
+            const double duration = 0.02;  // omega = sqrt(1e8 / 1000) = 316 rad/s, one turn
+            energy_error = 0;
+            for (int k = 0; k < steps; ++k) {
+                stages::advance(state, {duration / steps, false});
+                const double now = stages::elasticEnergy(state) + stages::kineticEnergy(state);
+                energy_error = std::max(energy_error, std::abs(now / energy - 1));
+            }
+            return state.blocks.position.z[1] - 0.5 - 1e-4 * std::cos(std::sqrt(1e5) * duration);
+        };
+        double coarse_energy = 0, fine_energy = 0;
+        const double coarse = swing(100, coarse_energy), fine = swing(200, fine_energy);
+        CHECK(coarse / fine == doctest::Approx(4).epsilon(0.05));
+        CHECK(coarse_energy / fine_energy == doctest::Approx(4).epsilon(0.05));
+        CHECK(fine_energy < 3e-4);
+    }
+
+    TEST_CASE("free fall, with and without drag") {
+        Model model;
+        model.joints = {joint(30)};
+        model.gravity.tilt = radians(30);
+        model.blocks = {box("body", {0, 0, 0}, {1, 1, 1})};
+        State state = *buildState(model, false);
+        stages::updateForces(state, false);
+        fly(state, 1e-3, 1000);
+        CHECK(state.blocks.velocity.get(0).x() == doctest::Approx(-9.81 * 0.5));
+        CHECK(state.blocks.position.get(0).z() == doctest::Approx(0.5 - 0.5 * 9.81 * std::cos(M_PI / 6)));
+        State dragged = *buildState(model, false);
+        dragged.damping.mass = 2.0;
+        stages::updateForces(dragged, false);
+        fly(dragged, 1e-3, 1000);  // v = g/c (1 - exp(-c t))
+        CHECK(dragged.blocks.velocity.get(0).x() == doctest::Approx(-9.81 * 0.5 / 2 * (1 - std::exp(-2.0))).epsilon(1e-6));
+    }
+
+    TEST_CASE("c_I slows the rotation, c_m does not") {
+        State state = spinningBox({0, 0, 5});
+        state.damping.rotation = 0.5;
+        fly(state, 1e-3, 2000);
+        CHECK(state.blocks.angular_momentum.get(0).z() == doctest::Approx(5 * state.blocks.inertia.z[0] * std::exp(-1.0)));
+        State other = spinningBox({0, 0, 5});
+        other.damping.mass = 0.5;
+        fly(other, 1e-3, 2000);
+        CHECK(other.blocks.angular_momentum.get(0).z() == doctest::Approx(5 * other.blocks.inertia.z[0]));
+    }
+
+    TEST_CASE("local damping takes its share of the force when it moves, and gives none at rest") {
+        Model model;
+        model.joints = {joint(30)};
+        model.damping.local = 0.8;
+        model.blocks = {box("body", {0, 0, 0}, {1, 1, 1})};
+        State state = *buildState(model, false);
+        state.blocks.velocity.z[0] = -1;
+        stages::updateForces(state, false);
+        CHECK(state.blocks.force.z[0] == doctest::Approx(-0.2 * 2700 * 9.81));
+        state.blocks.velocity.z[0] = 1;
+        stages::updateForces(state, false);
+        CHECK(state.blocks.force.z[0] == doctest::Approx(-1.8 * 2700 * 9.81));
+        state.blocks.velocity.z[0] = 0;
+        stages::updateForces(state, false);
+        CHECK(state.blocks.force.z[0] == doctest::Approx(-2700 * 9.81));
+    }
+
+    TEST_CASE("driven blocks keep their velocity, fixed ones their place") {
+        Model model = floorModel(30);
+        model.blocks.push_back(box("driven", {0, 0, 1}, {1, 1, 2}, 2700, Motion::driven));
+        model.blocks[1].velocity = {0.1, 0, 0};
+        State state = *buildState(model, false);
+        stages::updateForces(state, false);
+        fly(state, 1e-3, 100);
+        CHECK(state.blocks.position.x[1] == doctest::Approx(0.5 + 0.01));
+        CHECK(state.blocks.velocity.x[1] == 0.1);
+        CHECK(state.blocks.position.get(0) == state.geometry->initial_position.get(0));
+    }
+}

@@ -1,0 +1,76 @@
+// The answer is a property of the slope: not of the time step, the damping, the inertia scaling or the ramp.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "support/models.h"
+#include "talus/analysis.h"
+
+using namespace talus;
+using namespace talus::test;
+
+namespace {
+
+struct Variant {
+    const char* name;
+    QuasiStatic settings;
+    bool time_scaling;
+};
+
+const Variant kVariants[] = {
+    {"default", {}, true},
+    {"half the time step", {.step_safety = 0.3}, true},
+    {"local damping alone", {.local_damping = 0.7, .drag_ratio = 0.0}, true},
+    {"drag alone", {.local_damping = 0.0, .drag_ratio = 1.0}, true},
+    {"true inertia", {}, false},
+    {"four times the ramp", {.ramp_periods = 8.0}, true},
+};
+
+/// Spread of the answers over the variants [same unit], printed with each.
+template <class Analysis>
+double spread(const Model& model, const Analysis& analysis, double unit) {
+    double low = kInfinity, high = -kInfinity;
+    for (const Variant& variant : kVariants) {
+        Model changed = model;
+        changed.analysis.time_scaling = variant.time_scaling;
+        const SearchResult result = *analysis(changed, Control{}, variant.settings);
+        MESSAGE(variant.name << ": " << result.answer * unit << " " << toString(result.mode) << ", " << result.steps << " steps");
+        CHECK(result.status == SearchStatus::found);
+        low = std::min(low, result.answer);
+        high = std::max(high, result.answer);
+    }
+    return (high - low) * unit;
+}
+
+}  // namespace
+
+TEST_SUITE("slow: physics") {
+    TEST_CASE("critical angle: sliding with water, toppling, leaning columns") {
+        Model wet = stackModel(4, 5, 1, 19.5);
+        wet.waters = {fissureAt(wet, 0.4, 0.35)};
+        Model toppling = stackModel(1, 5, 1, 30);
+        Model leaning = stackModel(4, 5, 1, 30, {0.1, 0.1, 0.1});
+        for (Model* model : {&wet, &toppling, &leaning}) {
+            model->analysis.start = 0;
+            CHECK(spread(*model, criticalAngle, 180 / M_PI) <= 0.0101);
+        }
+    }
+
+    TEST_CASE("factor of safety") {
+        Model model = stackModel(4, 5, 1, 25);
+        model.gravity.tilt = radians(10);
+        model.waters = {fissureAt(model, 0.4, 0.35)};
+        CHECK(spread(model, safetyFactor, 1.0) <= 0.00101);
+    }
+
+    TEST_CASE("brittle cohesion: the spread is stated, and small") {
+        Model model = floorModel(30, 1e10);
+        model.joints[0].cohesion = 2000;
+        addBox(model, "body", {0, 0, 0}, {1, 1, 0.5}, 2000);
+        model.analysis.start = 0;
+        const double width = spread(model, criticalAngle, 180 / M_PI);
+        MESSAGE("spread of the brittle answer: " << width << " deg");
+        CHECK(width < 0.25);
+    }
+}

@@ -1,0 +1,101 @@
+// What stands must stand still: the known failures of other engines.
+
+#include <doctest/doctest.h>
+
+#include "stages/measure.h"
+#include "stages/step.h"
+#include "stages/time_step.h"
+#include "state/build.h"
+#include "support/models.h"
+#include "talus/simulation.h"
+
+using namespace talus;
+using namespace talus::test;
+
+namespace {
+
+struct Settled {
+    State state;
+    double dt = 0;
+};
+
+/// Gravity put on at once, vibration taken out by drag and dashpots.
+Settled settled(const Model& model, double seconds) {
+    Settled result{*buildState(model, false)};
+    const std::vector<double> bounds = stages::frequencyBounds(result.state, false);
+    result.dt = 0.5 * stages::stableTimeStep(*std::max_element(bounds.begin(), bounds.end()), model.damping.contact);
+    stages::updateForces(result.state, false);
+    for (double t = 0; t < seconds; t += result.dt) stages::advance(result.state, {result.dt, false});
+    return result;
+}
+
+void run(Settled& s, double seconds) {
+    for (double t = 0; t < seconds; t += s.dt) stages::advance(s.state, {s.dt, false});
+}
+
+}  // namespace
+
+TEST_SUITE("physics") {
+    TEST_CASE("a block on a 20 deg slope with phi 21 does not creep, nor mind a far neighbour") {
+        Model model = floorModel(21, 1e9);
+        model.gravity.tilt = radians(20);
+        model.damping.contact = 1e-4;
+        addBox(model, "block", {0, 0, 0}, {1, 1, 0.5});
+        Settled alone = settled(model, 0.2);
+        addBox(model, "far", {15, 0, 0}, {1, 1, 0.5});
+        Settled both{*buildState(model, false), alone.dt};
+        stages::updateForces(both.state, false);
+        while (both.state.step < alone.state.step) stages::advance(both.state, {both.dt, false});
+        CHECK(both.state.blocks.position.get(1) == alone.state.blocks.position.get(1));
+
+        const Vec3 before = alone.state.blocks.position.get(1);
+        run(alone, 1.0);
+        CHECK((alone.state.blocks.position.get(1) - before).norm() < 1e-12);
+    }
+
+    TEST_CASE("the out-of-balance force of a stack at rest decays, it does not plateau") {
+        Model model = stackModel(3, 4, 1, 30, {0.2, 0.1, 0.1}, 1e9);
+        model.gravity.tilt = radians(10);
+        model.damping.local = 0.5;
+        const Settled s = settled(model, 0.5);
+        MESSAGE("out-of-balance force over weight: " << stages::outOfBalanceRatio(s.state));
+        CHECK(stages::outOfBalanceRatio(s.state) < 1e-6);
+    }
+
+    TEST_CASE("an undamped stack keeps its energy while its contacts stay closed") {
+        Model model = floorModel(40, 1e9);
+        model.joints[0].cohesion = model.joints[0].tensile_strength = 1e12;
+        for (int r = 0; r < 4; ++r) addBox(model, "b" + std::to_string(r), {0, 0, 0.1 * r}, {0.2, 0.1, 0.1});
+        State state = *buildState(model, false);
+        const std::vector<double> bounds = stages::frequencyBounds(state, false);
+        const double dt = 0.1 * stages::stableTimeStep(*std::max_element(bounds.begin(), bounds.end()), 0);
+        stages::updateForces(state, false);
+        double most = 0, kinetic = 0;
+        for (int k = 0; k < 200'000; ++k) {
+            stages::advance(state, {dt, false});
+            if (k % 100 != 0) continue;
+            const double t = stages::kineticEnergy(state);
+            most = std::max(most, std::abs(t + stages::elasticEnergy(state) + stages::gravityEnergy(state)));
+            kinetic = std::max(kinetic, t);
+        }
+        MESSAGE("energy error over the largest kinetic energy: " << most / kinetic);
+        CHECK(most < 0.01 * kinetic);
+    }
+}
+
+TEST_SUITE("slow: physics") {
+    TEST_CASE("a stack of 20 blocks stands for 10 s without creep") {
+        Model model = floorModel(30, 1e8);
+        model.damping.mass = 2.0;
+        model.damping.contact = 1e-4;
+        for (int r = 0; r < 20; ++r) addBox(model, "b" + std::to_string(r), {0, 0, 0.1 * r}, {0.2, 0.1, 0.1});
+        Settled s = settled(model, 12.0);
+        std::vector<Vec3> before;
+        for (std::size_t b = 1; b <= 20; ++b) before.push_back(s.state.blocks.position.get(b));
+        run(s, 10.0);
+        double most = 0;
+        for (std::size_t b = 1; b <= 20; ++b) most = std::max(most, (s.state.blocks.position.get(b) - before[b - 1]).norm());
+        MESSAGE("creep in 10 s: " << most << " m");
+        CHECK(most < 1e-9);
+    }
+}
