@@ -20,7 +20,7 @@ struct PaperOptions {
     std::string points = "vertex";
 };
 
-PaperResults computeAll(const PaperOptions& options) {
+PaperResults computeAll(const PaperOptions& options, std::vector<PaperCase> cases) {
     PaperResults results;
     results.threads = threadsUsed(options.common);
     results.table_points = options.points;
@@ -29,7 +29,7 @@ PaperResults computeAll(const PaperOptions& options) {
     ProgressPrinter printer(options.common);
     const auto begin = std::chrono::steady_clock::now();
     results.runs = runCases(
-        paperCases(options.points),
+        std::move(cases),
         [](const Model& model, const Control& control) { return criticalAngle(model, control); },
         results.threads, stopRequested(),
         [&](const PaperProgress& progress) {
@@ -39,10 +39,6 @@ PaperResults computeAll(const PaperOptions& options) {
     results.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     results.interrupted = stopRequested();
     return results;
-}
-
-std::string fileName(const PaperCase& what) {
-    return what.group == PaperGroup::table ? what.name + "-phi-" + text(what.friction_deg, 1) : what.name;
 }
 
 void writeScenarios(const PaperResults& results, const std::string& folder) {
@@ -84,9 +80,10 @@ int exitCode(const PaperResults& results) {
 }
 
 int execute(const PaperOptions& options) {
-    makeFolder(
-        options.out);  // a folder that cannot be written is told before minutes of computing, not after
-    const PaperResults results = computeAll(options);
+    std::vector<PaperCase> cases = paperCases(options.points);
+    // A folder that cannot be made is told before minutes of computing, not after.
+    makeFolder(options.out);
+    const PaperResults results = computeAll(options, std::move(cases));
     writeAll(results, options.out);
     if (options.common.json) {
         printJson(paperJson(results));

@@ -117,12 +117,7 @@ std::string notes(const std::vector<Note>& list) {
     return html;
 }
 
-std::string definition(const std::string& term, const std::string& plain) {
-    return tagged("dt", escaped(term)) + tagged("dd", escaped(plain));
-}
-
 std::string plainText(const Json& value) {
-    if (value.is_null()) return "\u2013";
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
@@ -158,7 +153,7 @@ std::string scenarios(const PaperResults& results) {
     for (const PaperRun& run : results.runs) {
         const bool whole = run.what.group == PaperGroup::table || run.what.group == PaperGroup::section5;
         if (!whole || run.what.friction_deg != kTableFrictionDeg) continue;
-        html += tagged("details", tagged("summary", escaped(run.what.name + ".toml")) +
+        html += tagged("details", tagged("summary", escaped(fileName(run.what) + ".toml")) +
                                       tagged("pre", escaped(run.what.scenario.text)));
     }
     return heading("scenarios", "Scenario files") + html;

@@ -81,9 +81,15 @@ std::string label(const PaperCase& what) {
     return plural("fissure", numbers);
 }
 
+std::string fileName(const PaperCase& what) {
+    return what.group == PaperGroup::table ? what.name + "-phi-" + text(what.friction_deg, 1) : what.name;
+}
+
 std::string statusText(const PaperRun& run) {
     if (!run.errors.empty()) return "failed";
     if (!run.begun) return "not_run";
+    // The engine's own word for it is "undecided", which here would read like a finding.
+    if (run.search.status == SearchStatus::interrupted) return "interrupted";
     return talus::toString(run.search.status);
 }
 

@@ -52,9 +52,10 @@ struct PaperResults {
     std::string provenance_comments;  ///< the same as "# key: value" lines
 };
 
-const char* groupName(PaperGroup group);                  ///< "table-1", "section-5", ...
+const char* groupName(PaperGroup group);                 ///< "table-1", "section-5", ...
 std::string groupTitle(PaperGroup group);                ///< for people
 std::string label(const PaperCase& what);                ///< for people: "dry", "fissure 3", "fissures 7-10"
+std::string fileName(const PaperCase& what);             ///< without ending: "dry-phi-19.5", "points-corner"
 std::string statusText(const PaperRun& run);             ///< "found", "interrupted", "not_run", "failed", ...
 std::optional<double> criticalDeg(const PaperRun& run);  ///< nothing unless found
 std::optional<double> theoryDeg(const PaperRun& run);

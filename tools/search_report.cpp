@@ -33,25 +33,29 @@ std::string scientific(double value) {
     return buffer;
 }
 
+/// "stands at 19.498, fails at 19.508"; an open end is left out.
+std::string bracketText(const SearchReport& report) {
+    const bool stands = std::isfinite(report.result.low), fails = std::isfinite(report.result.high);
+    if (!stands && !fails) return "nothing is known yet";
+    return (stands ? "stands at " + loadText(report, report.result.low) : "") +
+           (stands && fails ? ", " : "") + (fails ? "fails at " + loadText(report, report.result.high) : "");
+}
+
 std::string answerText(const SearchReport& report) {
     const SearchResult& result = report.result;
     const std::string unit = report.load.unit;
-    const std::string between =
-        "between " + loadText(report, result.low) + " and " + loadText(report, result.high) + unit;
     switch (result.status) {
         case SearchStatus::found:
-            return loadText(report, result.answer) + unit + "  (stands at " + loadText(report, result.low) +
-                   ", fails at " + loadText(report, result.high) + ")";
+            return loadText(report, result.answer) + unit + "  (" + bracketText(report) + ")";
         case SearchStatus::unstable_at_start:
             return "none: fails already at the start, " + loadText(report, result.high) + unit;
         case SearchStatus::stable_to_stop:
             return "none: still stands at the end of the search, " + loadText(report, result.low) + unit;
         case SearchStatus::interrupted:
-            return "interrupted; so far " + between;
         case SearchStatus::undecided:
             break;
     }
-    return "undecided, " + between;
+    return (wasInterrupted(result) ? "interrupted; so far: " : "undecided: ") + bracketText(report);
 }
 
 std::string theoryText(const SearchReport& report) {

@@ -36,7 +36,7 @@ double spread(const Model& model, const Analysis& analysis, double unit) {
         changed.analysis.time_scaling = variant.time_scaling;
         const SearchResult result = *analysis(changed, Control{}, variant.settings);
         MESSAGE(variant.name << ": " << result.answer * unit << " " << toString(result.mode) << ", " << result.steps << " steps");
-        CHECK(result.status == SearchStatus::found);
+        CHECK((result.status == SearchStatus::found));
         low = std::min(low, result.answer);
         high = std::max(high, result.answer);
     }

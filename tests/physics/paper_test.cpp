@@ -25,10 +25,10 @@ Model paperModel(const std::string& name, double friction_deg) {
 void checkRow(const Model& model, double expected_deg, int columns_that_go) {
     const auto result = criticalAngle(model);
     REQUIRE(result.ok());
-    REQUIRE(result->status == SearchStatus::found);
+    REQUIRE((result->status == SearchStatus::found));
     MESSAGE("critical angle " << degrees(result->answer) << ", exact " << expected_deg);
     CHECK(std::abs(degrees(result->answer) - expected_deg) < 0.02 + 0.005);
-    CHECK(result->mode == FailureMode::sliding);
+    CHECK((result->mode == FailureMode::sliding));
     std::set<std::string> columns;
     for (const std::string& block : result->moving_blocks) columns.insert(block.substr(0, block.find('r')));
     CHECK(static_cast<int>(columns.size()) == columns_that_go);
@@ -70,7 +70,7 @@ TEST_SUITE("physics") {
         model.points.kind = PointRule::Kind::quarter;
         const SearchResult result = *criticalAngle(model);
         CHECK(degrees(result.answer) == doctest::Approx(11.31).epsilon(0.002));
-        CHECK(result.mode == FailureMode::toppling);
+        CHECK((result.mode == FailureMode::toppling));
     }
 }
 
@@ -93,11 +93,11 @@ TEST_SUITE("slow: physics") {
     TEST_CASE("deep water: fails on a level base, and pushes the last column uphill") {
         Model model = oneSlice(1, 19.5);
         model.waters[0].level[0].value = 0.5;
-        CHECK(criticalAngle(model)->status == SearchStatus::unstable_at_start);
+        CHECK((criticalAngle(model)->status == SearchStatus::unstable_at_start));
         Model back = oneSlice(6, 19.5);
         back.waters[0].level[0].value = 0.5;
         const SearchResult uphill = *criticalAngle(back);
-        CHECK(uphill.status == SearchStatus::unstable_at_start);
+        CHECK((uphill.status == SearchStatus::unstable_at_start));
         for (const std::string& block : uphill.moving_blocks) CHECK(block.substr(0, 2) == "c7");
         back.analysis.start = radians(7);
         CHECK(criticalAngle(back)->low >= radians(7));

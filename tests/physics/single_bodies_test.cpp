@@ -25,7 +25,7 @@ Model bodyOnPlane(double friction_deg, const Vec3& size, double stiffness = 1e11
 SearchResult critical(const Model& model) {
     const auto result = criticalAngle(model);
     REQUIRE(result.ok());
-    CHECK(result->status == SearchStatus::found);
+    CHECK((result->status == SearchStatus::found));
     CHECK(result->confirmed);
     return *result;
 }
@@ -33,7 +33,7 @@ SearchResult critical(const Model& model) {
 void checkAngle(const SearchResult& result, double expected_deg, FailureMode mode) {
     MESSAGE("critical angle " << degrees(result.answer) << ", expected " << expected_deg << ", " << toString(result.mode));
     CHECK(std::abs(degrees(result.answer) - expected_deg) < 0.02 + 0.005);
-    CHECK(result.mode == mode);
+    CHECK((result.mode == mode));
     CHECK(result.moving_blocks == std::vector<std::string>{"body"});
 }
 
@@ -59,7 +59,7 @@ TEST_SUITE("physics") {
         model.analysis.start.reset();
         CHECK(criticalAngle(model)->low >= radians(40));
         model.joints[0].friction = model.joints[0].residual_friction = radians(39.9);
-        CHECK(criticalAngle(model)->status == SearchStatus::unstable_at_start);
+        CHECK((criticalAngle(model)->status == SearchStatus::unstable_at_start));
     }
 
     TEST_CASE("a block overturns at atan(b/h) when friction is larger") {
@@ -89,10 +89,10 @@ TEST_SUITE("physics") {
 
     TEST_CASE("cohesion holds a block as limit equilibrium says, and the break is brittle") {
         // W sin(beta) = W cos(beta) tan(phi) + C A.
-        Model model = bodyOnPlane(30, {1, 1, 0.5}, 1e10, 2000);
-        model.joints[0].cohesion = 2000;
-        const theory::SlidingMass mass{.length = 1, .height = 0.5, .density = 2000, .friction = radians(30), .cohesion = 2000};
-        model.joints[0].residual_cohesion = 2000;
+        // A flat block, so that its weight stays within the middle third of the base and no Lp opens.
+        Model model = bodyOnPlane(30, {1, 1, 0.2}, 1e10, 2000);
+        const theory::SlidingMass mass{.length = 1, .height = 0.2, .density = 2000, .friction = radians(30), .cohesion = 800};
+        model.joints[0].cohesion = model.joints[0].residual_cohesion = 800;
         checkAngle(critical(model), degrees(theory::criticalTiltSliding(mass)), FailureMode::sliding);
         // With no residual cohesion the Lps break one after the other: between friction alone and full cohesion.
         model.joints[0].residual_cohesion = 0;
@@ -144,7 +144,7 @@ TEST_SUITE("physics") {
         const auto factor = [&] {
             const auto result = safetyFactor(model);
             REQUIRE(result.ok());
-            CHECK(result->status == SearchStatus::found);
+            CHECK((result->status == SearchStatus::found));
             return result->answer;
         };
         CHECK(factor() == doctest::Approx(std::tan(radians(30)) / std::tan(radians(20))).epsilon(1e-3));
@@ -159,20 +159,20 @@ TEST_SUITE("physics") {
         Model model = bodyOnPlane(20, {1, 1, 0.5});
         model.analysis.start = radians(25);
         const SearchResult failing = *criticalAngle(model);
-        CHECK(failing.status == SearchStatus::unstable_at_start);
-        CHECK(failing.mode == FailureMode::sliding);
+        CHECK((failing.status == SearchStatus::unstable_at_start));
+        CHECK((failing.mode == FailureMode::sliding));
         CHECK(failing.low == -kInfinity);
         model.analysis.start = 0;
         model.analysis.stop = radians(15);
         const SearchResult standing = *criticalAngle(model);
-        CHECK(standing.status == SearchStatus::stable_to_stop);
-        CHECK(standing.mode == FailureMode::none);
+        CHECK((standing.status == SearchStatus::stable_to_stop));
+        CHECK((standing.mode == FailureMode::none));
         CHECK(standing.moving_blocks.empty());
     }
 
     TEST_CASE("a search that is stopped says so and keeps what it has") {
         const std::atomic<bool> stop = true;
         const SearchResult result = *criticalAngle(bodyOnPlane(20, {1, 1, 0.5}), {.stop = &stop});
-        CHECK(result.status == SearchStatus::interrupted);
+        CHECK((result.status == SearchStatus::interrupted));
     }
 }

@@ -59,6 +59,10 @@ TEST_CASE("a case without an answer has no angle, no differences and says why") 
         run.search.status = SearchStatus::undecided;
         CHECK(statusText(run) == "undecided");
     }
+    SUBCASE("interrupted") {
+        run.search.status = SearchStatus::interrupted;
+        CHECK(statusText(run) == "interrupted");
+    }
     SUBCASE("never begun") {
         run.begun = false;
         CHECK(statusText(run) == "not_run");

@@ -24,10 +24,19 @@ constexpr double kImpactStepSafety = 0.03;
 constexpr int kStepsPerLook = 10;      // neighbours, patches, draining, interruption
 constexpr int kStepsPerReport = 2000;
 
+/// Whether a block has an interface that was closed at the start (those Lps alone are intact).
+bool touches(const State& state, std::size_t b) {
+    for (auto k = state.incidence.interface_begin[b]; k < state.incidence.interface_begin[b + 1]; ++k) {
+        const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
+        if (state.points.bond[static_cast<std::size_t>(state.interfaces.point_begin[i])] > 0) return true;
+    }
+    return false;
+}
+
 bool expectsImpacts(const State& state) {
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
-        const bool touches = state.incidence.interface_begin[b] < state.incidence.interface_begin[b + 1];
-        if (state.blocks.motion[b] == Motion::free && (!touches || state.blocks.velocity.get(b).norm() > 0))
+        if (state.blocks.motion[b] == Motion::free &&
+            (!touches(state, b) || state.blocks.velocity.get(b).norm() > 0))
             return true;
         if (state.blocks.motion[b] == Motion::driven) return true;
     }

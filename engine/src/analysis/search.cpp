@@ -18,7 +18,7 @@ namespace talus {
 namespace {
 
 constexpr double kContinuationShare = 5.0;  // the continuation goes this many times the deflection at rest
-constexpr double kOverload = 4.0;            // cells beyond the failing load at which the continuation runs
+constexpr double kOverload = 8.0;            // cells beyond the failing load at which the continuation runs
 constexpr int kAttempts = 3;                 // with half the time step each, when a failure is not confirmed
 
 /// The load that is searched over. Probes stand on a grid of cells no wider than the tolerance, so that the bracket

@@ -63,9 +63,9 @@ PatchSum sumPoints(State& state, std::size_t i, const RelativePose& pose) {
         const double xi = points.xi[p], eta = points.eta[p], area = points.area[p];
         contact::PointMemory memory{points.offset_1[p], points.offset_2[p], points.bond[p], 0.0};
         if constexpr (Dilates) memory.dilation = points.dilation[p];
+        const double slide_1 = affine(pose.slide_1, xi, eta), slide_2 = affine(pose.slide_2, xi, eta);
         contact::PointForce force =
-            contact::contactLaw(law, area, affine(pose.gap, xi, eta), affine(pose.slide_1, xi, eta),
-                                affine(pose.slide_2, xi, eta), state.release, memory);
+            contact::contactLaw(law, area, affine(pose.gap, xi, eta), slide_1, slide_2, state.release, memory);
         points.offset_1[p] = memory.offset_1;
         points.offset_2[p] = memory.offset_2;
         points.bond[p] = memory.bond;
@@ -76,7 +76,7 @@ PatchSum sumPoints(State& state, std::size_t i, const RelativePose& pose) {
         if constexpr (Damped)
             addDashpot(law, area, state.damping.contact, memory.bond, affine(velocity.normal, xi, eta),
                        affine(velocity.tangent_1, xi, eta), affine(velocity.tangent_2, xi, eta), force);
-        sum.add(xi, eta, force.shear_1, force.shear_2, force.normal);
+        sum.add(xi + slide_1, eta + slide_2, force.shear_1, force.shear_2, force.normal);
     }
     return sum;
 }
@@ -104,8 +104,8 @@ Vec3 angularVelocity(const Blocks& blocks, std::size_t block) {
     return r * blocks.inverse_inertia.get(block).cwiseProduct(r.transpose() * blocks.angular_momentum.get(block));
 }
 
-// The gap is the distance between the two face planes, measured along a's normal at a point of a's plane: it does not
-// depend on how far b has slid, so clipping the patch again does not change it. The slide is that of material points.
+// Gap and slide are those of b's material points over a's plane, so the gap does not depend on how far b has slid and
+// clipping the patch again does not change it. The reference face is the fixed or the larger one: the patch goes with b.
 RelativePose relativePose(const State& state, std::size_t i) {
     const Interfaces& f = state.interfaces;
     const auto a = static_cast<std::size_t>(f.block_a[i]);
@@ -119,10 +119,8 @@ RelativePose relativePose(const State& state, std::size_t i) {
     pose.origin = state.blocks.position.get(a) + turn_a * f.origin_a.get(i);
     const Vec3 b1 = turn_b * f.e1_b.get(i);
     const Vec3 b2 = turn_b * f.e2_b.get(i);
-    const Vec3 b3 = b1.cross(b2);
     const Vec3 d = state.blocks.position.get(b) + turn_b * f.origin_b.get(i) - pose.origin;
-    const double slope = 1.0 / b3.dot(pose.e3);
-    pose.gap = Vec3(b3.dot(d), -b3.dot(pose.e1), -b3.dot(pose.e2)) * slope - f.reference_gap.get(i);
+    pose.gap = Vec3(d.dot(pose.e3), b1.dot(pose.e3), b2.dot(pose.e3)) - f.reference_gap.get(i);
     pose.slide_1 = {d.dot(pose.e1), b1.dot(pose.e1) - 1.0, b2.dot(pose.e1)};
     pose.slide_2 = {d.dot(pose.e2), b1.dot(pose.e2), b2.dot(pose.e2) - 1.0};
     return pose;

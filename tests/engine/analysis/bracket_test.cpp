@@ -15,7 +15,7 @@ struct Outcome {
 };
 
 /// Searches a load whose failing probes show `force(cell)`; positive means failing.
-Outcome search(std::int64_t stop, std::int64_t step, const std::function<double(std::int64_t)>& force) {
+Outcome probeUntilClosed(std::int64_t stop, std::int64_t step, const std::function<double(std::int64_t)>& force) {
     Outcome outcome{Bracket(stop), 0};
     const auto probe = [&](std::int64_t cell) {
         ++outcome.probes;
@@ -40,7 +40,7 @@ TEST_SUITE("analysis") {
                 return linear(cell) > 0 ? 2.0 + std::sin(static_cast<double>(cell * cell)) : -1.0;
             };
             for (const auto& force : {std::function<double(std::int64_t)>(linear), {cubic}, {flat}, {noisy}}) {
-                const Outcome outcome = search(4096, 512, force);
+                const Outcome outcome = probeUntilClosed(4096, 512, force);
                 REQUIRE(outcome.bracket.closed());
                 CHECK(outcome.bracket.low() == critical);
                 CHECK(*outcome.bracket.high() == critical + 1);
@@ -50,13 +50,13 @@ TEST_SUITE("analysis") {
     }
 
     TEST_CASE("a force in proportion to the excess load needs few probes") {
-        const Outcome outcome = search(4096, 512, [](std::int64_t cell) { return 0.003 * (static_cast<double>(cell) - 1776.3); });
+        const Outcome outcome = probeUntilClosed(4096, 512, [](std::int64_t cell) { return 0.003 * (static_cast<double>(cell) - 1776.3); });
         CHECK(outcome.bracket.low() == 1776);
         CHECK(outcome.probes <= 4 + 4);
     }
 
     TEST_CASE("an assembly that stands to the end says so") {
-        const Outcome outcome = search(4096, 512, [](std::int64_t) { return -1.0; });
+        const Outcome outcome = probeUntilClosed(4096, 512, [](std::int64_t) { return -1.0; });
         CHECK(outcome.bracket.stoodToTheEnd());
         CHECK_FALSE(outcome.bracket.high());
     }
