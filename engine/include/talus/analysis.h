@@ -79,10 +79,11 @@ struct SearchResult {
 
 /// Knobs of the quasi-static machinery; the answers do not depend on them by more than the bracket.
 struct QuasiStatic {
-    double local_damping = 0.1;   ///< Cundall; takes out what chatters
+    double local_damping = 0.3;   ///< Cundall; takes out what chatters
     double drag_ratio = 0.5;      ///< drag on translation and rotation, over the critical one of the slowest mode
     double step_safety = 0.6;     ///< share of the stability bound
     double ramp_periods = 2.0;    ///< slowest periods over which a load is changed
+    double watch_periods = 1.5;   ///< slowest periods in a window in which a plateau is looked for
     std::int64_t max_steps_per_probe = 2'000'000;
 };
 

@@ -10,6 +10,22 @@ void Bracket::fails(std::int64_t cell, double out_of_balance) {
     failures_.push_back({cell, out_of_balance});
 }
 
+void Bracket::reopen() {
+    low_ = *high_;
+    high_.reset();
+    failures_.clear();
+    width_two_probes_ago_ = width_last_probe_ = 0;
+    gallop_ = 1;
+}
+
+std::int64_t Bracket::up(std::int64_t next) {
+    if (gallop_ > 0) {
+        next = std::min(next, low_ + gallop_);
+        gallop_ *= 2;
+    }
+    return std::min(next, stop_);
+}
+
 /// Zero of the line through the last two failing probes [cells].
 std::optional<double> Bracket::extrapolated() const {
     if (failures_.size() < 2) return {};

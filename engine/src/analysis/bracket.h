@@ -17,6 +17,12 @@ public:
     /// `out_of_balance` is the plateau of the out-of-balance force: near the critical load it grows in proportion.
     void fails(std::int64_t cell, double out_of_balance);
 
+    /// The assembly came to rest after all at the failing load, with what it has moved: the search goes on upwards from
+    /// there, a cell at first, then twice as far each time.
+    void reopen();
+    /// The load to probe on the way up: `next`, or nearer after the bracket was opened again. \pre not high()
+    std::int64_t up(std::int64_t next);
+
     std::int64_t low() const { return low_; }
     std::optional<std::int64_t> high() const { return high_; }
     bool closed() const { return high_ && *high_ - low_ <= 1; }
@@ -36,6 +42,7 @@ private:
         double out_of_balance;
     };
     std::int64_t low_ = 0, stop_ = 0;
+    std::int64_t gallop_ = 0;  ///< 0: not reopened
     std::optional<std::int64_t> high_{};
     std::vector<Failure> failures_{};
     std::int64_t width_two_probes_ago_ = 0, width_last_probe_ = 0;

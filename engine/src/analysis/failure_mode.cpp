@@ -13,10 +13,12 @@
 namespace talus::analysis {
 namespace {
 
-constexpr double kStepSafety = 0.7;
+constexpr double kStepSafety = 0.85;
 constexpr double kDashpot = 0.5;            // damping ratio of the fastest mode: takes out the rattle only
 constexpr int kStepsPerLook = 20;
 constexpr std::int64_t kMostSteps = 400'000;
+constexpr std::int64_t kStepsPerRestCheck = 20'000;
+constexpr double kAtRest = 1e-3;            // of the largest kinetic energy seen: the motion has come to rest
 constexpr double kMovingShare = 0.1;        // a block moves when it goes this share of the farthest one's way
 constexpr double kTopplingShare = 0.25;     // rotation times the moving group's extent, over the motion
 constexpr double kPureShare = 0.9;          // share of the moving mass that gives the whole its mode
@@ -144,12 +146,15 @@ Failure continueFailure(State& state, double target, const Control& control, boo
     Failure failure;
     failure.time_step = makeDynamic(state, parallel);
     const Poses start{state.blocks.position, state.blocks.orientation};
-    while (failure.steps < kMostSteps && !failure.confirmed) {
+    double most_energy = 0;
+    while (failure.steps < kMostSteps && failure.motion < target) {
         if (control.stop != nullptr && control.stop->load(std::memory_order_relaxed)) break;
         for (int k = 0; k < kStepsPerLook; ++k) stages::advance(state, {failure.time_step, parallel});
         failure.steps += kStepsPerLook;
         stages::refreshInterfaces(state, parallel, kStepsPerLook * failure.time_step);
-        failure.confirmed = largestMotion(state, start) >= target;
+        failure.motion = largestMotion(state, start);
+        if (failure.steps % kStepsPerRestCheck == 0 && stages::kineticEnergy(state) < kAtRest * most_energy) break;
+        most_energy = std::max(most_energy, stages::kineticEnergy(state));
     }
     failure.seconds = static_cast<double>(failure.steps) * failure.time_step;
     describeFailure(state, start, failure);

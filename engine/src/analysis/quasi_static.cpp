@@ -15,7 +15,6 @@ namespace talus::analysis {
 namespace {
 
 constexpr int kStepsPerSample = 10;          // out-of-balance force is looked at this often
-constexpr double kPeriodsPerWindow = 1.5;    // length of the windows in which a plateau is looked for
 constexpr int kLeastStepsPerWindow = 100;
 constexpr double kFlat = 0.03;               // spread of the out-of-balance force over its mean, within a window
 constexpr int kWindowsInSpan = 4;            // where it is not flat: windows per span, and spans are compared
@@ -23,6 +22,7 @@ constexpr double kPlateau = 0.8;             // out-of-balance force of a span o
 constexpr double kSteady = 0.9;              // motion of a window over that of the window before: it does not slow down
 constexpr double kShareOfTolerance = 0.01;   // at rest, the imbalance is worth this share of the load's tolerance
 constexpr double kSlowPeriodGrowth = 8.0;    // slip makes the observed period longer; not without bound
+constexpr double kSlowestMotion = 32.0;      // slowest motion the drag is tuned to, in slowest periods
 
 /// Displacement of the farthest-moved point of any block between two sets of poses [m].
 double largestMotion(const State& state, const VectorArray& position, const QuaternionArray& orientation) {
@@ -106,7 +106,7 @@ public:
         : state_(state),
           limit_(work.out_of_balance_limit),
           steps_per_period_(static_cast<int>(std::ceil(work.slow_period / work.time_step))),
-          samples_per_window_(std::max(kLeastStepsPerWindow, static_cast<int>(kPeriodsPerWindow * steps_per_period_)) /
+          samples_per_window_(std::max(kLeastStepsPerWindow, static_cast<int>(work.settings.watch_periods * steps_per_period_)) /
                               kStepsPerSample),
           position_(state.blocks.position),
           orientation_(state.blocks.orientation) {}
@@ -169,15 +169,101 @@ private:
     QuaternionArray orientation_;
 };
 
+/// Tunes the drag to the motion that is going on: Rayleigh's quotient of the displacement since the last look and of the
+/// force it met, omega^2 = -(dF . du) / (du . M du) (Underwood 1983). Where columns lean on each other a mode can be many
+/// times slower than the estimate, and would creep under a drag meant for a faster one.
+class DragTuner {
+public:
+    explicit DragTuner(const State& state) { remember(state); }
+
+    void tune(State& state, const QuasiStaticWork& work) {
+        double stiffness = 0, inertia = 0;
+        const Vec3 g = stages::gravity(state);
+        for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+            if (state.blocks.motion[b] != Motion::free) continue;
+            const Vec3 u = state.blocks.position.get(b) - position_.get(b);
+            stiffness -= u.dot(stages::outOfBalance(state, b, g).force - force_[b]);
+            inertia += u.squaredNorm() / state.blocks.inverse_mass[b];
+        }
+        // Motion that meets no resistance is a failure, and needs its drag to stay free of rattle.
+        const double slowest = kSlowestMotion * work.slow_period;
+        const double period = stiffness > 0 ? 2.0 * M_PI * std::sqrt(inertia / stiffness) : kInfinity;
+        setDrag(state, work, period < slowest ? std::max(period, work.slow_period) : work.slow_period);
+        remember(state);
+    }
+
+    /// Drag at a share of what is critical for a mode of this period: c = 2 ratio omega.
+    static void setDrag(State& state, const QuasiStaticWork& work, double period) {
+        state.damping.mass = state.damping.rotation = 4.0 * M_PI * work.settings.drag_ratio / period;
+    }
+
+private:
+    void remember(const State& state) {
+        position_ = state.blocks.position;
+        force_.resize(state.blocks.size());
+        const Vec3 g = stages::gravity(state);
+        for (std::size_t b = 0; b < force_.size(); ++b) force_[b] = stages::outOfBalance(state, b, g).force;
+    }
+
+    VectorArray position_;
+    std::vector<Vec3> force_{};
+};
+
 bool interrupted(const QuasiStaticWork& work) {
     return work.control->stop != nullptr && work.control->stop->load(std::memory_order_relaxed);
+}
+
+/// Every block at the same stability bound; one number per block.
+std::vector<double> inertiaScale(const QuasiStaticWork& work, const std::vector<double>& bounds) {
+    std::vector<double> scale(bounds.size(), 1.0);
+    if (work.inertia_scaled)
+        for (std::size_t b = 0; b < bounds.size(); ++b)
+            if (bounds[b] > 0) scale[b] = bounds[b] / work.frequency_bound;
+    return scale;
+}
+
+/// New contacts may be stiffer than the inertia or the time step was made for.
+void fitToContacts(State& state, QuasiStaticWork& work) {
+    const std::vector<double> bounds = stages::frequencyBounds(state, work.parallel);
+    if (work.inertia_scaled) {
+        work.inertia_scale = inertiaScale(work, bounds);
+        setInertia(state, work.inertia_scale);
+        return;
+    }
+    const double highest = *std::max_element(bounds.begin(), bounds.end());
+    if (highest > 0) work.time_step = work.settings.step_safety * stages::stableTimeStep(highest, 0.0);
+}
+
+/// Quasi-static work has no time in which a driven block could move.
+void stopDrivenBlocks(State& state) {
+    bool any = false;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::driven) continue;
+        any = true;
+        state.blocks.velocity.set(b, Vec3::Zero());
+    }
+    if (any) state.warnings.push_back("driven blocks stand still in this analysis");
+}
+
+/// What rounding of the coordinates leaves of the out-of-balance force over the weight: eps |x| k A / (m g).
+double roundingLevel(const State& state, const std::vector<double>& bounds) {
+    const double g = state.geometry->model.gravity.magnitude;
+    if (!(g > 0)) return 0.0;
+    double level = 0;
+    for (std::size_t b = 0; b < bounds.size(); ++b) {
+        const double reach = state.blocks.position.get(b).cwiseAbs().maxCoeff() + state.geometry->radius[b];
+        if (state.blocks.motion[b] == Motion::free)
+            level = std::max(level, std::numeric_limits<double>::epsilon() * reach * bounds[b] / g);
+    }
+    return level;
 }
 
 void takeStep(State& state, QuasiStaticWork& work, Probe& probe) {
     stages::advance(state, {work.time_step, work.parallel});
     ++probe.steps;
     ++work.steps;
-    if (probe.steps % kStepsPerSample == 0) stages::refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step);
+    if (probe.steps % kStepsPerSample != 0) return;
+    if (stages::refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step)) fitToContacts(state, work);
 }
 
 }  // namespace
@@ -188,29 +274,37 @@ QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control
     const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
     const double highest = *std::max_element(bounds.begin(), bounds.end());
     const double bound = highest > 0 ? highest : 1.0;
+    work.frequency_bound = bound;
     work.time_step = settings.step_safety * stages::stableTimeStep(bound, 0.0);
     work.inertia_scaled = state.geometry->model.analysis.time_scaling;
-    if (work.inertia_scaled) {
-        std::vector<double> scale(bounds.size(), 1.0);
-        for (std::size_t b = 0; b < bounds.size(); ++b)
-            if (bounds[b] > 0) scale[b] = bounds[b] / bound;
-        setInertia(state, scale);
-    }
-    state.damping = {.local = settings.local_damping};
+    work.inertia_scale = inertiaScale(work, bounds);
+    work.damping = {.local = settings.local_damping};
+    stopDrivenBlocks(state);
     // A first guess that the gravity loading corrects: an assembly n blocks across has a slowest period of about 2 n
     // times its fastest.
     const double across = std::cbrt(static_cast<double>(state.blocks.size()));
     work.slow_period = 4.0 * across * 2.0 * M_PI / std::sqrt(bound);
     work.slow_period_limit = kSlowPeriodGrowth * work.slow_period;
-    work.out_of_balance_limit = kShareOfTolerance * load_tolerance;
-    state.release = std::min(1.0, work.time_step / (2.0 * work.slow_period));
+    work.out_of_balance_limit = std::max(kShareOfTolerance * load_tolerance, roundingLevel(state, bounds));
+    if (work.out_of_balance_limit > load_tolerance)
+        state.warnings.push_back("stiffness and coordinates are so large that rounding leaves the out-of-balance force at " +
+                                 std::to_string(work.out_of_balance_limit) +
+                                 " of the weight: the answer is no more accurate than that");
+    work.release = std::min(1.0, work.time_step / (2.0 * work.slow_period));
+    takeBack(state, work);
     return work;
+}
+
+void takeBack(State& state, const QuasiStaticWork& work) {
+    setAtRest(state.blocks);
+    setInertia(state, work.inertia_scale);
+    state.damping = work.damping;
+    state.release = work.release;
 }
 
 Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     Probe probe;
-    // Drag at a share of what is critical for the slowest mode: c = 2 ratio omega.
-    state.damping.mass = state.damping.rotation = 4.0 * M_PI * work.settings.drag_ratio / work.slow_period;
+    DragTuner::setDrag(state, work, work.slow_period);
     const VectorArray position = state.blocks.position;
     const QuaternionArray orientation = state.blocks.orientation;
     const ExternalLoad before = externalLoad(state);
@@ -221,10 +315,16 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
         takeStep(state, work, probe);
     }
     Watch watch(state, work);
+    DragTuner tuner(state);
+    const auto steps_per_tuning = std::max<std::int64_t>(20, std::llround(0.25 * work.slow_period / work.time_step));
+    std::int64_t next_tuning = probe.steps + steps_per_tuning;
     bool decided = false;
     while (!decided && !interrupted(work) && probe.steps < work.settings.max_steps_per_probe) {
         for (int k = 0; k < kStepsPerSample; ++k) takeStep(state, work, probe);
         decided = watch.look(probe);
+        if (probe.steps < next_tuning) continue;
+        tuner.tune(state, work);
+        next_tuning = probe.steps + steps_per_tuning;
     }
     if (!decided) probe.reason = interrupted(work) ? "interrupted" : describe("still moving with", probe.out_of_balance, probe.steps);
     probe.displacement = largestMotion(state, position, orientation);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/threads.h"
+#include "stages/contacts.h"
 #include "stages/measure.h"
 #include "stages/patches.h"
 #include "stages/step.h"
@@ -24,11 +25,11 @@ constexpr double kImpactStepSafety = 0.03;
 constexpr int kStepsPerLook = 10;      // neighbours, patches, draining, interruption
 constexpr int kStepsPerReport = 2000;
 
-/// Whether a block has an interface that was closed at the start (those Lps alone are intact).
+/// Whether a block has an interface that is closed at the start.
 bool touches(const State& state, std::size_t b) {
     for (auto k = state.incidence.interface_begin[b]; k < state.incidence.interface_begin[b + 1]; ++k) {
         const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
-        if (state.points.bond[static_cast<std::size_t>(state.interfaces.point_begin[i])] > 0) return true;
+        if (stages::relativePose(state, i).gap.x() <= stages::kClosedGap * state.geometry->size[b]) return true;
     }
     return false;
 }
@@ -43,24 +44,9 @@ bool expectsImpacts(const State& state) {
     return false;
 }
 
-/// Highest frequency bound a free block could have: with no interface yet, that of its own largest face closed.
 double highestFrequency(const State& state, bool parallel) {
     const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
-    double highest = *std::max_element(bounds.begin(), bounds.end());
-    const auto& shapes = state.geometry->shape;
-    for (std::size_t b = 0; b < bounds.size(); ++b) {
-        if (state.blocks.motion[b] != Motion::free || bounds[b] > 0) continue;
-        double area = 0, stiffness = 0;
-        for (std::size_t f = 0; f < shapes[b].faces.size(); ++f) area = std::max(area, shapes[b].faceArea(f));
-        for (const contact::JointLaw& law : state.laws)
-            stiffness = std::max({stiffness, law.normal_stiffness, law.shear_stiffness});
-        // lambda_max <= trace: k A (1/m * 3 + 3 r^2 / I_min).
-        const double r = state.geometry->radius[b];
-        highest = std::max(highest, stiffness * area *
-                                        (3.0 / state.blocks.mass[b] +
-                                         3.0 * r * r / state.blocks.inertia.get(b).minCoeff()));
-    }
-    return highest;
+    return *std::max_element(bounds.begin(), bounds.end());
 }
 
 BlockReport reportOn(const State& state, std::size_t b) {
@@ -105,18 +91,23 @@ public:
           watched_(watchedBlocks(state_.geometry->model)),
           safety_(expectsImpacts(state_) ? kImpactStepSafety : kStepSafety) {}
 
-    RunResult run() {
+    Result<RunResult> run() {
         chooseTimeStep();
         stages::updateForces(state_, parallel_);
         if (record_) record_(recordOf(state_, watched_));
         double next_frame = settings_.frame_interval;
-        while (state_.time < settings_.duration - 0.5 * time_step_ && !interrupted()) {
+        while (state_.time < settings_.duration - 0.5 * time_step_ && !interrupted() && finite_) {
             oneStep();
             if (record_ && state_.time >= next_frame - 0.5 * time_step_) {
                 record_(recordOf(state_, watched_));
                 while (next_frame <= state_.time + 0.5 * time_step_) next_frame += settings_.frame_interval;
             }
         }
+        if (!finite_ || !stages::isFinite(state_))
+            return Error{"run.time_step_s", "the motion became infinite before t = " + std::to_string(state_.time) +
+                                                " s with a step of " + std::to_string(time_step_ * 1e6) +
+                                                " us; allowed: a step below the stability bound of " +
+                                                std::to_string(bound_ * 1e6) + " us (leave the key out to have it chosen)"};
         return result();
     }
 
@@ -132,6 +123,7 @@ private:
         const double highest = highestFrequency(state_, parallel_);
         const double bound = highest > 0 ? stages::stableTimeStep(highest, state_.damping.contact)
                                          : settings_.duration / 1000;
+        bound_ = bound;
         if (settings_.time_step) {
             time_step_ = *settings_.time_step;
             if (time_step_ > bound && !warned_step_) {
@@ -143,7 +135,7 @@ private:
         }
         // A whole number of steps ends exactly at the duration.
         const double left = settings_.duration - state_.time;
-        time_step_ = left / std::ceil(left / (safety_ * bound));
+        if (left > 0) time_step_ = left / std::max(1.0, std::ceil(left / (safety_ * bound)));
     }
 
     void oneStep() {
@@ -151,6 +143,8 @@ private:
         stages::advance(state_, {time_step_, parallel_});
         state_.time += time_step_;
         if (state_.step % kStepsPerLook == 0) {
+            finite_ = stages::isFinite(state_);
+            if (!finite_) return;
             stages::drainWater(state_);
             if (stages::refreshInterfaces(state_, parallel_, kStepsPerLook * time_step_)) chooseTimeStep();
         }
@@ -172,6 +166,9 @@ private:
         for (std::size_t b : watched_) result.watch.push_back(reportOn(state_, b));
         result.interrupted = interrupted_;
         result.warnings = state_.warnings;
+        if (state_.shear_lost > 0)
+            result.warnings.push_back("shear force that found no closed contact when patches were clipped again: " +
+                                      std::to_string(state_.shear_lost) + " N in all");
         return result;
     }
 
@@ -182,9 +179,10 @@ private:
     const RunSettings& settings_;
     std::vector<std::size_t> watched_;
     double safety_;
-    double time_step_ = 0;
+    double time_step_ = 0, bound_ = 0;
     bool warned_step_ = false;
     bool interrupted_ = false;
+    bool finite_ = true;
 };
 
 }  // namespace
@@ -196,8 +194,9 @@ Result<RunResult> run(const Model& model, const Control& control,
         Result<State> built = buildState(model, control.threads != 1);
         if (!built) return built.errors();
         const bool parallel = analysis::worthThreads(*built, control.threads);
-        RunResult result = TimeHistory(std::move(*built), control, record, parallel).run();
-        result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        Result<RunResult> result = TimeHistory(std::move(*built), control, record, parallel).run();
+        if (result)
+            result->wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
     });
 }

@@ -17,9 +17,12 @@
 namespace talus {
 namespace {
 
-constexpr double kContinuationShare = 5.0;  // the continuation goes this many times the deflection at rest
+constexpr double kLeastShare = 5.0;          // a failing motion goes at least this many times the deflection at rest
+constexpr double kContinuationShare = 20.0;  // the continuation goes this many times the deflection at rest
 constexpr double kOverload = 8.0;            // cells beyond the failing load at which the continuation runs
-constexpr int kAttempts = 3;                 // with half the time step each, when a failure is not confirmed
+constexpr int kAttempts = 3;                 // with half the time step and longer windows, when a failure is not confirmed
+constexpr int kMostReopenings = 3;           // times a failing motion may come to rest before the search gives up
+constexpr double kMorePatience = 3.0;
 
 /// The load that is searched over. Probes stand on a grid of cells no wider than the tolerance, so that the bracket
 /// found is one of these cells whatever way led to it.
@@ -34,6 +37,12 @@ struct Axis {
 
     double load(std::int64_t cells) const { return start + cell * static_cast<double>(cells); }
 };
+
+std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
 
 double degrees(double radians) { return radians * 180.0 / M_PI; }
 
@@ -50,10 +59,10 @@ public:
     SearchResult run() {
         result_.low = -kInfinity;
         result_.high = kInfinity;
-        if (loadGravityAndWater()) {
-            findFailure();
-            narrow();
-        }
+        if (loadGravityAndWater())
+            for (int k = 0; k <= kMostReopenings && searchUpwards(); ++k) {}
+        else if (result_.status == SearchStatus::unstable_at_start)
+            continueToFailure();
         finish();
         return std::move(result_);
     }
@@ -106,10 +115,29 @@ private:
         return verdict == Verdict::stable;
     }
 
+    /// Finds a failing cell and lets it go on. True when the motion came to rest there: the assembly has moved to where
+    /// it stands again (columns that lean on each other do), and the search is to go on from that state.
+    bool searchUpwards() {
+        result_.status = SearchStatus::undecided;
+        findFailure();
+        narrow();
+        if (result_.status != SearchStatus::found) return false;
+        continueToFailure();
+        if (result_.confirmed || interrupted()) return false;
+        State moved = last_moving_;
+        axis_.apply(moved, axis_.load(*bracket_.high()));
+        analysis::takeBack(moved, work_);
+        std::swap(last_stable_, moved);
+        const auto hold = [](State&, double) {};
+        if (probe("settling", axis_.load(*bracket_.high()), hold) != Verdict::stable) return false;
+        bracket_.reopen();
+        return true;
+    }
+
     /// Up from the start until a probe fails or the end is reached.
     void findFailure() {
         while (!bracket_.high() && !bracket_.stoodToTheEnd() && !interrupted())
-            if (probeAt(std::min(axis_.stop, axis_.next(bracket_.low()))) == Verdict::undecided) return;
+            if (probeAt(bracket_.up(axis_.next(bracket_.low()))) == Verdict::undecided) return;
         if (bracket_.stoodToTheEnd()) result_.status = SearchStatus::stable_to_stop;
     }
 
@@ -130,7 +158,6 @@ private:
         if (bracket_.high()) result_.high = axis_.load(*bracket_.high());
         if (result_.status == SearchStatus::found) result_.answer = 0.5 * (result_.low + result_.high);
         const bool fails = result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start;
-        if (fails) continueToFailure();
         const State& last = fails ? last_moving_ : last_stable_;
         result_.steps = work_.steps + continuation_steps_;
         result_.state_hash = stages::stateHash(last);
@@ -154,17 +181,21 @@ private:
 
     void continueToFailure() {
         // A few cells beyond the failing load, because at it the motion would start as slowly as the bracket is fine.
-        const double load = result_.probes.back().verdict == Verdict::failing || bracket_.high() ? result_.high : axis_.start;
+        const double load = bracket_.high() ? axis_.load(*bracket_.high()) : axis_.start;
         axis_.apply(last_moving_, load + kOverload * axis_.cell);
+        const double deflection = deflectionAtRest();
         analysis::Failure failure =
-            analysis::continueFailure(last_moving_, kContinuationShare * deflectionAtRest(), control_, parallel_);
+            analysis::continueFailure(last_moving_, kContinuationShare * deflection, control_, parallel_);
         result_.mode = failure.mode;
         result_.moving_blocks = std::move(failure.moving_blocks);
         result_.motions = std::move(failure.motions);
         result_.continuation_seconds = failure.seconds;
         result_.time_step = failure.time_step;
-        continuation_steps_ = failure.steps;
-        result_.confirmed = failure.confirmed;
+        continuation_steps_ += failure.steps;
+        result_.confirmed = failure.motion >= kLeastShare * deflection;
+        if (result_.confirmed && failure.motion < kContinuationShare * deflection && !interrupted())
+            last_moving_.warnings.push_back("the failing motion came to rest after " + formatted("%.3g", failure.motion) +
+                                            " m: the assembly moves at this load, but stands again");
     }
 
     const Axis& axis_;
@@ -183,7 +214,8 @@ bool claimsFailure(const SearchResult& result) {
 }
 
 /// A failure that the continuation with true inertia does not bear out was one of the numbers (contacts that chatter at
-/// too long a step): the search is made again with half the step, and is undecided if that does not help.
+/// too long a step, a mode far slower than its estimate): the search is made again with half the step and longer windows,
+/// and is undecided if that does not help.
 SearchResult searchConfirmed(const State& state, const Axis& axis, const Control& control, QuasiStatic settings,
                              bool parallel) {
     std::int64_t steps = 0;
@@ -196,8 +228,13 @@ SearchResult searchConfirmed(const State& state, const Axis& axis, const Control
             result.warnings.push_back("the failing motion is not borne out by the continuation with true inertia");
             return result;
         }
+        if (control.stop != nullptr && control.stop->load(std::memory_order_relaxed)) {
+            result.status = SearchStatus::interrupted;
+            return result;
+        }
         steps = result.steps;
         settings.step_safety *= 0.5;
+        settings.watch_periods *= kMorePatience;
     }
 }
 
@@ -217,12 +254,6 @@ Result<SearchResult> search(const Model& model, const Axis& axis, const Control&
 /// Halvings of `step` until it is no wider than the tolerance.
 int halvings(double step, double tolerance) {
     return std::max(0, static_cast<int>(std::ceil(std::log2(step / tolerance) - 1e-9)));
-}
-
-std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
 }
 
 }  // namespace

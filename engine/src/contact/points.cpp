@@ -89,7 +89,9 @@ std::vector<PatchPoint> patchPoints(std::span<const Vec2> patch, const PointRule
     switch (rule.kind) {
         case PointRule::Kind::quarter: return quarterPoints(patch);
         case PointRule::Kind::corner: return cornerPoints(patch);
-        case PointRule::Kind::grid: return gridPoints(patch, rule.grid);
+        case PointRule::Kind::grid:
+            if (isRectangle(patch)) return gridPoints(patch, rule.grid);
+            break;
         case PointRule::Kind::vertex: break;
     }
     return vertexPoints(patch);

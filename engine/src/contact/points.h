@@ -19,7 +19,7 @@ struct PatchPoint {
 ///    (so the overturning pivot is exact);
 ///  - quarter: the paper's rule, one sub-area per vertex, its Lp at the sub-area's centroid;
 ///  - corner: the patch's vertices, equal shares;
-///  - grid N: centroids of N x N equal cells; rectangular patches only (see isRectangle).
+///  - grid N: centroids of N x N equal cells on a rectangle; on the other patches of a model in motion, `vertex`.
 std::vector<PatchPoint> patchPoints(std::span<const Eigen::Vector2d> patch, const PointRule& rule);
 
 /// Four right angles, to a relative 1e-9.

@@ -31,7 +31,8 @@ std::size_t nearestPoint(const OldInterfaces& old, std::size_t o, double xi, dou
     return best;
 }
 
-void carryInterface(const OldInterfaces& old, std::size_t o, State& state, std::size_t n) {
+/// Returns the shear force that found no closed Lp [N].
+double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std::size_t n) {
     Interfaces& f = state.interfaces;
     ContactPoints& points = state.points;
     const Eigen::Vector2d shift = originShift(old.interfaces, o, f, n);
@@ -65,6 +66,16 @@ void carryInterface(const OldInterfaces& old, std::size_t o, State& state, std::
         points.offset_1[p] = points.shear_1[p] / (law.shear_stiffness * points.area[p]);
         points.offset_2[p] = points.shear_2[p] / (law.shear_stiffness * points.area[p]);
     }
+    return closed_area > 0 ? 0.0 : missing.norm();
+}
+
+/// Shear force that an interface carries [N].
+double shearForce(const OldInterfaces& old, std::size_t o) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (auto q = static_cast<std::size_t>(old.interfaces.point_begin[o]);
+         q < static_cast<std::size_t>(old.interfaces.point_begin[o + 1]); ++q)
+        sum += Eigen::Vector2d(old.points.shear_1[q], old.points.shear_2[q]);
+    return sum.norm();
 }
 
 }  // namespace
@@ -73,13 +84,18 @@ bool anyDilates(const std::vector<contact::JointLaw>& laws) {
     return std::any_of(laws.begin(), laws.end(), [](const contact::JointLaw& law) { return law.tan_dilation != 0; });
 }
 
-void carryOver(const OldInterfaces& old, State& state) {
+double carryOver(const OldInterfaces& old, State& state) {
     std::map<Key, std::size_t> old_index;
     for (std::size_t o = 0; o < old.interfaces.size(); ++o) old_index[keyOf(old.interfaces, o)] = o;
+    double lost = 0;
     for (std::size_t n = 0; n < state.interfaces.size(); ++n) {
         const auto found = old_index.find(keyOf(state.interfaces, n));
-        if (found != old_index.end()) carryInterface(old, found->second, state, n);
+        if (found == old_index.end()) continue;
+        lost += carryInterface(old, found->second, state, n);
+        old_index.erase(found);
     }
+    for (const auto& [key, o] : old_index) lost += shearForce(old, o);
+    return lost;
 }
 
 }  // namespace talus::stages

@@ -16,6 +16,7 @@ bool anyDilates(const std::vector<contact::JointLaw>& laws);
 /// each new Lp takes the shear traction, the bond and the dilation of the nearest old one, and the tractions are shifted
 /// together so that the interface's shear force stays the same. The law then cuts what Coulomb does not allow.
 /// New pairs start unbonded and without shear.
-void carryOver(const OldInterfaces& old, State& state);
+/// Returns the shear force that was lost because its interface is gone or open [N].
+double carryOver(const OldInterfaces& old, State& state);
 
 }  // namespace talus::stages

@@ -62,6 +62,13 @@ double outOfBalanceRatio(const State& state) {
     return largest;
 }
 
+bool isFinite(const State& state) {
+    double sum = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        sum += state.blocks.position.get(b).sum() + state.blocks.velocity.get(b).sum() + state.blocks.angular_momentum.get(b).sum();
+    return std::isfinite(sum);
+}
+
 std::uint64_t stateHash(const State& state) {
     const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), XXH3_freeState);
     XXH3_64bits_reset(hash.get());

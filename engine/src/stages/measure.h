@@ -14,6 +14,9 @@ double gravityEnergy(const State& state);  ///< relative to the initial position
 /// Largest out-of-balance force of a free block over its weight; torque counts over weight times the block's radius.
 double outOfBalanceRatio(const State& state);
 
+/// Whether positions and velocities are numbers still.
+bool isFinite(const State& state);
+
 /// xxh3-64 over poses, velocities, and Lp forces and states.
 std::uint64_t stateHash(const State& state);
 

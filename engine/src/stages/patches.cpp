@@ -19,8 +19,8 @@
 namespace talus::stages {
 namespace {
 
-constexpr double kClosedGap = 1e-4;     // of the smaller block's size: closed and unstressed at the start
 constexpr double kSearchMargin = 0.05;  // of the median block size: pairs nearer than this are interfaces
+constexpr double kTravelLimit = 0.01;   // of a block's own size: then neighbours are searched again
 constexpr double kSlideLimit = 0.01;    // of the root of the patch area: then the patch is clipped again
 constexpr double kTurnLimit = 0.01;     // [rad], likewise
 constexpr double kFaceAngle = 0.8;      // [rad] faces up to 46 deg apart meet as faces; a box always has one such face
@@ -69,6 +69,15 @@ struct PlacedShapes {
     WorldShape world(std::size_t b) const { return {shapes[b].vertices, shapes[b].faces, normals[b]}; }
 };
 
+/// Faces may look at each other through the bodies: the far side of a block and the near side of its neighbour, or faces
+/// that are not parallel. A pair whose overlap is not the blocks' own is none.
+void dropFalsePairs(const PlacedShapes& placed, std::size_t a, std::size_t b, double closed, PairFinding& finding) {
+    const auto overlaps = [&](const FacePair& face) { return face.least_gap < -closed; };
+    if (std::none_of(finding.faces.begin(), finding.faces.end(), overlaps)) return;
+    const double depth = std::max(0.0, -findSeparation(placed.shapes[a], placed.shapes[b]).distance);
+    std::erase_if(finding.faces, [&](const FacePair& face) { return -face.least_gap > 2.0 * depth + closed; });
+}
+
 PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair pair, double margin, bool initial) {
     PairFinding finding;
     const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
@@ -82,6 +91,7 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     finding.faces = findFacePairs(placed.world(a), placed.world(b),
                                   {.max_gap = margin, .max_overlap = 0.5 * size, .max_angle = kFaceAngle},
                                   Reference::face_a);
+    dropFalsePairs(placed, a, b, closed, finding);
     if (!initial && !finding.faces.empty()) return finding;
     for (const FacePair& face : finding.faces)  // parallel faces that do not overlap: a plane between the blocks
         if (face.least_gap >= -closed && face.most_gap - face.least_gap <= closed) return finding;
@@ -152,7 +162,7 @@ void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePai
     f.block_b.push_back(b);
     f.face_a.push_back(pair.face_a);
     f.face_b.push_back(pair.face_b);
-    f.joint.push_back(interfaceJoint(state.geometry->model, ia, face_a, ib, face_b));
+    f.joint.push_back(interfaceJoint(*state.geometry, ia, face_a, ib, face_b));
     f.area.push_back(patch_area);
     f.origin_a.add(origin_a);
     f.e1_a.add(own.e1);
@@ -181,8 +191,17 @@ void resizePoints(ContactPoints& points, bool dilates) {
     const std::size_t n = points.area.size();
     for (auto* values : {&points.offset_1, &points.offset_2, &points.normal, &points.shear_1, &points.shear_2})
         values->assign(n, 0.0);
-    points.bond.assign(n, 0.0);
+    points.bond.assign(n, 1.0);
     if (dilates) points.dilation.assign(n, 0.0);
+}
+
+/// Contacts that come about later have no bond to lose; without a bond they have their peak friction.
+void breakBonds(State& state) {
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
+        if (!state.laws[static_cast<std::size_t>(state.interfaces.joint[i])].bonded) continue;
+        const auto begin = state.points.bond.begin();
+        std::fill(begin + state.interfaces.point_begin[i], begin + state.interfaces.point_begin[i + 1], 0.0);
+    }
 }
 
 /// Interfaces that touch at the start: their gap becomes the reference, their Lps are intact.
@@ -195,8 +214,12 @@ void closeInitialInterfaces(State& state) {
         double widest = 0;
         for (auto v = static_cast<std::size_t>(f.patch_begin[i]); v < static_cast<std::size_t>(f.patch_begin[i + 1]); ++v)
             widest = std::max(widest, std::abs(pose.gap.x() + f.patch_xi[v] * pose.gap.y() + f.patch_eta[v] * pose.gap.z()));
-        if (widest > closed) continue;
-        f.reference_gap.set(i, pose.gap);
+        double least = kInfinity;
+        for (auto v = static_cast<std::size_t>(f.patch_begin[i]); v < static_cast<std::size_t>(f.patch_begin[i + 1]); ++v)
+            least = std::min(least, pose.gap.x() + f.patch_xi[v] * pose.gap.y() + f.patch_eta[v] * pose.gap.z());
+        if (widest > closed && least >= 0) continue;
+        // Planes that are not parallel: only what overlaps is taken off.
+        f.reference_gap.set(i, widest > closed ? Vec3(least, 0, 0) : pose.gap);
         const auto begin = state.points.bond.begin();
         std::fill(begin + f.point_begin[i], begin + f.point_begin[i + 1], 1.0);
     }
@@ -248,11 +271,7 @@ std::vector<Error> touchErrors(const State& state) {
     const Model& model = state.geometry->model;
     for (const PairJoint& pair : model.pair_joints) {
         if (!pair.must_touch) continue;
-        bool found = false;
-        for (std::size_t i = 0; i < state.interfaces.size() && !found; ++i)
-            found = std::minmax(state.interfaces.block_a[i], state.interfaces.block_b[i]) ==
-                    std::minmax(pair.block_a, pair.block_b);
-        if (!found)
+        if (largestInterface(state, pair.block_a, pair.block_b) < 0)
             errors.push_back({pair.field + ".between",
                               "blocks \"" + model.blocks[static_cast<std::size_t>(pair.block_a)].name + "\" and \"" +
                                   model.blocks[static_cast<std::size_t>(pair.block_b)].name +
@@ -289,8 +308,9 @@ std::vector<Error> findInterfacesWithin(State& state, double margin, bool initia
     for (const PairFinding& finding : findings)
         for (const FacePair& pair : finding.faces) appendInterface(state, finding.block_a, finding.block_b, pair);
     resizePoints(state.points, anyDilates(state.laws));
+    breakBonds(state);
     if (initial) closeInitialInterfaces(state);
-    else carryOver(old, state);
+    else state.shear_lost += carryOver(old, state);
     buildIncidence(state);
     state.search_position = state.blocks.position;
     state.search_orientation = state.blocks.orientation;
@@ -308,7 +328,9 @@ bool movedTooFar(const State& state, double margin) {
         if (state.blocks.motion[b] == Motion::fixed) continue;
         const double shift = (state.blocks.position.get(b) - state.search_position.get(b)).norm();
         const double turn = rotationFrom(state.search_orientation, state.blocks.orientation, b);
-        farthest = std::max(farthest, shift + turn * state.geometry->radius[b]);
+        const double motion = shift + turn * state.geometry->radius[b];
+        if (motion > kTravelLimit * state.geometry->size[b]) return true;
+        farthest = std::max(farthest, motion);
         most_turned = std::max(most_turned, turn);
     }
     if (most_turned > kTurnLimit) return true;
@@ -326,6 +348,24 @@ bool movedTooFar(const State& state, double margin) {
 
 }  // namespace
 
+std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int32_t block_2) {
+    const Incidence& incidence = state.incidence;
+    // The block with fewer interfaces knows them all: a floor may have thousands.
+    const auto count = [&](std::int32_t b) {
+        return incidence.interface_begin[static_cast<std::size_t>(b) + 1] - incidence.interface_begin[static_cast<std::size_t>(b)];
+    };
+    const std::int32_t block = count(block_1) <= count(block_2) ? block_1 : block_2;
+    std::int32_t best = -1;
+    for (auto k = incidence.interface_begin[static_cast<std::size_t>(block)];
+         k < incidence.interface_begin[static_cast<std::size_t>(block) + 1]; ++k) {
+        const std::int32_t i = incidence.interface[static_cast<std::size_t>(k)];
+        const auto index = static_cast<std::size_t>(i);
+        if (std::minmax(state.interfaces.block_a[index], state.interfaces.block_b[index]) != std::minmax(block_1, block_2)) continue;
+        if (best < 0 || state.interfaces.area[index] > state.interfaces.area[static_cast<std::size_t>(best)]) best = i;
+    }
+    return best;
+}
+
 std::vector<Error> findInterfaces(State& state, bool initial, bool parallel) {
     const double margin = searchMargin(state, 0.0);
     return findInterfacesWithin(state, margin, initial, parallel);
@@ -335,15 +375,21 @@ bool refreshInterfaces(State& state, bool parallel, double ahead) {
     const double margin = searchMargin(state, ahead);
     if (!movedTooFar(state, margin)) return false;
     findInterfacesWithin(state, margin, false, parallel);
+    // Forces are there again before anything looks at them.
+    updateContacts(state, {0, state.interfaces.size()});
+    updateWater(state);
     return true;
 }
 
-std::int32_t interfaceJoint(const Model& model, std::size_t block_a, std::size_t face_a, std::size_t block_b,
+std::int32_t interfaceJoint(const Geometry& geometry, std::size_t block_a, std::size_t face_a, std::size_t block_b,
                             std::size_t face_b) {
-    for (const PairJoint& pair : model.pair_joints) {
-        const auto a = static_cast<std::size_t>(pair.block_a), b = static_cast<std::size_t>(pair.block_b);
-        if ((a == block_a && b == block_b) || (a == block_b && b == block_a)) return pair.joint;
-    }
+    const std::pair<std::int32_t, std::int32_t> key =
+        std::minmax({static_cast<std::int32_t>(block_a), static_cast<std::int32_t>(block_b)});
+    const auto& pairs = geometry.pair_joints;
+    const auto found = std::lower_bound(pairs.begin(), pairs.end(), key,
+                                        [](const PairJoint& pair, const auto& k) { return pairOf(pair) < k; });
+    if (found != pairs.end() && pairOf(*found) == key) return found->joint;
+    const Model& model = geometry.model;
     const std::int32_t joint_a = model.blocks[block_a].face_joint[face_a];
     const std::int32_t joint_b = model.blocks[block_b].face_joint[face_b];
     const double phi_a = model.joints[static_cast<std::size_t>(joint_a)].friction;

@@ -9,6 +9,9 @@
 
 namespace talus::stages {
 
+/// Of the smaller block's size: faces nearer than this are closed and unstressed at the start.
+inline constexpr double kClosedGap = 1e-4;
+
 /// Searches neighbours, clips patches, places contact points. At the start (`initial`) faces within 1e-4 of the block
 /// size count as closed and unstressed and deeper overlap is an error; later what the Lps of a pair of faces carried
 /// and remember is handed on to its new ones.
@@ -21,7 +24,10 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel);
 bool refreshInterfaces(State& state, bool parallel, double ahead);
 
 /// Joint of an interface between two faces: the pair's own, else that of the face with less friction.
-std::int32_t interfaceJoint(const Model& model, std::size_t block_a, std::size_t face_a, std::size_t block_b,
+std::int32_t interfaceJoint(const Geometry& geometry, std::size_t block_a, std::size_t face_a, std::size_t block_b,
                             std::size_t face_b);
+
+/// The interface of two blocks, the one with the largest patch if there are several; -1 when they share none.
+std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int32_t block_2);
 
 }  // namespace talus::stages

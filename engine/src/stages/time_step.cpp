@@ -33,11 +33,25 @@ Mat6 interfaceStiffness(const State& state, std::size_t i, const Vec3& centre) {
     return sum;
 }
 
+/// What the first contact of a block in the air may be: its largest face closed with the stiffest joint.
+/// lambda_max <= trace of M^-1 K <= k A (3 / m + 3 r^2 / I_min).
+double boundInTheAir(const State& state, std::size_t block) {
+    const Polyhedron& shape = state.geometry->shape[block];
+    double area = 0, stiffness = 0;
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) area = std::max(area, shape.faceArea(f));
+    for (const contact::JointLaw& law : state.laws)
+        stiffness = std::max({stiffness, law.normal_stiffness, law.shear_stiffness});
+    const double r = state.geometry->radius[block];
+    return stiffness * area *
+           (3.0 / state.blocks.mass[block] + 3.0 * r * r / state.blocks.inertia.get(block).minCoeff());
+}
+
 double frequencyBound(const State& state, std::size_t block) {
     const Blocks& blocks = state.blocks;
     const Incidence& incidence = state.incidence;
     const auto begin = incidence.interface_begin[block], end = incidence.interface_begin[block + 1];
-    if (blocks.motion[block] != Motion::free || begin == end) return 0.0;
+    if (blocks.motion[block] != Motion::free) return 0.0;
+    if (begin == end) return boundInTheAir(state, block);
     Mat6 stiffness = Mat6::Zero();
     for (auto k = begin; k < end; ++k) {
         const auto i = static_cast<std::size_t>(incidence.interface[static_cast<std::size_t>(k)]);

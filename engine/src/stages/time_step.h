@@ -8,7 +8,7 @@
 namespace talus::stages {
 
 /// Upper bound of the square of the highest angular frequency that each block takes part in, with true inertia
-/// [1/s^2]; 0 for blocks that are not free or touch nothing.
+/// [1/s^2]; 0 for blocks that are not free. A block that touches nothing gets the bound of its first contact.
 ///
 /// A spring between blocks a and b stores k/2 (delta_a - delta_b)^2 <= k (delta_a^2 + delta_b^2), so the assembled
 /// stiffness is at most the block-diagonal one with 2 K_a (or K_a for springs against a block that does not move),

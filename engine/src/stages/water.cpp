@@ -6,7 +6,7 @@
 #include "geometry/face_frame.h"
 #include "geometry/pressure.h"
 #include "stages/contacts.h"
-#include "stages/measure.h"
+#include "stages/patches.h"
 
 namespace talus::stages {
 namespace {
@@ -58,18 +58,6 @@ void addWall(State& state, std::size_t water, const WetFace& wall) {
         else if (origin.z() < base) return;
     }
     if (!polygon.empty()) addPatch(state.wet, b, water, -1, plane, polygon, Vec3::Zero());
-}
-
-/// The interface of a pair of blocks with the largest patch; -1 when they share none.
-std::int32_t interfaceOf(const State& state, std::pair<std::int32_t, std::int32_t> pair) {
-    std::int32_t best = -1;
-    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
-        if (std::minmax(state.interfaces.block_a[i], state.interfaces.block_b[i]) != std::minmax(pair.first, pair.second))
-            continue;
-        if (best < 0 || state.interfaces.area[i] > state.interfaces.area[static_cast<std::size_t>(best)])
-            best = static_cast<std::int32_t>(i);
-    }
-    return best;
 }
 
 /// Two heads, linear between the patch's ends along x (along z for a patch normal to x): value at the interface's origin
@@ -131,8 +119,7 @@ Vec3 initialPoint(const State& state, std::size_t w, const Vec2& v) {
 Vec3 tablePoint(const State& state, std::size_t water, double depth, const Vec3& down) {
     Vec3 lowest = Vec3::Zero(), normal = Vec3::Zero();
     double deepest = -kInfinity;
-    for (std::size_t w = 0; w < state.wet.size(); ++w) {
-        if (state.wet.water[w] != static_cast<std::int32_t>(water)) continue;
+    for (std::size_t w = state.wet.water_begin[water]; w < state.wet.water_begin[water + 1]; ++w)
         for (const Vec2& v : polygonOf(state.wet, w)) {
             const Vec3 x = initialPoint(state, w, v);
             if (down.dot(x) <= deepest) continue;
@@ -141,7 +128,6 @@ Vec3 tablePoint(const State& state, std::size_t water, double depth, const Vec3&
             const Mat3 turn = state.geometry->initial_orientation.matrix(static_cast<std::size_t>(state.wet.block[w]));
             normal = turn * state.wet.e1.get(w).cross(state.wet.e2.get(w));
         }
-    }
     const Vec3 steepest = -down + down.dot(normal) * normal;
     const Vec3 up = steepest.norm() > 1e-9 ? Vec3(steepest.normalized()) : Vec3(-down);
     return lowest + depth * up;
@@ -241,11 +227,13 @@ void makeWalls(State& state) {
     clearWet(state);
     const auto& waters = state.geometry->model.waters;
     for (std::size_t water = 0; water < waters.size(); ++water) {
+        state.wet.water_begin.push_back(state.wet.size());
         for (const WetFace& wall : waters[water].walls) addWall(state, water, wall);
         if (!waters[water].pair) continue;
-        const std::int32_t i = interfaceOf(state, *waters[water].pair);
+        const std::int32_t i = largestInterface(state, waters[water].pair->first, waters[water].pair->second);
         if (i >= 0) addInterfaceWalls(state, water, static_cast<std::size_t>(i));
     }
+    state.wet.water_begin.push_back(state.wet.size());
     state.wet.computed_position.resize(state.wet.size());
     state.wet.computed_orientation.resize(state.wet.size());
     buildWetIncidence(state);
@@ -344,9 +332,8 @@ void updateWater(State& state) {
         if (changed) state.pressure[water] = pressureField(state, water);
         state.water_load[water] = load;
         const PressureField field = state.pressure[water];
-        for (std::size_t w = 0; w < state.wet.size(); ++w)
-            if (state.wet.water[w] == static_cast<std::int32_t>(water) && (changed || poseIsStale(state, w)))
-                computeWrench(state, w, field);
+        for (std::size_t w = state.wet.water_begin[water]; w < state.wet.water_begin[water + 1]; ++w)
+            if (changed || poseIsStale(state, w)) computeWrench(state, w, field);
     }
 }
 

@@ -3,6 +3,7 @@
 // thing in every array of a structure. Plain data: copying a State copies the simulation, which is how a probe goes
 // back to the last stable state.
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -109,7 +110,8 @@ struct ContactPoints {
 /// Walls that water pushes on: polygons fixed to a block.
 struct WetPatches {
     std::vector<std::int32_t> block;
-    std::vector<std::int32_t> water;      ///< index into the model's waters
+    std::vector<std::int32_t> water;      ///< index into the model's waters, ascending
+    std::vector<std::size_t> water_begin; ///< first patch of each water; one more at the end
     std::vector<std::int32_t> interface;  ///< the interface it is a wall of, for `pair` water; else -1
     VectorArray origin, e1, e2;           ///< plane of the polygon in the block's own frame; e3 outward
     std::vector<std::int64_t> vertex_begin;  ///< one more at the end
@@ -148,12 +150,17 @@ struct Incidence {
     std::vector<std::int32_t> wet;
 };
 
+inline std::pair<std::int32_t, std::int32_t> pairOf(const PairJoint& pair) {
+    return std::minmax(pair.block_a, pair.block_b);
+}
+
 /// What does not change while blocks move: shapes, names, the description itself.
 struct Geometry {
     Model model;
     std::vector<Polyhedron> shape;        ///< in each block's own frame
     std::vector<double> size;             ///< smallest extent of each block [m]
     std::vector<double> radius;           ///< farthest vertex from the centroid [m]
+    std::vector<PairJoint> pair_joints;   ///< sorted by pair of blocks
     VectorArray initial_position;
     QuaternionArray initial_orientation;
     double length_scale = 0;              ///< median block size [m]
@@ -187,6 +194,7 @@ struct State {
     QuaternionArray search_orientation;
     double search_margin = 0;      ///< gap up to which that search made interfaces [m]
     double invalid_since = -1;     ///< time at which a contact came about that is not modelled; negative: none [s]
+    double shear_lost = 0;         ///< shear force that could not be carried over to clipped patches, in all [N]
     std::vector<std::string> warnings;
 };
 

@@ -131,6 +131,9 @@ Result<State> buildState(const Model& model, bool parallel) {
     state.blocks.force.resize(n);
     state.blocks.torque.resize(n);
     geometry->model = model;
+    geometry->pair_joints = model.pair_joints;
+    std::stable_sort(geometry->pair_joints.begin(), geometry->pair_joints.end(),
+                     [](const PairJoint& a, const PairJoint& b) { return pairOf(a) < pairOf(b); });
     geometry->length_scale = medianOf(geometry->size);
     geometry->initial_position = state.blocks.position;
     geometry->initial_orientation = state.blocks.orientation;
