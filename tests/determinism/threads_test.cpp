@@ -31,7 +31,8 @@ std::uint64_t hashAfter(const Model& model, int threads, bool parallel) {
     return arena.execute([&] {
         State state = *buildState(model, parallel);
         const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
-        const double dt = 0.5 * stages::stableTimeStep(*std::max_element(bounds.begin(), bounds.end()), state.damping.contact);
+        const double dt = 0.5 * stages::stableTimeStep(*std::max_element(bounds.begin(), bounds.end()),
+                                                       state.damping.contact);
         stages::updateForces(state, parallel);
         for (int k = 0; k < 300; ++k) {
             stages::advance(state, {dt, parallel});

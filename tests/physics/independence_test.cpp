@@ -35,7 +35,8 @@ double spread(const Model& model, const Analysis& analysis, double unit) {
         Model changed = model;
         changed.analysis.time_scaling = variant.time_scaling;
         const SearchResult result = *analysis(changed, Control{}, variant.settings);
-        MESSAGE(variant.name << ": " << result.answer * unit << " " << toString(result.mode) << ", " << result.steps << " steps");
+        MESSAGE(variant.name << ": " << result.answer * unit << " " << toString(result.mode) << ", "
+                             << result.steps << " steps");
         CHECK((result.status == SearchStatus::found));
         low = std::min(low, result.answer);
         high = std::max(high, result.answer);

@@ -18,7 +18,8 @@ namespace {
 Model paperModel(const std::string& name, double friction_deg) {
     auto scenario = formats::readScenario(std::string(TALUS_SOURCE_DIR) + "/bench/paper/" + name + ".toml");
     REQUIRE(scenario.ok());
-    for (Joint& joint : scenario->model.joints) joint.friction = joint.residual_friction = radians(friction_deg);
+    for (Joint& joint : scenario->model.joints)
+        joint.friction = joint.residual_friction = radians(friction_deg);
     return scenario->model;
 }
 

@@ -31,7 +31,8 @@ SearchResult critical(const Model& model) {
 }
 
 void checkAngle(const SearchResult& result, double expected_deg, FailureMode mode) {
-    MESSAGE("critical angle " << degrees(result.answer) << ", expected " << expected_deg << ", " << toString(result.mode));
+    MESSAGE("critical angle " << degrees(result.answer) << ", expected " << expected_deg << ", "
+                              << toString(result.mode));
     CHECK(std::abs(degrees(result.answer) - expected_deg) < 0.02 + 0.005);
     CHECK((result.mode == mode));
     CHECK(result.moving_blocks == std::vector<std::string>{"body"});
@@ -73,11 +74,12 @@ TEST_SUITE("physics") {
             double b, h, phi, water, expected;
             FailureMode mode;
         };
-        const Row rows[] = {{1, 1, 40, 0.0, 40.00, FailureMode::sliding},   {1, 1, 40, 0.5, 38.38, FailureMode::sliding},
-                            {1, 1, 40, 1.0, 33.04, FailureMode::sliding},   {1, 2, 40, 0.0, 26.57, FailureMode::toppling},
-                            {1, 2, 40, 1.0, 25.11, FailureMode::toppling},  {1, 2, 40, 2.0, 13.95, FailureMode::toppling},
-                            {0.5, 1, 30, 0.0, 26.57, FailureMode::toppling}, {0.5, 1, 30, 0.5, 25.11, FailureMode::toppling},
-                            {0.5, 1, 30, 1.0, 11.31, FailureMode::sliding}};
+        const Row rows[] = {
+            {1, 1, 40, 0.0, 40.00, FailureMode::sliding},    {1, 1, 40, 0.5, 38.38, FailureMode::sliding},
+            {1, 1, 40, 1.0, 33.04, FailureMode::sliding},    {1, 2, 40, 0.0, 26.57, FailureMode::toppling},
+            {1, 2, 40, 1.0, 25.11, FailureMode::toppling},   {1, 2, 40, 2.0, 13.95, FailureMode::toppling},
+            {0.5, 1, 30, 0.0, 26.57, FailureMode::toppling}, {0.5, 1, 30, 0.5, 25.11, FailureMode::toppling},
+            {0.5, 1, 30, 1.0, 11.31, FailureMode::sliding}};
         for (const Row& row : rows) {
             Model model = bodyOnPlane(row.phi, {row.b, 1, row.h}, 1e11, kRockDensity);
             if (row.water > 0) model.waters = {waterOn(model, 1, Vec3::UnitX(), row.water)};
@@ -91,7 +93,8 @@ TEST_SUITE("physics") {
         // W sin(beta) = W cos(beta) tan(phi) + C A.
         // A flat block, so that its weight stays within the middle third of the base and no Lp opens.
         Model model = bodyOnPlane(30, {1, 1, 0.2}, 1e10, 2000);
-        const theory::SlidingMass mass{.length = 1, .height = 0.2, .density = 2000, .friction = radians(30), .cohesion = 800};
+        const theory::SlidingMass mass{
+            .length = 1, .height = 0.2, .density = 2000, .friction = radians(30), .cohesion = 800};
         model.joints[0].cohesion = model.joints[0].residual_cohesion = 800;
         checkAngle(critical(model), degrees(theory::criticalTiltSliding(mass)), FailureMode::sliding);
         // With no residual cohesion the Lps break one after the other: between friction alone and full cohesion.
@@ -150,8 +153,12 @@ TEST_SUITE("physics") {
         CHECK(factor() == doctest::Approx(std::tan(radians(30)) / std::tan(radians(20))).epsilon(1e-3));
         model.joints[0].cohesion = model.joints[0].residual_cohesion = 1500;
         model.waters = {waterOn(model, 1, Vec3::UnitX(), 0.4)};
-        const theory::SlidingMass mass{.length = 1, .height = 0.5, .density = 2000, .water_depth = 0.4,
-                                       .friction = radians(30), .cohesion = 1500};
+        const theory::SlidingMass mass{.length = 1,
+                                       .height = 0.5,
+                                       .density = 2000,
+                                       .water_depth = 0.4,
+                                       .friction = radians(30),
+                                       .cohesion = 1500};
         CHECK(factor() == doctest::Approx(theory::factorOfSafetySliding(mass, radians(20))).epsilon(1e-3));
     }
 

@@ -46,14 +46,16 @@ inline void addBox(Model& model, const std::string& name, const Vec3& corner, co
 }
 
 /// A regular stack on the floor, blocks of `size`, toe at the origin.
-inline Model stackModel(int columns, int rows, int slices, double friction_deg, const Vec3& size = {0.2, 0.1, 0.1},
-                        double stiffness = 3.375e11) {
+inline Model stackModel(int columns, int rows, int slices, double friction_deg,
+                        const Vec3& size = {0.2, 0.1, 0.1}, double stiffness = 3.375e11) {
     Model model = floorModel(friction_deg, stiffness);
     for (int c = 0; c < columns; ++c)
         for (int r = 0; r < rows; ++r)
             for (int s = 0; s < slices; ++s)
-                addBox(model, "c" + std::to_string(c + 1) + "r" + std::to_string(r + 1) + "s" + std::to_string(s + 1),
-                       {c * size.x(), s * size.y(), r * size.z()}, size);
+                addBox(
+                    model,
+                    "c" + std::to_string(c + 1) + "r" + std::to_string(r + 1) + "s" + std::to_string(s + 1),
+                    {c * size.x(), s * size.y(), r * size.z()}, size);
     return model;
 }
 

@@ -36,7 +36,7 @@ const char* toString(Verdict verdict);
 
 /// One probe of a search: the load was brought to `load`, then the assembly came to rest or did not.
 struct Probe {
-    double load = 0;            ///< tilt [rad], or factor of safety
+    double load = 0;  ///< tilt [rad], or factor of safety
     Verdict verdict = Verdict::undecided;
     std::int64_t steps = 0;
     double out_of_balance = 0;  ///< largest out-of-balance force of a block over its weight, at the end
@@ -52,15 +52,15 @@ struct BlockMotion {
     double rotation = 0;              ///< during the continuation [rad]
     double rotation_share = 0;        ///< motion at its corners that is due to rotation, 0..1
     double open_share = 0;            ///< area share of its contact points that are open, 0..1
-    double mobilised_friction = 0;    ///< shear force over shear strength, summed over its closed points, 0..1
+    double mobilised_friction = 0;  ///< shear force over shear strength, summed over its closed points, 0..1
     bool moving = false;
 };
 
 struct SearchResult {
     SearchStatus status = SearchStatus::undecided;
-    double answer = 0;               ///< midpoint of the bracket: tilt [rad] or factor of safety; valid when found
-    double low = 0;                  ///< last stable load (or -infinity)
-    double high = 0;                 ///< first failing load (or infinity)
+    double answer = 0;  ///< midpoint of the bracket: tilt [rad] or factor of safety; valid when found
+    double low = 0;     ///< last stable load (or -infinity)
+    double high = 0;    ///< first failing load (or infinity)
     FailureMode mode = FailureMode::none;
     std::vector<std::string> moving_blocks;  ///< sorted
     std::vector<BlockMotion> motions;        ///< evidence, one per free block, in the order of the blocks
@@ -69,28 +69,30 @@ struct SearchResult {
     std::vector<Probe> probes;
     std::int64_t steps = 0;
     double wall_seconds = 0;
-    std::uint64_t state_hash = 0;    ///< over the state at the end of the last step computed
+    std::uint64_t state_hash = 0;  ///< over the state at the end of the last step computed
     bool inertia_scaled = false;
-    double damping_local = 0;        ///< what the quasi-static part used
-    double time_step = 0;            ///< true-inertia step of the continuation [s]
+    double damping_local = 0;  ///< what the quasi-static part used
+    double time_step = 0;      ///< true-inertia step of the continuation [s]
     std::size_t blocks = 0, interfaces = 0, contact_points = 0;
     std::vector<std::string> warnings;
 };
 
 /// Knobs of the quasi-static machinery; the answers do not depend on them by more than the bracket.
 struct QuasiStatic {
-    double local_damping = 0.3;   ///< Cundall; takes out what chatters
-    double drag_ratio = 0.5;      ///< drag on translation and rotation, over the critical one of the slowest mode
-    double step_safety = 0.6;     ///< share of the stability bound
-    double ramp_periods = 2.0;    ///< slowest periods over which a load is changed
-    double watch_periods = 1.5;   ///< slowest periods in a window in which a plateau is looked for
+    double local_damping = 0.3;  ///< Cundall; takes out what chatters
+    double drag_ratio = 0.5;  ///< drag on translation and rotation, over the critical one of the slowest mode
+    double step_safety = 0.6;    ///< share of the stability bound
+    double ramp_periods = 2.0;   ///< slowest periods over which a load is changed
+    double watch_periods = 1.5;  ///< slowest periods in a window in which a plateau is looked for
     std::int64_t max_steps_per_probe = 2'000'000;
 };
 
 /// The tilt at which the assembly first fails. Loading order: gravity at the start tilt, water, tilt.
-Result<SearchResult> criticalAngle(const Model& model, const Control& control = {}, const QuasiStatic& settings = {});
+Result<SearchResult> criticalAngle(const Model& model, const Control& control = {},
+                                   const QuasiStatic& settings = {});
 
 /// Strength reduction (tan phi and C, peak and residual, over F) at the model's own tilt.
-Result<SearchResult> safetyFactor(const Model& model, const Control& control = {}, const QuasiStatic& settings = {});
+Result<SearchResult> safetyFactor(const Model& model, const Control& control = {},
+                                  const QuasiStatic& settings = {});
 
 }  // namespace talus

@@ -20,26 +20,26 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Strength and stiffness of an interface (Mohr-Coulomb, eqs 5-9 of the paper).
 struct Joint {
     std::string name;
-    double normal_stiffness = 0;    ///< k_n [Pa/m]
-    double shear_stiffness = 0;     ///< k_s [Pa/m]
-    double friction = 0;            ///< phi [rad]
-    double cohesion = 0;            ///< C [Pa]
-    double tensile_strength = 0;    ///< sigma_t [Pa]
-    double residual_cohesion = 0;   ///< C_r, after the first slip or opening [Pa]
-    double residual_friction = 0;   ///< phi_r, after the first slip [rad]
-    double dilation = 0;            ///< psi, opening per slip [rad]
+    double normal_stiffness = 0;   ///< k_n [Pa/m]
+    double shear_stiffness = 0;    ///< k_s [Pa/m]
+    double friction = 0;           ///< phi [rad]
+    double cohesion = 0;           ///< C [Pa]
+    double tensile_strength = 0;   ///< sigma_t [Pa]
+    double residual_cohesion = 0;  ///< C_r, after the first slip or opening [Pa]
+    double residual_friction = 0;  ///< phi_r, after the first slip [rad]
+    double dilation = 0;           ///< psi, opening per slip [rad]
 };
 
 enum class Motion : std::uint8_t { free, fixed, driven };
 
 struct Block {
     std::string name;
-    Polyhedron shape;   ///< in the model frame
-    double density = 0; ///< [kg/m^3]
+    Polyhedron shape;    ///< in the model frame
+    double density = 0;  ///< [kg/m^3]
     Motion motion = Motion::free;
-    Vec3 velocity = Vec3::Zero();  ///< initial; kept when driven [m/s]
+    Vec3 velocity = Vec3::Zero();          ///< initial; kept when driven [m/s]
     std::vector<std::int32_t> face_joint;  ///< one joint index per face of the shape
-    std::string field{};    ///< where the scenario speaks of it ("stack[0]", "block[2]"), for messages
+    std::string field{};  ///< where the scenario speaks of it ("stack[0]", "block[2]"), for messages
 };
 
 /// Joint of one pair of blocks, in place of the rule (of the two faces' joints the one with less friction, the one
@@ -48,7 +48,8 @@ struct PairJoint {
     std::int32_t block_a = 0;
     std::int32_t block_b = 0;
     std::int32_t joint = 0;
-    bool must_touch = false;  ///< an error if the two blocks share no interface at the start (written by hand)
+    bool must_touch =
+        false;  ///< an error if the two blocks share no interface at the start (written by hand)
     std::string field{};
 };
 
@@ -71,14 +72,18 @@ struct Water {
         head        ///< two heads at the ends of one interface, linear between: p = rho_w g cos(tilt) head
     };
     Level kind = Level::depth;
-    std::vector<LevelPoint> level;  ///< depth or elevation over time; one entry when constant; empty for `head`
-    std::array<double, 2> head{};   ///< at the patch's +x and its -x end (+z and -z for patches normal to x) [m]
-    double density = 1000;          ///< [kg/m^3]
-    double drains_at_aperture = kInfinity;  ///< [m]; the fissure is empty for good once an interface opens wider
-    double base = -kInfinity;       ///< no water below this z of the model at the start (perched water) [m]
-    std::vector<WetFace> walls;     ///< the faces it pushes on; empty when `pair` is given
-    std::optional<std::pair<std::int32_t, std::int32_t>> pair;  ///< instead: the interface of two blocks, both walls
-    std::string field{};            ///< "water[0]", for messages
+    std::vector<LevelPoint>
+        level;  ///< depth or elevation over time; one entry when constant; empty for `head`
+    std::array<double, 2>
+        head{};             ///< at the patch's +x and its -x end (+z and -z for patches normal to x) [m]
+    double density = 1000;  ///< [kg/m^3]
+    double drains_at_aperture =
+        kInfinity;               ///< [m]; the fissure is empty for good once an interface opens wider
+    double base = -kInfinity;    ///< no water below this z of the model at the start (perched water) [m]
+    std::vector<WetFace> walls;  ///< the faces it pushes on; empty when `pair` is given
+    std::optional<std::pair<std::int32_t, std::int32_t>>
+        pair;             ///< instead: the interface of two blocks, both walls
+    std::string field{};  ///< "water[0]", for messages
 };
 
 /// Where contact points (Lps) lie on a patch and which area each stands for.
@@ -103,26 +108,26 @@ struct Damping {
 
 struct AnalysisSettings {
     std::optional<double> start;  ///< critical-angle: where the search starts; default gravity.tilt [rad]
-    double stop = 0.78539816339744831;       ///< [rad]
+    double stop = 0.78539816339744831;         ///< [rad]
     double tolerance = 1.7453292519943296e-4;  ///< width of the bracket [rad]
-    double factor_tolerance = 0.001;         ///< width of the bracket of a factor of safety
-    bool time_scaling = true;     ///< inertia scaling in quasi-static work
+    double factor_tolerance = 0.001;           ///< width of the bracket of a factor of safety
+    bool time_scaling = true;                  ///< inertia scaling in quasi-static work
 };
 
 struct RunSettings {
-    double duration = 1.0;              ///< [s]
-    std::optional<double> time_step;    ///< default: from the stability bound [s]
-    double frame_interval = 0.01;       ///< [s]
-    std::vector<std::string> watch;     ///< names of blocks to report
+    double duration = 1.0;            ///< [s]
+    std::optional<double> time_step;  ///< default: from the stability bound [s]
+    double frame_interval = 0.01;     ///< [s]
+    std::vector<std::string> watch;   ///< names of blocks to report
 };
 
 /// What the closed formulas need to know of a regular stack (theory.h); present when the model is one stack only.
 struct StackShape {
     int columns = 0, rows = 0, slices = 0;
-    Vec3 block = Vec3::Zero();        ///< [m]
-    Vec3 origin = Vec3::Zero();       ///< [m]
-    bool running = false;             ///< running bond
-    std::vector<int> heights;         ///< rows per column
+    Vec3 block = Vec3::Zero();   ///< [m]
+    Vec3 origin = Vec3::Zero();  ///< [m]
+    bool running = false;        ///< running bond
+    std::vector<int> heights;    ///< rows per column
 };
 
 struct Model {

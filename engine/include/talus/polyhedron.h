@@ -27,9 +27,9 @@ struct Polyhedron {
 
 /// Volume integrals for unit density, exact for polyhedra (signed tetrahedra; Tonon 2004).
 struct MassProperties {
-    double volume = 0;                ///< [m^3]
-    Vec3 centroid = Vec3::Zero();     ///< [m]
-    Mat3 inertia = Mat3::Zero();      ///< about the centroid, per unit density [m^5]
+    double volume = 0;             ///< [m^3]
+    Vec3 centroid = Vec3::Zero();  ///< [m]
+    Mat3 inertia = Mat3::Zero();   ///< about the centroid, per unit density [m^5]
 };
 
 /// Axis-aligned box; `min` must be below `max` in each coordinate (else an error names the axis).

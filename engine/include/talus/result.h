@@ -21,7 +21,7 @@ struct Error {
 /// Either a value or at least one error, never both.
 template <class T>
 class Result {
-public:
+ public:
     Result(T value) : value_(std::move(value)) {}
     Result(Error error) { errors_.push_back(std::move(error)); }
     Result(std::vector<Error> errors) : errors_(std::move(errors)) {}
@@ -34,7 +34,7 @@ public:
     const T* operator->() const { return &*value_; }
     const std::vector<Error>& errors() const { return errors_; }
 
-private:
+ private:
     std::optional<T> value_;
     std::vector<Error> errors_;
 };

@@ -26,15 +26,15 @@ struct SimulationState;  // the arrays; private to the engine
 /// One watched block, at the end of a step.
 struct BlockReport {
     std::string name;
-    Vec3 position = Vec3::Zero();  ///< of the centroid [m]
-    Vec3 velocity = Vec3::Zero();  ///< [m/s]
+    Vec3 position = Vec3::Zero();      ///< of the centroid [m]
+    Vec3 velocity = Vec3::Zero();      ///< [m/s]
     Vec3 displacement = Vec3::Zero();  ///< of the centroid since the start [m]
-    double rotation = 0;           ///< angle turned since the start [rad]
+    double rotation = 0;               ///< angle turned since the start [rad]
 };
 
 /// One record of a run's history.
 struct HistoryRecord {
-    double time = 0;            ///< [s]
+    double time = 0;  ///< [s]
     std::int64_t step = 0;
     double kinetic_energy = 0;  ///< [J]
     double elastic_energy = 0;  ///< stored in the contact springs [J]
@@ -46,9 +46,9 @@ struct HistoryRecord {
 struct RunResult {
     std::int64_t steps = 0;
     double simulated_seconds = 0;
-    double time_step = 0;        ///< [s]
+    double time_step = 0;  ///< [s]
     std::size_t blocks = 0, interfaces = 0, contact_points = 0;
-    double kinetic_energy = 0;   ///< [J]
+    double kinetic_energy = 0;  ///< [J]
     std::uint64_t state_hash = 0;
     double wall_seconds = 0;
     std::vector<BlockReport> watch;

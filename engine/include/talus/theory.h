@@ -13,12 +13,12 @@ namespace talus::theory {
 /// which sliding is in limit equilibrium. With C = 0: tan(beta) = tan(phi) - rho_w H^2 / (2 rho x h), the paper's
 /// eq 17 without its stray g.
 struct SlidingMass {
-    double length = 0, height = 0;            ///< x, h [m]
-    double density = 0, water_density = 1000; ///< [kg/m^3]
-    double water_depth = 0;                   ///< H [m]
-    double friction = 0;                      ///< phi [rad]
-    double cohesion = 0;                      ///< C [Pa]
-    double gravity = 9.81;                    ///< [m/s^2]; matters with cohesion only
+    double length = 0, height = 0;             ///< x, h [m]
+    double density = 0, water_density = 1000;  ///< [kg/m^3]
+    double water_depth = 0;                    ///< H [m]
+    double friction = 0;                       ///< phi [rad]
+    double cohesion = 0;                       ///< C [Pa]
+    double gravity = 9.81;                     ///< [m/s^2]; matters with cohesion only
 };
 double criticalTiltSliding(const SlidingMass& mass);
 

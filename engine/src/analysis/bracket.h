@@ -9,7 +9,7 @@
 namespace talus::analysis {
 
 class Bracket {
-public:
+ public:
     /// Known to stand at 0 cells; ends at `stop` cells.
     explicit Bracket(std::int64_t stop) : stop_(stop) {}
 
@@ -33,7 +33,7 @@ public:
     /// \pre high() and not closed()
     std::int64_t next();
 
-private:
+ private:
     std::int64_t midpoint() const { return low_ + (*high_ - low_) / 2; }
     std::optional<double> extrapolated() const;
 

@@ -14,14 +14,14 @@ namespace talus::analysis {
 namespace {
 
 constexpr double kStepSafety = 0.85;
-constexpr double kDashpot = 0.5;            // damping ratio of the fastest mode: takes out the rattle only
+constexpr double kDashpot = 0.5;  // damping ratio of the fastest mode: takes out the rattle only
 constexpr int kStepsPerLook = 20;
 constexpr std::int64_t kMostSteps = 400'000;
 constexpr std::int64_t kStepsPerRestCheck = 20'000;
-constexpr double kAtRest = 1e-3;            // of the largest kinetic energy seen: the motion has come to rest
-constexpr double kMovingShare = 0.1;        // a block moves when it goes this share of the farthest one's way
-constexpr double kTopplingShare = 0.25;     // rotation times the moving group's extent, over the motion
-constexpr double kPureShare = 0.9;          // share of the moving mass that gives the whole its mode
+constexpr double kAtRest = 1e-3;         // of the largest kinetic energy seen: the motion has come to rest
+constexpr double kMovingShare = 0.1;     // a block moves when it goes this share of the farthest one's way
+constexpr double kTopplingShare = 0.25;  // rotation times the moving group's extent, over the motion
+constexpr double kPureShare = 0.9;       // share of the moving mass that gives the whole its mode
 
 struct Poses {
     VectorArray position;
@@ -60,7 +60,8 @@ double makeDynamic(State& state, bool parallel) {
 /// Shares of open area and of mobilised friction over a block's Lps.
 void addContactEvidence(const State& state, std::size_t block, BlockMotion& motion) {
     double area = 0, open_area = 0, shear = 0, strength = 0;
-    for (auto k = state.incidence.interface_begin[block]; k < state.incidence.interface_begin[block + 1]; ++k) {
+    for (auto k = state.incidence.interface_begin[block]; k < state.incidence.interface_begin[block + 1];
+         ++k) {
         const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
         const auto end = static_cast<std::size_t>(state.interfaces.point_begin[i + 1]);
@@ -126,8 +127,8 @@ void describeFailure(const State& state, const Poses& start, Failure& failure) {
     const double largest = largestMotion(state, start);
     std::vector<char> moving(state.blocks.size(), 0);
     for (std::size_t b = 0; b < moving.size(); ++b)
-        moving[b] = state.blocks.motion[b] == Motion::free &&
-                    motionSince(state, start, b) > kMovingShare * largest;
+        moving[b] =
+            state.blocks.motion[b] == Motion::free && motionSince(state, start, b) > kMovingShare * largest;
     const double extent = movingExtent(state, moving);
     std::vector<std::size_t> blocks;
     for (std::size_t b = 0; b < moving.size(); ++b) {
@@ -153,7 +154,8 @@ Failure continueFailure(State& state, double target, const Control& control, boo
         failure.steps += kStepsPerLook;
         stages::refreshInterfaces(state, parallel, kStepsPerLook * failure.time_step);
         failure.motion = largestMotion(state, start);
-        if (failure.steps % kStepsPerRestCheck == 0 && stages::kineticEnergy(state) < kAtRest * most_energy) break;
+        if (failure.steps % kStepsPerRestCheck == 0 && stages::kineticEnergy(state) < kAtRest * most_energy)
+            break;
         most_energy = std::max(most_energy, stages::kineticEnergy(state));
     }
     failure.seconds = static_cast<double>(failure.steps) * failure.time_step;

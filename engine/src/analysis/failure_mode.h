@@ -17,7 +17,7 @@ struct Failure {
     double seconds = 0;                      ///< simulated
     double time_step = 0;                    ///< [s]
     std::int64_t steps = 0;
-    double motion = 0;       ///< of the farthest-moved block [m]
+    double motion = 0;  ///< of the farthest-moved block [m]
 };
 
 /// Lets a failing state go on from rest until some block has moved by `target` [m]. The state is advanced.

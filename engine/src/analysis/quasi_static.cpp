@@ -14,15 +14,16 @@
 namespace talus::analysis {
 namespace {
 
-constexpr int kStepsPerSample = 10;          // out-of-balance force is looked at this often
+constexpr int kStepsPerSample = 10;  // out-of-balance force is looked at this often
 constexpr int kLeastStepsPerWindow = 100;
-constexpr double kFlat = 0.03;               // spread of the out-of-balance force over its mean, within a window
-constexpr int kWindowsInSpan = 4;            // where it is not flat: windows per span, and spans are compared
-constexpr double kPlateau = 0.8;             // out-of-balance force of a span over that of the span before
-constexpr double kSteady = 0.9;              // motion of a window over that of the window before: it does not slow down
-constexpr double kShareOfTolerance = 0.01;   // at rest, the imbalance is worth this share of the load's tolerance
-constexpr double kSlowPeriodGrowth = 8.0;    // slip makes the observed period longer; not without bound
-constexpr double kSlowestMotion = 32.0;      // slowest motion the drag is tuned to, in slowest periods
+constexpr double kFlat = 0.03;     // spread of the out-of-balance force over its mean, within a window
+constexpr int kWindowsInSpan = 4;  // where it is not flat: windows per span, and spans are compared
+constexpr double kPlateau = 0.8;   // out-of-balance force of a span over that of the span before
+constexpr double kSteady = 0.9;    // motion of a window over that of the window before: it does not slow down
+constexpr double kShareOfTolerance =
+    0.01;  // at rest, the imbalance is worth this share of the load's tolerance
+constexpr double kSlowPeriodGrowth = 8.0;  // slip makes the observed period longer; not without bound
+constexpr double kSlowestMotion = 32.0;    // slowest motion the drag is tuned to, in slowest periods
 
 /// Displacement of the farthest-moved point of any block between two sets of poses [m].
 double largestMotion(const State& state, const VectorArray& position, const QuaternionArray& orientation) {
@@ -63,8 +64,8 @@ ExternalLoad externalLoad(const State& state) {
         Vec3 force = state.blocks.mass[b] * g;
         const Mat3 turn = state.blocks.orientation.matrix(b);
         for (auto k = state.incidence.wet_begin[b]; k < state.incidence.wet_begin[b + 1]; ++k)
-            force += turn * state.wet.force.get(static_cast<std::size_t>(
-                                state.incidence.wet[static_cast<std::size_t>(k)]));
+            force += turn * state.wet.force.get(
+                                static_cast<std::size_t>(state.incidence.wet[static_cast<std::size_t>(k)]));
         load.force.push_back(force);
     }
     return load;
@@ -101,12 +102,13 @@ std::string describe(const char* what, double out_of_balance, std::int64_t steps
 
 /// Watches an assembly under constant load until its verdict is clear.
 class Watch {
-public:
+ public:
     Watch(const State& state, const QuasiStaticWork& work)
         : state_(state),
           limit_(work.out_of_balance_limit),
           steps_per_period_(static_cast<int>(std::ceil(work.slow_period / work.time_step))),
-          samples_per_window_(std::max(kLeastStepsPerWindow, static_cast<int>(work.settings.watch_periods * steps_per_period_)) /
+          samples_per_window_(std::max(kLeastStepsPerWindow,
+                                       static_cast<int>(work.settings.watch_periods * steps_per_period_)) /
                               kStepsPerSample),
           position_(state.blocks.position),
           orientation_(state.blocks.orientation) {}
@@ -127,7 +129,7 @@ public:
         return closeWindow(probe);
     }
 
-private:
+ private:
     bool closeWindow(Probe& probe) {
         const double motion = largestMotion(state_, position_, orientation_);
         window_.motion = motion - last_motion_;
@@ -145,7 +147,8 @@ private:
     bool closeSpan(Probe& probe, double motion) {
         span_.motion = motion - last_span_motion_;
         const bool plateau = last_span_.samples > 0 && span_.mean() > limit_ &&
-                             span_.mean() > kPlateau * last_span_.mean() && span_.motion > kSteady * last_span_.motion;
+                             span_.mean() > kPlateau * last_span_.mean() &&
+                             span_.motion > kSteady * last_span_.motion;
         last_span_ = span_;
         last_span_motion_ = motion;
         span_ = {};
@@ -173,7 +176,7 @@ private:
 /// force it met, omega^2 = -(dF . du) / (du . M du) (Underwood 1983). Where columns lean on each other a mode can be many
 /// times slower than the estimate, and would creep under a drag meant for a faster one.
 class DragTuner {
-public:
+ public:
     explicit DragTuner(const State& state) { remember(state); }
 
     void tune(State& state, const QuasiStaticWork& work) {
@@ -197,7 +200,7 @@ public:
         state.damping.mass = state.damping.rotation = 4.0 * M_PI * work.settings.drag_ratio / period;
     }
 
-private:
+ private:
     void remember(const State& state) {
         position_ = state.blocks.position;
         force_.resize(state.blocks.size());
@@ -263,13 +266,14 @@ void takeStep(State& state, QuasiStaticWork& work, Probe& probe) {
     ++probe.steps;
     ++work.steps;
     if (probe.steps % kStepsPerSample != 0) return;
-    if (stages::refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step)) fitToContacts(state, work);
+    if (stages::refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step))
+        fitToContacts(state, work);
 }
 
 }  // namespace
 
-QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control& control, double load_tolerance,
-                        bool parallel) {
+QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control& control,
+                        double load_tolerance, bool parallel) {
     QuasiStaticWork work{.settings = settings, .control = &control, .parallel = parallel};
     const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
     const double highest = *std::max_element(bounds.begin(), bounds.end());
@@ -287,9 +291,10 @@ QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control
     work.slow_period_limit = kSlowPeriodGrowth * work.slow_period;
     work.out_of_balance_limit = std::max(kShareOfTolerance * load_tolerance, roundingLevel(state, bounds));
     if (work.out_of_balance_limit > load_tolerance)
-        state.warnings.push_back("stiffness and coordinates are so large that rounding leaves the out-of-balance force at " +
-                                 std::to_string(work.out_of_balance_limit) +
-                                 " of the weight: the answer is no more accurate than that");
+        state.warnings.push_back(
+            "stiffness and coordinates are so large that rounding leaves the out-of-balance force at " +
+            std::to_string(work.out_of_balance_limit) +
+            " of the weight: the answer is no more accurate than that");
     work.release = std::min(1.0, work.time_step / (2.0 * work.slow_period));
     takeBack(state, work);
     return work;
@@ -316,7 +321,8 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     }
     Watch watch(state, work);
     DragTuner tuner(state);
-    const auto steps_per_tuning = std::max<std::int64_t>(20, std::llround(0.25 * work.slow_period / work.time_step));
+    const auto steps_per_tuning =
+        std::max<std::int64_t>(20, std::llround(0.25 * work.slow_period / work.time_step));
     std::int64_t next_tuning = probe.steps + steps_per_tuning;
     bool decided = false;
     while (!decided && !interrupted(work) && probe.steps < work.settings.max_steps_per_probe) {
@@ -326,7 +332,9 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
         tuner.tune(state, work);
         next_tuning = probe.steps + steps_per_tuning;
     }
-    if (!decided) probe.reason = interrupted(work) ? "interrupted" : describe("still moving with", probe.out_of_balance, probe.steps);
+    if (!decided)
+        probe.reason = interrupted(work) ? "interrupted"
+                                         : describe("still moving with", probe.out_of_balance, probe.steps);
     probe.displacement = largestMotion(state, position, orientation);
     if (probe.verdict == Verdict::stable) {
         setAtRest(state.blocks);

@@ -20,21 +20,21 @@ struct QuasiStaticWork {
     QuasiStatic settings;
     const Control* control = nullptr;
     bool parallel = false;
-    double time_step = 0;            ///< of the scaled system [s]
-    double frequency_bound = 0;      ///< square of the angular frequency the inertia is scaled to [1/s^2]
-    double slow_period = 0;          ///< estimate of its slowest period [s]
-    double slow_period_limit = 0;    ///< the estimate grows with what is observed, at most to this [s]
-    double out_of_balance_limit = 0; ///< at rest below this share of the weight
-    std::int64_t steps = 0;          ///< taken so far
+    double time_step = 0;             ///< of the scaled system [s]
+    double frequency_bound = 0;       ///< square of the angular frequency the inertia is scaled to [1/s^2]
+    double slow_period = 0;           ///< estimate of its slowest period [s]
+    double slow_period_limit = 0;     ///< the estimate grows with what is observed, at most to this [s]
+    double out_of_balance_limit = 0;  ///< at rest below this share of the weight
+    std::int64_t steps = 0;           ///< taken so far
     bool inertia_scaled = false;
     std::vector<double> inertia_scale{};  ///< per block, over the true inertia
     Damping damping{};
-    double release = 1;              ///< share of a broken bond let down per step
+    double release = 1;  ///< share of a broken bond let down per step
 };
 
 /// Sets damping, inertia and time step of quasi-static work on a state, and a first estimate of the slowest period.
-QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control& control, double load_tolerance,
-                        bool parallel);
+QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control& control,
+                        double load_tolerance, bool parallel);
 
 /// Gives a state that has gone on with true inertia back to quasi-static work, at rest.
 void takeBack(State& state, const QuasiStaticWork& work);

@@ -22,14 +22,15 @@ namespace {
 // keeps this below 0.1 %.
 constexpr double kStepSafety = 0.4;
 constexpr double kImpactStepSafety = 0.03;
-constexpr int kStepsPerLook = 10;      // neighbours, patches, draining, interruption
+constexpr int kStepsPerLook = 10;  // neighbours, patches, draining, interruption
 constexpr int kStepsPerReport = 2000;
 
 /// Whether a block has an interface that is closed at the start.
 bool touches(const State& state, std::size_t b) {
     for (auto k = state.incidence.interface_begin[b]; k < state.incidence.interface_begin[b + 1]; ++k) {
         const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
-        if (stages::relativePose(state, i).gap.x() <= stages::kClosedGap * state.geometry->size[b]) return true;
+        if (stages::relativePose(state, i).gap.x() <= stages::kClosedGap * state.geometry->size[b])
+            return true;
     }
     return false;
 }
@@ -80,7 +81,7 @@ HistoryRecord recordOf(const State& state, const std::vector<std::size_t>& watch
 }
 
 class TimeHistory {
-public:
+ public:
     TimeHistory(State state, const Control& control, const std::function<void(const HistoryRecord&)>& record,
                 bool parallel)
         : state_(std::move(state)),
@@ -104,14 +105,15 @@ public:
             }
         }
         if (!finite_ || !stages::isFinite(state_))
-            return Error{"run.time_step_s", "the motion became infinite before t = " + std::to_string(state_.time) +
-                                                " s with a step of " + std::to_string(time_step_ * 1e6) +
-                                                " us; allowed: a step below the stability bound of " +
-                                                std::to_string(bound_ * 1e6) + " us (leave the key out to have it chosen)"};
+            return Error{"run.time_step_s",
+                         "the motion became infinite before t = " + std::to_string(state_.time) +
+                             " s with a step of " + std::to_string(time_step_ * 1e6) +
+                             " us; allowed: a step below the stability bound of " +
+                             std::to_string(bound_ * 1e6) + " us (leave the key out to have it chosen)"};
         return result();
     }
 
-private:
+ private:
     bool interrupted() {
         if (state_.step % kStepsPerLook == 0 && control_.stop != nullptr &&
             control_.stop->load(std::memory_order_relaxed))
@@ -121,8 +123,8 @@ private:
 
     void chooseTimeStep() {
         const double highest = highestFrequency(state_, parallel_);
-        const double bound = highest > 0 ? stages::stableTimeStep(highest, state_.damping.contact)
-                                         : settings_.duration / 1000;
+        const double bound =
+            highest > 0 ? stages::stableTimeStep(highest, state_.damping.contact) : settings_.duration / 1000;
         bound_ = bound;
         if (settings_.time_step) {
             time_step_ = *settings_.time_step;
@@ -149,8 +151,8 @@ private:
             if (stages::refreshInterfaces(state_, parallel_, kStepsPerLook * time_step_)) chooseTimeStep();
         }
         if (state_.step % kStepsPerReport == 0 && control_.progress)
-            control_.progress({"run", state_.time / settings_.duration,
-                               "t = " + std::to_string(state_.time) + " s"});
+            control_.progress(
+                {"run", state_.time / settings_.duration, "t = " + std::to_string(state_.time) + " s"});
     }
 
     RunResult result() {
@@ -167,8 +169,9 @@ private:
         result.interrupted = interrupted_;
         result.warnings = state_.warnings;
         if (state_.shear_lost > 0)
-            result.warnings.push_back("shear force that found no closed contact when patches were clipped again: " +
-                                      std::to_string(state_.shear_lost) + " N in all");
+            result.warnings.push_back(
+                "shear force that found no closed contact when patches were clipped again: " +
+                std::to_string(state_.shear_lost) + " N in all");
         return result;
     }
 
@@ -196,7 +199,8 @@ Result<RunResult> run(const Model& model, const Control& control,
         const bool parallel = analysis::worthThreads(*built, control.threads);
         Result<RunResult> result = TimeHistory(std::move(*built), control, record, parallel).run();
         if (result)
-            result->wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            result->wall_seconds =
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
     });
 }

@@ -17,20 +17,20 @@
 namespace talus {
 namespace {
 
-constexpr double kLeastShare = 5.0;          // a failing motion goes at least this many times the deflection at rest
+constexpr double kLeastShare = 5.0;  // a failing motion goes at least this many times the deflection at rest
 constexpr double kContinuationShare = 20.0;  // the continuation goes this many times the deflection at rest
 constexpr double kOverload = 8.0;            // cells beyond the failing load at which the continuation runs
-constexpr int kAttempts = 3;                 // with half the time step and longer windows, when a failure is not confirmed
-constexpr int kMostReopenings = 3;           // times a failing motion may come to rest before the search gives up
+constexpr int kAttempts = 3;  // with half the time step and longer windows, when a failure is not confirmed
+constexpr int kMostReopenings = 3;  // times a failing motion may come to rest before the search gives up
 constexpr double kMorePatience = 3.0;
 
 /// The load that is searched over. Probes stand on a grid of cells no wider than the tolerance, so that the bracket
 /// found is one of these cells whatever way led to it.
 struct Axis {
     double start = 0;
-    std::int64_t stop = 0;          ///< [cells from the start]
-    double cell = 0;                ///< width of the bracket
-    double imbalance_tolerance = 0; ///< out-of-balance force over weight that a change by one cell is worth
+    std::int64_t stop = 0;           ///< [cells from the start]
+    double cell = 0;                 ///< width of the bracket
+    double imbalance_tolerance = 0;  ///< out-of-balance force over weight that a change by one cell is worth
     std::function<std::int64_t(std::int64_t)> next;  ///< from a stable load to the next one up [cells]
     std::function<void(State&, double)> apply;
     std::function<std::string(double)> say;  ///< for progress
@@ -47,8 +47,9 @@ std::string formatted(const char* format, double value) {
 double degrees(double radians) { return radians * 180.0 / M_PI; }
 
 class Search {
-public:
-    Search(const State& state, const Axis& axis, const Control& control, const QuasiStatic& settings, bool parallel)
+ public:
+    Search(const State& state, const Axis& axis, const Control& control, const QuasiStatic& settings,
+           bool parallel)
         : axis_(axis),
           control_(control),
           parallel_(parallel),
@@ -60,14 +61,15 @@ public:
         result_.low = -kInfinity;
         result_.high = kInfinity;
         if (loadGravityAndWater())
-            for (int k = 0; k <= kMostReopenings && searchUpwards(); ++k) {}
+            for (int k = 0; k <= kMostReopenings && searchUpwards(); ++k) {
+            }
         else if (result_.status == SearchStatus::unstable_at_start)
             continueToFailure();
         finish();
         return std::move(result_);
     }
 
-private:
+ private:
     bool interrupted() const {
         return control_.stop != nullptr && control_.stop->load(std::memory_order_relaxed);
     }
@@ -76,7 +78,8 @@ private:
         if (!control_.progress) return;
         const double expected = 10.0 + std::log2(static_cast<double>(axis_.stop)) / 2;
         const double probes = static_cast<double>(result_.probes.size());
-        control_.progress({stage, std::min(0.99, probes / expected), axis_.say(load) + ", " + toString(verdict)});
+        control_.progress(
+            {stage, std::min(0.99, probes / expected), axis_.say(load) + ", " + toString(verdict)});
     }
 
     /// One probe from the last stable state; keeps the state it ends in.
@@ -106,7 +109,8 @@ private:
         Verdict verdict = probe("gravity", axis_.start,
                                 [](State& state, double share) { state.load.gravity_share = share; });
         if (verdict == Verdict::stable && !last_stable_.geometry->model.waters.empty())
-            verdict = probe("water", axis_.start, [](State& state, double share) { state.load.water_share = share; });
+            verdict = probe("water", axis_.start,
+                            [](State& state, double share) { state.load.water_share = share; });
         if (verdict == Verdict::failing) {
             result_.status = SearchStatus::unstable_at_start;
             result_.high = axis_.start;
@@ -157,7 +161,8 @@ private:
         if (result_.low > -kInfinity) result_.low = axis_.load(bracket_.low());
         if (bracket_.high()) result_.high = axis_.load(*bracket_.high());
         if (result_.status == SearchStatus::found) result_.answer = 0.5 * (result_.low + result_.high);
-        const bool fails = result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start;
+        const bool fails =
+            result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start;
         const State& last = fails ? last_moving_ : last_stable_;
         result_.steps = work_.steps + continuation_steps_;
         result_.state_hash = stages::stateHash(last);
@@ -194,7 +199,8 @@ private:
         continuation_steps_ += failure.steps;
         result_.confirmed = failure.motion >= kLeastShare * deflection;
         if (result_.confirmed && failure.motion < kContinuationShare * deflection && !interrupted())
-            last_moving_.warnings.push_back("the failing motion came to rest after " + formatted("%.3g", failure.motion) +
+            last_moving_.warnings.push_back("the failing motion came to rest after " +
+                                            formatted("%.3g", failure.motion) +
                                             " m: the assembly moves at this load, but stands again");
     }
 
@@ -216,8 +222,8 @@ bool claimsFailure(const SearchResult& result) {
 /// A failure that the continuation with true inertia does not bear out was one of the numbers (contacts that chatter at
 /// too long a step, a mode far slower than its estimate): the search is made again with half the step and longer windows,
 /// and is undecided if that does not help.
-SearchResult searchConfirmed(const State& state, const Axis& axis, const Control& control, QuasiStatic settings,
-                             bool parallel) {
+SearchResult searchConfirmed(const State& state, const Axis& axis, const Control& control,
+                             QuasiStatic settings, bool parallel) {
     std::int64_t steps = 0;
     for (int attempt = 1;; ++attempt) {
         SearchResult result = Search(state, axis, control, settings, parallel).run();
@@ -225,7 +231,8 @@ SearchResult searchConfirmed(const State& state, const Axis& axis, const Control
         if (!claimsFailure(result) || result.confirmed) return result;
         if (attempt == kAttempts) {
             result.status = SearchStatus::undecided;
-            result.warnings.push_back("the failing motion is not borne out by the continuation with true inertia");
+            result.warnings.push_back(
+                "the failing motion is not borne out by the continuation with true inertia");
             return result;
         }
         if (control.stop != nullptr && control.stop->load(std::memory_order_relaxed)) {
@@ -290,30 +297,42 @@ Result<SearchResult> safetyFactor(const Model& model, const Control& control, co
 
 const char* toString(SearchStatus status) {
     switch (status) {
-        case SearchStatus::found: return "found";
-        case SearchStatus::unstable_at_start: return "unstable_at_start";
-        case SearchStatus::stable_to_stop: return "stable_to_stop";
-        case SearchStatus::interrupted: return "undecided";
-        case SearchStatus::undecided: break;
+        case SearchStatus::found:
+            return "found";
+        case SearchStatus::unstable_at_start:
+            return "unstable_at_start";
+        case SearchStatus::stable_to_stop:
+            return "stable_to_stop";
+        case SearchStatus::interrupted:
+            return "undecided";
+        case SearchStatus::undecided:
+            break;
     }
     return "undecided";
 }
 
 const char* toString(FailureMode mode) {
     switch (mode) {
-        case FailureMode::sliding: return "sliding";
-        case FailureMode::toppling: return "toppling";
-        case FailureMode::mixed: return "mixed";
-        case FailureMode::none: break;
+        case FailureMode::sliding:
+            return "sliding";
+        case FailureMode::toppling:
+            return "toppling";
+        case FailureMode::mixed:
+            return "mixed";
+        case FailureMode::none:
+            break;
     }
     return "none";
 }
 
 const char* toString(Verdict verdict) {
     switch (verdict) {
-        case Verdict::stable: return "stable";
-        case Verdict::failing: return "failing";
-        case Verdict::undecided: break;
+        case Verdict::stable:
+            return "stable";
+        case Verdict::failing:
+            return "failing";
+        case Verdict::undecided:
+            break;
     }
     return "undecided";
 }

@@ -70,7 +70,8 @@ std::vector<PatchPoint> gridPoints(std::span<const Vec2> patch, int n) {
     const double area = cross(side_1, side_2);
     std::vector<PatchPoint> points;
     for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) points.push_back({patch[0] + (i + 0.5) * side_1 + (j + 0.5) * side_2, area});
+        for (int j = 0; j < n; ++j)
+            points.push_back({patch[0] + (i + 0.5) * side_1 + (j + 0.5) * side_2, area});
     return points;
 }
 
@@ -87,12 +88,15 @@ bool isRectangle(std::span<const Vec2> patch) {
 
 std::vector<PatchPoint> patchPoints(std::span<const Vec2> patch, const PointRule& rule) {
     switch (rule.kind) {
-        case PointRule::Kind::quarter: return quarterPoints(patch);
-        case PointRule::Kind::corner: return cornerPoints(patch);
+        case PointRule::Kind::quarter:
+            return quarterPoints(patch);
+        case PointRule::Kind::corner:
+            return cornerPoints(patch);
         case PointRule::Kind::grid:
             if (isRectangle(patch)) return gridPoints(patch, rule.grid);
             break;
-        case PointRule::Kind::vertex: break;
+        case PointRule::Kind::vertex:
+            break;
     }
     return vertexPoints(patch);
 }

@@ -9,7 +9,9 @@ namespace {
 
 using Key = std::array<std::int32_t, 4>;
 
-Key keyOf(const Interfaces& f, std::size_t i) { return {f.block_a[i], f.block_b[i], f.face_a[i], f.face_b[i]}; }
+Key keyOf(const Interfaces& f, std::size_t i) {
+    return {f.block_a[i], f.block_b[i], f.face_a[i], f.face_b[i]};
+}
 
 /// Where the new origin lies in the old interface's plane: both origins and tangents belong to the same face of a.
 Eigen::Vector2d originShift(const Interfaces& old, std::size_t o, const Interfaces& now, std::size_t n) {
@@ -40,7 +42,8 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
     f.reference_gap.set(n, {gap.x() + shift.x() * gap.y() + shift.y() * gap.z(), gap.y(), gap.z()});
 
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[n])];
-    const auto begin = static_cast<std::size_t>(f.point_begin[n]), end = static_cast<std::size_t>(f.point_begin[n + 1]);
+    const auto begin = static_cast<std::size_t>(f.point_begin[n]),
+               end = static_cast<std::size_t>(f.point_begin[n + 1]);
     Eigen::Vector2d missing = Eigen::Vector2d::Zero();
     for (auto q = static_cast<std::size_t>(old.interfaces.point_begin[o]);
          q < static_cast<std::size_t>(old.interfaces.point_begin[o + 1]); ++q)
@@ -81,7 +84,8 @@ double shearForce(const OldInterfaces& old, std::size_t o) {
 }  // namespace
 
 bool anyDilates(const std::vector<contact::JointLaw>& laws) {
-    return std::any_of(laws.begin(), laws.end(), [](const contact::JointLaw& law) { return law.tan_dilation != 0; });
+    return std::any_of(laws.begin(), laws.end(),
+                       [](const contact::JointLaw& law) { return law.tan_dilation != 0; });
 }
 
 double carryOver(const OldInterfaces& old, State& state) {

@@ -41,11 +41,12 @@ RelativeVelocity relativeVelocity(const State& state, std::size_t i, const Relat
 
 /// The viscous term c_k of eqs (3)-(4) beside the spring: acts while the Lp is closed, along the surface only while it
 /// sticks, and never turns the normal force into tension beyond the joint's strength.
-void addDashpot(const contact::JointLaw& law, double area, double contact_damping, double bond, double v_n, double v_1,
-                double v_2, contact::PointForce& total) {
+void addDashpot(const contact::JointLaw& law, double area, double contact_damping, double bond, double v_n,
+                double v_1, double v_2, contact::PointForce& total) {
     if (total.open) return;
     const double tension_limit = bond * law.tensile_strength * area;
-    total.normal = std::max(total.normal - contact_damping * law.normal_stiffness * area * v_n, -tension_limit);
+    total.normal =
+        std::max(total.normal - contact_damping * law.normal_stiffness * area * v_n, -tension_limit);
     if (total.slips) return;
     total.shear_1 -= contact_damping * law.shear_stiffness * area * v_1;
     total.shear_2 -= contact_damping * law.shear_stiffness * area * v_2;
@@ -64,8 +65,8 @@ PatchSum sumPoints(State& state, std::size_t i, const RelativePose& pose) {
         contact::PointMemory memory{points.offset_1[p], points.offset_2[p], points.bond[p], 0.0};
         if constexpr (Dilates) memory.dilation = points.dilation[p];
         const double slide_1 = affine(pose.slide_1, xi, eta), slide_2 = affine(pose.slide_2, xi, eta);
-        contact::PointForce force =
-            contact::contactLaw(law, area, affine(pose.gap, xi, eta), slide_1, slide_2, state.release, memory);
+        contact::PointForce force = contact::contactLaw(law, area, affine(pose.gap, xi, eta), slide_1,
+                                                        slide_2, state.release, memory);
         points.offset_1[p] = memory.offset_1;
         points.offset_2[p] = memory.offset_2;
         points.bond[p] = memory.bond;
@@ -89,8 +90,10 @@ void updateRange(State& state, Range range) {
         const PatchSum sum = sumPoints<Damped, Dilates>(state, i, pose);
         const Vec3 force = sum.force_1 * pose.e1 + sum.force_2 * pose.e2 + sum.force_3 * pose.e3;
         const Vec3 moment = sum.moment_1 * pose.e1 + sum.moment_2 * pose.e2 + sum.moment_3 * pose.e3;
-        const Vec3 arm_a = pose.origin - state.blocks.position.get(static_cast<std::size_t>(interfaces.block_a[i]));
-        const Vec3 arm_b = pose.origin - state.blocks.position.get(static_cast<std::size_t>(interfaces.block_b[i]));
+        const Vec3 arm_a =
+            pose.origin - state.blocks.position.get(static_cast<std::size_t>(interfaces.block_a[i]));
+        const Vec3 arm_b =
+            pose.origin - state.blocks.position.get(static_cast<std::size_t>(interfaces.block_b[i]));
         interfaces.force.set(i, force);
         interfaces.moment_a.set(i, -(arm_a.cross(force) + moment));
         interfaces.moment_b.set(i, arm_b.cross(force) + moment);
@@ -101,7 +104,8 @@ void updateRange(State& state, Range range) {
 
 Vec3 angularVelocity(const Blocks& blocks, std::size_t block) {
     const Mat3 r = blocks.orientation.matrix(block);
-    return r * blocks.inverse_inertia.get(block).cwiseProduct(r.transpose() * blocks.angular_momentum.get(block));
+    return r *
+           blocks.inverse_inertia.get(block).cwiseProduct(r.transpose() * blocks.angular_momentum.get(block));
 }
 
 // Gap and slide are those of b's material points over a's plane, so the gap does not depend on how far b has slid and
@@ -129,7 +133,8 @@ RelativePose relativePose(const State& state, std::size_t i) {
 void updateContacts(State& state, Range range) {
     const bool damped = state.damping.contact > 0;
     const bool dilates = !state.points.dilation.empty();
-    if (damped) return dilates ? updateRange<true, true>(state, range) : updateRange<true, false>(state, range);
+    if (damped)
+        return dilates ? updateRange<true, true>(state, range) : updateRange<true, false>(state, range);
     return dilates ? updateRange<false, true>(state, range) : updateRange<false, false>(state, range);
 }
 

@@ -16,10 +16,10 @@ void updateContacts(State& state, Range interfaces);
 /// Gap at the interface's origin and its slopes along e1 and e2, less the reference gap [m, -, -], and the slide of b
 /// over a there along e1, e2 [m] with its gradients.
 struct RelativePose {
-    Vec3 gap;             ///< gap, d gap/d xi, d gap/d eta
+    Vec3 gap;               ///< gap, d gap/d xi, d gap/d eta
     Vec3 slide_1, slide_2;  ///< likewise
-    Vec3 origin;          ///< of the interface, model frame [m]
-    Vec3 e1, e2, e3;      ///< model frame
+    Vec3 origin;            ///< of the interface, model frame [m]
+    Vec3 e1, e2, e3;        ///< model frame
 };
 RelativePose relativePose(const State& state, std::size_t interface);
 

@@ -29,7 +29,8 @@ double elasticEnergy(const State& state) {
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
         const auto end = static_cast<std::size_t>(state.interfaces.point_begin[i + 1]);
         for (auto p = static_cast<std::size_t>(state.interfaces.point_begin[i]); p < end; ++p) {
-            const double shear = points.shear_1[p] * points.shear_1[p] + points.shear_2[p] * points.shear_2[p];
+            const double shear =
+                points.shear_1[p] * points.shear_1[p] + points.shear_2[p] * points.shear_2[p];
             sum += 0.5 / points.area[p] *
                    (points.normal[p] * points.normal[p] / law.normal_stiffness + shear / law.shear_stiffness);
         }
@@ -56,8 +57,8 @@ double outOfBalanceRatio(const State& state) {
         if (state.blocks.motion[b] != Motion::free) continue;
         const Wrench sum = outOfBalance(state, b, g);
         const double weight = state.blocks.mass[b] * (magnitude > 0 ? magnitude : 1.0);
-        largest = std::max({largest, sum.force.norm() / weight,
-                            sum.torque.norm() / (weight * state.geometry->radius[b])});
+        largest = std::max(
+            {largest, sum.force.norm() / weight, sum.torque.norm() / (weight * state.geometry->radius[b])});
     }
     return largest;
 }
@@ -65,7 +66,8 @@ double outOfBalanceRatio(const State& state) {
 bool isFinite(const State& state) {
     double sum = 0;
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
-        sum += state.blocks.position.get(b).sum() + state.blocks.velocity.get(b).sum() + state.blocks.angular_momentum.get(b).sum();
+        sum += state.blocks.position.get(b).sum() + state.blocks.velocity.get(b).sum() +
+               state.blocks.angular_momentum.get(b).sum();
     return std::isfinite(sum);
 }
 
@@ -78,7 +80,8 @@ std::uint64_t stateHash(const State& state) {
     const auto addVector = [&](const VectorArray& v) { add(v.x), add(v.y), add(v.z); };
     const Blocks& blocks = state.blocks;
     addVector(blocks.position);
-    add(blocks.orientation.w), add(blocks.orientation.x), add(blocks.orientation.y), add(blocks.orientation.z);
+    add(blocks.orientation.w), add(blocks.orientation.x), add(blocks.orientation.y),
+        add(blocks.orientation.z);
     addVector(blocks.velocity);
     addVector(blocks.angular_momentum);
     const ContactPoints& points = state.points;

@@ -23,7 +23,8 @@ constexpr double kSearchMargin = 0.05;  // of the median block size: pairs neare
 constexpr double kTravelLimit = 0.01;   // of a block's own size: then neighbours are searched again
 constexpr double kSlideLimit = 0.01;    // of the root of the patch area: then the patch is clipped again
 constexpr double kTurnLimit = 0.01;     // [rad], likewise
-constexpr double kFaceAngle = 0.8;      // [rad] faces up to 46 deg apart meet as faces; a box always has one such face
+constexpr double kFaceAngle =
+    0.8;  // [rad] faces up to 46 deg apart meet as faces; a box always has one such face
 
 double searchMargin(const State& state, double ahead) {
     double fastest = 0;
@@ -71,17 +72,21 @@ struct PlacedShapes {
 
 /// Faces may look at each other through the bodies: the far side of a block and the near side of its neighbour, or faces
 /// that are not parallel. A pair whose overlap is not the blocks' own is none.
-void dropFalsePairs(const PlacedShapes& placed, std::size_t a, std::size_t b, double closed, PairFinding& finding) {
+void dropFalsePairs(const PlacedShapes& placed, std::size_t a, std::size_t b, double closed,
+                    PairFinding& finding) {
     const auto overlaps = [&](const FacePair& face) { return face.least_gap < -closed; };
     if (std::none_of(finding.faces.begin(), finding.faces.end(), overlaps)) return;
     const double depth = std::max(0.0, -findSeparation(placed.shapes[a], placed.shapes[b]).distance);
-    std::erase_if(finding.faces, [&](const FacePair& face) { return -face.least_gap > 2.0 * depth + closed; });
+    std::erase_if(finding.faces,
+                  [&](const FacePair& face) { return -face.least_gap > 2.0 * depth + closed; });
 }
 
-PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair pair, double margin, bool initial) {
+PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair pair, double margin,
+                        bool initial) {
     PairFinding finding;
     const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
-    if (state.blocks.motion[first] != Motion::free && state.blocks.motion[second] != Motion::free) return finding;
+    if (state.blocks.motion[first] != Motion::free && state.blocks.motion[second] != Motion::free)
+        return finding;
     const bool first_is_a = firstIsReference(state, first, second);
     const std::size_t a = first_is_a ? first : second, b = first_is_a ? second : first;
     finding.block_a = static_cast<std::int32_t>(a);
@@ -93,7 +98,8 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
                                   Reference::face_a);
     dropFalsePairs(placed, a, b, closed, finding);
     if (!initial && !finding.faces.empty()) return finding;
-    for (const FacePair& face : finding.faces)  // parallel faces that do not overlap: a plane between the blocks
+    for (const FacePair& face :
+         finding.faces)  // parallel faces that do not overlap: a plane between the blocks
         if (face.least_gap >= -closed && face.most_gap - face.least_gap <= closed) return finding;
     finding.depth = -findSeparation(placed.shapes[a], placed.shapes[b], -closed).distance;
     finding.overlaps = finding.depth > closed;
@@ -129,7 +135,8 @@ std::vector<Error> overlapErrors(const State& state, const std::vector<PairFindi
         const Block& a = blocks[static_cast<std::size_t>(std::min(finding.block_a, finding.block_b))];
         const Block& b = blocks[static_cast<std::size_t>(std::max(finding.block_a, finding.block_b))];
         char depth[96];
-        std::snprintf(depth, sizeof depth, "by %.3g m; allowed: at most 1e-4 of the block size", finding.depth);
+        std::snprintf(depth, sizeof depth, "by %.3g m; allowed: at most 1e-4 of the block size",
+                      finding.depth);
         errors.push_back({b.field, "blocks \"" + a.name + "\" and \"" + b.name + "\" overlap " + depth});
     }
     return errors;
@@ -189,7 +196,8 @@ void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePai
 
 void resizePoints(ContactPoints& points, bool dilates) {
     const std::size_t n = points.area.size();
-    for (auto* values : {&points.offset_1, &points.offset_2, &points.normal, &points.shear_1, &points.shear_2})
+    for (auto* values :
+         {&points.offset_1, &points.offset_2, &points.normal, &points.shear_1, &points.shear_2})
         values->assign(n, 0.0);
     points.bond.assign(n, 1.0);
     if (dilates) points.dilation.assign(n, 0.0);
@@ -212,11 +220,15 @@ void closeInitialInterfaces(State& state) {
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
         const double closed = kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
         double widest = 0;
-        for (auto v = static_cast<std::size_t>(f.patch_begin[i]); v < static_cast<std::size_t>(f.patch_begin[i + 1]); ++v)
-            widest = std::max(widest, std::abs(pose.gap.x() + f.patch_xi[v] * pose.gap.y() + f.patch_eta[v] * pose.gap.z()));
+        for (auto v = static_cast<std::size_t>(f.patch_begin[i]);
+             v < static_cast<std::size_t>(f.patch_begin[i + 1]); ++v)
+            widest = std::max(widest, std::abs(pose.gap.x() + f.patch_xi[v] * pose.gap.y() +
+                                               f.patch_eta[v] * pose.gap.z()));
         double least = kInfinity;
-        for (auto v = static_cast<std::size_t>(f.patch_begin[i]); v < static_cast<std::size_t>(f.patch_begin[i + 1]); ++v)
-            least = std::min(least, pose.gap.x() + f.patch_xi[v] * pose.gap.y() + f.patch_eta[v] * pose.gap.z());
+        for (auto v = static_cast<std::size_t>(f.patch_begin[i]);
+             v < static_cast<std::size_t>(f.patch_begin[i + 1]); ++v)
+            least =
+                std::min(least, pose.gap.x() + f.patch_xi[v] * pose.gap.y() + f.patch_eta[v] * pose.gap.z());
         if (widest > closed && least >= 0) continue;
         // Planes that are not parallel: only what overlaps is taken off.
         f.reference_gap.set(i, widest > closed ? Vec3(least, 0, 0) : pose.gap);
@@ -256,11 +268,11 @@ std::vector<Error> gridErrors(const State& state, const std::vector<PairFinding>
             const std::vector<Eigen::Vector2d> outline(pair.patch.begin(), pair.patch.end());
             if (contact::isRectangle(outline)) continue;
             const auto& blocks = state.geometry->model.blocks;
-            errors.push_back({"contact.points",
-                              "\"grid N\" needs rectangular patches; the one between \"" +
-                                  blocks[static_cast<std::size_t>(finding.block_a)].name + "\" and \"" +
-                                  blocks[static_cast<std::size_t>(finding.block_b)].name + "\" has " +
-                                  std::to_string(outline.size()) + " corners"});
+            errors.push_back({"contact.points", "\"grid N\" needs rectangular patches; the one between \"" +
+                                                    blocks[static_cast<std::size_t>(finding.block_a)].name +
+                                                    "\" and \"" +
+                                                    blocks[static_cast<std::size_t>(finding.block_b)].name +
+                                                    "\" has " + std::to_string(outline.size()) + " corners"});
             return errors;
         }
     return errors;
@@ -273,8 +285,8 @@ std::vector<Error> touchErrors(const State& state) {
         if (!pair.must_touch) continue;
         if (largestInterface(state, pair.block_a, pair.block_b) < 0)
             errors.push_back({pair.field + ".between",
-                              "blocks \"" + model.blocks[static_cast<std::size_t>(pair.block_a)].name + "\" and \"" +
-                                  model.blocks[static_cast<std::size_t>(pair.block_b)].name +
+                              "blocks \"" + model.blocks[static_cast<std::size_t>(pair.block_a)].name +
+                                  "\" and \"" + model.blocks[static_cast<std::size_t>(pair.block_b)].name +
                                   "\" share no interface; allowed: two blocks whose faces touch"});
     }
     return errors;
@@ -286,8 +298,8 @@ void warnOfMissedContacts(State& state, const std::vector<PairFinding>& findings
         if (!finding.overlaps || state.invalid_since >= 0) continue;
         const auto& blocks = state.geometry->model.blocks;
         state.invalid_since = state.time;
-        state.warnings.push_back("blocks \"" + blocks[static_cast<std::size_t>(finding.block_a)].name + "\" and \"" +
-                                 blocks[static_cast<std::size_t>(finding.block_b)].name +
+        state.warnings.push_back("blocks \"" + blocks[static_cast<std::size_t>(finding.block_a)].name +
+                                 "\" and \"" + blocks[static_cast<std::size_t>(finding.block_b)].name +
                                  "\" meet by edges only, which is outside the valid range, from t = " +
                                  std::to_string(state.time) + " s on");
     }
@@ -306,11 +318,14 @@ std::vector<Error> findInterfacesWithin(State& state, double margin, bool initia
     state.interfaces.point_begin.push_back(0);
     state.interfaces.patch_begin.push_back(0);
     for (const PairFinding& finding : findings)
-        for (const FacePair& pair : finding.faces) appendInterface(state, finding.block_a, finding.block_b, pair);
+        for (const FacePair& pair : finding.faces)
+            appendInterface(state, finding.block_a, finding.block_b, pair);
     resizePoints(state.points, anyDilates(state.laws));
     breakBonds(state);
-    if (initial) closeInitialInterfaces(state);
-    else state.shear_lost += carryOver(old, state);
+    if (initial)
+        closeInitialInterfaces(state);
+    else
+        state.shear_lost += carryOver(old, state);
     buildIncidence(state);
     state.search_position = state.blocks.position;
     state.search_orientation = state.blocks.orientation;
@@ -352,7 +367,8 @@ std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int
     const Incidence& incidence = state.incidence;
     // The block with fewer interfaces knows them all: a floor may have thousands.
     const auto count = [&](std::int32_t b) {
-        return incidence.interface_begin[static_cast<std::size_t>(b) + 1] - incidence.interface_begin[static_cast<std::size_t>(b)];
+        return incidence.interface_begin[static_cast<std::size_t>(b) + 1] -
+               incidence.interface_begin[static_cast<std::size_t>(b)];
     };
     const std::int32_t block = count(block_1) <= count(block_2) ? block_1 : block_2;
     std::int32_t best = -1;
@@ -360,8 +376,11 @@ std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int
          k < incidence.interface_begin[static_cast<std::size_t>(block) + 1]; ++k) {
         const std::int32_t i = incidence.interface[static_cast<std::size_t>(k)];
         const auto index = static_cast<std::size_t>(i);
-        if (std::minmax(state.interfaces.block_a[index], state.interfaces.block_b[index]) != std::minmax(block_1, block_2)) continue;
-        if (best < 0 || state.interfaces.area[index] > state.interfaces.area[static_cast<std::size_t>(best)]) best = i;
+        if (std::minmax(state.interfaces.block_a[index], state.interfaces.block_b[index]) !=
+            std::minmax(block_1, block_2))
+            continue;
+        if (best < 0 || state.interfaces.area[index] > state.interfaces.area[static_cast<std::size_t>(best)])
+            best = i;
     }
     return best;
 }
@@ -381,13 +400,14 @@ bool refreshInterfaces(State& state, bool parallel, double ahead) {
     return true;
 }
 
-std::int32_t interfaceJoint(const Geometry& geometry, std::size_t block_a, std::size_t face_a, std::size_t block_b,
-                            std::size_t face_b) {
+std::int32_t interfaceJoint(const Geometry& geometry, std::size_t block_a, std::size_t face_a,
+                            std::size_t block_b, std::size_t face_b) {
     const std::pair<std::int32_t, std::int32_t> key =
         std::minmax({static_cast<std::int32_t>(block_a), static_cast<std::int32_t>(block_b)});
     const auto& pairs = geometry.pair_joints;
-    const auto found = std::lower_bound(pairs.begin(), pairs.end(), key,
-                                        [](const PairJoint& pair, const auto& k) { return pairOf(pair) < k; });
+    const auto found =
+        std::lower_bound(pairs.begin(), pairs.end(), key,
+                         [](const PairJoint& pair, const auto& k) { return pairOf(pair) < k; });
     if (found != pairs.end() && pairOf(*found) == key) return found->joint;
     const Model& model = geometry.model;
     const std::int32_t joint_a = model.blocks[block_a].face_joint[face_a];

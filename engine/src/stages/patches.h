@@ -24,8 +24,8 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel);
 bool refreshInterfaces(State& state, bool parallel, double ahead);
 
 /// Joint of an interface between two faces: the pair's own, else that of the face with less friction.
-std::int32_t interfaceJoint(const Geometry& geometry, std::size_t block_a, std::size_t face_a, std::size_t block_b,
-                            std::size_t face_b);
+std::int32_t interfaceJoint(const Geometry& geometry, std::size_t block_a, std::size_t face_a,
+                            std::size_t block_b, std::size_t face_b);
 
 /// The interface of two blocks, the one with the largest patch if there are several; -1 when they share none.
 std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int32_t block_2);

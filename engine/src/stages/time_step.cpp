@@ -20,8 +20,7 @@ Mat6 interfaceStiffness(const State& state, std::size_t i, const Vec3& centre) {
     Mat6 sum = Mat6::Zero();
     const auto end = static_cast<std::size_t>(state.interfaces.point_begin[i + 1]);
     for (auto p = static_cast<std::size_t>(state.interfaces.point_begin[i]); p < end; ++p) {
-        const Vec3 arm =
-            pose.origin + state.points.xi[p] * pose.e1 + state.points.eta[p] * pose.e2 - centre;
+        const Vec3 arm = pose.origin + state.points.xi[p] * pose.e1 + state.points.eta[p] * pose.e2 - centre;
         Mat3 cross;
         cross << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;  // u = v + cross * theta
         const Mat3 k = state.points.area[p] * stiffness;

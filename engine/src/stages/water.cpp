@@ -19,13 +19,14 @@ Vec3 downward(double tilt) { return {-std::sin(tilt), 0.0, -std::cos(tilt)}; }
 /// The polygon of a wet patch in its own plane.
 Polygon polygonOf(const WetPatches& wet, std::size_t w) {
     Polygon polygon;
-    for (auto v = static_cast<std::size_t>(wet.vertex_begin[w]); v < static_cast<std::size_t>(wet.vertex_begin[w + 1]); ++v)
+    for (auto v = static_cast<std::size_t>(wet.vertex_begin[w]);
+         v < static_cast<std::size_t>(wet.vertex_begin[w + 1]); ++v)
         polygon.push({wet.vertex_x[v], wet.vertex_y[v]});
     return polygon;
 }
 
-void addPatch(WetPatches& wet, std::size_t block, std::size_t water, std::int32_t interface, const FaceFrame& plane,
-              const Polygon& polygon, const Vec3& head) {
+void addPatch(WetPatches& wet, std::size_t block, std::size_t water, std::int32_t interface,
+              const FaceFrame& plane, const Polygon& polygon, const Vec3& head) {
     wet.block.push_back(static_cast<std::int32_t>(block));
     wet.water.push_back(static_cast<std::int32_t>(water));
     wet.interface.push_back(interface);
@@ -54,20 +55,24 @@ void addWall(State& state, std::size_t water, const WetFace& wall) {
         const Mat3 turn = state.geometry->initial_orientation.matrix(b);
         const Vec3 origin = state.geometry->initial_position.get(b) + turn * plane.origin;
         const Vec2 up((turn * plane.e1).z(), (turn * plane.e2).z());
-        if (up.squaredNorm() > 0) polygon = clipHalfPlane(polygon, -up, origin.z() - base);
-        else if (origin.z() < base) return;
+        if (up.squaredNorm() > 0)
+            polygon = clipHalfPlane(polygon, -up, origin.z() - base);
+        else if (origin.z() < base)
+            return;
     }
     if (!polygon.empty()) addPatch(state.wet, b, water, -1, plane, polygon, Vec3::Zero());
 }
 
 /// Two heads, linear between the patch's ends along x (along z for a patch normal to x): value at the interface's origin
 /// and gradient along e1, e2 [m].
-Vec3 headField(const State& state, std::size_t i, const std::array<double, 2>& head, const RelativePose& pose) {
+Vec3 headField(const State& state, std::size_t i, const std::array<double, 2>& head,
+               const RelativePose& pose) {
     const int axis = std::abs(pose.e3.x()) > 0.99 ? 2 : 0;
     double low = kInfinity, high = -kInfinity;
     for (auto v = static_cast<std::size_t>(state.interfaces.patch_begin[i]);
          v < static_cast<std::size_t>(state.interfaces.patch_begin[i + 1]); ++v) {
-        const double along = state.interfaces.patch_xi[v] * pose.e1[axis] + state.interfaces.patch_eta[v] * pose.e2[axis];
+        const double along =
+            state.interfaces.patch_xi[v] * pose.e1[axis] + state.interfaces.patch_eta[v] * pose.e2[axis];
         low = std::min(low, along);
         high = std::max(high, along);
     }
@@ -80,7 +85,8 @@ void addInterfaceWalls(State& state, std::size_t water, std::size_t i) {
     const Interfaces& f = state.interfaces;
     const RelativePose pose = relativePose(state, i);
     const Water& description = state.geometry->model.waters[water];
-    const Vec3 head = description.kind == Water::Level::head ? headField(state, i, description.head, pose) : Vec3(Vec3::Zero());
+    const Vec3 head = description.kind == Water::Level::head ? headField(state, i, description.head, pose)
+                                                             : Vec3(Vec3::Zero());
     Polygon outward, inward;
     for (auto v = f.patch_begin[i]; v < f.patch_begin[i + 1]; ++v)
         outward.push({f.patch_xi[static_cast<std::size_t>(v)], f.patch_eta[static_cast<std::size_t>(v)]});
@@ -90,9 +96,12 @@ void addInterfaceWalls(State& state, std::size_t water, std::size_t i) {
     // b's wall in a's plane, tangents exchanged so that its normal looks back at a.
     const Mat3 turn_b = state.blocks.orientation.matrix(b);
     const FaceFrame plane_b{turn_b.transpose() * (pose.origin - state.blocks.position.get(b)),
-                            turn_b.transpose() * pose.e2, turn_b.transpose() * pose.e1, {}};
+                            turn_b.transpose() * pose.e2,
+                            turn_b.transpose() * pose.e1,
+                            {}};
     addPatch(state.wet, a, water, static_cast<std::int32_t>(i), plane_a, outward, head);
-    addPatch(state.wet, b, water, static_cast<std::int32_t>(i), plane_b, inward, {head.x(), head.z(), head.y()});
+    addPatch(state.wet, b, water, static_cast<std::int32_t>(i), plane_b, inward,
+             {head.x(), head.z(), head.y()});
 }
 
 void buildWetIncidence(State& state) {
@@ -125,7 +134,8 @@ Vec3 tablePoint(const State& state, std::size_t water, double depth, const Vec3&
             if (down.dot(x) <= deepest) continue;
             deepest = down.dot(x);
             lowest = x;
-            const Mat3 turn = state.geometry->initial_orientation.matrix(static_cast<std::size_t>(state.wet.block[w]));
+            const Mat3 turn =
+                state.geometry->initial_orientation.matrix(static_cast<std::size_t>(state.wet.block[w]));
             normal = turn * state.wet.e1.get(w).cross(state.wet.e2.get(w));
         }
     const Vec3 steepest = -down + down.dot(normal) * normal;
@@ -133,8 +143,8 @@ Vec3 tablePoint(const State& state, std::size_t water, double depth, const Vec3&
     return lowest + depth * up;
 }
 
-LinearPressure pressureOnPatch(const State& state, std::size_t w, const PressureField& field, const Mat3& turn,
-                               const Vec3& position) {
+LinearPressure pressureOnPatch(const State& state, std::size_t w, const PressureField& field,
+                               const Mat3& turn, const Vec3& position) {
     const WetPatches& wet = state.wet;
     const Water& water = state.geometry->model.waters[static_cast<std::size_t>(wet.water[w])];
     if (water.kind == Water::Level::head)
@@ -146,8 +156,9 @@ LinearPressure pressureOnPatch(const State& state, std::size_t w, const Pressure
 
 PressureIntegral integralOf(const State& state, std::size_t w, const PressureField& field) {
     const auto b = static_cast<std::size_t>(state.wet.block[w]);
-    return integratePressure(polygonOf(state.wet, w),
-                             pressureOnPatch(state, w, field, state.blocks.orientation.matrix(b), state.blocks.position.get(b)));
+    return integratePressure(
+        polygonOf(state.wet, w),
+        pressureOnPatch(state, w, field, state.blocks.orientation.matrix(b), state.blocks.position.get(b)));
 }
 
 /// Thrust against the outward normal, and its moment about the centroid: integral of r x (-e3 p) over the wet part.
@@ -155,7 +166,8 @@ void computeWrench(State& state, std::size_t w, const PressureField& field) {
     WetPatches& wet = state.wet;
     const PressureIntegral integral = integralOf(state, w, field);
     const Vec3 e1 = wet.e1.get(w), e2 = wet.e2.get(w), e3 = e1.cross(e2);
-    const Vec3 first_moment = integral.force * wet.origin.get(w) + integral.moment_x * e1 + integral.moment_y * e2;
+    const Vec3 first_moment =
+        integral.force * wet.origin.get(w) + integral.moment_x * e1 + integral.moment_y * e2;
     wet.force.set(w, -integral.force * e3);
     wet.moment.set(w, -first_moment.cross(e3));
     const auto b = static_cast<std::size_t>(wet.block[w]);
@@ -208,12 +220,15 @@ std::vector<Error> sharedWetErrors(const State& state) {
                 const Polygon wet_i = wetPart(i), wet_j = wetPart(j);
                 if (wet_i.empty() || wet_j.empty()) continue;
                 const Polygon common = intersect(wet_i, inPlaneOf(state, i, j, wet_j));
-                if (common.empty() || area(common) <= kSharedWet * std::min(area(wet_i), area(wet_j))) continue;
+                if (common.empty() || area(common) <= kSharedWet * std::min(area(wet_i), area(wet_j)))
+                    continue;
                 const auto first = static_cast<std::size_t>(std::min(state.wet.water[i], state.wet.water[j]));
-                const auto second = static_cast<std::size_t>(std::max(state.wet.water[i], state.wet.water[j]));
+                const auto second =
+                    static_cast<std::size_t>(std::max(state.wet.water[i], state.wet.water[j]));
                 return {{model.waters[second].field,
                          "its wet part on block \"" + model.blocks[b].name + "\" overlaps that of " +
-                             model.waters[first].field + "; allowed: waters on parts of a face that do not overlap"}};
+                             model.waters[first].field +
+                             "; allowed: waters on parts of a face that do not overlap"}};
             }
     return {};
 }
@@ -246,14 +261,18 @@ std::vector<Error> dryErrors(const State& state) {
     const Model& model = state.geometry->model;
     for (std::size_t water = 0; water < model.waters.size(); ++water) {
         const auto index = static_cast<std::int32_t>(water);
-        if (std::find(state.wet.water.begin(), state.wet.water.end(), index) != state.wet.water.end()) continue;
+        if (std::find(state.wet.water.begin(), state.wet.water.end(), index) != state.wet.water.end())
+            continue;
         const Water& description = model.waters[water];
         if (!description.pair) {
-            errors.push_back({description.field, "no block face bounds this water; allowed: a joint with a wall above its base"});
+            errors.push_back(
+                {description.field,
+                 "no block face bounds this water; allowed: a joint with a wall above its base"});
             continue;
         }
         errors.push_back({description.field + ".between",
-                          "blocks \"" + model.blocks[static_cast<std::size_t>(description.pair->first)].name + "\" and \"" +
+                          "blocks \"" + model.blocks[static_cast<std::size_t>(description.pair->first)].name +
+                              "\" and \"" +
                               model.blocks[static_cast<std::size_t>(description.pair->second)].name +
                               "\" share no interface; allowed: two blocks whose faces touch"});
     }
@@ -265,9 +284,11 @@ bool bounds(const State& state, std::size_t water, std::size_t i) {
     const Water& description = state.geometry->model.waters[water];
     const Interfaces& f = state.interfaces;
     if (description.pair)
-        return std::minmax(f.block_a[i], f.block_b[i]) == std::minmax(description.pair->first, description.pair->second);
+        return std::minmax(f.block_a[i], f.block_b[i]) ==
+               std::minmax(description.pair->first, description.pair->second);
     for (const WetFace& wall : description.walls)
-        if ((f.block_a[i] == wall.block && f.face_a[i] == wall.face) || (f.block_b[i] == wall.block && f.face_b[i] == wall.face))
+        if ((f.block_a[i] == wall.block && f.face_a[i] == wall.face) ||
+            (f.block_b[i] == wall.block && f.face_b[i] == wall.face))
             return true;
     return false;
 }
@@ -294,7 +315,8 @@ PressureField pressureField(const State& state, std::size_t index) {
     if (water.kind == Water::Level::head) return {unit_weight * std::cos(state.load.tilt), Vec3::Zero()};
     const Vec3 down = downward(state.load.tilt);
     const double level = levelAt(water, state.load.time);
-    const Vec3 table = water.kind == Water::Level::elevation ? Vec3(-level * down) : tablePoint(state, index, level, down);
+    const Vec3 table =
+        water.kind == Water::Level::elevation ? Vec3(-level * down) : tablePoint(state, index, level, down);
     // Depth below the table along gravity: down . (x - table).
     return {-unit_weight * down.dot(table), unit_weight * down};
 }
@@ -327,7 +349,8 @@ void updateWater(State& state) {
     if (state.wet.size() == 0) return;
     for (std::size_t water = 0; water < state.pressure.size(); ++water) {
         const WaterLoad load{state.load.tilt, state.load.water_share,
-                             levelAt(state.geometry->model.waters[water], state.load.time), state.drained[water] != 0};
+                             levelAt(state.geometry->model.waters[water], state.load.time),
+                             state.drained[water] != 0};
         const bool changed = !(load == state.water_load[water]);
         if (changed) state.pressure[water] = pressureField(state, water);
         state.water_load[water] = load;

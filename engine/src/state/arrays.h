@@ -59,14 +59,15 @@ struct QuaternionArray {
 
 /// Blocks. A block's own frame sits at its centroid along its principal axes.
 struct Blocks {
-    VectorArray position;          ///< of the centroid [m]
+    VectorArray position;  ///< of the centroid [m]
     QuaternionArray orientation;
-    VectorArray velocity;          ///< of the centroid [m/s]
-    VectorArray angular_momentum;  ///< about the centroid, in the model frame, with the scaled inertia [kg m^2/s]
-    VectorArray force;             ///< sum at the end of the last step, local damping included [N]
-    VectorArray torque;            ///< about the centroid, likewise [N m]
-    std::vector<double> mass;      ///< true mass, for the weight [kg]
-    VectorArray inertia;           ///< true principal moments [kg m^2]
+    VectorArray velocity;  ///< of the centroid [m/s]
+    VectorArray
+        angular_momentum;      ///< about the centroid, in the model frame, with the scaled inertia [kg m^2/s]
+    VectorArray force;         ///< sum at the end of the last step, local damping included [N]
+    VectorArray torque;        ///< about the centroid, likewise [N m]
+    std::vector<double> mass;  ///< true mass, for the weight [kg]
+    VectorArray inertia;       ///< true principal moments [kg m^2]
     std::vector<double> inverse_mass;  ///< of the inertia used in the motion; 0: fixed or driven [1/kg]
     VectorArray inverse_inertia;       ///< likewise [1/(kg m^2)]
     std::vector<Motion> motion;
@@ -81,27 +82,29 @@ struct Interfaces {
     std::vector<std::int32_t> block_a, block_b;
     std::vector<std::int32_t> face_a, face_b;
     std::vector<std::int32_t> joint;
-    std::vector<double> area;      ///< of the patch [m^2]
+    std::vector<double> area;          ///< of the patch [m^2]
     VectorArray origin_a, e1_a, e2_a;  ///< in a's own frame
-    VectorArray origin_b, e1_b, e2_b;  ///< in b's own frame: b's face plane, e1 and e2 as they lay at the clipping
-    VectorArray reference_gap;     ///< gap [m] and its two slopes along e1, e2 that count as closed and unstressed
-    std::vector<std::int64_t> point_begin;  ///< first Lp of each interface; one more at the end
-    std::vector<std::int64_t> patch_begin;  ///< first patch vertex of each interface; one more at the end
+    VectorArray origin_b, e1_b,
+        e2_b;  ///< in b's own frame: b's face plane, e1 and e2 as they lay at the clipping
+    VectorArray
+        reference_gap;  ///< gap [m] and its two slopes along e1, e2 that count as closed and unstressed
+    std::vector<std::int64_t> point_begin;    ///< first Lp of each interface; one more at the end
+    std::vector<std::int64_t> patch_begin;    ///< first patch vertex of each interface; one more at the end
     std::vector<double> patch_xi, patch_eta;  ///< patch vertices along e1, e2 from the origin [m]
-    VectorArray force;             ///< on b, by the springs and dashpots [N]
-    VectorArray moment_a;          ///< on a about a's centroid [N m]
-    VectorArray moment_b;          ///< on b about b's centroid [N m]
+    VectorArray force;                        ///< on b, by the springs and dashpots [N]
+    VectorArray moment_a;                     ///< on a about a's centroid [N m]
+    VectorArray moment_b;                     ///< on b about b's centroid [N m]
 
     std::size_t size() const { return block_a.size(); }
 };
 
 /// Contact points (Lps), stored interface by interface.
 struct ContactPoints {
-    std::vector<double> xi, eta;             ///< position on the reference face from the interface's origin [m]
-    std::vector<double> area;                ///< tributary area A_s [m^2]
-    std::vector<double> offset_1, offset_2;  ///< plastic slide [m]
-    std::vector<double> bond;                ///< share of the peak strength left, 1 intact, 0 broken
-    std::vector<double> dilation;            ///< [m]; empty when no joint dilates
+    std::vector<double> xi, eta;  ///< position on the reference face from the interface's origin [m]
+    std::vector<double> area;     ///< tributary area A_s [m^2]
+    std::vector<double> offset_1, offset_2;        ///< plastic slide [m]
+    std::vector<double> bond;                      ///< share of the peak strength left, 1 intact, 0 broken
+    std::vector<double> dilation;                  ///< [m]; empty when no joint dilates
     std::vector<double> normal, shear_1, shear_2;  ///< F_n and F_s on b [N]
 
     std::size_t size() const { return area.size(); }
@@ -110,15 +113,15 @@ struct ContactPoints {
 /// Walls that water pushes on: polygons fixed to a block.
 struct WetPatches {
     std::vector<std::int32_t> block;
-    std::vector<std::int32_t> water;      ///< index into the model's waters, ascending
-    std::vector<std::size_t> water_begin; ///< first patch of each water; one more at the end
-    std::vector<std::int32_t> interface;  ///< the interface it is a wall of, for `pair` water; else -1
-    VectorArray origin, e1, e2;           ///< plane of the polygon in the block's own frame; e3 outward
+    std::vector<std::int32_t> water;         ///< index into the model's waters, ascending
+    std::vector<std::size_t> water_begin;    ///< first patch of each water; one more at the end
+    std::vector<std::int32_t> interface;     ///< the interface it is a wall of, for `pair` water; else -1
+    VectorArray origin, e1, e2;              ///< plane of the polygon in the block's own frame; e3 outward
     std::vector<std::int64_t> vertex_begin;  ///< one more at the end
     std::vector<double> vertex_x, vertex_y;  ///< [m]
-    VectorArray head;                     ///< [m]: at the origin and its gradient; for water given by two heads
-    VectorArray force, moment;            ///< on the block about its centroid, in its own frame, as last computed
-    VectorArray computed_position;        ///< pose of the block when they were computed
+    VectorArray head;               ///< [m]: at the origin and its gradient; for water given by two heads
+    VectorArray force, moment;      ///< on the block about its centroid, in its own frame, as last computed
+    VectorArray computed_position;  ///< pose of the block when they were computed
     QuaternionArray computed_orientation;
 
     std::size_t size() const { return block.size(); }
@@ -157,21 +160,21 @@ inline std::pair<std::int32_t, std::int32_t> pairOf(const PairJoint& pair) {
 /// What does not change while blocks move: shapes, names, the description itself.
 struct Geometry {
     Model model;
-    std::vector<Polyhedron> shape;        ///< in each block's own frame
-    std::vector<double> size;             ///< smallest extent of each block [m]
-    std::vector<double> radius;           ///< farthest vertex from the centroid [m]
-    std::vector<PairJoint> pair_joints;   ///< sorted by pair of blocks
+    std::vector<Polyhedron> shape;       ///< in each block's own frame
+    std::vector<double> size;            ///< smallest extent of each block [m]
+    std::vector<double> radius;          ///< farthest vertex from the centroid [m]
+    std::vector<PairJoint> pair_joints;  ///< sorted by pair of blocks
     VectorArray initial_position;
     QuaternionArray initial_orientation;
-    double length_scale = 0;              ///< median block size [m]
+    double length_scale = 0;  ///< median block size [m]
 };
 
 /// Loads that an analysis changes.
 struct Load {
-    double tilt = 0;            ///< [rad]
-    double gravity_share = 1;   ///< 0..1, for loading
-    double water_share = 1;     ///< 0..1, for loading
-    double time = 0;            ///< for water levels over time [s]
+    double tilt = 0;           ///< [rad]
+    double gravity_share = 1;  ///< 0..1, for loading
+    double water_share = 1;    ///< 0..1, for loading
+    double time = 0;           ///< for water levels over time [s]
 };
 
 struct State {
@@ -184,17 +187,18 @@ struct State {
     Incidence incidence;
     Load load;
     Damping damping;
-    double release = 1.0;       ///< see contactLaw
-    double time = 0;            ///< [s]
+    double release = 1.0;  ///< see contactLaw
+    double time = 0;       ///< [s]
     std::int64_t step = 0;
-    std::vector<std::uint8_t> drained;  ///< per water: 1 once it has run out through an open joint
+    std::vector<std::uint8_t> drained;    ///< per water: 1 once it has run out through an open joint
     std::vector<PressureField> pressure;  ///< per water, for `water_load`
     std::vector<WaterLoad> water_load;    ///< per water: what its wrenches were computed for
-    VectorArray search_position;   ///< poses at the last neighbour search
+    VectorArray search_position;          ///< poses at the last neighbour search
     QuaternionArray search_orientation;
-    double search_margin = 0;      ///< gap up to which that search made interfaces [m]
-    double invalid_since = -1;     ///< time at which a contact came about that is not modelled; negative: none [s]
-    double shear_lost = 0;         ///< shear force that could not be carried over to clipped patches, in all [N]
+    double search_margin = 0;  ///< gap up to which that search made interfaces [m]
+    double invalid_since =
+        -1;                 ///< time at which a contact came about that is not modelled; negative: none [s]
+    double shear_lost = 0;  ///< shear force that could not be carried over to clipped patches, in all [N]
     std::vector<std::string> warnings;
 };
 

@@ -14,8 +14,7 @@ namespace {
 
 /// Principal axes; the model's own axes where the inertia is diagonal already, so that boxes keep theirs.
 Mat3 principalAxes(const Mat3& inertia, Vec3& moments) {
-    const double off_diagonal =
-        std::abs(inertia(0, 1)) + std::abs(inertia(0, 2)) + std::abs(inertia(1, 2));
+    const double off_diagonal = std::abs(inertia(0, 1)) + std::abs(inertia(0, 2)) + std::abs(inertia(1, 2));
     moments = inertia.diagonal();
     if (off_diagonal <= 1e-12 * inertia.trace()) return Mat3::Identity();
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia);

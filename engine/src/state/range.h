@@ -22,7 +22,9 @@ void forRange(std::size_t n, std::size_t grain, bool parallel, const Body& body)
         return;
     }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                      [&](const tbb::blocked_range<std::size_t>& r) { body(Range{r.begin(), r.end()}); });
+                      [&](const tbb::blocked_range<std::size_t>& r) {
+                          body(Range{r.begin(), r.end()});
+                      });
 }
 
 }  // namespace talus

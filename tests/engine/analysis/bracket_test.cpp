@@ -15,12 +15,15 @@ struct Outcome {
 };
 
 /// Searches a load whose failing probes show `force(cell)`; positive means failing.
-Outcome probeUntilClosed(std::int64_t stop, std::int64_t step, const std::function<double(std::int64_t)>& force) {
+Outcome probeUntilClosed(std::int64_t stop, std::int64_t step,
+                         const std::function<double(std::int64_t)>& force) {
     Outcome outcome{Bracket(stop), 0};
     const auto probe = [&](std::int64_t cell) {
         ++outcome.probes;
-        if (force(cell) > 0) outcome.bracket.fails(cell, force(cell));
-        else outcome.bracket.stands(cell);
+        if (force(cell) > 0)
+            outcome.bracket.fails(cell, force(cell));
+        else
+            outcome.bracket.stands(cell);
     };
     while (!outcome.bracket.high() && !outcome.bracket.stoodToTheEnd())
         probe(std::min(stop, outcome.bracket.low() + step));
@@ -39,7 +42,8 @@ TEST_SUITE("analysis") {
             const auto noisy = [&](std::int64_t cell) {
                 return linear(cell) > 0 ? 2.0 + std::sin(static_cast<double>(cell * cell)) : -1.0;
             };
-            for (const auto& force : {std::function<double(std::int64_t)>(linear), {cubic}, {flat}, {noisy}}) {
+            for (const auto& force :
+                 {std::function<double(std::int64_t)>(linear), {cubic}, {flat}, {noisy}}) {
                 const Outcome outcome = probeUntilClosed(4096, 512, force);
                 REQUIRE(outcome.bracket.closed());
                 CHECK(outcome.bracket.low() == critical);
@@ -50,7 +54,8 @@ TEST_SUITE("analysis") {
     }
 
     TEST_CASE("a force in proportion to the excess load needs few probes") {
-        const Outcome outcome = probeUntilClosed(4096, 512, [](std::int64_t cell) { return 0.003 * (static_cast<double>(cell) - 1776.3); });
+        const Outcome outcome = probeUntilClosed(
+            4096, 512, [](std::int64_t cell) { return 0.003 * (static_cast<double>(cell) - 1776.3); });
         CHECK(outcome.bracket.low() == 1776);
         CHECK(outcome.probes <= 4 + 4);
     }

@@ -13,7 +13,8 @@ namespace {
 constexpr double kArea = 0.01;
 
 JointLaw friction() {
-    return {.normal_stiffness = 2e9, .shear_stiffness = 1e9, .tan_friction = 0.5, .residual_tan_friction = 0.5};
+    return {
+        .normal_stiffness = 2e9, .shear_stiffness = 1e9, .tan_friction = 0.5, .residual_tan_friction = 0.5};
 }
 
 JointLaw cohesive() {

@@ -7,8 +7,8 @@
 #include "geometry/polygon.h"
 
 using namespace talus;
-using contact::patchPoints;
 using contact::PatchPoint;
+using contact::patchPoints;
 
 namespace {
 

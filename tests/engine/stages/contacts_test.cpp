@@ -1,7 +1,7 @@
 #include "stages/contacts.h"
 
-#include <Eigen/Geometry>
 #include <doctest/doctest.h>
+#include <Eigen/Geometry>
 
 #include <random>
 
@@ -53,7 +53,8 @@ TEST_SUITE("stages") {
         CHECK(wrench.force.z() == doctest::Approx(-1e10 * 0.08 * u.z()).epsilon(1e-6));
     }
 
-    TEST_CASE("closed rotational stiffness is exact: k_n I about the patch's axes, k_s I_p about its normal") {
+    TEST_CASE(
+        "closed rotational stiffness is exact: k_n I about the patch's axes, k_s I_p about its normal") {
         const double t = 1e-6, h = 0.05;
         State about_y = bondedBox();
         turn(about_y, 1, Eigen::AngleAxisd(t, Vec3::UnitY()));
@@ -75,7 +76,8 @@ TEST_SUITE("stages") {
         std::mt19937 random(3);
         std::uniform_real_distribution<double> jitter(-1e-5, 1e-5);
         for (std::size_t b : {std::size_t{1}, std::size_t{2}}) {
-            state.blocks.position.set(b, state.blocks.position.get(b) + Vec3(jitter(random), jitter(random), jitter(random)));
+            state.blocks.position.set(
+                b, state.blocks.position.get(b) + Vec3(jitter(random), jitter(random), jitter(random)));
             turn(state, b, Eigen::AngleAxisd(jitter(random), Vec3(1, 2, 3).normalized()));
         }
         const stages::Wrench a = contactWrench(state, 1), b = contactWrench(state, 2);
@@ -93,7 +95,8 @@ TEST_SUITE("stages") {
         std::mt19937 random(5);
         std::uniform_real_distribution<double> jitter(-1e-7, 1e-7);
         for (std::size_t b = 0; b < still.blocks.size(); ++b)
-            still.blocks.position.set(b, still.blocks.position.get(b) + Vec3(jitter(random), jitter(random), jitter(random)));
+            still.blocks.position.set(
+                b, still.blocks.position.get(b) + Vec3(jitter(random), jitter(random), jitter(random)));
         State turned = still;
         const Eigen::AngleAxisd rotation(0.7, Vec3(1, -2, 0.5).normalized());
         for (std::size_t b = 0; b < turned.blocks.size(); ++b) {

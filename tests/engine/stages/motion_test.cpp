@@ -103,14 +103,16 @@ TEST_SUITE("stages") {
         dragged.damping.mass = 2.0;
         stages::updateForces(dragged, false);
         fly(dragged, 1e-3, 1000);  // v = g/c (1 - exp(-c t))
-        CHECK(dragged.blocks.velocity.get(0).x() == doctest::Approx(-9.81 * 0.5 / 2 * (1 - std::exp(-2.0))).epsilon(1e-6));
+        CHECK(dragged.blocks.velocity.get(0).x() ==
+              doctest::Approx(-9.81 * 0.5 / 2 * (1 - std::exp(-2.0))).epsilon(1e-6));
     }
 
     TEST_CASE("c_I slows the rotation, c_m does not") {
         State state = spinningBox({0, 0, 5});
         state.damping.rotation = 0.5;
         fly(state, 1e-3, 2000);
-        CHECK(state.blocks.angular_momentum.get(0).z() == doctest::Approx(5 * state.blocks.inertia.z[0] * std::exp(-1.0)));
+        CHECK(state.blocks.angular_momentum.get(0).z() ==
+              doctest::Approx(5 * state.blocks.inertia.z[0] * std::exp(-1.0)));
         State other = spinningBox({0, 0, 5});
         other.damping.mass = 0.5;
         fly(other, 1e-3, 2000);

@@ -33,7 +33,8 @@ TEST_SUITE("stages") {
         CHECK(state.interfaces.size() == 90 + 84 + 21 + 70);
         CHECK(state.points.size() == 9 * state.interfaces.size());
         CHECK(totalArea(state) == doctest::Approx(90 * 0.01 + 105 * 0.02 + 70 * 0.02));
-        CHECK(std::accumulate(state.points.area.begin(), state.points.area.end(), 0.0) == doctest::Approx(totalArea(state)));
+        CHECK(std::accumulate(state.points.area.begin(), state.points.area.end(), 0.0) ==
+              doctest::Approx(totalArea(state)));
     }
 
     TEST_CASE("a block over two others has a patch with each") {
@@ -67,7 +68,8 @@ TEST_SUITE("stages") {
             CHECK(state.points.normal[0] == doctest::Approx(0));
             state.blocks.position.z[1] -= 1e-6;
             stages::updateForces(state, false);
-            CHECK(stages::outOfBalance(state, 1, Vec3::Zero()).force.z() == doctest::Approx(1e4).epsilon(1e-6));
+            CHECK(stages::outOfBalance(state, 1, Vec3::Zero()).force.z() ==
+                  doctest::Approx(1e4).epsilon(1e-6));
         }
         State apart = *buildAt(2e-4);
         stages::updateForces(apart, false);
@@ -81,7 +83,8 @@ TEST_SUITE("stages") {
     TEST_CASE("blocks that cross without faces against each other overlap too") {
         Model model;
         model.joints = {joint(30)};
-        model.blocks = {box("a", {-1, -0.1, -0.1}, {1, 0.1, 0.1}), box("b", {-0.1, -1, -0.05}, {0.1, 1, 0.05})};
+        model.blocks = {box("a", {-1, -0.1, -0.1}, {1, 0.1, 0.1}),
+                        box("b", {-0.1, -1, -0.05}, {0.1, 1, 0.05})};
         CHECK_FALSE(buildState(model, false).ok());
     }
 
@@ -109,7 +112,8 @@ TEST_SUITE("stages") {
         Model model = floorModel(30);
         model.points = {PointRule::Kind::grid, 3};
         model.blocks.push_back(box("prism", {0, 0, 0}, {1, 1, 1}));
-        model.blocks[1].shape = *convexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
+        model.blocks[1].shape =
+            *convexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
         model.blocks[1].face_joint.assign(5, 0);
         const auto built = buildState(model, false);
         REQUIRE_FALSE(built.ok());

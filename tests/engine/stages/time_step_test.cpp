@@ -1,7 +1,7 @@
 #include "stages/time_step.h"
 
-#include <Eigen/Eigenvalues>
 #include <doctest/doctest.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -58,7 +58,9 @@ double highestByBruteForce(const State& state) {
     }
     scaled = root.cwiseInverse().asDiagonal() * scaled * root.cwiseInverse().asDiagonal();
     const Eigen::MatrixXd symmetric = 0.5 * (scaled + scaled.transpose());
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
+        .eigenvalues()
+        .maxCoeff();
 }
 
 State bonded(Model model) {
@@ -80,7 +82,8 @@ TEST_SUITE("stages") {
     }
 
     TEST_CASE("it bounds the highest frequency of assemblies, and not by much") {
-        for (const auto& [columns, rows, slices] : {std::array{3, 1, 1}, std::array{1, 4, 1}, std::array{3, 3, 2}}) {
+        for (const auto& [columns, rows, slices] :
+             {std::array{3, 1, 1}, std::array{1, 4, 1}, std::array{3, 3, 2}}) {
             const State state = bonded(stackModel(columns, rows, slices, 30));
             const std::vector<double> bounds = stages::frequencyBounds(state, false);
             const double bound = *std::max_element(bounds.begin(), bounds.end());
@@ -113,7 +116,8 @@ TEST_SUITE("stages") {
         addBox(model, "box", {0, 0, 0}, {1, 1, 1}, 1000);
         State state = bonded(model);
         state.damping.contact = 5e-4;
-        const double limit = stages::stableTimeStep(stages::frequencyBounds(state, false)[1], state.damping.contact);
+        const double limit =
+            stages::stableTimeStep(stages::frequencyBounds(state, false)[1], state.damping.contact);
         const auto energyAfter = [&](double dt) {
             State moving = state;
             moving.blocks.velocity.set(1, {1e-4, 1e-4, -1e-4});

@@ -75,8 +75,8 @@ TEST_SUITE("stages") {
         State state = *buildState(model, false);
         // The lowest point of the face is its corner at the toe; 0.4 m up the steepest line from there.
         const Vec3 up(std::sin(tilt), 0, std::cos(tilt));
-        const stages::Wrench exact =
-            quadrature({0.5, 0, 0}, {1, 0, 0}, {0, 0, 0.7}, -Vec3::UnitY(), {1, 0.3, 0.35}, Vec3(0.5, 0, 0) + 0.4 * up, tilt);
+        const stages::Wrench exact = quadrature({0.5, 0, 0}, {1, 0, 0}, {0, 0, 0.7}, -Vec3::UnitY(),
+                                                {1, 0.3, 0.35}, Vec3(0.5, 0, 0) + 0.4 * up, tilt);
         checkClose(waterOnBlock(state, 1), exact, 1e-5);
     }
 
@@ -86,7 +86,8 @@ TEST_SUITE("stages") {
         const double tilt = radians(12);
         model.gravity.tilt = tilt;
         Block wedge = box("wedge", {0, 0, 0}, {1, 1, 1});
-        wedge.shape = *convexHull({{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {1, 0, 1}, {0, 0, 1}, {1, 1, 1}, {0, 1, 1}});
+        wedge.shape = *convexHull(
+            {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {1, 0, 1}, {0, 0, 1}, {1, 1, 1}, {0, 1, 1}});
         model.blocks = {wedge};
         Water water = waterOn(model, 0, Vec3(1, 0, 1).normalized(), 0.0);
         water.kind = Water::Level::elevation;
@@ -95,8 +96,10 @@ TEST_SUITE("stages") {
         State state = *buildState(model, false);
         const Vec3 centroid = state.blocks.position.get(0);
         const Vec3 table = 0.55 * Vec3(std::sin(tilt), 0, std::cos(tilt));
-        checkClose(waterOnBlock(state, 0),
-                   quadrature({2, 0, 0}, {-1, 0, 1}, {0, 1, 0}, Vec3(1, 0, 1).normalized(), centroid, table, tilt), 1e-4);
+        checkClose(
+            waterOnBlock(state, 0),
+            quadrature({2, 0, 0}, {-1, 0, 1}, {0, 1, 0}, Vec3(1, 0, 1).normalized(), centroid, table, tilt),
+            1e-4);
     }
 
     TEST_CASE("perched water starts at its base and is measured from it") {
