@@ -33,8 +33,8 @@ bool isOpposite(const Vec3& a, const Vec3& b, double max_angle) {
     return (a + b).norm() <= 2 * std::sin(0.5 * max_angle);
 }
 
-/// Whether the gap of a patch between the two planes can be within the limits: it lies between the heights of the other
-/// face's vertices. Sorts out the far sides of two blocks before anything is clipped.
+/// Whether the gap of a patch between the two planes can be within the limits: it lies between the heights of
+/// the other face's vertices. Sorts out the far sides of two blocks before anything is clipped.
 bool canTouch(const FaceFrame& frame, const Face& other, const FacePairLimits& limits) {
     double least = frame.height(other.vertex(0)), most = least;
     for (std::size_t i = 1; i < other.size(); ++i) {

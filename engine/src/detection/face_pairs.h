@@ -24,8 +24,9 @@ struct FacePairLimits {
     double max_overlap = 0;        ///< [m], positive; smaller than a block is thick
     double max_angle = 0;          ///< between the two planes [rad]
     double min_area_share = 1e-6;  ///< of the smaller face; a patch of less is no interface
-    /// Share of the patch's size below which its corners are merged or straightened: two outlines that coincide but for
-    /// their elastic displacements would else give mid-edge corners, hence contact points, that come and go.
+    /// Share of the patch's size below which its corners are merged or straightened: two outlines that
+    /// coincide but for their elastic displacements would else give mid-edge corners, hence contact points,
+    /// that come and go.
     double outline_tolerance = 1e-6;
 };
 
@@ -47,8 +48,9 @@ struct FacePair {
 
 FaceFrame faceFrame(const WorldShape& shape, std::size_t face);
 
-/// The patch between two given faces, if they lie against each other: normals opposite within the angle, outlines that
-/// overlap when the other one is projected along the reference normal, least gap within the limits.
+/// The patch between two given faces, if they lie against each other: normals opposite within the angle,
+/// outlines that overlap when the other one is projected along the reference normal, least gap within the
+/// limits.
 std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, const WorldShape& b,
                                      std::size_t face_b, const FacePairLimits& limits, Reference reference);
 

@@ -1,10 +1,11 @@
 // Pairs of overlapping boxes by grids, one per class of size.
 //
-// A box lives in the one cell that holds its lower corner, in the grid whose cells are the first, of sizes doubled from
-// class to class, that are not smaller than the box. So the lower corners of all boxes of a class that overlap a given
-// box lie in the cells from one below its lower corner to that of its upper corner. Each box looks into its own class
-// (half the cells around it, so that a pair is met once) and into all coarser ones; a floor under a million blocks is
-// then one lookup per block, and nothing is ever tested against everything.
+// A box lives in the one cell that holds its lower corner, in the grid whose cells are the first, of sizes
+// doubled from class to class, that are not smaller than the box. So the lower corners of all boxes of a
+// class that overlap a given box lie in the cells from one below its lower corner to that of its upper
+// corner. Each box looks into its own class (half the cells around it, so that a pair is met once) and into
+// all coarser ones; a floor under a million blocks is then one lookup per block, and nothing is ever tested
+// against everything.
 //
 // Cells are numbered row by row. Boxes are sorted by cell, so a row of cells is one contiguous run of boxes.
 
@@ -21,8 +22,8 @@
 namespace talus {
 namespace {
 
-// A cell is a little larger than its boxes, so that the rounding of a cell index (1e-10 at most) cannot hide a box that
-// just touches.
+// A cell is a little larger than its boxes, so that the rounding of a cell index (1e-10 at most) cannot hide
+// a box that just touches.
 constexpr double kSlack = 1.0 + 1e-6;
 // Keeps the cell numbers of a row-by-row count inside 64 bits.
 constexpr double kMostCellsPerAxis = 1048576;  // 2^20
@@ -187,8 +188,8 @@ std::size_t firstInCell(const Grids& grids, std::size_t begin, std::size_t end, 
                                     first);
 }
 
-/// Pairs within one class: the rest of the own cell, the cell after it, and the three cells of four rows after it.
-/// Entries are visited in the order of their cells, so the start in each row only moves forward.
+/// Pairs within one class: the rest of the own cell, the cell after it, and the three cells of four rows
+/// after it. Entries are visited in the order of their cells, so the start in each row only moves forward.
 void searchOwnLevel(const Grids& grids, const Chunk& chunk, std::vector<BoxPair>& pairs) {
     const Level& level = grids.levels[chunk.level];
     const std::array<std::uint64_t, 4> rows{level.row, level.layer - level.row, level.layer,
@@ -229,8 +230,8 @@ std::vector<BoxPair> searchChunk(const Grids& grids, const Chunk& chunk) {
     return pairs;
 }
 
-/// Lexicographic order: counted into the rows of their first box, then each row sorted. Rows are short, and this is
-/// several times faster than one big sort.
+/// Lexicographic order: counted into the rows of their first box, then each row sorted. Rows are short, and
+/// this is several times faster than one big sort.
 std::vector<BoxPair> sorted(const std::vector<std::vector<BoxPair>>& lists, std::size_t boxes,
                             bool parallel) {
     std::vector<std::size_t> row_end(boxes + 1, 0);

@@ -21,9 +21,9 @@ inline bool overlaps(const Box& a, const Box& b) {
 
 using BoxPair = std::pair<std::int32_t, std::int32_t>;
 
-/// All pairs i < j of overlapping boxes, sorted. `parallel` runs in the caller's TBB arena; the result is the same for
-/// any number of threads and for the serial path. Close to linear in the number of boxes and pairs, whatever the mix of
-/// sizes.
+/// All pairs i < j of overlapping boxes, sorted. `parallel` runs in the caller's TBB arena; the result is the
+/// same for any number of threads and for the serial path. Close to linear in the number of boxes and pairs,
+/// whatever the mix of sizes.
 /// \pre finite boxes, min <= max
 std::vector<BoxPair> findNeighbours(const std::vector<Box>& boxes, bool parallel);
 

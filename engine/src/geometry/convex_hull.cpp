@@ -1,11 +1,12 @@
 // Convex hull by insertion of the farthest point.
 //
-// Points are rounded to a lattice of 2^-40 of their extent, where a point's side of a facet is an exact integer. So
-// the surface is always closed and convex there, and no point can be seen from a wrong set of facets: the usual
-// failure of hulls with floating-point predicates. The result uses the points as they were given.
+// Points are rounded to a lattice of 2^-40 of their extent, where a point's side of a facet is an exact
+// integer. So the surface is always closed and convex there, and no point can be seen from a wrong set of
+// facets: the usual failure of hulls with floating-point predicates. The result uses the points as they were
+// given.
 //
-// Points are sorted first, so the result does not depend on their order: vertices are in lexicographic order, each
-// face starts at its lowest vertex, and faces are sorted by their vertices.
+// Points are sorted first, so the result does not depend on their order: vertices are in lexicographic order,
+// each face starts at its lowest vertex, and faces are sorted by their vertices.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -112,8 +113,9 @@ void TriangleHull::raise(std::int32_t point, std::size_t first_facet) {
     }
 }
 
-/// Replaces the facets a point can see by a cone from their rim to the point. A facet in whose plane the point lies is
-/// not seen, hence no new facet is degenerate: a point in line with a rim edge lies in the plane of the seen facet.
+/// Replaces the facets a point can see by a cone from their rim to the point. A facet in whose plane the
+/// point lies is not seen, hence no new facet is degenerate: a point in line with a rim edge lies in the
+/// plane of the seen facet.
 void TriangleHull::insert(std::int32_t point) {
     std::set<std::pair<std::int32_t, std::int32_t>> rim;
     const std::size_t first_new = facets_.size();

@@ -8,8 +8,8 @@
 
 namespace talus {
 
-/// Right-handed frame of a face: origin at its first vertex, e1 along its first edge, e3 its outward normal. It turns
-/// with the block; coordinates in it stay small however far the block is from the model's origin.
+/// Right-handed frame of a face: origin at its first vertex, e1 along its first edge, e3 its outward normal.
+/// It turns with the block; coordinates in it stay small however far the block is from the model's origin.
 struct FaceFrame {
     Vec3 origin = Vec3::Zero();  ///< [m]
     Vec3 e1 = Vec3::UnitX(), e2 = Vec3::UnitY(), e3 = Vec3::UnitZ();

@@ -1,5 +1,5 @@
-// Volume integrals over a closed surface, as a sum of signed tetrahedra between an origin and the surface's triangles
-// (F. Tonon, Explicit exact formulas for the 3-D tetrahedron inertia tensor, 2004).
+// Volume integrals over a closed surface, as a sum of signed tetrahedra between an origin and the surface's
+// triangles (F. Tonon, Explicit exact formulas for the 3-D tetrahedron inertia tensor, 2004).
 
 #include <Eigen/Geometry>
 
@@ -15,8 +15,8 @@ struct VolumeMoments {
     Mat3 second = Mat3::Zero();  ///< integral of x x^T [m^5]
 };
 
-/// Adds the tetrahedron (0, a, b, c); negative when the triangle is seen from its back. Exact: over a simplex the
-/// integral of x x^T is V/20 (s s^T + sum of v v^T), s the sum of its vertices v.
+/// Adds the tetrahedron (0, a, b, c); negative when the triangle is seen from its back. Exact: over a simplex
+/// the integral of x x^T is V/20 (s s^T + sum of v v^T), s the sum of its vertices v.
 void addTetrahedron(VolumeMoments& sum, const Vec3& a, const Vec3& b, const Vec3& c) {
     const double volume = a.dot(b.cross(c)) / 6.0;
     const Vec3 corners = a + b + c;
@@ -26,8 +26,8 @@ void addTetrahedron(VolumeMoments& sum, const Vec3& a, const Vec3& b, const Vec3
                   (corners * corners.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
 }
 
-/// The mean of the vertices: inside the block, so that all tetrahedra are positive and nothing cancels, however far
-/// the block is from the model's origin.
+/// The mean of the vertices: inside the block, so that all tetrahedra are positive and nothing cancels,
+/// however far the block is from the model's origin.
 Vec3 localOrigin(const Polyhedron& shape) {
     Vec3 sum = Vec3::Zero();
     for (const Vec3& vertex : shape.vertices) sum += vertex - shape.vertices[0];

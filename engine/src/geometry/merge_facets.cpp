@@ -29,7 +29,8 @@ struct Plane {
     Vec3 origin, normal;
 
     bool holds(const std::vector<Vec3>& points, const Triangle& t, double flatness) const {
-        // A sliver's own normal is noise, so its corners decide; the sign keeps the back of a thin block apart.
+        // A sliver's own normal is noise, so its corners decide; the sign keeps the back of a thin block
+        // apart.
         const auto near = [&](std::int32_t p) {
             return std::abs(normal.dot(points[p] - origin)) <= flatness;
         };
@@ -110,8 +111,8 @@ std::vector<Outline> regionOutlines(const Surface& surface) {
     return outlines;
 }
 
-/// A vertex of a polyhedron belongs to three faces at least; one of two faces lies on their common edge. Dropping by
-/// count, not by angle, drops it from both faces alike, so the surface stays closed.
+/// A vertex of a polyhedron belongs to three faces at least; one of two faces lies on their common edge.
+/// Dropping by count, not by angle, drops it from both faces alike, so the surface stays closed.
 void dropCollinear(std::vector<Outline>& outlines, std::size_t point_count) {
     std::vector<int> faces_at(point_count, 0);
     for (const Outline& outline : outlines)

@@ -39,8 +39,8 @@ Polygon mergeVertices(const Polygon& polygon, double distance) {
     return merged;
 }
 
-/// The part on the negative side of a line through `point` with unit `normal`; vertices within `tolerance` of the line
-/// are kept as they are.
+/// The part on the negative side of a line through `point` with unit `normal`; vertices within `tolerance` of
+/// the line are kept as they are.
 Polygon cut(const Polygon& polygon, const Vec2& normal, const Vec2& point, double tolerance) {
     Polygon kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -110,8 +110,8 @@ Vec2 centroid(const Polygon& polygon) {
     return polygon[0] + moment / doubled;
 }
 
-// Over a triangle (0, b, c) the integral of x x^T is A/12 (s s^T + b b^T + c c^T) with s = b + c; the moments about the
-// first vertex are then moved to the origin.
+// Over a triangle (0, b, c) the integral of x x^T is A/12 (s s^T + b b^T + c c^T) with s = b + c; the moments
+// about the first vertex are then moved to the origin.
 SecondMoments secondMoments(const Polygon& polygon) {
     if (polygon.empty()) return {};
     Eigen::Matrix2d second = Eigen::Matrix2d::Zero();

@@ -11,9 +11,9 @@ namespace talus {
 
 using Vec2 = Eigen::Vector2d;
 
-/// A convex polygon, vertices counter-clockwise [m]; empty or at least three vertices. Give coordinates relative to an
-/// origin near the polygon (face_frame.h does), since they are clipped to 1e-12 of its size. Up to `kInline` vertices
-/// live in the object itself; only larger ones allocate.
+/// A convex polygon, vertices counter-clockwise [m]; empty or at least three vertices. Give coordinates
+/// relative to an origin near the polygon (face_frame.h does), since they are clipped to 1e-12 of its size.
+/// Up to `kInline` vertices live in the object itself; only larger ones allocate.
 struct Polygon {
     static constexpr std::size_t kInline = 32;
 
@@ -62,12 +62,13 @@ double extent(const Polygon& polygon);
 /// The part with normal . x <= offset: `normal` (of any length but zero) points out of the part that is kept.
 Polygon clipHalfPlane(const Polygon& polygon, const Vec2& normal, double offset);
 
-/// The part common to both (Sutherland and Hodgman). A vertex within 1e-12 of the extents of an edge's line counts as
-/// on it, so that equal or sharing outlines do not breed slivers; vertices that near to each other are merged.
+/// The part common to both (Sutherland and Hodgman). A vertex within 1e-12 of the extents of an edge's line
+/// counts as on it, so that equal or sharing outlines do not breed slivers; vertices that near to each other
+/// are merged.
 Polygon intersect(const Polygon& a, const Polygon& b);
 
-/// Drops vertices within `tolerance` [m] of the line through their neighbours, or of each other: what remains of nearly
-/// coincident edges. Empty if nothing with an area remains.
+/// Drops vertices within `tolerance` [m] of the line through their neighbours, or of each other: what remains
+/// of nearly coincident edges. Empty if nothing with an area remains.
 Polygon simplify(const Polygon& polygon, double tolerance);
 
 }  // namespace talus

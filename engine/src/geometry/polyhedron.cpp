@@ -14,8 +14,8 @@ std::string text(double value) {
     return {buffer.data(), end};
 }
 
-/// Calls `visit(a, b, c)` for the fan of a face, corners relative to the face's first vertex: a block far from the
-/// origin keeps its accuracy.
+/// Calls `visit(a, b, c)` for the fan of a face, corners relative to the face's first vertex: a block far
+/// from the origin keeps its accuracy.
 template <class Visit>
 void forEachFanTriangle(const Polyhedron& shape, std::size_t face, Visit visit) {
     const auto& outline = shape.faces[face];

@@ -19,9 +19,9 @@ Polygon wetPart(const Polygon& polygon, const LinearPressure& pressure) {
 
 }  // namespace
 
-// Over a triangle of area A, with p and x linear: integral of p = A/3 sum(p), and
-// integral of p x = A/12 (sum(p) sum(x) + sum(p x)), sums over the corners. Corners are taken relative to the first
-// one, so that the moments of a polygon far from its origin do not cancel inside the sum.
+// Over a triangle of area A, with p and x linear: integral of p = A/3 sum(p), and integral of p x = A/12
+// (sum(p) sum(x) + sum(p x)), sums over the corners. Corners are taken relative to the first one, so that the
+// moments of a polygon far from its origin do not cancel inside the sum.
 PressureIntegral integratePressure(const Polygon& polygon, const LinearPressure& pressure) {
     PressureIntegral sum;
     if (polygon.empty()) return sum;

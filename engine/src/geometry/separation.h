@@ -12,11 +12,11 @@ struct Separation {
     Vec3 axis = Vec3::Zero();  ///< unit vector from a towards b along which it is measured
 };
 
-/// The largest separation over the candidates of the separating-axis theorem: face normals of both, and cross products
-/// of an edge of each. Negative exactly when the two overlap, and then the least move that parts them. When positive it
-/// is a lower bound of their distance (equal to it unless the nearest points are a vertex and an edge or a vertex).
-/// The search ends at the first axis that separates by `enough` [m]: with minus the overlap allowed, touching blocks
-/// are passed after a few axes.
+/// The largest separation over the candidates of the separating-axis theorem: face normals of both, and cross
+/// products of an edge of each. Negative exactly when the two overlap, and then the least move that parts
+/// them. When positive it is a lower bound of their distance (equal to it unless the nearest points are a
+/// vertex and an edge or a vertex). The search ends at the first axis that separates by `enough` [m]: with
+/// minus the overlap allowed, touching blocks are passed after a few axes.
 Separation findSeparation(const Polyhedron& a, const Polyhedron& b,
                           double enough = std::numeric_limits<double>::infinity());
 

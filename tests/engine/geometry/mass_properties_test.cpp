@@ -28,8 +28,8 @@ struct Moments {
     }
 };
 
-/// Keast's four-point rule, exact for degree 2: another formula than the engine's. Faces are cut into triangles as
-/// the engine cuts them, since a face may be bent by a millionth of the block.
+/// Keast's four-point rule, exact for degree 2: another formula than the engine's. Faces are cut into
+/// triangles as the engine cuts them, since a face may be bent by a millionth of the block.
 Moments byQuadrature(const Polyhedron& shape) {
     Vec3 inside = Vec3::Zero();
     for (const Vec3& v : shape.vertices) inside += v / static_cast<double>(shape.vertices.size());
@@ -124,7 +124,8 @@ TEST_SUITE("geometry") {
         for (int trial = 0; trial < 50; ++trial) {
             Polyhedron shape = randomPolyhedron(random, 15);
             for (Vec3& v : shape.vertices) v *= 0.1;
-            // The coordinates a far block really has, moved back: rounding of the input is not the engine's error.
+            // The coordinates a far block really has, moved back: rounding of the input is not the engine's
+            // error.
             const Vec3 shift(1024, -1024, 1024);
             const Polyhedron far = moved(shape, Mat3::Identity(), shift);
             MassProperties expected = massProperties(moved(far, Mat3::Identity(), -shift));

@@ -13,8 +13,8 @@ using Sums = Eigen::Vector3d;  // force, moment_x, moment_y
 
 Sums at(const LinearPressure& p, const Vec2& x) { return p.at(x) * Sums(1, x.x(), x.y()); }
 
-/// The oracle: triangles cut into quarters wherever the water line crosses them. The midpoint rule is exact for degree
-/// 2, so only the line's own triangles are approximate, by 4^-depth of the whole.
+/// The oracle: triangles cut into quarters wherever the water line crosses them. The midpoint rule is exact
+/// for degree 2, so only the line's own triangles are approximate, by 4^-depth of the whole.
 Sums quadrature(const LinearPressure& p, const Vec2& a, const Vec2& b, const Vec2& c, int depth) {
     const double low = std::min({p.at(a), p.at(b), p.at(c)}), high = std::max({p.at(a), p.at(b), p.at(c)});
     if (high <= 0) return Sums::Zero();
@@ -76,7 +76,8 @@ TEST_SUITE("geometry") {
                                    {random.uniform(-2e3, 2e3), random.uniform(-2e3, 2e3)}};
             const PressureIntegral found = integratePressure(polygon, p);
             const Sums expected = quadrature(p, polygon);
-            // Relative to what full pressure would give: a wet tip of 1e-4 is beyond the oracle, not the engine.
+            // Relative to what full pressure would give: a wet tip of 1e-4 is beyond the oracle, not the
+            // engine.
             const double scale =
                 std::max(expected.norm(), 1e-2 * area(polygon) * std::abs(highest(p, polygon)));
             CHECK((sums(found) - expected).norm() <= 1e-6 * scale);

@@ -15,7 +15,8 @@
 
 namespace talus::test {
 
-/// Equal within a relative error. (doctest's own scale of 1 would make that an absolute error for small numbers.)
+/// Equal within a relative error. (doctest's own scale of 1 would make that an absolute error for small
+/// numbers.)
 inline doctest::Approx within(double relative, double expected) {
     return doctest::Approx(expected).epsilon(relative).scale(1e-30);
 }

@@ -53,7 +53,8 @@ TEST_SUITE("geometry") {
     }
 
     TEST_CASE("two crossed edges are told apart by their common normal only") {
-        // Two boxes standing on edge, one above the other, their edges at right angles: no face normal separates them.
+        // Two boxes standing on edge, one above the other, their edges at right angles: no face normal
+        // separates them.
         const double half = std::sqrt(0.5);
         const Polyhedron centred = box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
         const auto roof = Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitX()).toRotationMatrix();
