@@ -1,5 +1,7 @@
 #include "talus/build_info.h"
 
+#include "simd/instruction_set.h"
+
 namespace talus {
 
 extern const char kGitHash[];  // generated in every build, see engine/CMakeLists.txt
@@ -15,12 +17,7 @@ const char* compiler() {
 }
 
 const char* instructionSet() {
-#if defined(__x86_64__)
-    const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    return TALUS_AVX2_KERNELS && has_avx2 ? "avx2" : "x86-64";
-#else
-    return "portable";
-#endif
+    return simd::bestInstructionSet() == simd::InstructionSet::avx2 ? "avx2" : "x86-64";
 }
 
 }  // namespace

@@ -64,16 +64,14 @@ void addContactEvidence(const State& state, std::size_t block, BlockMotion& moti
          ++k) {
         const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-        const auto end = static_cast<std::size_t>(state.interfaces.point_begin[i + 1]);
-        for (auto p = static_cast<std::size_t>(state.interfaces.point_begin[i]); p < end; ++p) {
-            area += state.points.area[p];
-            const double normal = state.points.normal[p];
-            if (normal == 0.0) {
-                open_area += state.points.area[p];
+        for (const stages::PointState& point : stages::pointStates(state, i)) {
+            area += point.area;
+            if (point.force.normal == 0.0) {
+                open_area += point.area;
                 continue;
             }
-            shear += std::hypot(state.points.shear_1[p], state.points.shear_2[p]);
-            strength += contact::shearStrength(law, state.points.area[p], normal, state.points.bond[p]);
+            shear += std::hypot(point.force.shear_1, point.force.shear_2);
+            strength += contact::shearStrength(law, point.area, point.force.normal, point.memory.bond);
         }
     }
     motion.open_share = area > 0 ? open_area / area : 1.0;

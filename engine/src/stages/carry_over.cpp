@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
+
+#include "contact/points.h"
 
 namespace talus::stages {
 namespace {
@@ -19,18 +22,17 @@ Eigen::Vector2d originShift(const Interfaces& old, std::size_t o, const Interfac
     return {d.dot(old.e1_a.get(o)), d.dot(old.e2_a.get(o))};
 }
 
-std::size_t nearestPoint(const OldInterfaces& old, std::size_t o, double xi, double eta) {
-    const auto begin = static_cast<std::size_t>(old.interfaces.point_begin[o]);
-    const auto end = static_cast<std::size_t>(old.interfaces.point_begin[o + 1]);
-    std::size_t best = begin;
-    double best_distance = kInfinity;
-    for (std::size_t p = begin; p < end; ++p) {
-        const double dx = old.points.xi[p] - xi, dy = old.points.eta[p] - eta;
-        if (dx * dx + dy * dy >= best_distance) continue;
-        best_distance = dx * dx + dy * dy;
-        best = p;
-    }
-    return best;
+const PointState& nearestPoint(const std::vector<PointState>& points, const Eigen::Vector2d& place) {
+    return *std::min_element(points.begin(), points.end(), [&](const PointState& p, const PointState& q) {
+        return (p.position - place).squaredNorm() < (q.position - place).squaredNorm();
+    });
+}
+
+/// Shear force that an interface carries, along its tangents [N].
+Eigen::Vector2d shearForce(const std::vector<PointState>& points) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const PointState& p : points) sum += Eigen::Vector2d(p.force.shear_1, p.force.shear_2);
+    return sum;
 }
 
 /// Returns the shear force that found no closed Lp [N].
@@ -42,50 +44,41 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
     f.reference_gap.set(n, {gap.x() + shift.x() * gap.y() + shift.y() * gap.z(), gap.y(), gap.z()});
 
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[n])];
-    const auto begin = static_cast<std::size_t>(f.point_begin[n]),
-               end = static_cast<std::size_t>(f.point_begin[n + 1]);
-    Eigen::Vector2d missing = Eigen::Vector2d::Zero();
-    for (auto q = static_cast<std::size_t>(old.interfaces.point_begin[o]);
-         q < static_cast<std::size_t>(old.interfaces.point_begin[o + 1]); ++q)
-        missing += Eigen::Vector2d(old.points.shear_1[q], old.points.shear_2[q]);
+    const auto places = contact::patchPoints(patchOutline(f, n), state.geometry->model.points);
+    std::vector<Eigen::Vector2d> shear(places.size());
+    std::vector<bool> closed(places.size());
+    Eigen::Vector2d missing = shearForce(old.points[o]);
     double closed_area = 0;
-    for (std::size_t p = begin; p < end; ++p) {
-        const std::size_t q = nearestPoint(old, o, points.xi[p] + shift.x(), points.eta[p] + shift.y());
-        const double share = points.area[p] / old.points.area[q];
-        points.bond[p] = old.points.bond[q];
-        if (!points.dilation.empty()) points.dilation[p] = old.points.dilation[q];
-        points.normal[p] = share * old.points.normal[q];
-        points.shear_1[p] = share * old.points.shear_1[q];
-        points.shear_2[p] = share * old.points.shear_2[q];
-        missing -= Eigen::Vector2d(points.shear_1[p], points.shear_2[p]);
-        if (points.normal[p] != 0.0) closed_area += points.area[p];
-    }
-    for (std::size_t p = begin; p < end; ++p) {
-        if (points.normal[p] != 0.0) {
-            points.shear_1[p] += missing.x() * points.area[p] / closed_area;
-            points.shear_2[p] += missing.y() * points.area[p] / closed_area;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const PointState& q = nearestPoint(old.points[o], places[k].position + shift);
+        const std::size_t slot = f.pointSlot(n, k);
+        if (!points.bond.empty()) {
+            points.bond[slot] = q.memory.bond;
+            points.dilation[slot] = q.memory.dilation;
         }
+        shear[k] = places[k].area / q.area * Eigen::Vector2d(q.force.shear_1, q.force.shear_2);
+        closed[k] = q.force.normal != 0.0;
+        missing -= shear[k];
+        if (closed[k]) closed_area += places[k].area;
+    }
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (closed[k]) shear[k] += missing * places[k].area / closed_area;
         // The slide is zero at the clipping, so the offset alone holds the shear force: F_s = k_s A offset.
-        points.offset_1[p] = points.shear_1[p] / (law.shear_stiffness * points.area[p]);
-        points.offset_2[p] = points.shear_2[p] / (law.shear_stiffness * points.area[p]);
+        const Eigen::Vector2d offset = shear[k] / (law.shear_stiffness * places[k].area);
+        points.offset_1[f.pointSlot(n, k)] = offset.x();
+        points.offset_2[f.pointSlot(n, k)] = offset.y();
     }
     return closed_area > 0 ? 0.0 : missing.norm();
 }
 
-/// Shear force that an interface carries [N].
-double shearForce(const OldInterfaces& old, std::size_t o) {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (auto q = static_cast<std::size_t>(old.interfaces.point_begin[o]);
-         q < static_cast<std::size_t>(old.interfaces.point_begin[o + 1]); ++q)
-        sum += Eigen::Vector2d(old.points.shear_1[q], old.points.shear_2[q]);
-    return sum.norm();
-}
-
 }  // namespace
 
-bool anyDilates(const std::vector<contact::JointLaw>& laws) {
-    return std::any_of(laws.begin(), laws.end(),
-                       [](const contact::JointLaw& law) { return law.tan_dilation != 0; });
+OldInterfaces takeInterfaces(State& state) {
+    OldInterfaces old;
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i) old.points.push_back(pointStates(state, i));
+    old.interfaces = std::exchange(state.interfaces, {});
+    state.points = {};
+    return old;
 }
 
 double carryOver(const OldInterfaces& old, State& state) {
@@ -98,7 +91,7 @@ double carryOver(const OldInterfaces& old, State& state) {
         lost += carryInterface(old, found->second, state, n);
         old_index.erase(found);
     }
-    for (const auto& [key, o] : old_index) lost += shearForce(old, o);
+    for (const auto& [key, o] : old_index) lost += shearForce(old.points[o]).norm();
     return lost;
 }
 

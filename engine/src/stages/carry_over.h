@@ -1,16 +1,18 @@
 #pragma once
 // What contact points carry and remember, handed on when their patch is clipped again.
 
+#include "stages/contacts.h"
 #include "state/arrays.h"
 
 namespace talus::stages {
 
 struct OldInterfaces {
     Interfaces interfaces;
-    ContactPoints points;
+    std::vector<std::vector<PointState>> points;  ///< per interface
 };
 
-bool anyDilates(const std::vector<contact::JointLaw>& laws);
+/// Takes the interfaces out of a state, with what their Lps carry.
+OldInterfaces takeInterfaces(State& state);
 
 /// For each new interface between the same two faces as an old one: the reference gap goes with the reference face;
 /// each new Lp takes the shear traction, the bond and the dilation of the nearest old one, and the tractions are shifted

@@ -1,17 +1,19 @@
 #pragma once
-// Stage "update contacts": Lp forces and interface wrenches from the poses.
+// Stage "update contacts": plastic slides and interface wrenches from the poses.
+
+#include <vector>
 
 #include "state/arrays.h"
 #include "state/range.h"
 
 namespace talus::stages {
 
-/// \pre  interfaces, points and block poses are those of one instant
-/// Reads:  blocks.position, orientation (and velocity, angular_momentum with contact damping); interfaces' frames;
-///         points' geometry; laws; release
-/// Writes: points' forces and memory; interfaces.force, moment_a, moment_b
-/// Each interface writes its own slots only.
-void updateContacts(State& state, Range interfaces);
+/// \pre  interfaces, points and block poses are those of one instant; with contact damping angular_velocity too
+/// Reads:  blocks.position, orientation (and velocity, angular_velocity with contact damping); interfaces' frames and
+///         patches; laws; release
+/// Writes: points' memory; interfaces.force, moment_a, moment_b
+/// Each group of interfaces writes its own slots only.
+void updateContacts(State& state, Range groups);
 
 /// Gap at the interface's origin and its slopes along e1 and e2, less the reference gap [m, -, -], and the slide of b
 /// over a there along e1, e2 [m] with its gradients.
@@ -22,6 +24,21 @@ struct RelativePose {
     Vec3 e1, e2, e3;        ///< model frame
 };
 RelativePose relativePose(const State& state, std::size_t interface);
+
+/// An Lp as it stands: where it lies on the patch, what it carries and remembers.
+struct PointState {
+    Eigen::Vector2d position;  ///< along e1, e2 from the interface's origin [m]
+    double area;               ///< A_s [m^2]
+    contact::PointForce force;  ///< of the springs, on b
+    contact::PointMemory memory;
+};
+
+/// All Lps of an interface, in the order of contact::patchPoints. The law gives the same forces when it is asked once more
+/// at the same place (but for slip that dilates, which the next step feels).
+std::vector<PointState> pointStates(const State& state, std::size_t interface);
+
+/// Corners of an interface's patch, counter-clockwise, from its origin along e1, e2 [m].
+std::vector<Eigen::Vector2d> patchOutline(const Interfaces& interfaces, std::size_t interface);
 
 /// Angular velocity of a block in the model frame [rad/s].
 Vec3 angularVelocity(const Blocks& blocks, std::size_t block);

@@ -23,16 +23,13 @@ double kineticEnergy(const State& state) {
 }
 
 double elasticEnergy(const State& state) {
-    const ContactPoints& points = state.points;
     double sum = 0;
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-        const auto end = static_cast<std::size_t>(state.interfaces.point_begin[i + 1]);
-        for (auto p = static_cast<std::size_t>(state.interfaces.point_begin[i]); p < end; ++p) {
-            const double shear =
-                points.shear_1[p] * points.shear_1[p] + points.shear_2[p] * points.shear_2[p];
-            sum += 0.5 / points.area[p] *
-                   (points.normal[p] * points.normal[p] / law.normal_stiffness + shear / law.shear_stiffness);
+        for (const PointState& point : pointStates(state, i)) {
+            const contact::PointForce& f = point.force;
+            const double shear = f.shear_1 * f.shear_1 + f.shear_2 * f.shear_2;
+            sum += 0.5 / point.area * (f.normal * f.normal / law.normal_stiffness + shear / law.shear_stiffness);
         }
     }
     return sum;
@@ -84,9 +81,15 @@ std::uint64_t stateHash(const State& state) {
         add(blocks.orientation.z);
     addVector(blocks.velocity);
     addVector(blocks.angular_momentum);
-    const ContactPoints& points = state.points;
-    add(points.normal), add(points.shear_1), add(points.shear_2);
-    add(points.offset_1), add(points.offset_2), add(points.bond);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
+        values.clear();
+        for (const PointState& point : pointStates(state, i))
+            for (const double value : {point.force.normal, point.force.shear_1, point.force.shear_2,
+                                       point.memory.offset_1, point.memory.offset_2, point.memory.bond})
+                values.push_back(value);
+        add(values);
+    }
     return XXH3_64bits_digest(hash.get());
 }
 

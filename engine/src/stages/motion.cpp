@@ -3,48 +3,10 @@
 #include <cmath>
 
 #include "stages/contacts.h"
+#include "stages/motion_view.h"
 
 namespace talus::stages {
 namespace {
-
-/// Turns the pair (angular momentum in the block's frame, orientation) about one principal axis for a time: the exact
-/// flow of one third of the free rigid body's energy, but for tan(angle/2) ~ angle/2, which keeps it symplectic (it is
-/// the exact flow of a function of the same component) and second order.
-/// Splitting after Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107 (1997) 5840.
-template <int Axis>
-void spinAbout(double time, const Vec3& inverse_inertia, Vec3& momentum, Eigen::Vector4d& q) {
-    constexpr int j = (Axis + 1) % 3, k = (Axis + 2) % 3;
-    const double t = 0.5 * time * inverse_inertia[Axis] * momentum[Axis];
-    const double norm = 1.0 / (1.0 + t * t);
-    const double c = (1.0 - t * t) * norm, s = 2.0 * t * norm;
-    const double m_j = momentum[j], m_k = momentum[k];
-    momentum[j] = c * m_j + s * m_k;
-    momentum[k] = c * m_k - s * m_j;
-    // q <- q * (1 + t e_axis); its length is restored once at the end.
-    const double w = q[0], a = q[1 + Axis], b = q[1 + j], d = q[1 + k];
-    q[0] = w - t * a;
-    q[1 + Axis] = a + t * w;
-    q[1 + j] = b + t * d;
-    q[1 + k] = d - t * b;
-}
-
-/// Free rotation over dt: the angular momentum in the model frame stays, the orientation turns under it.
-void rotate(Blocks& blocks, std::size_t b, double dt) {
-    const Vec3 inverse_inertia = blocks.inverse_inertia.get(b);
-    QuaternionArray& o = blocks.orientation;
-    Vec3 momentum = o.matrix(b).transpose() * blocks.angular_momentum.get(b);
-    Eigen::Vector4d q(o.w[b], o.x[b], o.y[b], o.z[b]);
-    spinAbout<0>(dt / 2, inverse_inertia, momentum, q);
-    spinAbout<1>(dt / 2, inverse_inertia, momentum, q);
-    spinAbout<2>(dt, inverse_inertia, momentum, q);
-    spinAbout<1>(dt / 2, inverse_inertia, momentum, q);
-    spinAbout<0>(dt / 2, inverse_inertia, momentum, q);
-    q /= q.norm();
-    o.w[b] = q[0];
-    o.x[b] = q[1];
-    o.y[b] = q[2];
-    o.z[b] = q[3];
-}
 
 double opposing(double force, double velocity) {
     return velocity > 0 ? -std::abs(force) : velocity < 0 ? std::abs(force) : 0.0;
@@ -87,20 +49,29 @@ Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity) 
 
 void drift(State& state, Range range, double dt) {
     Blocks& blocks = state.blocks;
-    const double decay = std::exp(-0.5 * dt * state.damping.mass);
-    const double spin_decay = std::exp(-0.5 * dt * state.damping.rotation);
-    for (std::size_t b = range.begin; b < range.end; ++b) {
-        if (blocks.motion[b] == Motion::fixed) continue;
-        if (blocks.motion[b] == Motion::free) {
-            const Vec3 v =
-                decay * blocks.velocity.get(b) + (0.5 * dt * blocks.inverse_mass[b]) * blocks.force.get(b);
-            blocks.velocity.set(b, v);
-            blocks.angular_momentum.set(
-                b, spin_decay * blocks.angular_momentum.get(b) + 0.5 * dt * blocks.torque.get(b));
-            rotate(blocks, b, dt);
-        }
-        blocks.position.set(b, blocks.position.get(b) + dt * blocks.velocity.get(b));
-    }
+    QuaternionArray& q = blocks.orientation;
+    const MotionView view{.force = constPointers(blocks.force),
+                          .torque = constPointers(blocks.torque),
+                          .inverse_inertia = constPointers(blocks.inverse_inertia),
+                          .inverse_mass = blocks.inverse_mass.data(),
+                          .free = blocks.free.data(),
+                          .position = pointers(blocks.position),
+                          .velocity = pointers(blocks.velocity),
+                          .angular_momentum = pointers(blocks.angular_momentum),
+                          .orientation = {q.w.data(), q.x.data(), q.y.data(), q.z.data()},
+                          .angular_velocity = pointers(blocks.angular_velocity),
+                          .time_step = dt,
+                          .decay = std::exp(-0.5 * dt * state.damping.mass),
+                          .spin_decay = std::exp(-0.5 * dt * state.damping.rotation)};
+    if (state.instructions == simd::InstructionSet::avx2)
+        driftAvx2(view, range.begin, range.end);
+    else
+        driftScalar(view, range.begin, range.end);
+}
+
+void updateSpin(State& state, Range range) {
+    for (std::size_t b = range.begin; b < range.end; ++b)
+        state.blocks.angular_velocity.set(b, angularVelocity(state.blocks, b));
 }
 
 void gather(State& state, Range range, double dt) {
@@ -113,7 +84,7 @@ void gather(State& state, Range range, double dt) {
         Wrench sum = outOfBalance(state, b, g);
         if (state.damping.local > 0) {
             sum.force = locallyDamped(sum.force, blocks.velocity.get(b), state.damping.local);
-            sum.torque = locallyDamped(sum.torque, angularVelocity(blocks, b), state.damping.local);
+            sum.torque = locallyDamped(sum.torque, blocks.angular_velocity.get(b), state.damping.local);
         }
         blocks.force.set(b, sum.force);
         blocks.torque.set(b, sum.torque);

@@ -8,8 +8,12 @@ namespace talus::stages {
 
 /// Half kick with the forces of the last step, then the poses move by dt.
 /// Reads:  force, torque, inverse masses, velocity, angular_momentum, pose
-/// Writes: velocity, angular_momentum, pose
+/// Writes: velocity, angular_momentum, angular_velocity, pose
 void drift(State& state, Range blocks, double time_step);
+
+/// Angular velocities of the poses and momenta as they are, for when something but a drift has changed them.
+/// Writes: angular_velocity
+void updateSpin(State& state, Range blocks);
 
 /// Sums the wrenches on each block in stored order, adds weight and local damping, and gives the second half kick.
 /// Reads:  interface wrenches, wet wrenches, load

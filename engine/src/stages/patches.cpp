@@ -142,7 +142,19 @@ std::vector<Error> overlapErrors(const State& state, const std::vector<PairFindi
     return errors;
 }
 
-/// Appends one interface with frames at the patch's centroid and its Lps; strengths are unbroken.
+/// Interleaves a patch's corners with those of its group.
+void placeCorners(Interfaces& f, std::size_t i, const std::vector<Eigen::Vector2d>& outline) {
+    const std::size_t slots =
+        static_cast<std::size_t>(f.groupOf(i).first_corner) + outline.size() * static_cast<std::size_t>(simd::kLanes);
+    f.patch_xi.resize(slots, 0.0);
+    f.patch_eta.resize(slots, 0.0);
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        f.patch_xi[f.cornerSlot(i, k)] = outline[k].x();
+        f.patch_eta[f.cornerSlot(i, k)] = outline[k].y();
+    }
+}
+
+/// Appends one interface with frames at the patch's centroid; its group is there already.
 void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePair& pair) {
     Interfaces& f = state.interfaces;
     const double patch_area = area(pair.patch);
@@ -181,35 +193,48 @@ void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePai
     f.force.add(Vec3::Zero());
     f.moment_a.add(Vec3::Zero());
     f.moment_b.add(Vec3::Zero());
-    for (const Eigen::Vector2d& v : outline) {
-        f.patch_xi.push_back(v.x());
-        f.patch_eta.push_back(v.y());
-    }
-    f.patch_begin.push_back(static_cast<std::int64_t>(f.patch_xi.size()));
-    for (const contact::PatchPoint& point : contact::patchPoints(outline, state.geometry->model.points)) {
-        state.points.xi.push_back(point.position.x());
-        state.points.eta.push_back(point.position.y());
-        state.points.area.push_back(point.area);
-    }
-    f.point_begin.push_back(static_cast<std::int64_t>(state.points.area.size()));
+    placeCorners(f, f.size() - 1, outline);
 }
 
-void resizePoints(ContactPoints& points, bool dilates) {
-    const std::size_t n = points.area.size();
-    for (auto* values :
-         {&points.offset_1, &points.offset_2, &points.normal, &points.shear_1, &points.shear_2})
-        values->assign(n, 0.0);
-    points.bond.assign(n, 1.0);
-    if (dilates) points.dilation.assign(n, 0.0);
+/// Lps of every interface: unbroken where their joint has a bond, unslid.
+void makePoints(State& state) {
+    const Interfaces& f = state.interfaces;
+    ContactPoints& points = state.points;
+    std::size_t slots = 0;
+    for (const InterfaceGroup& group : f.groups) {
+        slots += static_cast<std::size_t>(group.points * simd::kLanes);
+        points.count += static_cast<std::size_t>(group.points * group.size);
+    }
+    points.offset_1.assign(slots, 0.0);
+    points.offset_2.assign(slots, 0.0);
+    if (std::any_of(state.laws.begin(), state.laws.end(), contact::hasMemory)) {
+        points.bond.assign(slots, 1.0);
+        points.dilation.assign(slots, 0.0);
+    }
+    const PointRule& rule = state.geometry->model.points;
+    if (rule.kind == PointRule::Kind::vertex || rule.kind == PointRule::Kind::corner) return;
+    for (auto* values : {&points.xi, &points.eta, &points.area}) values->assign(slots, 0.0);
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        std::size_t k = 0;
+        for (const contact::PatchPoint& point : contact::patchPoints(patchOutline(f, i), rule)) {
+            const std::size_t slot = f.pointSlot(i, k++);
+            points.xi[slot] = point.position.x();
+            points.eta[slot] = point.position.y();
+            points.area[slot] = point.area;
+        }
+    }
+}
+
+void setBond(State& state, std::size_t i, double bond) {
+    if (state.points.bond.empty()) return;
+    for (std::size_t k = 0; k < state.interfaces.pointCount(i); ++k)
+        state.points.bond[state.interfaces.pointSlot(i, k)] = bond;
 }
 
 /// Contacts that come about later have no bond to lose; without a bond they have their peak friction.
 void breakBonds(State& state) {
-    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
-        if (!state.laws[static_cast<std::size_t>(state.interfaces.joint[i])].bonded) continue;
-        const auto begin = state.points.bond.begin();
-        std::fill(begin + state.interfaces.point_begin[i], begin + state.interfaces.point_begin[i + 1], 0.0);
-    }
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i)
+        if (state.laws[static_cast<std::size_t>(state.interfaces.joint[i])].bonded) setBond(state, i, 0.0);
 }
 
 /// Interfaces that touch at the start: their gap becomes the reference, their Lps are intact.
@@ -219,21 +244,78 @@ void closeInitialInterfaces(State& state) {
         const RelativePose pose = relativePose(state, i);
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
         const double closed = kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
-        double widest = 0;
-        for (auto v = static_cast<std::size_t>(f.patch_begin[i]);
-             v < static_cast<std::size_t>(f.patch_begin[i + 1]); ++v)
-            widest = std::max(widest, std::abs(pose.gap.x() + f.patch_xi[v] * pose.gap.y() +
-                                               f.patch_eta[v] * pose.gap.z()));
-        double least = kInfinity;
-        for (auto v = static_cast<std::size_t>(f.patch_begin[i]);
-             v < static_cast<std::size_t>(f.patch_begin[i + 1]); ++v)
-            least =
-                std::min(least, pose.gap.x() + f.patch_xi[v] * pose.gap.y() + f.patch_eta[v] * pose.gap.z());
+        double widest = 0, least = kInfinity;
+        for (const Eigen::Vector2d& v : patchOutline(f, i)) {
+            const double gap = pose.gap.x() + v.x() * pose.gap.y() + v.y() * pose.gap.z();
+            widest = std::max(widest, std::abs(gap));
+            least = std::min(least, gap);
+        }
         if (widest > closed && least >= 0) continue;
         // Planes that are not parallel: only what overlaps is taken off.
         f.reference_gap.set(i, widest > closed ? Vec3(least, 0, 0) : pose.gap);
-        const auto begin = state.points.bond.begin();
-        std::fill(begin + f.point_begin[i], begin + f.point_begin[i + 1], 1.0);
+        setBond(state, i, 1.0);
+    }
+}
+
+/// One interface to be made.
+struct Found {
+    const PairFinding* blocks;
+    const FacePair* faces;
+    int corners;
+};
+
+/// Interfaces in the order they are stored in: that of the findings, but those with as many corners side by side within
+/// windows short enough that neighbours in space stay neighbours in memory.
+std::vector<Found> storageOrder(const std::vector<PairFinding>& findings) {
+    constexpr std::ptrdiff_t kWindow = 256;
+    std::vector<Found> found;
+    for (const PairFinding& finding : findings)
+        for (const FacePair& pair : finding.faces)
+            found.push_back({&finding, &pair, static_cast<int>(pair.patch.size())});
+    for (auto begin = found.begin(); begin != found.end();) {
+        const auto end = begin + std::min(kWindow, found.end() - begin);
+        std::stable_sort(begin, end, [](const Found& a, const Found& b) { return a.corners < b.corners; });
+        begin = end;
+    }
+    return found;
+}
+
+int pointsPerPatch(const PointRule& rule, const Polygon& patch) {
+    const std::vector<Eigen::Vector2d> outline(patch.begin(), patch.end());
+    switch (rule.kind) {
+        case PointRule::Kind::quarter:
+        case PointRule::Kind::corner:
+            return static_cast<int>(outline.size());
+        case PointRule::Kind::grid:
+            if (contact::isRectangle(outline)) return rule.grid * rule.grid;
+            break;
+        case PointRule::Kind::vertex:
+            break;
+    }
+    return 2 * static_cast<int>(outline.size()) + 1;
+}
+
+/// Makes the group of the next interface: the last one if it has room and the shape is the same, else a new one.
+void chooseGroup(Interfaces& f, int corners, int points) {
+    if (f.groups.empty() || f.groups.back().size == simd::kLanes || f.groups.back().corners != corners ||
+        f.groups.back().points != points) {
+        InterfaceGroup next{.begin = static_cast<std::int32_t>(f.size()), .corners = corners, .points = points};
+        if (!f.groups.empty()) {
+            const InterfaceGroup& last = f.groups.back();
+            next.first_corner = last.first_corner + last.corners * simd::kLanes;
+            next.first_point = last.first_point + last.points * simd::kLanes;
+        }
+        f.groups.push_back(next);
+    }
+    ++f.groups.back().size;
+    f.group.push_back(static_cast<std::int32_t>(f.groups.size()) - 1);
+}
+
+void appendInterfaces(State& state, const std::vector<PairFinding>& findings) {
+    for (const Found& found : storageOrder(findings)) {
+        chooseGroup(state.interfaces, found.corners,
+                    pointsPerPatch(state.geometry->model.points, found.faces->patch));
+        appendInterface(state, found.blocks->block_a, found.blocks->block_b, *found.faces);
     }
 }
 
@@ -312,15 +394,9 @@ std::vector<Error> findInterfacesWithin(State& state, double margin, bool initia
         if (errors.empty()) errors = gridErrors(state, findings);
         if (!errors.empty()) return errors;
     }
-    const OldInterfaces old{std::move(state.interfaces), std::move(state.points)};
-    state.interfaces = {};
-    state.points = {};
-    state.interfaces.point_begin.push_back(0);
-    state.interfaces.patch_begin.push_back(0);
-    for (const PairFinding& finding : findings)
-        for (const FacePair& pair : finding.faces)
-            appendInterface(state, finding.block_a, finding.block_b, pair);
-    resizePoints(state.points, anyDilates(state.laws));
+    const OldInterfaces old = takeInterfaces(state);
+    appendInterfaces(state, findings);
+    makePoints(state);
     breakBonds(state);
     if (initial)
         closeInitialInterfaces(state);
@@ -395,7 +471,7 @@ bool refreshInterfaces(State& state, bool parallel, double ahead) {
     if (!movedTooFar(state, margin)) return false;
     findInterfacesWithin(state, margin, false, parallel);
     // Forces are there again before anything looks at them.
-    updateContacts(state, {0, state.interfaces.size()});
+    updateContacts(state, {0, state.interfaces.groups.size()});
     updateWater(state);
     return true;
 }

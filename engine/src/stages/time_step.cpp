@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "contact/points.h"
 #include "stages/contacts.h"
 #include "state/range.h"
 
@@ -18,12 +19,13 @@ Mat6 interfaceStiffness(const State& state, std::size_t i, const Vec3& centre) {
     Mat3 stiffness = law.shear_stiffness * (pose.e1 * pose.e1.transpose() + pose.e2 * pose.e2.transpose()) +
                      law.normal_stiffness * pose.e3 * pose.e3.transpose();
     Mat6 sum = Mat6::Zero();
-    const auto end = static_cast<std::size_t>(state.interfaces.point_begin[i + 1]);
-    for (auto p = static_cast<std::size_t>(state.interfaces.point_begin[i]); p < end; ++p) {
-        const Vec3 arm = pose.origin + state.points.xi[p] * pose.e1 + state.points.eta[p] * pose.e2 - centre;
+    for (const contact::PatchPoint& point :
+         contact::patchPoints(patchOutline(state.interfaces, i), state.geometry->model.points)) {
+        const Vec3 arm =
+            pose.origin + point.position.x() * pose.e1 + point.position.y() * pose.e2 - centre;
         Mat3 cross;
         cross << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;  // u = v + cross * theta
-        const Mat3 k = state.points.area[p] * stiffness;
+        const Mat3 k = point.area * stiffness;
         sum.topLeftCorner<3, 3>() += k;
         sum.topRightCorner<3, 3>() += k * cross;
         sum.bottomRightCorner<3, 3>() += cross.transpose() * k * cross;

@@ -69,10 +69,8 @@ Vec3 headField(const State& state, std::size_t i, const std::array<double, 2>& h
                const RelativePose& pose) {
     const int axis = std::abs(pose.e3.x()) > 0.99 ? 2 : 0;
     double low = kInfinity, high = -kInfinity;
-    for (auto v = static_cast<std::size_t>(state.interfaces.patch_begin[i]);
-         v < static_cast<std::size_t>(state.interfaces.patch_begin[i + 1]); ++v) {
-        const double along =
-            state.interfaces.patch_xi[v] * pose.e1[axis] + state.interfaces.patch_eta[v] * pose.e2[axis];
+    for (const Vec2& v : patchOutline(state.interfaces, i)) {
+        const double along = v.x() * pose.e1[axis] + v.y() * pose.e2[axis];
         low = std::min(low, along);
         high = std::max(high, along);
     }
@@ -88,8 +86,7 @@ void addInterfaceWalls(State& state, std::size_t water, std::size_t i) {
     const Vec3 head = description.kind == Water::Level::head ? headField(state, i, description.head, pose)
                                                              : Vec3(Vec3::Zero());
     Polygon outward, inward;
-    for (auto v = f.patch_begin[i]; v < f.patch_begin[i + 1]; ++v)
-        outward.push({f.patch_xi[static_cast<std::size_t>(v)], f.patch_eta[static_cast<std::size_t>(v)]});
+    for (const Vec2& v : patchOutline(f, i)) outward.push(v);
     for (std::size_t v = outward.size(); v-- > 0;) inward.push({outward[v].y(), outward[v].x()});
     const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
     const FaceFrame plane_a{f.origin_a.get(i), f.e1_a.get(i), f.e2_a.get(i), {}};

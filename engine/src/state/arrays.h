@@ -10,6 +10,10 @@
 #include <vector>
 
 #include "contact/law.h"
+#include "simd/instruction_set.h"
+#include "simd/pointers.h"
+#include "simd/scalar.h"
+#include "state/interface_group.h"
 #include "talus/model.h"
 
 namespace talus {
@@ -36,6 +40,9 @@ struct VectorArray {
         z.push_back(v.z());
     }
 };
+
+inline simd::Vectors pointers(VectorArray& v) { return {v.x.data(), v.y.data(), v.z.data()}; }
+inline simd::ConstVectors constPointers(const VectorArray& v) { return {v.x.data(), v.y.data(), v.z.data()}; }
 
 /// Unit quaternions, block's own frame to model frame.
 struct QuaternionArray {
@@ -66,11 +73,13 @@ struct Blocks {
         angular_momentum;      ///< about the centroid, in the model frame, with the scaled inertia [kg m^2/s]
     VectorArray force;         ///< sum at the end of the last step, local damping included [N]
     VectorArray torque;        ///< about the centroid, likewise [N m]
+    VectorArray angular_velocity;  ///< in the model frame, of the poses and momenta of the last drift [rad/s]
     std::vector<double> mass;  ///< true mass, for the weight [kg]
     VectorArray inertia;       ///< true principal moments [kg m^2]
     std::vector<double> inverse_mass;  ///< of the inertia used in the motion; 0: fixed or driven [1/kg]
     VectorArray inverse_inertia;       ///< likewise [1/(kg m^2)]
     std::vector<Motion> motion;
+    std::vector<std::uint8_t> free;  ///< 1 where motion is free, for the kernels
 
     std::size_t size() const { return mass.size(); }
 };
@@ -84,30 +93,42 @@ struct Interfaces {
     std::vector<std::int32_t> joint;
     std::vector<double> area;          ///< of the patch [m^2]
     VectorArray origin_a, e1_a, e2_a;  ///< in a's own frame
-    VectorArray origin_b, e1_b,
-        e2_b;  ///< in b's own frame: b's face plane, e1 and e2 as they lay at the clipping
-    VectorArray
-        reference_gap;  ///< gap [m] and its two slopes along e1, e2 that count as closed and unstressed
-    std::vector<std::int64_t> point_begin;    ///< first Lp of each interface; one more at the end
-    std::vector<std::int64_t> patch_begin;    ///< first patch vertex of each interface; one more at the end
-    std::vector<double> patch_xi, patch_eta;  ///< patch vertices along e1, e2 from the origin [m]
+    VectorArray origin_b, e1_b, e2_b;  ///< in b's own frame: b's face plane, e1 and e2 as they lay at the clipping
+    VectorArray reference_gap;  ///< gap [m] and its two slopes along e1, e2 that count as closed and unstressed
+    std::vector<InterfaceGroup> groups;       ///< in the order of the interfaces
+    std::vector<std::int32_t> group;          ///< of each interface
+    std::vector<double> patch_xi, patch_eta;  ///< corners along e1, e2 from the origin, counter-clockwise [m]
     VectorArray force;                        ///< on b, by the springs and dashpots [N]
     VectorArray moment_a;                     ///< on a about a's centroid [N m]
     VectorArray moment_b;                     ///< on b about b's centroid [N m]
 
     std::size_t size() const { return block_a.size(); }
+
+    const InterfaceGroup& groupOf(std::size_t i) const { return groups[static_cast<std::size_t>(group[i])]; }
+    std::size_t cornerCount(std::size_t i) const { return static_cast<std::size_t>(groupOf(i).corners); }
+    std::size_t pointCount(std::size_t i) const { return static_cast<std::size_t>(groupOf(i).points); }
+    /// Slot of the k-th corner, and of the k-th Lp.
+    std::size_t cornerSlot(std::size_t i, std::size_t k) const { return slot(i, k, groupOf(i).first_corner); }
+    std::size_t pointSlot(std::size_t i, std::size_t k) const { return slot(i, k, groupOf(i).first_point); }
+
+ private:
+    std::size_t slot(std::size_t i, std::size_t k, std::int64_t first) const {
+        return static_cast<std::size_t>(first) + i - static_cast<std::size_t>(groupOf(i).begin) +
+               k * static_cast<std::size_t>(simd::kLanes);
+    }
 };
 
-/// Contact points (Lps), stored interface by interface.
+/// What contact points (Lps) remember; where they lie follows from the patch (contact/points.h), and the forces they
+/// carry from the poses (stages::pointStates). `bond` and `dilation` are there when a joint has such memory, the
+/// positions when the kernel does not derive them itself.
 struct ContactPoints {
-    std::vector<double> xi, eta;  ///< position on the reference face from the interface's origin [m]
-    std::vector<double> area;     ///< tributary area A_s [m^2]
-    std::vector<double> offset_1, offset_2;        ///< plastic slide [m]
-    std::vector<double> bond;                      ///< share of the peak strength left, 1 intact, 0 broken
-    std::vector<double> dilation;                  ///< [m]; empty when no joint dilates
-    std::vector<double> normal, shear_1, shear_2;  ///< F_n and F_s on b [N]
+    std::vector<double> offset_1, offset_2;  ///< plastic slide [m]
+    std::vector<double> bond;                ///< share of the peak strength left, 1 intact, 0 broken
+    std::vector<double> dilation;            ///< [m]
+    std::vector<double> xi, eta, area;       ///< `quarter` and `grid`: from the interface's origin [m], A_s [m^2]
+    std::size_t count = 0;                   ///< without the unused slots
 
-    std::size_t size() const { return area.size(); }
+    std::size_t size() const { return count; }
 };
 
 /// Walls that water pushes on: polygons fixed to a block.
@@ -188,6 +209,7 @@ struct State {
     Load load;
     Damping damping;
     double release = 1.0;  ///< see contactLaw
+    simd::InstructionSet instructions = simd::bestInstructionSet();  ///< the kernels', same bits with each
     double time = 0;       ///< [s]
     std::int64_t step = 0;
     std::vector<std::uint8_t> drained;    ///< per water: 1 once it has run out through an open joint

@@ -72,6 +72,7 @@ void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<
     blocks.inverse_mass.push_back(free ? 1.0 / blocks.mass.back() : 0.0);
     blocks.inverse_inertia.add(free ? Vec3(inertia.cwiseInverse()) : Vec3(Vec3::Zero()));
     blocks.motion.push_back(block.motion);
+    blocks.free.push_back(free ? 1 : 0);
 }
 
 double medianOf(std::vector<double> values) {
@@ -127,6 +128,7 @@ Result<State> buildState(const Model& model, bool parallel) {
 
     const std::size_t n = state.blocks.size();
     state.blocks.angular_momentum.resize(n);
+    state.blocks.angular_velocity.resize(n);
     state.blocks.force.resize(n);
     state.blocks.torque.resize(n);
     geometry->model = model;

@@ -141,9 +141,9 @@ TEST_SUITE("stages") {
         Model model = stackModel(3, 3, 2, 30);
         State whole = *buildState(model, false);
         State cut = whole;
-        stages::updateContacts(whole, {0, whole.interfaces.size()});
-        for (std::size_t i = cut.interfaces.size(); i-- > 0;) stages::updateContacts(cut, {i, i + 1});
+        stages::updateContacts(whole, {0, whole.interfaces.groups.size()});
+        for (std::size_t g = cut.interfaces.groups.size(); g-- > 0;) stages::updateContacts(cut, {g, g + 1});
         CHECK(whole.interfaces.force.z == cut.interfaces.force.z);
-        CHECK(whole.points.normal == cut.points.normal);
+        CHECK(whole.points.offset_1 == cut.points.offset_1);
     }
 }

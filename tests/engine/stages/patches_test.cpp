@@ -33,8 +33,10 @@ TEST_SUITE("stages") {
         CHECK(state.interfaces.size() == 90 + 84 + 21 + 70);
         CHECK(state.points.size() == 9 * state.interfaces.size());
         CHECK(totalArea(state) == doctest::Approx(90 * 0.01 + 105 * 0.02 + 70 * 0.02));
-        CHECK(std::accumulate(state.points.area.begin(), state.points.area.end(), 0.0) ==
-              doctest::Approx(totalArea(state)));
+        double point_area = 0;
+        for (std::size_t i = 0; i < state.interfaces.size(); ++i)
+            for (const stages::PointState& point : stages::pointStates(state, i)) point_area += point.area;
+        CHECK(point_area == doctest::Approx(totalArea(state)));
     }
 
     TEST_CASE("a block over two others has a patch with each") {
@@ -64,8 +66,8 @@ TEST_SUITE("stages") {
         for (const double z : {0.9e-4, -0.9e-4}) {
             State state = *buildAt(z);
             stages::updateForces(state, false);
-            CHECK(state.points.bond[0] == 1);
-            CHECK(state.points.normal[0] == doctest::Approx(0));
+            CHECK(stages::pointStates(state, 0)[0].memory.bond == 1);
+            CHECK(stages::pointStates(state, 0)[0].force.normal == doctest::Approx(0));
             state.blocks.position.z[1] -= 1e-6;
             stages::updateForces(state, false);
             CHECK(stages::outOfBalance(state, 1, Vec3::Zero()).force.z() ==

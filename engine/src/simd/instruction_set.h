@@ -1,0 +1,16 @@
+#pragma once
+// Which of the kernels' builds is used. Chosen once per simulation, so that one binary runs on any x86-64.
+
+#include <cstdint>
+
+namespace talus::simd {
+
+enum class InstructionSet : std::uint8_t {
+    scalar,  ///< one interface at a time, for any processor
+    avx2     ///< four at a time
+};
+
+/// The fastest one this processor has.
+InstructionSet bestInstructionSet();
+
+}  // namespace talus::simd

@@ -1,0 +1,20 @@
+#pragma once
+// Arrays as kernels see them: plain pointers, so that builds for different instruction sets share no code with the rest
+// (a container's inline function compiled for AVX2 could be linked in everywhere).
+
+namespace talus::simd {
+
+struct ConstVectors {
+    const double *x, *y, *z;
+};
+struct Vectors {
+    double *x, *y, *z;
+};
+struct ConstQuaternions {
+    const double *w, *x, *y, *z;
+};
+struct Quaternions {
+    double *w, *x, *y, *z;
+};
+
+}  // namespace talus::simd

@@ -1,0 +1,272 @@
+#pragma once
+// The hot kernel: gap, slide, law and sums for one interface (V = double) or several in a register (V = Lanes). One
+// source, two builds (contact_kernel.cpp, contact_kernel_avx2.cpp), the same bits.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "contact/law.h"
+#include "stages/contact_view.h"
+#include "stages/relative_pose.h"
+
+namespace talus::stages {
+namespace {
+
+using simd::Triple;
+
+/// What an interface's Lps add up to: force on b and moment about the interface's origin, in the frame e1, e2, e3.
+template <class V>
+struct PatchSum {
+    Triple<V> force{}, moment{};
+
+    TALUS_KERNEL void add(V xi, V eta, V shear_1, V shear_2, V normal) {
+        force.x = force.x + shear_1;
+        force.y = force.y + shear_2;
+        force.z = force.z + normal;
+        moment.x = moment.x + eta * normal;
+        moment.y = moment.y - xi * normal;
+        moment.z = moment.z + (xi * shear_2 - eta * shear_1);
+    }
+};
+
+/// Velocity of b over a along the normal and the tangents, affine over the patch [m/s].
+template <class V>
+struct RelativeVelocity {
+    Triple<V> normal, tangent_1, tangent_2;
+};
+
+template <class V>
+TALUS_KERNEL RelativeVelocity<V> relativeVelocity(const RelativePoseOf<V>& pose, const Triple<V>& velocity_a,
+                                                  const Triple<V>& spin_a, const Triple<V>& velocity_b,
+                                                  const Triple<V>& spin_b) {
+    using simd::cross, simd::dot;
+    const Triple<V> v =
+        velocity_b + cross(spin_b, pose.arm_b) - velocity_a - cross(spin_a, pose.arm_a);
+    const Triple<V> spin = spin_b - spin_a;
+    const Triple<V> v_xi = cross(spin, pose.e1), v_eta = cross(spin, pose.e2);
+    return {{dot(v, pose.e3), dot(v_xi, pose.e3), dot(v_eta, pose.e3)},
+            {dot(v, pose.e1), dot(v_xi, pose.e1), dot(v_eta, pose.e1)},
+            {dot(v, pose.e2), dot(v_xi, pose.e2), dot(v_eta, pose.e2)}};
+}
+
+/// The members of a group that one register takes: all of them, or one for V = double.
+template <class V>
+struct Members;
+
+template <>
+struct Members<double> {
+    static constexpr int kWidth = 1;
+    std::size_t interface;
+    std::size_t lane;  ///< place in the group
+
+    TALUS_KERNEL Members(const InterfaceGroup& group, int lane_)
+        : interface(static_cast<std::size_t>(group.begin + lane_)), lane(static_cast<std::size_t>(lane_)) {}
+    TALUS_KERNEL double load(const double* values) const { return values[interface]; }
+    TALUS_KERNEL void store(double* values, double v) const { values[interface] = v; }
+    /// values[index[interface]], values possibly part of a larger record
+    TALUS_KERNEL double gather(const double* values, const std::int32_t* index) const {
+        return values[index[interface]];
+    }
+    template <class Record>
+    TALUS_KERNEL double gather(const Record* records, double Record::* field, const std::int32_t* index) const {
+        return records[index[interface]].*field;
+    }
+    TALUS_KERNEL bool gatherFlag(const contact::JointLaw* laws, const std::int32_t* index) const {
+        return laws[index[interface]].bonded;
+    }
+    TALUS_KERNEL double slot(const double* slots) const { return slots[lane]; }
+    TALUS_KERNEL void storeSlot(double* slots, double v) const { slots[lane] = v; }
+};
+
+template <class V>
+TALUS_KERNEL Triple<V> load(const Members<V>& members, const ConstVectors& from) {
+    return {members.load(from.x), members.load(from.y), members.load(from.z)};
+}
+template <class V>
+TALUS_KERNEL void store(const Members<V>& members, const Vectors& to, const Triple<V>& value) {
+    members.store(to.x, value.x);
+    members.store(to.y, value.y);
+    members.store(to.z, value.z);
+}
+template <class V>
+TALUS_KERNEL Triple<V> gather(const Members<V>& members, const ConstVectors& from, const std::int32_t* index) {
+    return {members.gather(from.x, index), members.gather(from.y, index), members.gather(from.z, index)};
+}
+
+template <class V>
+TALUS_KERNEL PoseOf<V> gatherPose(const Members<V>& members, const ContactView& view,
+                                  const std::int32_t* block) {
+    return {gather(members, view.position, block),
+            simd::rotationOf(members.gather(view.orientation.w, block), members.gather(view.orientation.x, block),
+                             members.gather(view.orientation.y, block),
+                             members.gather(view.orientation.z, block))};
+}
+
+template <class V>
+TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, const ContactView& view) {
+    using contact::JointLaw;
+    const auto take = [&](double JointLaw::* field) {
+        return members.gather(view.laws, field, view.joint);
+    };
+    return {take(&JointLaw::normal_stiffness),
+            take(&JointLaw::shear_stiffness),
+            take(&JointLaw::tan_friction),
+            take(&JointLaw::cohesion),
+            take(&JointLaw::tensile_strength),
+            take(&JointLaw::residual_tan_friction),
+            take(&JointLaw::residual_cohesion),
+            take(&JointLaw::tan_dilation),
+            members.gatherFlag(view.laws, view.joint)};
+}
+
+/// One group's Lps, one after the other.
+template <class V, bool Damped, bool Remembers>
+struct PointLoop {
+    const ContactView& view;
+    const Members<V>& members;
+    const RelativePoseOf<V>& pose;
+    const contact::JointParameters<V>& law;
+    const RelativeVelocity<V>& velocity;
+    V release, damping_normal, damping_shear;
+    PatchSum<V> sum{};
+
+    /// The viscous term c_k of eqs (3)-(4) beside the spring: acts while the Lp is closed, along the surface only while
+    /// it sticks, and never turns the normal force into tension beyond the joint's strength.
+    TALUS_KERNEL void addDashpot(V xi, V eta, V area, V bond, contact::ForceOf<V>& total) const {
+        using simd::either, simd::larger, simd::select;
+        const V damped = total.normal - damping_normal * area * affine(velocity.normal, xi, eta);
+        const V least = -(bond * law.tensile_strength * area);
+        total.normal = select(total.open, total.normal, larger(damped, least));
+        const V c = select(either(total.open, total.slips), V{}, damping_shear * area);
+        total.shear_1 = total.shear_1 - c * affine(velocity.tangent_1, xi, eta);
+        total.shear_2 = total.shear_2 - c * affine(velocity.tangent_2, xi, eta);
+    }
+
+    TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot) {
+        contact::MemoryOf<V> memory;
+        memory.offset_1 = members.slot(view.offset_1 + slot);
+        memory.offset_2 = members.slot(view.offset_2 + slot);
+        if constexpr (Remembers) {
+            memory.bond = members.slot(view.bond + slot);
+            memory.dilation = members.slot(view.dilation + slot);
+        }
+        const V slide_1 = affine(pose.slide_1, xi, eta), slide_2 = affine(pose.slide_2, xi, eta);
+        contact::ForceOf<V> force = contact::contactLaw<Remembers>(
+            law, area, affine(pose.gap, xi, eta), slide_1, slide_2, release, memory);
+        members.storeSlot(view.offset_1 + slot, memory.offset_1);
+        members.storeSlot(view.offset_2 + slot, memory.offset_2);
+        if constexpr (Remembers) {
+            members.storeSlot(view.bond + slot, memory.bond);
+            members.storeSlot(view.dilation + slot, memory.dilation);
+        }
+        if constexpr (Damped) addDashpot(xi, eta, area, memory.bond, force);
+        sum.add(xi + slide_1, eta + slide_2, force.shear_1, force.shear_2, force.normal);
+    }
+};
+
+/// Calls each(xi, eta, area, slot) for every Lp, in the order of contact::patchPoints. The origin is the patch's
+/// centroid, so that of the fan triangles follows from two corners.
+template <PointPlaces Places, class V, class Each>
+TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& group, const Members<V>& members,
+                               Each& each) {
+    const auto first = static_cast<std::size_t>(group.first_point);
+    const auto step = static_cast<std::size_t>(simd::kLanes);
+    if constexpr (Places == PointPlaces::stored) {
+        for (std::size_t k = 0, slot = first; k < static_cast<std::size_t>(group.points); ++k, slot += step)
+            each(members.slot(view.xi + slot), members.slot(view.eta + slot), members.slot(view.area + slot), slot);
+    } else {
+        const auto corners = static_cast<std::size_t>(group.corners);
+        const double* patch_xi = view.patch_xi + group.first_corner;
+        const double* patch_eta = view.patch_eta + group.first_corner;
+        if constexpr (Places == PointPlaces::corner) {
+            const V share = members.load(view.patch_area) * (1.0 / static_cast<double>(corners));
+            for (std::size_t k = 0; k < corners; ++k)
+                each(members.slot(patch_xi + k * step), members.slot(patch_eta + k * step), share, first + k * step);
+        } else {
+            const auto half_cross = [](V ax, V ay, V bx, V by) {
+                return 0.5 * (ax * by - ay * bx);
+            };
+            const std::size_t last = (corners - 1) * step;
+            const V first_xi = members.slot(patch_xi), first_eta = members.slot(patch_eta);
+            V xi = first_xi, eta = first_eta;
+            V before = half_cross(members.slot(patch_xi + last), members.slot(patch_eta + last), xi, eta);
+            V whole{};
+            for (std::size_t k = 0; k < corners; ++k) {
+                const bool closes = k + 1 == corners;
+                const V next_xi = closes ? first_xi : members.slot(patch_xi + (k + 1) * step);
+                const V next_eta = closes ? first_eta : members.slot(patch_eta + (k + 1) * step);
+                const V triangle = half_cross(xi, eta, next_xi, next_eta);
+                each(xi, eta, (1.0 / 12) * (before + triangle), first + k * step);
+                each((1.0 / 3) * (xi + next_xi), (1.0 / 3) * (eta + next_eta), 0.75 * triangle,
+                     first + (corners + 1 + k) * step);
+                whole = whole + triangle;
+                before = triangle;
+                xi = next_xi;
+                eta = next_eta;
+            }
+            each(V{}, V{}, (1.0 / 12) * whole, first + corners * step);
+        }
+    }
+}
+
+template <class V, PointPlaces Places, bool Damped, bool Remembers>
+TALUS_KERNEL void updateMembers(const ContactView& view, const InterfaceGroup& group, const Members<V>& members) {
+    const FramesOf<V> frames{load(members, view.origin_a), load(members, view.e1_a),
+                             load(members, view.e2_a),     load(members, view.origin_b),
+                             load(members, view.e1_b),     load(members, view.e2_b),
+                             load(members, view.reference_gap)};
+    const RelativePoseOf<V> pose = relativePoseOf(frames, gatherPose(members, view, view.block_a),
+                                                  gatherPose(members, view, view.block_b));
+    const contact::JointParameters<V> law = gatherLaw(members, view);
+    RelativeVelocity<V> velocity;
+    V damping_normal{}, damping_shear{};
+    if constexpr (Damped) {
+        velocity = relativeVelocity(pose, gather(members, view.velocity, view.block_a),
+                                    gather(members, view.angular_velocity, view.block_a),
+                                    gather(members, view.velocity, view.block_b),
+                                    gather(members, view.angular_velocity, view.block_b));
+        damping_normal = view.contact_damping * law.normal_stiffness;
+        damping_shear = view.contact_damping * law.shear_stiffness;
+    }
+    PointLoop<V, Damped, Remembers> points{view,          members,       pose, law, velocity,
+                                           V{} + view.release, damping_normal, damping_shear};
+    forEachPoint<Places>(view, group, members, points);
+    const PatchSum<V>& sum = points.sum;
+    const Triple<V> force = sum.force.x * pose.e1 + sum.force.y * pose.e2 + sum.force.z * pose.e3;
+    const Triple<V> moment = sum.moment.x * pose.e1 + sum.moment.y * pose.e2 + sum.moment.z * pose.e3;
+    const Triple<V> about_a = simd::cross(pose.arm_a, force) + moment;
+    store(members, view.force, force);
+    store(members, view.moment_a, Triple<V>{-about_a.x, -about_a.y, -about_a.z});
+    store(members, view.moment_b, simd::cross(pose.arm_b, force) + moment);
+}
+
+template <class V, PointPlaces Places, bool Damped, bool Remembers>
+void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g)
+        for (int lane = 0; lane < view.groups[g].size; lane += Members<V>::kWidth)
+            updateMembers<V, Places, Damped, Remembers>(view, view.groups[g], Members<V>(view.groups[g], lane));
+}
+
+template <class V, PointPlaces Places>
+void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
+    const bool damped = view.contact_damping > 0, remembers = view.bond != nullptr;
+    if (damped && remembers) return updateGroups<V, Places, true, true>(view, begin, end);
+    if (damped) return updateGroups<V, Places, true, false>(view, begin, end);
+    if (remembers) return updateGroups<V, Places, false, true>(view, begin, end);
+    updateGroups<V, Places, false, false>(view, begin, end);
+}
+
+template <class V>
+void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
+    switch (view.places) {
+        case PointPlaces::vertex:
+            return updateGroups<V, PointPlaces::vertex>(view, begin, end);
+        case PointPlaces::corner:
+            return updateGroups<V, PointPlaces::corner>(view, begin, end);
+        case PointPlaces::stored:
+            return updateGroups<V, PointPlaces::stored>(view, begin, end);
+    }
+}
+
+}  // namespace
+}  // namespace talus::stages

@@ -1,0 +1,123 @@
+#pragma once
+// Half kick and drift, for one block (V = double) or several in a register (V = Lanes); one source, two builds.
+
+#include "simd/scalar.h"
+#include "stages/motion_view.h"
+
+namespace talus::stages {
+namespace {
+
+using simd::Triple;
+
+template <class V>
+struct Quaternion {
+    V w, x, y, z;
+};
+
+/// How V is read from arrays at consecutive blocks.
+template <class V>
+struct Consecutive;
+
+template <>
+struct Consecutive<double> {
+    static constexpr std::size_t kWidth = 1;
+    std::size_t block;
+    TALUS_KERNEL double load(const double* values) const { return values[block]; }
+    TALUS_KERNEL void store(double* values, double v) const { values[block] = v; }
+    TALUS_KERNEL bool flags(const std::uint8_t* values) const { return values[block] != 0; }
+};
+
+template <class C, class Pointers>
+TALUS_KERNEL auto load(const C& at, const Pointers& from) {
+    return Triple<decltype(at.load(from.x))>{at.load(from.x), at.load(from.y), at.load(from.z)};
+}
+template <class C, class V>
+TALUS_KERNEL void store(const C& at, const simd::Vectors& to, const Triple<V>& v) {
+    at.store(to.x, v.x);
+    at.store(to.y, v.y);
+    at.store(to.z, v.z);
+}
+template <class Mask, class V>
+TALUS_KERNEL Triple<V> selectTriple(const Mask& mask, const Triple<V>& yes, const Triple<V>& no) {
+    using simd::select;
+    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+}
+
+/// Turns the pair (angular momentum in the block's frame, orientation) about one principal axis: the exact flow of one
+/// third of the free rigid body's energy, but for tan(angle/2) ~ angle/2, which keeps it symplectic (it is the exact
+/// flow of a function of the same component) and second order. `t` is that tangent; a, j, k go round x, y, z.
+/// Splitting after Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107 (1997) 5840.
+template <class V>
+TALUS_KERNEL void spinAbout(V t, V& m_j, V& m_k, V& q_w, V& q_a, V& q_j, V& q_k) {
+    const V one = V{} + 1.0;
+    const V norm = one / (one + t * t);
+    const V c = (one - t * t) * norm, s = 2.0 * t * norm;
+    const V j = m_j, k = m_k;
+    m_j = c * j + s * k;
+    m_k = c * k - s * j;
+    // q <- q * (1 + t e_axis); its length is restored once at the end.
+    const V w = q_w, a = q_a, b = q_j, d = q_k;
+    q_w = w - t * a;
+    q_a = a + t * w;
+    q_j = b + t * d;
+    q_k = d - t * b;
+}
+
+/// Free rotation over dt: the angular momentum in the model frame stays, the orientation turns under it.
+template <class V>
+TALUS_KERNEL Quaternion<V> turned(Quaternion<V> q, const Triple<V>& inverse_inertia, const Triple<V>& momentum,
+                                  double dt) {
+    Triple<V> m = simd::rotationOf(q.w, q.x, q.y, q.z).back(momentum);
+    const double quarter = 0.25 * dt, half = 0.5 * dt;
+    spinAbout(quarter * inverse_inertia.x * m.x, m.y, m.z, q.w, q.x, q.y, q.z);
+    spinAbout(quarter * inverse_inertia.y * m.y, m.z, m.x, q.w, q.y, q.z, q.x);
+    spinAbout(half * inverse_inertia.z * m.z, m.x, m.y, q.w, q.z, q.x, q.y);
+    spinAbout(quarter * inverse_inertia.y * m.y, m.z, m.x, q.w, q.y, q.z, q.x);
+    spinAbout(quarter * inverse_inertia.x * m.x, m.y, m.z, q.w, q.x, q.y, q.z);
+    using simd::squareRoot;
+    const V length = squareRoot(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    return {q.w / length, q.x / length, q.y / length, q.z / length};
+}
+
+template <class V, class C>
+TALUS_KERNEL void driftBlocks(const MotionView& view, const C& at) {
+    using simd::select;
+    const auto free = at.flags(view.free);
+    const Triple<V> inverse_inertia = load(at, view.inverse_inertia);
+    const double half = 0.5 * view.time_step;
+
+    Triple<V> velocity = load(at, view.velocity), momentum = load(at, view.angular_momentum);
+    const V kick = half * at.load(view.inverse_mass);
+    velocity = selectTriple(free, (V{} + view.decay) * velocity + kick * load(at, view.force), velocity);
+    momentum = selectTriple(
+        free, (V{} + view.spin_decay) * momentum + (V{} + half) * load(at, view.torque), momentum);
+    store(at, view.velocity, velocity);
+    store(at, view.angular_momentum, momentum);
+    store(at, view.position, load(at, view.position) + (V{} + view.time_step) * velocity);
+
+    const Quaternion<V> q{at.load(view.orientation.w), at.load(view.orientation.x), at.load(view.orientation.y),
+                          at.load(view.orientation.z)};
+    const Quaternion<V> next = turned(q, inverse_inertia, momentum, view.time_step);
+    const Quaternion<V> now{select(free, next.w, q.w), select(free, next.x, q.x), select(free, next.y, q.y),
+                            select(free, next.z, q.z)};
+    at.store(view.orientation.w, now.w);
+    at.store(view.orientation.x, now.x);
+    at.store(view.orientation.y, now.y);
+    at.store(view.orientation.z, now.z);
+
+    const simd::Rotation<V> turn = simd::rotationOf(now.w, now.x, now.y, now.z);
+    const Triple<V> own = turn.back(momentum);
+    store(at, view.angular_velocity,
+          turn * Triple<V>{inverse_inertia.x * own.x, inverse_inertia.y * own.y, inverse_inertia.z * own.z});
+}
+
+/// As many at a time as fit into V, from `begin` on; returns the first block that was left over.
+template <class V>
+std::size_t driftRange(const MotionView& view, std::size_t begin, std::size_t end) {
+    constexpr std::size_t width = Consecutive<V>::kWidth;
+    for (; begin + width <= end; begin += width) driftBlocks<V>(view, Consecutive<V>{begin});
+    return begin;
+}
+
+}  // namespace
+}  // namespace talus::stages
