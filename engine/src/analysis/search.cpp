@@ -23,6 +23,7 @@ constexpr double kOverload = 8.0;            // cells beyond the failing load at
 constexpr int kAttempts = 3;  // with half the time step and longer windows, when a failure is not confirmed
 constexpr int kMostReopenings = 3;  // times a failing motion may come to rest before the search gives up
 constexpr double kMorePatience = 3.0;
+constexpr double kSettlingPatience = 6.0;  // longer windows for the last failing probe, whose motion may be slow creep to rest
 
 /// The load that is searched over. Probes stand on a grid of cells no wider than the tolerance, so that the bracket
 /// found is one of these cells whatever way led to it.
@@ -84,8 +85,13 @@ class Search {
 
     /// One probe from the last stable state; keeps the state it ends in.
     Verdict probe(const std::string& stage, double load, const analysis::Ramp& ramp) {
-        State state = last_stable_;
-        Probe probe = analysis::bringOn(state, work_, ramp);
+        return probe(stage, load, last_stable_, work_, ramp);
+    }
+
+    Verdict probe(const std::string& stage, double load, State state, analysis::QuasiStaticWork& work,
+                  const analysis::Ramp& ramp) {
+        Probe probe = analysis::bringOn(state, work, ramp);
+        work_.steps += &work == &work_ ? 0 : probe.steps;
         probe.load = load;
         result_.probes.push_back(probe);
         report(stage, load, probe.verdict);
@@ -126,16 +132,26 @@ class Search {
         findFailure();
         narrow();
         if (result_.status != SearchStatus::found) return false;
-        continueToFailure();
-        if (result_.confirmed || interrupted()) return false;
-        State moved = last_moving_;
-        axis_.apply(moved, axis_.load(*bracket_.high()));
-        analysis::takeBack(moved, work_);
-        std::swap(last_stable_, moved);
-        const auto hold = [](State&, double) {};
-        if (probe("settling", axis_.load(*bracket_.high()), hold) != Verdict::stable) return false;
+        if (!settles(last_moving_)) {
+            continueToFailure();
+            if (result_.confirmed || interrupted()) return false;
+            State moved = last_moving_;
+            axis_.apply(moved, axis_.load(*bracket_.high()));
+            analysis::takeBack(moved, work_);
+            if (!settles(moved)) return false;
+        }
         bracket_.reopen();
         return true;
+    }
+
+    /// Whether a state that was moving at the failing load comes to rest when it is watched for longer; it is the last
+    /// stable one then. A mode many times slower than the slowest known one looks like failure for a while: close below
+    /// the load at which a column topples its stiffness goes to zero.
+    bool settles(const State& moving) {
+        analysis::QuasiStaticWork patient = work_;
+        patient.settings.watch_periods *= kSettlingPatience;
+        const auto hold = [](State&, double) {};
+        return probe("settling", axis_.load(*bracket_.high()), moving, patient, hold) == Verdict::stable;
     }
 
     /// Up from the start until a probe fails or the end is reached.
