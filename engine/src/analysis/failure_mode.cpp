@@ -15,11 +15,17 @@ namespace {
 
 constexpr double kStepSafety = 0.85;
 constexpr double kDashpot = 0.5;  // damping ratio of the fastest mode: takes out the rattle only
+// The motion is looked at when it has gone these many times the deflection at rest, doubling, until two looks agree on a
+// pure mode: close to toppling, elastic rocking takes part in a slide at first and is left behind by it.
+constexpr double kFirstTarget = 10.0, kLastTarget = 640.0;
+constexpr double kLeastMotion = 5.0;  // of the deflection at rest, else it is no failure
 constexpr int kStepsPerLook = 20;
 constexpr std::int64_t kMostSteps = 400'000;
 constexpr std::int64_t kStepsPerRestCheck = 20'000;
-constexpr double kAtRest = 1e-3;         // of the largest kinetic energy seen: the motion has come to rest
-constexpr double kMovingShare = 0.1;     // a block moves when it goes this share of the farthest one's way
+constexpr double kAtRest = 1e-3;  // of the largest kinetic energy seen: the motion has come to rest
+// A block moves when it goes this many times the deflection at rest, and this share of the farthest one's way. (A larger
+// share would leave out columns that slide behind others which rocking has given a start.)
+constexpr double kMovingDeflections = 2.0, kMovingShare = 0.02;
 constexpr double kTopplingShare = 0.25;  // rotation times the moving group's extent, over the motion
 constexpr double kPureShare = 0.9;       // share of the moving mass that gives the whole its mode
 
@@ -121,12 +127,14 @@ FailureMode overallMode(const State& state, const std::vector<BlockMotion>& moti
     return toppling >= kPureShare * all ? FailureMode::toppling : FailureMode::mixed;
 }
 
-void describeFailure(const State& state, const Poses& start, Failure& failure) {
-    const double largest = largestMotion(state, start);
+void describeFailure(const State& state, const Poses& start, double deflection, Failure& failure) {
+    failure.motions.clear();
+    failure.moving_blocks.clear();
+    const double least =
+        std::max(kMovingDeflections * deflection, kMovingShare * largestMotion(state, start));
     std::vector<char> moving(state.blocks.size(), 0);
     for (std::size_t b = 0; b < moving.size(); ++b)
-        moving[b] =
-            state.blocks.motion[b] == Motion::free && motionSince(state, start, b) > kMovingShare * largest;
+        moving[b] = state.blocks.motion[b] == Motion::free && motionSince(state, start, b) > least;
     const double extent = movingExtent(state, moving);
     std::vector<std::size_t> blocks;
     for (std::size_t b = 0; b < moving.size(); ++b) {
@@ -141,23 +149,33 @@ void describeFailure(const State& state, const Poses& start, Failure& failure) {
 
 }  // namespace
 
-Failure continueFailure(State& state, double target, const Control& control, bool parallel) {
+Failure continueFailure(State& state, double deflection, const Control& control, bool parallel) {
     Failure failure;
     failure.time_step = makeDynamic(state, parallel);
     const Poses start{state.blocks.position, state.blocks.orientation};
     double most_energy = 0;
-    while (failure.steps < kMostSteps && failure.motion < target) {
-        if (control.stop != nullptr && control.stop->load(std::memory_order_relaxed)) break;
-        for (int k = 0; k < kStepsPerLook; ++k) stages::advance(state, {failure.time_step, parallel});
-        failure.steps += kStepsPerLook;
-        stages::refreshInterfaces(state, parallel, kStepsPerLook * failure.time_step);
-        failure.motion = largestMotion(state, start);
-        if (failure.steps % kStepsPerRestCheck == 0 && stages::kineticEnergy(state) < kAtRest * most_energy)
-            break;
-        most_energy = std::max(most_energy, stages::kineticEnergy(state));
+    bool clear = false;
+    for (double target = kFirstTarget; target <= kLastTarget && !clear && !failure.at_rest; target *= 2) {
+        while (failure.motion < target * deflection && failure.steps < kMostSteps && !failure.at_rest) {
+            if (control.stop != nullptr && control.stop->load(std::memory_order_relaxed)) break;
+            for (int k = 0; k < kStepsPerLook; ++k) stages::advance(state, {failure.time_step, parallel});
+            failure.steps += kStepsPerLook;
+            stages::refreshInterfaces(state, parallel, kStepsPerLook * failure.time_step);
+            failure.motion = largestMotion(state, start);
+            if (failure.steps % kStepsPerRestCheck == 0)
+                failure.at_rest = stages::kineticEnergy(state) < kAtRest * most_energy;
+            most_energy = std::max(most_energy, stages::kineticEnergy(state));
+        }
+        if (failure.motion < target * deflection) break;  // out of steps, interrupted or at rest
+        Failure now = failure;
+        describeFailure(state, start, deflection, now);
+        clear = now.mode == failure.mode && now.mode != FailureMode::mixed &&
+                now.moving_blocks == failure.moving_blocks;
+        failure = std::move(now);
     }
+    failure.confirmed = failure.motion >= kLeastMotion * deflection;
     failure.seconds = static_cast<double>(failure.steps) * failure.time_step;
-    describeFailure(state, start, failure);
+    describeFailure(state, start, deflection, failure);
     return failure;
 }
 

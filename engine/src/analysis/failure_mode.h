@@ -17,10 +17,13 @@ struct Failure {
     double seconds = 0;                      ///< simulated
     double time_step = 0;                    ///< [s]
     std::int64_t steps = 0;
-    double motion = 0;  ///< of the farthest-moved block [m]
+    double motion = 0;       ///< of the farthest-moved block [m]
+    bool confirmed = false;  ///< it went several times the deflection at rest
+    bool at_rest = false;    ///< and came to rest again
 };
 
-/// Lets a failing state go on from rest until some block has moved by `target` [m]. The state is advanced.
-Failure continueFailure(State& state, double target, const Control& control, bool parallel);
+/// Lets a failing state go on from rest until it has moved many times `deflection`, the way it has come at rest [m], and
+/// it is clear how it moves. The state is advanced.
+Failure continueFailure(State& state, double deflection, const Control& control, bool parallel);
 
 }  // namespace talus::analysis

@@ -17,6 +17,8 @@ namespace {
 constexpr int kStepsPerSample = 10;  // out-of-balance force is looked at this often
 constexpr int kLeastStepsPerWindow = 100;
 constexpr double kFlat = 0.03;     // spread of the out-of-balance force over its mean, within a window
+constexpr double kLevel = 0.05;    // change of the mean from window to window on a plateau with some noise
+constexpr int kLevelWindows = 3;   // as many such windows in a row
 constexpr int kWindowsInSpan = 4;  // where it is not flat: windows per span, and spans are compared
 constexpr double kPlateau = 0.8;   // out-of-balance force of a span over that of the span before
 constexpr double kSteady = 0.9;    // motion of a window over that of the window before: it does not slow down
@@ -133,13 +135,17 @@ class Watch {
     bool closeWindow(Probe& probe) {
         const double motion = largestMotion(state_, position_, orientation_);
         window_.motion = motion - last_motion_;
-        const bool flat = window_.most - window_.least < kFlat * window_.mean() && window_.mean() > limit_ &&
-                          last_window_.samples > 0 && window_.motion > kSteady * last_window_.motion &&
+        const bool steady = window_.mean() > limit_ && last_window_.samples > 0 &&
+                            window_.motion > kSteady * last_window_.motion;
+        const bool flat = steady && window_.most - window_.least < kFlat * window_.mean() &&
                           window_.mean() > (1.0 - kFlat) * last_window_.mean();
+        const bool level =
+            steady && std::abs(window_.mean() - last_window_.mean()) < kLevel * last_window_.mean();
+        level_windows_ = level ? level_windows_ + 1 : 0;
         last_window_ = window_;
         last_motion_ = motion;
         window_ = {};
-        if (flat) return fails(probe, last_window_);
+        if (flat || level_windows_ == kLevelWindows) return fails(probe, last_window_);
         return ++windows_ % kWindowsInSpan == 0 && closeSpan(probe, motion);
     }
 
@@ -165,7 +171,7 @@ class Watch {
     const State& state_;
     double limit_;
     int steps_per_period_, samples_per_window_;
-    int quiet_steps_ = 0, windows_ = 0;
+    int quiet_steps_ = 0, windows_ = 0, level_windows_ = 0;
     Window window_, last_window_, span_, last_span_;
     double last_motion_ = 0, last_span_motion_ = 0;
     VectorArray position_;

@@ -46,7 +46,8 @@ using Ramp = std::function<void(State&, double share)>;
 ///  - stable: the out-of-balance force stays below its limit for one slowest period;
 ///  - failing: motion without resistance: the out-of-balance force stays on a plateau, or grows, while the blocks do
 ///    not slow down. Either flat to a few per cent over a window of some slowest periods (an oscillation of up to
-///    thirty times that period would not look so), or noisy but no lower over a span of several windows than before;
+///    thirty times that period would not look so), or level from window to window under some noise, or noisy but no
+///    lower over a span of several windows than before;
 ///  - undecided: neither within the allowed steps, or interrupted.
 /// At rest the velocities are set to zero.
 Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp);

@@ -17,13 +17,12 @@
 namespace talus {
 namespace {
 
-constexpr double kLeastShare = 5.0;  // a failing motion goes at least this many times the deflection at rest
-constexpr double kContinuationShare = 20.0;  // the continuation goes this many times the deflection at rest
-constexpr double kOverload = 8.0;            // cells beyond the failing load at which the continuation runs
+constexpr double kOverload = 8.0;  // cells beyond the failing load at which the continuation runs
 constexpr int kAttempts = 3;  // with half the time step and longer windows, when a failure is not confirmed
 constexpr int kMostReopenings = 3;  // times a failing motion may come to rest before the search gives up
 constexpr double kMorePatience = 3.0;
-constexpr double kSettlingPatience = 6.0;  // longer windows for the last failing probe, whose motion may be slow creep to rest
+constexpr double kSettlingDrag = 0.125;
+constexpr double kSettlingPeriods = 3.0;
 
 /// The load that is searched over. Probes stand on a grid of cells no wider than the tolerance, so that the bracket
 /// found is one of these cells whatever way led to it.
@@ -149,7 +148,8 @@ class Search {
     /// the load at which a column topples its stiffness goes to zero.
     bool settles(const State& moving) {
         analysis::QuasiStaticWork patient = work_;
-        patient.settings.watch_periods *= kSettlingPatience;
+        patient.settings.watch_periods = kSettlingPeriods;
+        patient.settings.drag_ratio *= kSettlingDrag;
         const auto hold = [](State&, double) {};
         return probe("settling", axis_.load(*bracket_.high()), moving, patient, hold) == Verdict::stable;
     }
@@ -204,17 +204,16 @@ class Search {
         // A few cells beyond the failing load, because at it the motion would start as slowly as the bracket is fine.
         const double load = bracket_.high() ? axis_.load(*bracket_.high()) : axis_.start;
         axis_.apply(last_moving_, load + kOverload * axis_.cell);
-        const double deflection = deflectionAtRest();
         analysis::Failure failure =
-            analysis::continueFailure(last_moving_, kContinuationShare * deflection, control_, parallel_);
+            analysis::continueFailure(last_moving_, deflectionAtRest(), control_, parallel_);
         result_.mode = failure.mode;
         result_.moving_blocks = std::move(failure.moving_blocks);
         result_.motions = std::move(failure.motions);
         result_.continuation_seconds = failure.seconds;
         result_.time_step = failure.time_step;
         continuation_steps_ += failure.steps;
-        result_.confirmed = failure.motion >= kLeastShare * deflection;
-        if (result_.confirmed && failure.motion < kContinuationShare * deflection && !interrupted())
+        result_.confirmed = failure.confirmed;
+        if (failure.confirmed && failure.at_rest)
             last_moving_.warnings.push_back("the failing motion came to rest after " +
                                             formatted("%.3g", failure.motion) +
                                             " m: the assembly moves at this load, but stands again");

@@ -36,10 +36,10 @@ inline bool hasMemory(const JointLaw& joint) {
 /// the reference block, so that nothing drifts however many steps are taken.
 template <class V>
 struct MemoryOf {
-    V offset_1{};          ///< slide that is plastic, along the first tangent [m]
-    V offset_2{};          ///< along the second tangent [m]
+    V offset_1{};        ///< slide that is plastic, along the first tangent [m]
+    V offset_2{};        ///< along the second tangent [m]
     V bond = V{} + 1.0;  ///< share of the peak strength above the residual that is left: 1 intact, 0 broken
-    V dilation{};          ///< opening by dilation so far [m]
+    V dilation{};        ///< opening by dilation so far [m]
 };
 using PointMemory = MemoryOf<double>;
 
@@ -104,8 +104,8 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
         if constexpr (Remembers) {
             const auto breaks = both(force.slips, bond == 1.0);
             bond = select(breaks, larger(bond - release, zero), bond);
-            strength = select(
-                breaks, smaller(strength, shearStrength(joint, area, force.normal, bond)), strength);
+            strength =
+                select(breaks, smaller(strength, shearStrength(joint, area, force.normal, bond)), strength);
         }
         const V trial = squareRoot(trial_squared);
         const V keep = strength / trial;
@@ -113,9 +113,9 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
         memory.offset_1 = select(force.slips, slide_1 - keep * elastic_1, memory.offset_1);
         memory.offset_2 = select(force.slips, slide_2 - keep * elastic_2, memory.offset_2);
         if constexpr (Remembers)
-            memory.dilation = select(
-                force.slips, memory.dilation + joint.tan_dilation * (trial - strength) / stiffness,
-                memory.dilation);
+            memory.dilation =
+                select(force.slips, memory.dilation + joint.tan_dilation * (trial - strength) / stiffness,
+                       memory.dilation);
     }
     // Nothing is carried across an open Lp; when it closes again its shear starts from zero.
     memory.offset_1 = select(force.open, slide_1, memory.offset_1);

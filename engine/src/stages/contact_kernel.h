@@ -40,8 +40,7 @@ TALUS_KERNEL RelativeVelocity<V> relativeVelocity(const RelativePoseOf<V>& pose,
                                                   const Triple<V>& spin_a, const Triple<V>& velocity_b,
                                                   const Triple<V>& spin_b) {
     using simd::cross, simd::dot;
-    const Triple<V> v =
-        velocity_b + cross(spin_b, pose.arm_b) - velocity_a - cross(spin_a, pose.arm_a);
+    const Triple<V> v = velocity_b + cross(spin_b, pose.arm_b) - velocity_a - cross(spin_a, pose.arm_a);
     const Triple<V> spin = spin_b - spin_a;
     const Triple<V> v_xi = cross(spin, pose.e1), v_eta = cross(spin, pose.e2);
     return {{dot(v, pose.e3), dot(v_xi, pose.e3), dot(v_eta, pose.e3)},
@@ -68,7 +67,8 @@ struct Members<double> {
         return values[index[interface]];
     }
     template <class Record>
-    TALUS_KERNEL double gather(const Record* records, double Record::* field, const std::int32_t* index) const {
+    TALUS_KERNEL double gather(const Record* records, double Record::*field,
+                               const std::int32_t* index) const {
         return records[index[interface]].*field;
     }
     TALUS_KERNEL bool gatherFlag(const contact::JointLaw* laws, const std::int32_t* index) const {
@@ -89,7 +89,8 @@ TALUS_KERNEL void store(const Members<V>& members, const Vectors& to, const Trip
     members.store(to.z, value.z);
 }
 template <class V>
-TALUS_KERNEL Triple<V> gather(const Members<V>& members, const ConstVectors& from, const std::int32_t* index) {
+TALUS_KERNEL Triple<V> gather(const Members<V>& members, const ConstVectors& from,
+                              const std::int32_t* index) {
     return {members.gather(from.x, index), members.gather(from.y, index), members.gather(from.z, index)};
 }
 
@@ -97,17 +98,15 @@ template <class V>
 TALUS_KERNEL PoseOf<V> gatherPose(const Members<V>& members, const ContactView& view,
                                   const std::int32_t* block) {
     return {gather(members, view.position, block),
-            simd::rotationOf(members.gather(view.orientation.w, block), members.gather(view.orientation.x, block),
-                             members.gather(view.orientation.y, block),
-                             members.gather(view.orientation.z, block))};
+            simd::rotationOf(
+                members.gather(view.orientation.w, block), members.gather(view.orientation.x, block),
+                members.gather(view.orientation.y, block), members.gather(view.orientation.z, block))};
 }
 
 template <class V>
 TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, const ContactView& view) {
     using contact::JointLaw;
-    const auto take = [&](double JointLaw::* field) {
-        return members.gather(view.laws, field, view.joint);
-    };
+    const auto take = [&](double JointLaw::*field) { return members.gather(view.laws, field, view.joint); };
     return {take(&JointLaw::normal_stiffness),
             take(&JointLaw::shear_stiffness),
             take(&JointLaw::tan_friction),
@@ -151,8 +150,8 @@ struct PointLoop {
             memory.dilation = members.slot(view.dilation + slot);
         }
         const V slide_1 = affine(pose.slide_1, xi, eta), slide_2 = affine(pose.slide_2, xi, eta);
-        contact::ForceOf<V> force = contact::contactLaw<Remembers>(
-            law, area, affine(pose.gap, xi, eta), slide_1, slide_2, release, memory);
+        contact::ForceOf<V> force = contact::contactLaw<Remembers>(law, area, affine(pose.gap, xi, eta),
+                                                                   slide_1, slide_2, release, memory);
         members.storeSlot(view.offset_1 + slot, memory.offset_1);
         members.storeSlot(view.offset_2 + slot, memory.offset_2);
         if constexpr (Remembers) {
@@ -167,13 +166,14 @@ struct PointLoop {
 /// Calls each(xi, eta, area, slot) for every Lp, in the order of contact::patchPoints. The origin is the patch's
 /// centroid, so that of the fan triangles follows from two corners.
 template <PointPlaces Places, class V, class Each>
-TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& group, const Members<V>& members,
-                               Each& each) {
+TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& group,
+                               const Members<V>& members, Each& each) {
     const auto first = static_cast<std::size_t>(group.first_point);
     const auto step = static_cast<std::size_t>(simd::kLanes);
     if constexpr (Places == PointPlaces::stored) {
         for (std::size_t k = 0, slot = first; k < static_cast<std::size_t>(group.points); ++k, slot += step)
-            each(members.slot(view.xi + slot), members.slot(view.eta + slot), members.slot(view.area + slot), slot);
+            each(members.slot(view.xi + slot), members.slot(view.eta + slot), members.slot(view.area + slot),
+                 slot);
     } else {
         const auto corners = static_cast<std::size_t>(group.corners);
         const double* patch_xi = view.patch_xi + group.first_corner;
@@ -181,11 +181,10 @@ TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& gr
         if constexpr (Places == PointPlaces::corner) {
             const V share = members.load(view.patch_area) * (1.0 / static_cast<double>(corners));
             for (std::size_t k = 0; k < corners; ++k)
-                each(members.slot(patch_xi + k * step), members.slot(patch_eta + k * step), share, first + k * step);
+                each(members.slot(patch_xi + k * step), members.slot(patch_eta + k * step), share,
+                     first + k * step);
         } else {
-            const auto half_cross = [](V ax, V ay, V bx, V by) {
-                return 0.5 * (ax * by - ay * bx);
-            };
+            const auto half_cross = [](V ax, V ay, V bx, V by) { return 0.5 * (ax * by - ay * bx); };
             const std::size_t last = (corners - 1) * step;
             const V first_xi = members.slot(patch_xi), first_eta = members.slot(patch_eta);
             V xi = first_xi, eta = first_eta;
@@ -210,10 +209,11 @@ TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& gr
 }
 
 template <class V, PointPlaces Places, bool Damped, bool Remembers>
-TALUS_KERNEL void updateMembers(const ContactView& view, const InterfaceGroup& group, const Members<V>& members) {
-    const FramesOf<V> frames{load(members, view.origin_a), load(members, view.e1_a),
-                             load(members, view.e2_a),     load(members, view.origin_b),
-                             load(members, view.e1_b),     load(members, view.e2_b),
+TALUS_KERNEL void updateMembers(const ContactView& view, const InterfaceGroup& group,
+                                const Members<V>& members) {
+    const FramesOf<V> frames{load(members, view.origin_a),     load(members, view.e1_a),
+                             load(members, view.e2_a),         load(members, view.origin_b),
+                             load(members, view.e1_b),         load(members, view.e2_b),
                              load(members, view.reference_gap)};
     const RelativePoseOf<V> pose = relativePoseOf(frames, gatherPose(members, view, view.block_a),
                                                   gatherPose(members, view, view.block_b));
@@ -228,8 +228,8 @@ TALUS_KERNEL void updateMembers(const ContactView& view, const InterfaceGroup& g
         damping_normal = view.contact_damping * law.normal_stiffness;
         damping_shear = view.contact_damping * law.shear_stiffness;
     }
-    PointLoop<V, Damped, Remembers> points{view,          members,       pose, law, velocity,
-                                           V{} + view.release, damping_normal, damping_shear};
+    PointLoop<V, Damped, Remembers> points{
+        view, members, pose, law, velocity, V{} + view.release, damping_normal, damping_shear};
     forEachPoint<Places>(view, group, members, points);
     const PatchSum<V>& sum = points.sum;
     const Triple<V> force = sum.force.x * pose.e1 + sum.force.y * pose.e2 + sum.force.z * pose.e3;
@@ -244,7 +244,8 @@ template <class V, PointPlaces Places, bool Damped, bool Remembers>
 void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g)
         for (int lane = 0; lane < view.groups[g].size; lane += Members<V>::kWidth)
-            updateMembers<V, Places, Damped, Remembers>(view, view.groups[g], Members<V>(view.groups[g], lane));
+            updateMembers<V, Places, Damped, Remembers>(view, view.groups[g],
+                                                        Members<V>(view.groups[g], lane));
 }
 
 template <class V, PointPlaces Places>

@@ -33,7 +33,7 @@ struct Members<Lanes> {
                              values[index[member[3]]]);
     }
     template <class Record>
-    TALUS_KERNEL Lanes gather(const Record* records, double Record::* field, const std::int32_t* index) const {
+    TALUS_KERNEL Lanes gather(const Record* records, double Record::*field, const std::int32_t* index) const {
         return simd::lanesOf(records[index[member[0]]].*field, records[index[member[1]]].*field,
                              records[index[member[2]]].*field, records[index[member[3]]].*field);
     }

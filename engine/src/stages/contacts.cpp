@@ -86,8 +86,8 @@ Vec3 angularVelocity(const Blocks& blocks, std::size_t block) {
 
 RelativePose relativePose(const State& state, std::size_t i) {
     const Interfaces& f = state.interfaces;
-    const FramesOf<double> frames{triple(f.origin_a, i), triple(f.e1_a, i),     triple(f.e2_a, i),
-                                  triple(f.origin_b, i), triple(f.e1_b, i),     triple(f.e2_b, i),
+    const FramesOf<double> frames{triple(f.origin_a, i),     triple(f.e1_a, i), triple(f.e2_a, i),
+                                  triple(f.origin_b, i),     triple(f.e1_b, i), triple(f.e2_b, i),
                                   triple(f.reference_gap, i)};
     const PoseOf<double> a = poseOf(state.blocks, f.block_a[i]);
     const auto pose = relativePoseOf(frames, a, poseOf(state.blocks, f.block_b[i]));

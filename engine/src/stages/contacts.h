@@ -27,8 +27,8 @@ RelativePose relativePose(const State& state, std::size_t interface);
 
 /// An Lp as it stands: where it lies on the patch, what it carries and remembers.
 struct PointState {
-    Eigen::Vector2d position;  ///< along e1, e2 from the interface's origin [m]
-    double area;               ///< A_s [m^2]
+    Eigen::Vector2d position;   ///< along e1, e2 from the interface's origin [m]
+    double area;                ///< A_s [m^2]
     contact::PointForce force;  ///< of the springs, on b
     contact::PointMemory memory;
 };

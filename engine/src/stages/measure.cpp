@@ -29,7 +29,8 @@ double elasticEnergy(const State& state) {
         for (const PointState& point : pointStates(state, i)) {
             const contact::PointForce& f = point.force;
             const double shear = f.shear_1 * f.shear_1 + f.shear_2 * f.shear_2;
-            sum += 0.5 / point.area * (f.normal * f.normal / law.normal_stiffness + shear / law.shear_stiffness);
+            sum +=
+                0.5 / point.area * (f.normal * f.normal / law.normal_stiffness + shear / law.shear_stiffness);
         }
     }
     return sum;

@@ -65,8 +65,8 @@ TALUS_KERNEL void spinAbout(V t, V& m_j, V& m_k, V& q_w, V& q_a, V& q_j, V& q_k)
 
 /// Free rotation over dt: the angular momentum in the model frame stays, the orientation turns under it.
 template <class V>
-TALUS_KERNEL Quaternion<V> turned(Quaternion<V> q, const Triple<V>& inverse_inertia, const Triple<V>& momentum,
-                                  double dt) {
+TALUS_KERNEL Quaternion<V> turned(Quaternion<V> q, const Triple<V>& inverse_inertia,
+                                  const Triple<V>& momentum, double dt) {
     Triple<V> m = simd::rotationOf(q.w, q.x, q.y, q.z).back(momentum);
     const double quarter = 0.25 * dt, half = 0.5 * dt;
     spinAbout(quarter * inverse_inertia.x * m.x, m.y, m.z, q.w, q.x, q.y, q.z);
@@ -89,14 +89,14 @@ TALUS_KERNEL void driftBlocks(const MotionView& view, const C& at) {
     Triple<V> velocity = load(at, view.velocity), momentum = load(at, view.angular_momentum);
     const V kick = half * at.load(view.inverse_mass);
     velocity = selectTriple(free, (V{} + view.decay) * velocity + kick * load(at, view.force), velocity);
-    momentum = selectTriple(
-        free, (V{} + view.spin_decay) * momentum + (V{} + half) * load(at, view.torque), momentum);
+    momentum = selectTriple(free, (V{} + view.spin_decay) * momentum + (V{} + half) * load(at, view.torque),
+                            momentum);
     store(at, view.velocity, velocity);
     store(at, view.angular_momentum, momentum);
     store(at, view.position, load(at, view.position) + (V{} + view.time_step) * velocity);
 
-    const Quaternion<V> q{at.load(view.orientation.w), at.load(view.orientation.x), at.load(view.orientation.y),
-                          at.load(view.orientation.z)};
+    const Quaternion<V> q{at.load(view.orientation.w), at.load(view.orientation.x),
+                          at.load(view.orientation.y), at.load(view.orientation.z)};
     const Quaternion<V> next = turned(q, inverse_inertia, momentum, view.time_step);
     const Quaternion<V> now{select(free, next.w, q.w), select(free, next.x, q.x), select(free, next.y, q.y),
                             select(free, next.z, q.z)};

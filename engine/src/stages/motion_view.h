@@ -19,8 +19,8 @@ struct MotionView {
     // written
     simd::Vectors angular_velocity;
 
-    double time_step;            ///< [s]
-    double decay, spin_decay;    ///< of velocity and angular momentum by drag, over half a step
+    double time_step;          ///< [s]
+    double decay, spin_decay;  ///< of velocity and angular momentum by drag, over half a step
 };
 
 /// Half kick and drift of blocks [begin, end). Same bits from both.

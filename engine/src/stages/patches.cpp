@@ -144,8 +144,8 @@ std::vector<Error> overlapErrors(const State& state, const std::vector<PairFindi
 
 /// Interleaves a patch's corners with those of its group.
 void placeCorners(Interfaces& f, std::size_t i, const std::vector<Eigen::Vector2d>& outline) {
-    const std::size_t slots =
-        static_cast<std::size_t>(f.groupOf(i).first_corner) + outline.size() * static_cast<std::size_t>(simd::kLanes);
+    const std::size_t slots = static_cast<std::size_t>(f.groupOf(i).first_corner) +
+                              outline.size() * static_cast<std::size_t>(simd::kLanes);
     f.patch_xi.resize(slots, 0.0);
     f.patch_eta.resize(slots, 0.0);
     for (std::size_t k = 0; k < outline.size(); ++k) {
@@ -299,7 +299,8 @@ int pointsPerPatch(const PointRule& rule, const Polygon& patch) {
 void chooseGroup(Interfaces& f, int corners, int points) {
     if (f.groups.empty() || f.groups.back().size == simd::kLanes || f.groups.back().corners != corners ||
         f.groups.back().points != points) {
-        InterfaceGroup next{.begin = static_cast<std::int32_t>(f.size()), .corners = corners, .points = points};
+        InterfaceGroup next{
+            .begin = static_cast<std::int32_t>(f.size()), .corners = corners, .points = points};
         if (!f.groups.empty()) {
             const InterfaceGroup& last = f.groups.back();
             next.first_corner = last.first_corner + last.corners * simd::kLanes;

@@ -21,8 +21,7 @@ Mat6 interfaceStiffness(const State& state, std::size_t i, const Vec3& centre) {
     Mat6 sum = Mat6::Zero();
     for (const contact::PatchPoint& point :
          contact::patchPoints(patchOutline(state.interfaces, i), state.geometry->model.points)) {
-        const Vec3 arm =
-            pose.origin + point.position.x() * pose.e1 + point.position.y() * pose.e2 - centre;
+        const Vec3 arm = pose.origin + point.position.x() * pose.e1 + point.position.y() * pose.e2 - centre;
         Mat3 cross;
         cross << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;  // u = v + cross * theta
         const Mat3 k = point.area * stiffness;

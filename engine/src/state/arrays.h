@@ -70,12 +70,12 @@ struct Blocks {
     QuaternionArray orientation;
     VectorArray velocity;  ///< of the centroid [m/s]
     VectorArray
-        angular_momentum;      ///< about the centroid, in the model frame, with the scaled inertia [kg m^2/s]
-    VectorArray force;         ///< sum at the end of the last step, local damping included [N]
-    VectorArray torque;        ///< about the centroid, likewise [N m]
+        angular_momentum;  ///< about the centroid, in the model frame, with the scaled inertia [kg m^2/s]
+    VectorArray force;     ///< sum at the end of the last step, local damping included [N]
+    VectorArray torque;    ///< about the centroid, likewise [N m]
     VectorArray angular_velocity;  ///< in the model frame, of the poses and momenta of the last drift [rad/s]
-    std::vector<double> mass;  ///< true mass, for the weight [kg]
-    VectorArray inertia;       ///< true principal moments [kg m^2]
+    std::vector<double> mass;      ///< true mass, for the weight [kg]
+    VectorArray inertia;           ///< true principal moments [kg m^2]
     std::vector<double> inverse_mass;  ///< of the inertia used in the motion; 0: fixed or driven [1/kg]
     VectorArray inverse_inertia;       ///< likewise [1/(kg m^2)]
     std::vector<Motion> motion;
@@ -93,8 +93,10 @@ struct Interfaces {
     std::vector<std::int32_t> joint;
     std::vector<double> area;          ///< of the patch [m^2]
     VectorArray origin_a, e1_a, e2_a;  ///< in a's own frame
-    VectorArray origin_b, e1_b, e2_b;  ///< in b's own frame: b's face plane, e1 and e2 as they lay at the clipping
-    VectorArray reference_gap;  ///< gap [m] and its two slopes along e1, e2 that count as closed and unstressed
+    VectorArray origin_b, e1_b,
+        e2_b;  ///< in b's own frame: b's face plane, e1 and e2 as they lay at the clipping
+    VectorArray
+        reference_gap;  ///< gap [m] and its two slopes along e1, e2 that count as closed and unstressed
     std::vector<InterfaceGroup> groups;       ///< in the order of the interfaces
     std::vector<std::int32_t> group;          ///< of each interface
     std::vector<double> patch_xi, patch_eta;  ///< corners along e1, e2 from the origin, counter-clockwise [m]
@@ -125,8 +127,8 @@ struct ContactPoints {
     std::vector<double> offset_1, offset_2;  ///< plastic slide [m]
     std::vector<double> bond;                ///< share of the peak strength left, 1 intact, 0 broken
     std::vector<double> dilation;            ///< [m]
-    std::vector<double> xi, eta, area;       ///< `quarter` and `grid`: from the interface's origin [m], A_s [m^2]
-    std::size_t count = 0;                   ///< without the unused slots
+    std::vector<double> xi, eta, area;  ///< `quarter` and `grid`: from the interface's origin [m], A_s [m^2]
+    std::size_t count = 0;              ///< without the unused slots
 
     std::size_t size() const { return count; }
 };
@@ -208,9 +210,9 @@ struct State {
     Incidence incidence;
     Load load;
     Damping damping;
-    double release = 1.0;  ///< see contactLaw
+    double release = 1.0;                                            ///< see contactLaw
     simd::InstructionSet instructions = simd::bestInstructionSet();  ///< the kernels', same bits with each
-    double time = 0;       ///< [s]
+    double time = 0;                                                 ///< [s]
     std::int64_t step = 0;
     std::vector<std::uint8_t> drained;    ///< per water: 1 once it has run out through an open joint
     std::vector<PressureField> pressure;  ///< per water, for `water_load`

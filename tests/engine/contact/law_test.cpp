@@ -11,8 +11,8 @@ namespace {
 // k_n = 2e9 Pa/m, k_s = 1e9 Pa/m, tan(phi) = 0.5; an Lp of 0.01 m2 then has 2e7 and 1e7 N/m.
 constexpr double kArea = 0.01;
 
-PointForce contactLaw(const JointLaw& law, double area, double gap, double slide_1, double slide_2, double release,
-                      PointMemory& memory) {
+PointForce contactLaw(const JointLaw& law, double area, double gap, double slide_1, double slide_2,
+                      double release, PointMemory& memory) {
     return talus::contact::contactLaw(law, area, gap, slide_1, slide_2, release, memory);
 }
 

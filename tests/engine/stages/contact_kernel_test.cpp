@@ -33,7 +33,8 @@ Model prisms(const PointRule& rule, const Joint& strength) {
         std::vector<Vec3> corners;
         for (int c = 0; c < sides; ++c)
             for (const double z : {0.0, 1.0})
-                corners.push_back({x + std::cos(2 * M_PI * c / sides), y + std::sin(2 * M_PI * c / sides), z});
+                corners.push_back(
+                    {x + std::cos(2 * M_PI * c / sides), y + std::sin(2 * M_PI * c / sides), z});
         if (rule.kind == PointRule::Kind::grid)
             addBox(model, "p" + std::to_string(k), {x, y, 0}, {1, 1, 1});
         else {
@@ -73,7 +74,9 @@ void jolt(State& state, std::mt19937& random) {
     std::normal_distribution<double> gauss(0, 1);
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
-        const auto any = [&](double scale) -> Vec3 { return scale * Vec3(gauss(random), gauss(random), gauss(random)); };
+        const auto any = [&](double scale) -> Vec3 {
+            return scale * Vec3(gauss(random), gauss(random), gauss(random));
+        };
         state.blocks.position.set(b, state.geometry->initial_position.get(b) + any(2e-7));
         const QuaternionArray& start = state.geometry->initial_orientation;
         const Eigen::Quaterniond turn(Eigen::AngleAxisd(2e-7 * gauss(random), any(1).normalized()) *
@@ -95,12 +98,15 @@ stages::Wrench plainSum(const State& before, std::size_t i) {
     const contact::JointLaw& law = before.laws[static_cast<std::size_t>(before.interfaces.joint[i])];
     stages::Wrench sum;
     for (const stages::PointState& p : stages::pointStates(before, i)) {
-        const auto at = [&](const Vec3& f) { return f.x() + f.y() * p.position.x() + f.z() * p.position.y(); };
+        const auto at = [&](const Vec3& f) {
+            return f.x() + f.y() * p.position.x() + f.z() * p.position.y();
+        };
         const double slide_1 = at(pose.slide_1), slide_2 = at(pose.slide_2);
         contact::PointMemory memory = p.memory;
         const auto f = contact::contactLaw(law, p.area, at(pose.gap), slide_1, slide_2, 1.0, memory);
         const Vec3 force = f.shear_1 * pose.e1 + f.shear_2 * pose.e2 + f.normal * pose.e3;
-        const Vec3 place = pose.origin + (p.position.x() + slide_1) * pose.e1 + (p.position.y() + slide_2) * pose.e2;
+        const Vec3 place =
+            pose.origin + (p.position.x() + slide_1) * pose.e1 + (p.position.y() + slide_2) * pose.e2;
         sum.force += force;
         sum.torque += (place - before.blocks.position.get(b)).cross(force);
     }
@@ -132,7 +138,8 @@ bool sameBits(const State& a, const State& b) {
         const auto in_a = stages::pointStates(a, i), in_b = stages::pointStates(b, i);
         for (std::size_t k = 0; k < in_a.size(); ++k) {
             const contact::PointMemory &m = in_a[k].memory, &n = in_b[k].memory;
-            if (m.offset_1 != n.offset_1 || m.offset_2 != n.offset_2 || m.bond != n.bond || m.dilation != n.dilation)
+            if (m.offset_1 != n.offset_1 || m.offset_2 != n.offset_2 || m.bond != n.bond ||
+                m.dilation != n.dilation)
                 return false;
         }
     }
@@ -159,8 +166,9 @@ Seen compare(const PointRule& rule, const Joint& strength, double contact_dampin
         double error = 0;
         for (std::size_t i = 0; i < scalar.interfaces.size(); ++i) {
             const stages::Wrench sum = plainSum(before, i);
-            error = std::max({error, (sum.force - scalar.interfaces.force.get(i)).norm() / (1 + sum.force.norm()),
-                              (sum.torque - scalar.interfaces.moment_b.get(i)).norm() / (1 + sum.torque.norm())});
+            error =
+                std::max({error, (sum.force - scalar.interfaces.force.get(i)).norm() / (1 + sum.force.norm()),
+                          (sum.torque - scalar.interfaces.moment_b.get(i)).norm() / (1 + sum.torque.norm())});
         }
         CHECK(error < 1e-10);
     }
@@ -200,7 +208,8 @@ TEST_SUITE("stages") {
             for (std::size_t k = 0; k < f.pointCount(i); ++k) ++owners[f.pointSlot(i, k)];
         }
         CHECK(*std::max_element(owners.begin(), owners.end()) == 1);
-        CHECK(std::count(owners.begin(), owners.end(), 1) == static_cast<std::ptrdiff_t>(state.points.size()));
+        CHECK(std::count(owners.begin(), owners.end(), 1) ==
+              static_cast<std::ptrdiff_t>(state.points.size()));
         std::size_t next = 0;
         for (const InterfaceGroup& group : f.groups) {
             CHECK(static_cast<std::size_t>(group.begin) == next);
