@@ -53,9 +53,9 @@ double highestFrequency(const State& state, bool parallel) {
 BlockReport reportOn(const State& state, std::size_t b) {
     BlockReport report;
     report.name = state.geometry->model.blocks[b].name;
-    report.position = state.blocks.position.get(b);
+    report.position = state.geometry->origin + state.blocks.position.get(b);
     report.velocity = state.blocks.velocity.get(b);
-    report.displacement = report.position - state.geometry->initial_position.get(b);
+    report.displacement = state.blocks.position.get(b) - state.geometry->initial_position.get(b);
     report.rotation = stages::rotationFrom(state.geometry->initial_orientation, state.blocks.orientation, b);
     return report;
 }

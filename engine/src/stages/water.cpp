@@ -50,7 +50,7 @@ void addWall(State& state, std::size_t water, const WetFace& wall) {
     Polygon polygon;
     for (const std::int32_t v : state.geometry->shape[b].faces[static_cast<std::size_t>(wall.face)])
         polygon.push(plane.toPlane(state.geometry->shape[b].vertices[static_cast<std::size_t>(v)]));
-    const double base = state.geometry->model.waters[water].base;
+    const double base = state.geometry->model.waters[water].base - state.geometry->origin.z();
     if (base > -kInfinity) {
         const Mat3 turn = state.geometry->initial_orientation.matrix(b);
         const Vec3 origin = state.geometry->initial_position.get(b) + turn * plane.origin;
@@ -313,7 +313,9 @@ PressureField pressureField(const State& state, std::size_t index) {
     const Vec3 down = downward(state.load.tilt);
     const double level = levelAt(water, state.load.time);
     const Vec3 table =
-        water.kind == Water::Level::elevation ? Vec3(-level * down) : tablePoint(state, index, level, down);
+        water.kind == Water::Level::elevation
+                           ? Vec3(-level * down - state.geometry->origin)
+                           : tablePoint(state, index, level, down);
     // Depth below the table along gravity: down . (x - table).
     return {-unit_weight * down.dot(table), unit_weight * down};
 }

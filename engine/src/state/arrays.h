@@ -190,6 +190,7 @@ struct Geometry {
     VectorArray initial_position;
     QuaternionArray initial_orientation;
     double length_scale = 0;  ///< median block size [m]
+    Vec3 origin = Vec3::Zero();  ///< of the state's positions, in the model frame [m]
 };
 
 /// Loads that an analysis changes.

@@ -39,8 +39,24 @@ double smallestExtent(const Polyhedron& shape) {
     return smallest;
 }
 
+/// Slopes are often given in survey coordinates, millions of metres from their origin, where a double resolves no more
+/// than the overlap of a stiff joint. Far from the origin the state's own origin is the middle of the model.
+Vec3 originFor(const Model& model) {
+    constexpr double kFar = 10.0;  // of the model's extent
+    Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
+    for (const Block& block : model.blocks)
+        for (const Vec3& v : block.shape.vertices) {
+            low = low.cwiseMin(v);
+            high = high.cwiseMax(v);
+        }
+    const Vec3 middle = 0.5 * (low + high);
+    return middle.norm() > kFar * (high - low).norm() ? Vec3(middle.array().round()) : Vec3(Vec3::Zero());
+}
+
 void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<Error>& errors) {
-    const MassProperties mass = massProperties(block.shape);
+    Polyhedron own = block.shape;
+    for (Vec3& v : own.vertices) v -= geometry.origin;
+    const MassProperties mass = massProperties(own);
     if (!(mass.volume > 0) || !std::isfinite(mass.volume)) {
         errors.push_back({block.field, "block \"" + block.name + "\" has no volume"});
         return;
@@ -49,7 +65,6 @@ void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<
     Vec3 moments;
     const Mat3 axes = principalAxes(mass.inertia, moments);
     const Eigen::Quaterniond turn(axes);
-    Polyhedron own = block.shape;
     double radius = 0;
     for (Vec3& v : own.vertices) {
         v = axes.transpose() * (v - mass.centroid);
@@ -123,6 +138,7 @@ Result<State> buildState(const Model& model, bool parallel) {
     auto geometry = std::make_shared<Geometry>();
     std::vector<Error> errors;
     if (model.blocks.empty()) return Error{"", "there are no blocks"};
+    geometry->origin = originFor(model);
     for (const Block& block : model.blocks) addBlock(block, state, *geometry, errors);
     if (!errors.empty()) return errors;
 

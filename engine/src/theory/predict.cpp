@@ -70,7 +70,7 @@ std::string formula(const Section& section, const Mechanism& mechanism) {
 
 std::string reasons(const Section& section) {
     const bool single = section.beds.size() == 1 && section.beds.front().columns.size() == 1;
-    const std::string strength = "strength without a peak, no tension, water at constant depth";
+    const std::string strength = "strength without a peak, no tension, water at its depth at the start";
     return single ? "one free box on a level fixed face; " + strength
                   : "one stack with fissures that part freely, each bed of one strength, slices alike; " +
                         strength +

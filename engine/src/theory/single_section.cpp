@@ -48,8 +48,7 @@ bool carries(const Polyhedron& shape, std::size_t face, const Box& box) {
 /// Uplift under the base: heads at its +x and -x end, linear between, per cos(tilt).
 bool addUplift(const Water& water, double gravity, const Box& box, Body& body) {
     const double length = box.size().x(), back = water.head[0], front = water.head[1];
-    if (water.kind != Water::Level::head || back < 0 || front < 0 || !std::isinf(water.drains_at_aperture))
-        return false;
+    if (water.kind != Water::Level::head || back < 0 || front < 0) return false;
     const double unit_weight = water.density * gravity * box.size().y();
     body.uplift += unit_weight * length * 0.5 * (back + front);
     body.uplift_front += unit_weight * length * length * (front / 6 + back / 3);

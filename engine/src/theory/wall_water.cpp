@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/water.h"
+
 namespace talus::theory {
 
 namespace {
@@ -32,9 +34,10 @@ bool isUprightRectangleAcrossX(const Model& model, const WetFace& wall) {
     return (small(edge.y()) && small(next.z())) || (small(edge.z()) && small(next.y()));
 }
 
-bool isConstantDepth(const Water& water) {
-    return water.kind == Water::Level::depth && !water.pair && water.level.size() == 1 &&
-           std::isinf(water.drains_at_aperture);
+/// A level over time counts with what it is at the start, as in the analyses; a joint that would drain has not opened
+/// before the first failure.
+bool hasDepth(const Water& water) {
+    return water.kind == Water::Level::depth && !water.pair && !water.level.empty();
 }
 
 double lowestWetPoint(const Model& model, const Water& water) {
@@ -59,8 +62,8 @@ double WallWater::momentAbout(double z) const {
 std::optional<std::vector<WallWater>> wallWaters(const Model& model, const std::vector<Water>& waters) {
     std::vector<WallWater> result;
     for (const Water& water : waters) {
-        if (!isConstantDepth(water)) return std::nullopt;
-        const double low = lowestWetPoint(model, water), top = low + water.level.front().value;
+        if (!hasDepth(water)) return std::nullopt;
+        const double low = lowestWetPoint(model, water), top = low + stages::levelAt(water, 0.0);
         for (const WetFace& wall : water.walls) {
             const Block& block = model.blocks[wall.block];
             if (block.motion != Motion::free) continue;
