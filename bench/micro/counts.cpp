@@ -1,0 +1,249 @@
+#include "counts.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "stages/contact_kernel.h"
+#include "stages/motion_kernel.h"
+
+namespace talus::bench {
+namespace {
+
+Counts tally;  // of the counting numbers below; only this file's functions run them
+
+/// A double that counts what is done with it.
+struct Counting {
+    double v = 0;
+};
+Counting flop(double v) {
+    ++tally.flops;
+    return {v};
+}
+bool choice(bool b) {
+    ++tally.choices;
+    return b;
+}
+Counting operator+(Counting a, Counting b) { return flop(a.v + b.v); }
+Counting operator-(Counting a, Counting b) { return flop(a.v - b.v); }
+Counting operator*(Counting a, Counting b) { return flop(a.v * b.v); }
+Counting operator/(Counting a, Counting b) {
+    ++tally.divisions;
+    return {a.v / b.v};
+}
+Counting operator-(Counting a) { return {-a.v}; }
+Counting operator+(Counting a, double b) { return b == 1.0 && a.v == 0 ? Counting{b} : flop(a.v + b); }
+Counting operator-(Counting a, double b) { return flop(a.v - b); }
+Counting operator*(double a, Counting b) { return flop(a * b.v); }
+Counting operator*(Counting a, double b) { return flop(a.v * b); }
+bool operator<(Counting a, Counting b) { return choice(a.v < b.v); }
+bool operator>(Counting a, Counting b) { return choice(a.v > b.v); }
+bool operator<(Counting a, double b) { return choice(a.v < b); }
+[[maybe_unused]] bool operator>(Counting a, double b) { return choice(a.v > b); }
+[[maybe_unused]] bool operator==(Counting a, double b) { return choice(a.v == b); }
+Counting select(bool mask, Counting yes, Counting no) {
+    ++tally.choices;
+    return mask ? yes : no;
+}
+Counting larger(Counting a, Counting b) {
+    ++tally.choices;
+    return a.v > b.v ? a : b;
+}
+[[maybe_unused]] Counting smaller(Counting a, Counting b) {
+    ++tally.choices;
+    return a.v < b.v ? a : b;
+}
+Counting squareRoot(Counting a) {
+    ++tally.roots;
+    return {std::sqrt(a.v)};
+}
+Counting read(double v) {
+    tally.read += sizeof v;
+    return {v};
+}
+void write(double& to, Counting v) {
+    tally.written += sizeof to;
+    to = v.v;
+}
+
+}  // namespace
+}  // namespace talus::bench
+
+namespace talus::stages {
+namespace {
+
+using bench::Counting;
+
+/// Members of a group as the kernel sees them. Blocks and laws are shared by many interfaces: their bytes count elsewhere.
+template <>
+struct Members<Counting> {
+    static constexpr int kWidth = 1;
+
+    Members(const InterfaceGroup&, int) {}
+    Counting load(const double* values) const { return bench::read(values[0]); }
+    void store(double* values, Counting v) const { bench::write(values[0], v); }
+    Counting gather(const double* values, const std::int32_t* index) const { return {values[index[0]]}; }
+    template <class Record>
+    Counting gather(const Record* records, double Record::*field, const std::int32_t* index) const {
+        return {records[index[0]].*field};
+    }
+    bool gatherFlag(const contact::JointLaw* laws, const std::int32_t* index) const {
+        return laws[index[0]].bonded;
+    }
+    Counting slot(const double* slots) const { return bench::read(slots[0]); }
+    void storeSlot(double* slots, Counting v) const { bench::write(slots[0], v); }
+};
+
+template <>
+struct Consecutive<Counting> {
+    static constexpr std::size_t kWidth = 1;
+    std::size_t block;
+    Counting load(const double* values) const { return bench::read(values[block]); }
+    void store(double* values, Counting v) const { bench::write(values[block], v); }
+    bool flags(const std::uint8_t* values) const {
+        bench::tally.read += 1;
+        return values[block] != 0;
+    }
+};
+
+}  // namespace
+}  // namespace talus::stages
+
+namespace talus::bench {
+namespace {
+
+using simd::ConstVectors, simd::Vectors;
+
+constexpr std::size_t kSlots = 256;  // more than any patch here has
+
+/// Arrays of one interface between two blocks that press on each other, the upper one slid far or not at all.
+struct OneInterface {
+    std::vector<double> zero = std::vector<double>(kSlots, 0.0), one = std::vector<double>(kSlots, 1.0);
+    std::vector<double> depth = std::vector<double>(kSlots, -1e-6);
+    std::vector<double> slide = std::vector<double>(kSlots, 1e-3);
+    std::vector<double> offset_1 = zero, offset_2 = zero, out = zero;
+    std::array<std::int32_t, 1> index{0};
+    contact::JointLaw law{.normal_stiffness = 1, .shear_stiffness = 1, .tan_friction = 0.3};
+    InterfaceGroup group;
+
+    stages::ContactView view(PointRule rule, bool slips) {
+        const double *z = zero.data(), *o = one.data();
+        const ConstVectors none{z, z, z};
+        const Vectors to{out.data(), out.data(), out.data()};
+        return {.position = none,
+                .orientation = {o, z, z, z},
+                .velocity = none,
+                .angular_velocity = none,
+                .groups = &group,
+                .block_a = index.data(),
+                .block_b = index.data(),
+                .joint = index.data(),
+                .origin_a = none,
+                .e1_a = {o, z, z},
+                .e2_a = {z, o, z},
+                .origin_b = {slips ? slide.data() : z, z, depth.data()},
+                .e1_b = {o, z, z},
+                .e2_b = {z, o, z},
+                .reference_gap = none,
+                .patch_area = o,
+                .patch_xi = o,
+                .patch_eta = o,
+                .laws = &law,
+                .xi = z,
+                .eta = z,
+                .area = o,
+                .offset_1 = offset_1.data(),
+                .offset_2 = offset_2.data(),
+                .bond = nullptr,
+                .dilation = nullptr,
+                .force = to,
+                .moment_a = to,
+                .moment_b = to,
+                .release = 1,
+                .contact_damping = 0,
+                .places = rule.kind == PointRule::Kind::vertex   ? stages::PointPlaces::vertex
+                          : rule.kind == PointRule::Kind::corner ? stages::PointPlaces::corner
+                                                                 : stages::PointPlaces::stored};
+    }
+};
+
+}  // namespace
+
+int pointsPerRectangle(PointRule rule) {
+    switch (rule.kind) {
+        case PointRule::Kind::vertex:
+            return 9;
+        case PointRule::Kind::corner:
+        case PointRule::Kind::quarter:
+            return 4;
+        case PointRule::Kind::grid:
+            return rule.grid * rule.grid;
+    }
+    return 0;
+}
+
+std::string nameOf(PointRule rule) {
+    switch (rule.kind) {
+        case PointRule::Kind::vertex:
+            return "vertex";
+        case PointRule::Kind::corner:
+            return "corner";
+        case PointRule::Kind::quarter:
+            return "quarter";
+        case PointRule::Kind::grid:
+            return "grid" + std::to_string(rule.grid);
+    }
+    return {};
+}
+
+// With `vertex`, a rectangle and Lps that stick this counts 459 flops, 252 bytes read before the Lps' own, ... ;
+// engine/README.md has the table. Beside what the kernel loads by number: two blocks and a joint (3 x 4 bytes), and the
+// interface's quarter of its group (32 bytes).
+Counts countInterface(PointRule rule, bool slips) {
+    OneInterface data;
+    data.group = {.begin = 0, .size = 1, .corners = 4, .points = pointsPerRectangle(rule)};
+    const stages::ContactView view = data.view(rule, slips);
+    tally = {};
+    stages::updateGroups<Counting>(view, 0, 1);
+    tally.read += 3 * sizeof(std::int32_t) + sizeof(InterfaceGroup) / 4.0;
+    return tally;
+}
+
+Counts countDrift() {
+    std::vector<double> zero(1, 0.0), one(1, 1.0), out(1, 0.0);
+    const std::uint8_t free = 1;
+    const ConstVectors none{zero.data(), zero.data(), zero.data()};
+    const Vectors to{out.data(), out.data(), out.data()};
+    const stages::MotionView view{.force = none,
+                                  .torque = none,
+                                  .inverse_inertia = none,
+                                  .inverse_mass = zero.data(),
+                                  .free = &free,
+                                  .position = to,
+                                  .velocity = to,
+                                  .angular_momentum = to,
+                                  .orientation = {one.data(), zero.data(), zero.data(), zero.data()},
+                                  .angular_velocity = to,
+                                  .time_step = 1e-3,
+                                  .decay = 1,
+                                  .spin_decay = 1};
+    tally = {};
+    stages::driftBlocks<Counting>(view, stages::Consecutive<Counting>{0});
+    return tally;
+}
+
+// motion.cpp's gather, by hand. Per side of an interface: index 4, side 1; force and moment are three additions each.
+// Per interface: force, moment_a, moment_b, 9 doubles. Per block: its rows in the two incidence lists 2 x 8, motion 1,
+// mass, inverse mass, velocity, angular momentum, angular velocity 11 doubles; written: force, torque, velocity, angular
+// momentum 12 doubles. Flops per block: weight 3, local damping 12, kick 3 x 3 + 3 x 3 + 2.
+Counts countGather() {
+    constexpr double kSides = 6, kInterfaces = 3;
+    Counts counts;
+    counts.read = kSides * 5 + kInterfaces * 72 + 2 * 8 + 1 + 11 * 8;
+    counts.written = 12 * 8;
+    counts.flops = kSides * 6 + 3 + 12 + 20;
+    counts.choices = 6 * 2;
+    return counts;
+}
+
+}  // namespace talus::bench
