@@ -41,10 +41,13 @@ void searchBenchmark(benchmark::State& run, const std::string& file) {
 }  // namespace
 
 void addSearches(const Extent& extent) {
-    for (const std::string name : kCases)
-        add(extent, "critical angle/" + name, 1, [=](benchmark::State& run) {
-            searchBenchmark(run, std::string(TALUS_SOURCE_DIR "/bench/paper/") + name + ".toml");
-        })->Iterations(1);
+    constexpr std::int64_t kOnce = 1;
+    for (const std::string name : kCases) {
+        const std::string file = std::string(TALUS_SOURCE_DIR "/bench/paper/") + name + ".toml";
+        add(
+            extent, "critical angle/" + name, 1, [=](benchmark::State& run) { searchBenchmark(run, file); },
+            kOnce);
+    }
 }
 
 }  // namespace talus::bench

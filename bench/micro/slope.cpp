@@ -1,12 +1,10 @@
 #include "slope.h"
 
 #include <malloc.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 #include "counts.h"
@@ -59,7 +57,7 @@ Block boxBlock(std::string name, const Vec3& min, const Vec3& max, Motion motion
 }
 
 /// Water half way up the joint behind the first column.
-Water fissure(const Model& model, const Shape& shape) {
+Water fissure(const Shape& shape) {
     constexpr std::int32_t kMinusX = 0, kPlusX = 1;  // faces of makeBox
     Water water;
     water.level = {{0.0, 0.5 * shape.rows * kBlock.z()}};
@@ -68,7 +66,6 @@ Water fissure(const Model& model, const Shape& shape) {
     for (std::int32_t b = 0; b < 2 * per_column; ++b)
         water.walls.push_back({1 + b, b < per_column ? kPlusX : kMinusX});
     water.field = "water[0]";
-    (void)model;
     return water;
 }
 
@@ -129,7 +126,7 @@ Model makeSlope(const SlopeKind& kind) {
                     "c" + std::to_string(c + 1) + "r" + std::to_string(r + 1) + "s" + std::to_string(s + 1),
                     min, max, Motion::free, joint));
             }
-    if (kind.filling == Filling::water) model.waters = {fissure(model, shape)};
+    if (kind.filling == Filling::water) model.waters = {fissure(shape)};
     return model;
 }
 
@@ -152,6 +149,7 @@ Slope buildSlope(const SlopeKind& kind) {
     malloc_trim(0);
     slope.state_bytes = residentBytes() - before;
     settle(slope);
+    slope.start = {slope.state.blocks, slope.state.points};
     return slope;
 }
 
@@ -161,15 +159,9 @@ Slope& slopeFor(const SlopeKind& kind) {
         last.reset();
         last = buildSlope(kind);
     }
+    last->state.blocks = last->start.blocks;
+    last->state.points = last->start.points;
     return *last;
-}
-
-Moved movedPartOf(const State& state) { return {state.blocks, state.points}; }
-
-void restore(State& state, const Moved& moved) {
-    state.blocks = moved.blocks;
-    state.points = moved.points;
-    stages::updateForces(state, true);
 }
 
 }  // namespace talus::bench

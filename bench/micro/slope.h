@@ -27,10 +27,17 @@ inline constexpr int kSizes[] = {105, 1000, 10000, 100000, 1000000};
 /// slope itself for 105). \pre kind.blocks is one of kSizes
 Model makeSlope(const SlopeKind& kind);
 
+/// What a step or a stage changes in a state, but for what each step makes anew.
+struct Moved {
+    Blocks blocks;
+    ContactPoints points;
+};
+
 /// A slope under its weight, with what making it cost.
 struct Slope {
     SlopeKind kind;
     State state;
+    Moved start;               ///< the state's moving part, from which every benchmark starts
     double time_step = 0;      ///< [s]
     double model_seconds = 0;  ///< wall time for the Model
     double build_seconds = 0;  ///< wall time for the State, all cores
@@ -45,15 +52,7 @@ struct Slope {
 
 Slope buildSlope(const SlopeKind& kind);
 
-/// The last slope asked for: benchmarks run in the order of their slopes, and a big one fits only once.
+/// The last slope asked for, as it was made: benchmarks run in the order of their slopes, and a big one fits only once.
 Slope& slopeFor(const SlopeKind& kind);
-
-/// What a step changes in a state, so that each run starts from the same place.
-struct Moved {
-    Blocks blocks;
-    ContactPoints points;
-};
-Moved movedPartOf(const State& state);
-void restore(State& state, const Moved& moved);
 
 }  // namespace talus::bench

@@ -87,45 +87,39 @@ void contactBenchmark(benchmark::State& run, const SlopeKind& kind, int threads,
     tellContacts(run, state);
 }
 
-/// All Lps move between two places so far apart that every closed one slips each time.
+/// Every other row of the paper's slope moves to and fro, so far that every closed Lp of the beds and the joints between
+/// columns slips each time (those between slices open and close).
 void slippingBenchmark(benchmark::State& run, const SlopeKind& kind) {
-    constexpr double kShift = 1e-6;  // ten times what the weight presses a joint together
-    Slope& slope = slopeFor(kind);
-    State& state = slope.state;
-    const Moved before = movedPartOf(state);
+    constexpr double kShift = 1e-6;  // [m] ten times what the weight presses a joint together
+    constexpr std::size_t kRows = 5, kSlices = 3;
+    State& state = slopeFor(kind).state;
     std::vector<double> other = state.blocks.position.y;
-    const auto rows = static_cast<std::size_t>(kind.blocks == 105 ? 5 : 10);
     for (std::size_t b = 1; b < other.size(); ++b)
-        if ((b - 1) / (kind.blocks == 105 ? 3u : 10u) % rows % 2 == 0) other[b] += kShift;
+        if ((b - 1) / kSlices % kRows % 2 == 0) other[b] += kShift;
     for (auto _ : run) {
         state.blocks.position.y.swap(other);
         stages::updateContacts(state, {0, state.interfaces.groups.size()});
     }
-    restore(state, before);
-    tell(run, contactFacts(slope, true));
+    tell(run, contactFacts(slopeFor(kind), true));
 }
 
 void gatherBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) {
     Slope& slope = slopeFor(kind);
-    const Moved before = movedPartOf(slope.state);
     onThreads(threads, [&] {
         for (auto _ : run)
             forRange(slope.blocks(), kBlocks, threads > 1,
                      [&](Range range) { stages::gather(slope.state, range, 0.0); });
     });
-    restore(slope.state, before);
     tell(run, blockFacts(slope, countGather()));
 }
 
 void driftBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) {
     Slope& slope = slopeFor(kind);
-    const Moved before = movedPartOf(slope.state);
     onThreads(threads, [&] {
         for (auto _ : run)
             forRange(slope.blocks(), kBlocks, threads > 1,
                      [&](Range range) { stages::drift(slope.state, range, 1e-12); });
     });
-    restore(slope.state, before);
     tell(run, blockFacts(slope, countDrift()));
 }
 
@@ -133,7 +127,6 @@ void driftBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) {
 /// threads.
 void stepBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) {
     Slope& slope = slopeFor(kind);
-    const Moved before = movedPartOf(slope.state);
     onThreads(threads, [&] {
         for (auto _ : run) stages::advance(slope.state, {slope.time_step, threads > 1});
     });
@@ -141,7 +134,6 @@ void stepBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) {
     std::snprintf(hash, sizeof hash, "%016llx",
                   static_cast<unsigned long long>(stages::stateHash(slope.state)));
     run.SetLabel(hash);
-    restore(slope.state, before);
     tell(run, stepFacts(slope));
     run.counters["state_bytes"] = slope.state_bytes;
     run.counters["peak_bytes"] = slope.peak_bytes;
@@ -181,7 +173,6 @@ void interfaceBenchmark(benchmark::State& run, const SlopeKind& kind, int thread
     onThreads(threads, [&] {
         for (auto _ : run) stages::findInterfaces(slope.state, false, threads > 1);
     });
-    stages::updateForces(slope.state, true);
     run.counters["points"] = static_cast<double>(slope.blocks());
 }
 
@@ -191,36 +182,43 @@ std::int64_t stepsFor(const Extent& extent, int blocks) {
     return std::max<std::int64_t>(3, static_cast<std::int64_t>(extent.seconds / (kSecondsPerBlock * blocks)));
 }
 
+/// Threads that a stage is measured with: below some thousand blocks the engine uses one.
+std::vector<int> threadsFor(const Extent& extent, int blocks) {
+    if (extent.threads == 1 || blocks < 10000) return {1};
+    return {1, extent.threads};
+}
+
+using Body = void (*)(benchmark::State&, const SlopeKind&, int threads);
+
+void addStage(const Extent& extent, const char* stage, const SlopeKind& kind, Body body,
+              std::int64_t iterations = 0) {
+    for (const int threads : threadsFor(extent, kind.blocks))
+        add(
+            extent, std::string(stage) + "/" + kind.name(), threads,
+            [=](benchmark::State& run) { body(run, kind, threads); }, iterations);
+}
+
+/// The search for interfaces comes last, because it changes them.
 void addSlope(const Extent& extent, const SlopeKind& kind) {
-    using simd::InstructionSet;
-    const std::string slope = "/" + kind.name();
     const bool plain = kind.filling == Filling::plain;
     const bool whole = plain && kind.points.kind == PointRule::Kind::vertex;
-    for (const int threads : {1, extent.threads}) {
-        if (plain && threads == 1)
-            add(extent, "contacts, scalar" + slope, 1,
-                [=](benchmark::State& run) { contactBenchmark(run, kind, 1, InstructionSet::scalar); });
-        add(extent, "contacts" + slope, threads,
-            [=](benchmark::State& run) { contactBenchmark(run, kind, threads, simd::bestInstructionSet()); });
-        if (plain && threads == 1 && kind.blocks <= 1000)
-            add(extent, "contacts, all slip" + slope, 1,
-                [=](benchmark::State& run) { slippingBenchmark(run, kind); });
-        if (whole) {
-            add(extent, "gather" + slope, threads,
-                [=](benchmark::State& run) { gatherBenchmark(run, kind, threads); });
-            add(extent, "drift" + slope, threads,
-                [=](benchmark::State& run) { driftBenchmark(run, kind, threads); });
-        }
-        add(extent, "step" + slope, threads, [=](benchmark::State& run) {
-            stepBenchmark(run, kind, threads);
-        })->Iterations(stepsFor(extent, kind.blocks));
-        if (whole) {
-            add(extent, "neighbours" + slope, threads,
-                [=](benchmark::State& run) { neighbourBenchmark(run, kind, threads); });
-            add(extent, "interfaces" + slope, threads,
-                [=](benchmark::State& run) { interfaceBenchmark(run, kind, threads); });
-        }
-        if (extent.threads == 1) break;
+    if (plain)
+        add(extent, "contacts, scalar/" + kind.name(), 1,
+            [=](benchmark::State& run) { contactBenchmark(run, kind, 1, simd::InstructionSet::scalar); });
+    addStage(extent, "contacts", kind, [](benchmark::State& run, const SlopeKind& slope, int threads) {
+        contactBenchmark(run, slope, threads, simd::bestInstructionSet());
+    });
+    if (plain && kind.blocks == 105)
+        add(extent, "contacts, all slip/" + kind.name(), 1,
+            [=](benchmark::State& run) { slippingBenchmark(run, kind); });
+    if (whole) {
+        addStage(extent, "gather", kind, gatherBenchmark);
+        addStage(extent, "drift", kind, driftBenchmark);
+    }
+    addStage(extent, "step", kind, stepBenchmark, stepsFor(extent, kind.blocks));
+    if (whole) {
+        addStage(extent, "neighbours", kind, neighbourBenchmark);
+        addStage(extent, "interfaces", kind, interfaceBenchmark);
     }
 }
 

@@ -2,13 +2,7 @@
 
 #include <tbb/task_arena.h>
 
-#include <regex>
-
 namespace talus::bench {
-
-bool Extent::matches(const std::string& benchmark) const {
-    return std::regex_search(benchmark, std::regex(only));
-}
 
 void tell(benchmark::State& run, const Facts& facts) {
     run.counters["points"] = facts.points;
@@ -25,13 +19,16 @@ void onThreads(int threads, const std::function<void()>& body) {
     arena.execute(body);
 }
 
-benchmark::internal::Benchmark* add(const Extent& extent, const std::string& name, int threads,
-                                    const std::function<void(benchmark::State&)>& body) {
+void add(const Extent& extent, const std::string& name, int threads,
+         const std::function<void(benchmark::State&)>& body, std::int64_t iterations) {
     const std::string full = name + "/threads:" + std::to_string(threads);
     auto* added = benchmark::RegisterBenchmark(full.c_str(), body);
-    added->Repetitions(extent.repetitions)->MinTime(extent.seconds)->Unit(benchmark::kNanosecond);
+    added->Repetitions(extent.repetitions)->Unit(benchmark::kNanosecond);
+    if (iterations > 0)
+        added->Iterations(iterations);
+    else
+        added->MinTime(extent.seconds);
     if (threads > 1) added->UseRealTime();
-    return added;
 }
 
 }  // namespace talus::bench

@@ -17,9 +17,7 @@ struct Extent {
     int repetitions = 5;    ///< the best counts
     double seconds = 0.2;   ///< of each repetition, about
     int threads = 1;        ///< all
-    bool wants(const std::string& benchmark) const { return only.empty() || matches(benchmark); }
-    bool matches(const std::string& benchmark) const;
-    std::string only;  ///< regular expression
+    std::string only;       ///< regular expression
 };
 
 void addMachine(const Extent& extent);
@@ -38,8 +36,8 @@ void tell(benchmark::State& run, const Facts& facts);
 void onThreads(int threads, const std::function<void()>& body);
 
 /// Registers, with the repetitions and the clock that fit the number of threads: processor time of the thread for one,
-/// wall time for several.
-benchmark::internal::Benchmark* add(const Extent& extent, const std::string& name, int threads,
-                                    const std::function<void(benchmark::State&)>& body);
+/// wall time for several. `iterations` fixes their number; 0 leaves it to the time.
+void add(const Extent& extent, const std::string& name, int threads,
+         const std::function<void(benchmark::State&)>& body, std::int64_t iterations = 0);
 
 }  // namespace talus::bench
