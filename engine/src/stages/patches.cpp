@@ -237,6 +237,8 @@ void closeInitialInterfaces(State& state) {
     }
 }
 
+}  // namespace
+
 void buildIncidence(State& state) {
     Incidence& incidence = state.incidence;
     const Interfaces& f = state.interfaces;
@@ -259,6 +261,8 @@ void buildIncidence(State& state) {
         }
     if (incidence.wet_begin.size() != n + 1) incidence.wet_begin.assign(n + 1, 0);
 }
+
+namespace {
 
 std::vector<Error> gridErrors(const State& state, const std::vector<PairFinding>& findings) {
     std::vector<Error> errors;

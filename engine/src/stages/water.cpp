@@ -104,6 +104,8 @@ void addInterfaceWalls(State& state, std::size_t water, std::size_t i) {
              {head.x(), head.z(), head.y()});
 }
 
+}  // namespace
+
 void buildWetIncidence(State& state) {
     const std::size_t n = state.blocks.size();
     Incidence& incidence = state.incidence;
@@ -116,6 +118,8 @@ void buildWetIncidence(State& state) {
         incidence.wet[static_cast<std::size_t>(next[static_cast<std::size_t>(state.wet.block[w])]++)] =
             static_cast<std::int32_t>(w);
 }
+
+namespace {
 
 Vec3 initialPoint(const State& state, std::size_t w, const Vec2& v) {
     const auto b = static_cast<std::size_t>(state.wet.block[w]);
@@ -294,6 +298,14 @@ bool bounds(const State& state, std::size_t water, std::size_t i) {
 }
 
 }  // namespace
+
+Polygon wetPolygon(const State& state, std::size_t w) { return polygonOf(state.wet, w); }
+
+LinearPressure pressureOnWall(const State& state, std::size_t w) {
+    const auto b = static_cast<std::size_t>(state.wet.block[w]);
+    return pressureOnPatch(state, w, state.pressure[static_cast<std::size_t>(state.wet.water[w])],
+                           state.blocks.orientation.matrix(b), state.blocks.position.get(b));
+}
 
 double levelAt(const Water& water, double time) {
     const auto& level = water.level;
