@@ -298,7 +298,8 @@ Result<Bytes> Reader::message(const Place& place) {
     const auto opcode = static_cast<Opcode>(d.integer<std::uint8_t>());
     const View content = d.raw(d.integer<std::uint64_t>());
     Message found;
-    if (!d.ok() || opcode != Opcode::message || !decode(content, found) || found.channel != place.channel)
+    if (!d.ok() || opcode != Opcode::message || !decode(content, found) || found.channel != place.channel ||
+        found.time != place.time)
         return damaged;
     return Bytes(found.data.data, found.data.data + found.data.size);
 }
@@ -319,8 +320,8 @@ std::vector<std::string> Reader::verify() {
     }
     if (!source_.read(end, kRecordHead + sizeof(std::uint32_t), bytes)) return faults;
     Decoder d(bytes);
-    const bool is_end = static_cast<Opcode>(d.integer<std::uint8_t>()) == Opcode::data_end;
-    d.integer<std::uint64_t>();
+    const bool is_end = static_cast<Opcode>(d.integer<std::uint8_t>()) == Opcode::data_end &&
+                        d.integer<std::uint64_t>() == sizeof(std::uint32_t);
     const auto expected = d.integer<std::uint32_t>();
     if (!is_end || (expected != 0 && expected != crc))
         addFault(faults, "the checksum of the whole data section does not hold");

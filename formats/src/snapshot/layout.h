@@ -25,6 +25,6 @@ inline constexpr ChannelLayout kChannels[] = {{kHeaderChannel, "header", "talus.
 inline std::uint64_t nanoseconds(double seconds) {
     return seconds > 0 ? static_cast<std::uint64_t>(std::llround(seconds * 1e9)) : 0;
 }
-inline double seconds(std::uint64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
+inline double seconds(std::uint64_t nanoseconds) { return static_cast<double>(nanoseconds) / 1e9; }
 
 }  // namespace talus::formats
