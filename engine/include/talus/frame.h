@@ -173,4 +173,7 @@ struct FullFrame {
     std::vector<std::string> warnings;
 };
 
+/// Hash of a full frame's own values, which is its state_hash as long as nothing was changed.
+std::uint64_t hashOf(const FullFrame& frame);
+
 }  // namespace talus

@@ -192,6 +192,17 @@ void restoreWaters(const FrameWaters& f, State& state) {
     }
 }
 
+}  // namespace
+
+std::uint64_t hashOf(const FullFrame& frame) {
+    State state;
+    eachBlockField(state.blocks, frame.blocks, FromFrame{});
+    eachPointField(state.points, frame.points, FromFrame{});
+    return stages::stateHash(state);
+}
+
+namespace {
+
 Error misfit(const std::string& field) {
     return {field,
             "the full frame does not fit its scenario or is damaged; allowed: a frame of the same model"};

@@ -215,6 +215,9 @@ std::vector<std::string> SnapshotReader::verify() {
         if (!light || !frames()[k].full) continue;
         const auto state = full(*frames()[k].full);
         add(state.errors());
+        if (state && hashOf(*state) != state->state_hash)
+            add({Error{"", "the state hash of the full state at frame " + std::to_string(k) +
+                               " is not that of its values"}});
         if (state && state->state_hash != light->state_hash)
             add({Error{"",
                        "frame " + std::to_string(k) + " and its full state have different state hashes"}});

@@ -136,4 +136,11 @@ class SnapshotReader {
     std::unique_ptr<File> file_;
 };
 
+/// Where two frames differ first, in the schema's order: "blocks.velocity.x[12]" and both values.
+struct Difference {
+    std::string field, a, b;
+};
+std::optional<Difference> firstDifference(const LightFrame& a, const LightFrame& b);
+std::optional<Difference> firstDifference(const FullFrame& a, const FullFrame& b);
+
 }  // namespace talus::formats
