@@ -3,7 +3,7 @@
 #include <flatbuffers/reflection.h>
 
 #include <charconv>
-#include <cstring>
+#include <vector>
 
 #include "snapshot/convert.h"
 #include "snapshot_schema.h"
@@ -24,7 +24,10 @@ class Walk {
 
     std::optional<Difference> tables(const reflection::Object& type, const flatbuffers::Table& a,
                                      const flatbuffers::Table& b, const std::string& path) const {
-        for (const reflection::Field* field : *type.fields())
+        // The schema lists fields by name; here they come in the order they were declared in.
+        std::vector<const reflection::Field*> fields_in_order(type.fields()->size());
+        for (const reflection::Field* field : *type.fields()) fields_in_order[field->id()] = field;
+        for (const reflection::Field* field : fields_in_order)
             if (auto found = fields(*field, a, b, path + field->name()->str())) return found;
         return std::nullopt;
     }
