@@ -54,6 +54,7 @@ Command addSafetyFactor(CLI::App& root);
 Command addValidate(CLI::App& root);
 Command addTheory(CLI::App& root);
 Command addPaper(CLI::App& root);
+Command addInspect(CLI::App& root);
 
 // --- failures: throw these, main prints them (on stderr, and as JSON on stdout with --json) and exits ---------------
 
