@@ -147,13 +147,13 @@ TEST_CASE("failure roles: a block that slides, one that topples, one that stays"
 }
 
 TEST_CASE("VTK reads the export") {
-    if (std::system("python3 -c 'import vtk' >/dev/null 2>&1") != 0) {
+    if (std::system("/usr/bin/python3 -c 'import vtk' >/dev/null 2>&1") != 0) {
         MESSAGE("skipped: Debian's python3-vtk9 is not installed");
         return;
     }
     const TemporaryFolder folder;
     REQUIRE(runTalus({"export", file().path, "--vtk", folder / "out", "--quiet"}).exit_code == 0);
-    const std::string command = std::string("python3 '") + TALUS_SOURCE_DIR +
+    const std::string command = std::string("/usr/bin/python3 '") + TALUS_SOURCE_DIR +
                                 "/tests/formats/export/read_vtk.py' '" + (folder / "out") + "' > '" +
                                 (folder / "found.json") + "'";
     REQUIRE(std::system(command.c_str()) == 0);
