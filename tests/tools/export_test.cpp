@@ -2,10 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 
 #include "program.h"
+#include "support/models.h"
 #include "support/snapshots.h"
 #include "talus/formats/export.h"
 
@@ -69,7 +72,9 @@ TEST_CASE("export --vtk: blocks where they are, contact points with their forces
     CHECK(outcome.json().at("vtk").at("block_files") == 21);
     CHECK(outcome.json().at("vtk").at("contact_files") == 5);
 
-    auto reader = *formats::SnapshotReader::open(file().path);
+    auto opened = formats::SnapshotReader::open(file().path);
+    REQUIRE(opened.ok());
+    formats::SnapshotReader& reader = *opened;
     const LightFrame light = *reader.frame(20);
     const FullFrame full = *reader.full(4);
     const std::string blocks = contentOf(folder / "out/blocks_000020.vtp");
@@ -111,7 +116,9 @@ TEST_CASE("export --vtk: blocks where they are, contact points with their forces
 TEST_CASE("export --stl: closed surfaces of the blocks' volume") {
     const TemporaryFolder folder;
     REQUIRE(runTalus({"export", file().path, "--stl", "last", "-o", folder / "a.stl"}).exit_code == 0);
-    auto reader = *formats::SnapshotReader::open(file().path);
+    auto opened = formats::SnapshotReader::open(file().path);
+    REQUIRE(opened.ok());
+    formats::SnapshotReader& reader = *opened;
     double volume = 0;
     for (const double mass : reader.header().geometry.mass) volume += mass / 2700;
     CHECK(volumeOfStl(contentOf(folder / "a.stl")) == doctest::Approx(volume).epsilon(1e-5));
@@ -158,7 +165,9 @@ TEST_CASE("VTK reads the export") {
                                 (folder / "found.json") + "'";
     REQUIRE(std::system(command.c_str()) == 0);
     const json found = json::parse(contentOf(folder / "found.json"));
-    auto reader = *formats::SnapshotReader::open(file().path);
+    auto opened = formats::SnapshotReader::open(file().path);
+    REQUIRE(opened.ok());
+    formats::SnapshotReader& reader = *opened;
     REQUIRE(found.at("blocks").size() == reader.frames().size());
     REQUIRE(found.at("contacts").size() == reader.fulls());
     double volume = 0;
