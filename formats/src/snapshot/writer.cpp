@@ -12,6 +12,7 @@
 #include <cstring>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <variant>
@@ -191,9 +192,12 @@ Result<SnapshotWriter> SnapshotWriter::continueFile(const std::string& path, std
     if (!source) return source.errors();
     auto reader = mcap::Reader::open(std::move(*source), path, SnapshotReader::kMostChunkBytes);
     if (!reader) return reader.errors();
+    // Counted as the reader counts them: full states that stand behind the light frame of their instant.
     std::size_t seen = 0;
+    std::optional<std::uint64_t> last_light;
     for (const mcap::Place& place : reader->places()) {
-        if (place.channel != kFullChannel || seen++ != full) continue;
+        if (place.channel == kFrameChannel) last_light = place.time;
+        if (place.channel != kFullChannel || last_light != place.time || seen++ != full) continue;
         auto written = reader->prefix(place.chunk + 1);
         if (!written) return written.errors();
         const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);

@@ -10,7 +10,8 @@ using namespace talus;
 using namespace talus::formats;
 
 TEST_CASE("the file of the first version is read with its values") {
-    auto reader = SnapshotReader::open(std::string(TALUS_SOURCE_DIR) + "/tests/formats/snapshot/golden/run-1.mcap");
+    auto reader =
+        SnapshotReader::open(std::string(TALUS_SOURCE_DIR) + "/tests/formats/snapshot/golden/run-1.mcap");
     REQUIRE(reader.ok());
     CHECK(reader->verify().empty());
     const SnapshotHeader& header = reader->header();
