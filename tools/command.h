@@ -27,7 +27,7 @@ enum ExitCode : int {
     kDone = 0,
     kInternalError = 1,
     kBadInput = 2,     ///< bad input, missing file or wrong usage
-    kUndecided = 3,    ///< the analysis ended undecided
+    kUndecided = 3,    ///< the analysis ended undecided, or runs of a batch failed
     kFileRefused = 4,  ///< the file system refused
     kInterrupted = 130
 };
@@ -54,6 +54,9 @@ Command addSafetyFactor(CLI::App& root);
 Command addValidate(CLI::App& root);
 Command addTheory(CLI::App& root);
 Command addPaper(CLI::App& root);
+Command addBatch(CLI::App& root);
+Command addSample(CLI::App& root);
+Command addMerge(CLI::App& root);
 
 // --- failures: throw these, main prints them (on stderr, and as JSON on stdout with --json) and exits ---------------
 

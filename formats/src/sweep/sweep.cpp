@@ -253,7 +253,9 @@ Result<Sweep> readSweep(const std::string& path) {
     const auto document = scenario::Document::parse(*text, path);
     if (!document) return document.errors();
     scenario::Report report(path);
-    return sweep::SweepReader(report, document->root(), path).read();
+    auto sweep = sweep::SweepReader(report, document->root(), path).read();
+    if (sweep) sweep->text = *text;
+    return sweep;
 }
 
 }  // namespace talus::formats

@@ -284,9 +284,10 @@ class VariablesReader {
             variable.column.targets = targetsOf(name, name, variable.place);
             variable.field = name;
         } else {
-            variables_.errors.push_back(
-                {"", "found a column " + scenario::quoted(name) + ", allowed: fields of the scenario, and \"name\"",
-                 variable.file, variable.place.line, variable.place.column});
+            variables_.errors.push_back({"",
+                                         "found a column " + scenario::quoted(name) +
+                                             ", allowed: fields of the scenario, and \"name\"",
+                                         variable.file, variable.place.line, variable.place.column});
         }
         add(std::move(variable));
     }

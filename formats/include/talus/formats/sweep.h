@@ -77,7 +77,7 @@ struct Sweep {
     std::uint64_t seed = 1;
     bool latin_hypercube = false;
     SweepReport report;
-    std::string scenario_text;
+    std::string text, scenario_text;  ///< of the two files
 
     std::uint64_t runs() const { return cases * samples; }
 };
