@@ -3,6 +3,7 @@
 #include <charconv>
 #include <memory>
 
+#include "batch/mpi.h"
 #include "batch/report.h"
 #include "batch/schedule.h"
 #include "batch/store.h"
@@ -126,17 +127,29 @@ int showPlan(const BatchOptions& options, const formats::Sweep& sweep) {
 }
 
 int runBatch(const BatchOptions& options) {
+    const MpiJob job;
     const Shard shard = shardOf(options.shard);
     const formats::Sweep sweep = valueOf(formats::readSweep(options.sweep));
     if (options.plan) return showPlan(options, sweep);
     if (options.folder.empty())
         throw BadInput(Error{"--output", "missing; allowed: -o DIR, the folder for the results (or --plan)"});
+    if (job.rank() > 0) {
+        job.help(sweep, describe(sweep), stopRequested());
+        return kDone;  // what there is to say, process 0 says
+    }
     const auto begin = std::chrono::steady_clock::now();
     Store store(options.folder, describe(sweep), shard);
     ProgressPrinter printer(options.common);
-    const BatchProgress progress =
-        work({sweep, store, shard, threadsUsed(options.common), options.retry, caseCosts(sweep),
-              stopRequested(), requestStop, [&](const BatchProgress& p) { printer.show(shownProgress(p)); }});
+    const BatchWork batch{sweep,
+                          store,
+                          shard,
+                          threadsUsed(options.common),
+                          options.retry,
+                          caseCosts(sweep),
+                          stopRequested(),
+                          requestStop,
+                          [&](const BatchProgress& p) { printer.show(shownProgress(p)); }};
+    const BatchProgress progress = job.size() > 1 ? job.serve(batch) : work(batch);
     printer.finish();
     const Tally tally{shardRuns(store, shard), store.doneCount(), store.failedCount(), progress.done,
                       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()};

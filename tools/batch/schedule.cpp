@@ -9,61 +9,14 @@
 #include <cmath>
 #include <exception>
 #include <mutex>
-#include <numeric>
+
+#include "batch/queue.h"
 
 namespace talus::tools::batch {
 
 namespace {
 
 constexpr std::uint64_t kMostCasesLookedAt = 1000;
-constexpr std::uint64_t kMostRunsSorted = 4'000'000;
-
-/// Deals out runs: in the order of their numbers, or the costly ones first.
-class Queue {
- public:
-    explicit Queue(const BatchWork& batch) : batch_(batch), runs_(batch.store.info().runs) {
-        if (batch.case_costs.empty() || runs_ > kMostRunsSorted) return;
-        order_.resize(runs_);
-        std::iota(order_.begin(), order_.end(), std::uint64_t{0});
-        std::stable_sort(order_.begin(), order_.end(), [&](std::uint64_t a, std::uint64_t b) {
-            return batch.case_costs[a % batch.sweep.cases] > batch.case_costs[b % batch.sweep.cases];
-        });
-    }
-
-    /// The next run that is this process's to compute, claimed; nothing at the end of a pass.
-    std::optional<std::uint64_t> next() {
-        for (std::uint64_t place = next_++; place < runs_; place = next_++) {
-            const std::uint64_t run = order_.empty() ? place : order_[place];
-            if (isWanted(run) && batch_.store.claim(run, batch_.retry && !begun_again_)) return run;
-        }
-        return std::nullopt;
-    }
-
-    bool isWanted(std::uint64_t run) const {
-        if (!batch_.shard.has(batch_.store.info(), run)) return false;
-        const bool retry = batch_.retry && !begun_again_;
-        return !batch_.store.isDone(run) || (retry && batch_.store.hasFailed(run));
-    }
-
-    std::uint64_t left() const {
-        std::uint64_t count = 0;
-        for (std::uint64_t run = 0; run < runs_; ++run) count += isWanted(run);
-        return count;
-    }
-
-    /// Another pass; what has failed by now stays failed.
-    void beginAgain() {
-        begun_again_ = true;
-        next_ = 0;
-    }
-
- private:
-    const BatchWork& batch_;
-    std::uint64_t runs_;
-    std::vector<std::uint64_t> order_;
-    std::atomic<std::uint64_t> next_{0};
-    bool begun_again_ = false;
-};
 
 class Crew {
  public:
