@@ -92,7 +92,9 @@ int runTool(int argc, char** argv, bool json) {
     root.require_subcommand(1);
     root.footer(
         "Example:\n  talus critical-angle bench/paper/fissure-1.toml\n\n'talus COMMAND --help' explains a "
-        "command. Exit codes: 0 done, 1 internal error, 2 bad input or usage,\n3 undecided, 4 the file "
+        "command. Exit codes: 0 done, 1 internal error, 2 bad input or usage,\n3 undecided or runs of a "
+        "batch failed, 4 the "
+        "file "
         "system "
         "refused, 130 interrupted.");
     const std::vector<Command> commands = addCommands(root);

@@ -199,9 +199,9 @@ std::string htmlScatter(const Scatter& scatter) {
                std::to_string(scatter.samples) +
                " samples in all, each computed dry and with water in each fissure. What the scatter of "
                "friction "
-               "does to the critical angle is the width of the boxes; how far the laboratory lies from them "
-               "is "
-               "not a matter of friction.") +
+               "does to the critical angle is the width of the boxes; where a laboratory test lies outside, "
+               "friction "
+               "within that range is not the reason.") +
            wide(plotScatter(scatter).inlined()) +
            table("Critical angle (\u00b0) with friction angles of 18\u00b0 to 21\u00b0 per interface",
                  row(head("case", "words") + head("laboratory") + head("samples") + head("mean") +

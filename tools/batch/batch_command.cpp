@@ -127,12 +127,12 @@ int showPlan(const BatchOptions& options, const formats::Sweep& sweep) {
 }
 
 int runBatch(const BatchOptions& options) {
-    const MpiJob job;
     const Shard shard = shardOf(options.shard);
     const formats::Sweep sweep = valueOf(formats::readSweep(options.sweep));
     if (options.plan) return showPlan(options, sweep);
     if (options.folder.empty())
         throw BadInput(Error{"--output", "missing; allowed: -o DIR, the folder for the results (or --plan)"});
+    const MpiJob job;  // input that is bad for one process is bad for all: they say so and leave before they meet
     if (job.rank() > 0) {
         job.help(sweep, describe(sweep), stopRequested());
         return kDone;  // what there is to say, process 0 says

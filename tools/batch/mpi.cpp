@@ -150,14 +150,19 @@ MpiJob::MpiJob() {
 
 MpiJob::~MpiJob() {
     if (!joined_) return;
-    // On the way out of a fault the others may be waiting for this process: end them all.
-    if (std::uncaught_exceptions() > 0 && size_ > 1)
-        MPI_Abort(MPI_COMM_WORLD, kInternalError);
-    else
-        MPI_Finalize();
+    for (int left = rank_ == 0 && !dismissed_ ? size_ - 1 : 0; left > 0; --left) {
+        MPI_Status status;
+        MPI_Recv(nullptr, 0, MPI_CHAR, MPI_ANY_SOURCE, kAsk, MPI_COMM_WORLD, &status);
+        MPI_Send(&kNoMore, 1, MPI_INT64_T, status.MPI_SOURCE, kRun, MPI_COMM_WORLD);
+    }
+    MPI_Finalize();
 }
 
-BatchProgress MpiJob::serve(const BatchWork& batch) const { return Server(batch, size_ - 1).serve(); }
+BatchProgress MpiJob::serve(const BatchWork& batch) const {
+    Server server(batch, size_ - 1);
+    dismissed_ = true;  // the server tells them, whatever goes wrong
+    return server.serve();
+}
 
 void MpiJob::help(const formats::Sweep& sweep, const BatchInfo& info, const std::atomic<bool>& stop) const {
     std::string text;

@@ -14,7 +14,7 @@ namespace talus::tools::batch {
 class MpiJob {
  public:
     MpiJob();   ///< joins the job that mpirun (or srun) has started this process in, if it has
-    ~MpiJob();  ///< leaves it
+    ~MpiJob();  ///< leaves it; helpers that have not been told so are told that there is nothing to do
     MpiJob(const MpiJob&) = delete;
     MpiJob& operator=(const MpiJob&) = delete;
 
@@ -30,6 +30,7 @@ class MpiJob {
  private:
     int rank_ = 0, size_ = 1;
     bool joined_ = false;
+    mutable bool dismissed_ = false;  ///< the helpers know that there is no more
 };
 
 }  // namespace talus::tools::batch
