@@ -90,7 +90,17 @@ std::string meanSentence(const Summary& summary) {
     return paragraph(words + ".");
 }
 
+/// Without samples the runs are a design, not a sample of anything: there is no confidence to speak of.
+std::string range(const Summary& summary) {
+    if (summary.all.sorted.empty()) return "";
+    return paragraph("From " + figure(summary.all.sorted.front()) + " to " +
+                     figure(summary.all.sorted.back()) + " over all cases, in the middle " +
+                     figure(quantileOf(summary.all.sorted, 0.5)) + ".");
+}
+
 std::string distribution(const Summary& summary) {
+    if (summary.info.samples == 1)
+        return heading("distribution", "The " + summary.info.answerTitle()) + range(summary);
     std::string page = heading("distribution", "Distribution of the " + summary.info.answerTitle()) +
                        meanSentence(summary) +
                        table("All runs", groupHead(summary.info, false), groupRow(summary.all, false));
@@ -105,6 +115,8 @@ std::string distribution(const Summary& summary) {
                      ? " The intervals are those of independent samples; a Latin hypercube scatters less."
                      : ""),
             "muted");
+    if (summary.cases.size() > 1)
+        page += paragraph("All cases together; each for itself further below.", "muted");
     if (summary.all.moments.count >= kFewestForShape)
         page += wide(plotHistogram(summary).inlined()) + wide(plotDistribution(summary).inlined());
     return page;
@@ -112,16 +124,18 @@ std::string distribution(const Summary& summary) {
 
 std::string modes(const Summary& summary) {
     if (summary.all.modes.empty()) return "";
+    const bool sampled = summary.info.samples > 1;
     std::string rows;
     for (const auto& [mode, count] : summary.all.modes) {
         const Interval interval = shareInterval(count, summary.all.decided, summary.info.confidence);
         rows += row(cell(mode, "words") + cell(std::to_string(count)) +
                     cell(percent(static_cast<double>(count) / static_cast<double>(summary.all.decided))) +
-                    cell(percent(interval.low) + " to " + percent(interval.high)));
+                    (sampled ? cell(percent(interval.low) + " to " + percent(interval.high)) : ""));
     }
     return heading("modes", "Failure modes") +
            table("Share of the decided runs",
-                 row(head("mode", "words") + head("runs") + head("share") + head("confidence interval")),
+                 row(head("mode", "words") + head("runs") + head("share") +
+                     (sampled ? head("confidence interval") : "")),
                  rows);
 }
 
@@ -174,8 +188,28 @@ std::string sensitivity(const Summary& summary) {
            wide(plotTornado(summary).inlined());
 }
 
+/// One run per case: its answer, its mode, whether it has failed at the thresholds.
+std::string singleRow(const Group& group) {
+    std::string cells = cell(group.label, "words") +
+                        cell(group.sorted.empty() ? "\u2013" : figure(group.sorted.front())) +
+                        cell(group.modes.empty() ? "" : group.modes.begin()->first, "words");
+    for (const FailureShare& share : group.failure)
+        cells += cell(share.count == 0 ? "not known" : share.failed > 0 ? "yes" : "no");
+    return row(cells);
+}
+
+std::string singleCases(const Summary& summary) {
+    std::string cells = head("case", "words") + head(summary.info.answerTitle()) + head("failure", "words"),
+                rows;
+    for (const double threshold : summary.info.thresholds)
+        cells += head(thresholdTitle(summary.info, threshold));
+    for (const Group& group : summary.cases) rows += singleRow(group);
+    return heading("cases", "Cases") + table("One run each", row(cells), rows);
+}
+
 std::string cases(const Summary& summary) {
     if (summary.cases.empty()) return "";
+    if (summary.info.samples == 1) return singleCases(summary);
     std::string rows;
     for (const Group& group : summary.cases) rows += groupRow(group, true);
     return heading("cases", "Cases") + table(summary.info.answerTitle(), groupHead(summary.info, true), rows);
