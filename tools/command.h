@@ -27,7 +27,7 @@ enum ExitCode : int {
     kDone = 0,
     kInternalError = 1,
     kBadInput = 2,     ///< bad input, missing file or wrong usage
-    kUndecided = 3,    ///< the analysis ended undecided
+    kUndecided = 3,    ///< the analysis ended undecided, or runs of a batch failed
     kFileRefused = 4,  ///< the file system refused
     kInterrupted = 130
 };
@@ -56,6 +56,9 @@ Command addTheory(CLI::App& root);
 Command addPaper(CLI::App& root);
 Command addInspect(CLI::App& root);
 Command addExport(CLI::App& root);
+Command addBatch(CLI::App& root);
+Command addSample(CLI::App& root);
+Command addMerge(CLI::App& root);
 
 // --- failures: throw these, main prints them (on stderr, and as JSON on stdout with --json) and exits ---------------
 

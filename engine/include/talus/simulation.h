@@ -96,4 +96,13 @@ const char* toString(InitialState start);
 /// Empty when the model can be built.
 std::vector<Error> checkModel(const Model& model, int threads = 1);
 
+/// Two blocks that share at least one interface at the start, and the joint between them.
+struct TouchingPair {
+    std::int32_t block_a = 0, block_b = 0;  ///< a < b
+    std::int32_t joint = 0;                 ///< of the first interface they share
+};
+
+/// All pairs that touch, in the order of their blocks. Errors: as of checkModel.
+Result<std::vector<TouchingPair>> touchingPairs(const Model& model);
+
 }  // namespace talus

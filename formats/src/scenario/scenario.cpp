@@ -9,6 +9,7 @@
 #include "interface.h"
 #include "placed_block.h"
 #include "properties.h"
+#include "read_document.h"
 #include "settings.h"
 #include "stack.h"
 #include "water.h"
@@ -130,13 +131,17 @@ class ScenarioReader {
 }  // namespace
 }  // namespace scenario
 
+Result<Scenario> scenario::readDocument(const Document& document, std::string text, const std::string& path) {
+    Report report(path);
+    Model model = ScenarioReader(report, document.root()).read();
+    if (!report.clean()) return report.errors();
+    return Scenario{std::move(model), path, std::move(text), report.takePlaces()};
+}
+
 Result<Scenario> parseScenario(const std::string& text, const std::string& path) {
     const auto document = scenario::Document::parse(text, path);
     if (!document) return document.errors();
-    scenario::Report report(path);
-    Model model = scenario::ScenarioReader(report, document->root()).read();
-    if (!report.clean()) return report.errors();
-    return Scenario{std::move(model), path, text, report.takePlaces()};
+    return scenario::readDocument(*document, text, path);
 }
 
 Result<Scenario> readScenario(const std::string& path) {
