@@ -47,12 +47,15 @@ int validate(const ValidateOptions& options) {
     const formats::Scenario scenario = loadScenario(options.scenario);
     const std::vector<Error> errors = checkModel(scenario.model, options.common.threads);
     if (!errors.empty()) throw BadInput(formats::placed(scenario, errors));
+    for (const std::string& warning : scenario.warnings)
+        note(options.common, "warning: " + options.scenario + ": " + warning);
     if (!options.common.json) {
         printText(summary(options.scenario, scenario.model));
         return kDone;
     }
     Json json{{"ok", true}, {"errors", Json::array()}};
     json.update(counts(scenario.model));
+    json["warnings"] = scenario.warnings;
     json["provenance"] = provenance(options.common, options.scenario);
     printJson(json);
     return kDone;

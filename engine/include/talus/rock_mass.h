@@ -39,7 +39,8 @@ Result<TriangleSurface> boxSurface(const Vec3& min, const Vec3& max);
 
 /// A slope profile, a simple polygon of (x, z) in either sense of rotation, extruded from y_min to y_max [m].
 /// Errors: fewer than three points, sides that cross or touch ("[i]" is the side behind point i), y_min >= y_max.
-Result<TriangleSurface> extrudeProfile(const std::vector<Eigen::Vector2d>& profile, double y_min, double y_max);
+Result<TriangleSurface> extrudeProfile(const std::vector<Eigen::Vector2d>& profile, double y_min,
+                                       double y_max);
 
 /// Unit normal of a plane of this dip and dip direction [rad], pointing upwards.
 Vec3 upwardNormal(double dip, double dip_direction);
@@ -61,10 +62,11 @@ struct JointSet {
     Vec3 origin = Vec3::Zero();
     double offset = 0;  ///< along the upward normal [m]
     SpacingLaw law = SpacingLaw::constant;
-    double spread = 0;            ///< of SpacingLaw::uniform, 0..1
-    std::optional<double> fisher; ///< Fisher constant of the scatter of orientation about the mean; none: no scatter
-    std::int32_t joint = 0;       ///< index of the strength
-    std::string field{};          ///< "joint_set[0]", for messages
+    double spread = 0;  ///< of SpacingLaw::uniform, 0..1
+    std::optional<double>
+        fisher;  ///< Fisher constant of the scatter of orientation about the mean; none: no scatter
+    std::int32_t joint = 0;  ///< index of the strength
+    std::string field{};     ///< "joint_set[0]", for messages
 };
 
 /// One joint: a plane through a point, through the whole region or as far as a disc or a convex polygon reaches.
@@ -83,9 +85,10 @@ struct RockMass {
     TriangleSurface region;
     std::vector<JointSet> sets;
     std::vector<SingleJoint> singles;
-    std::optional<double> min_thickness;  ///< [m]; default: a thousandth of the least mean spacing, without joint sets
-                                          ///< 1e-4 of the region's longest side
-    bool refuse_slivers = false;          ///< a cut that would leave a thinner part is an error, not left out
+    std::optional<double>
+        min_thickness;  ///< [m]; default: a thousandth of the least mean spacing, without joint sets
+                        ///< 1e-4 of the region's longest side
+    bool refuse_slivers = false;  ///< a cut that would leave a thinner part is an error, not left out
     std::uint64_t seed = 1;
     std::size_t max_blocks = 2'000'000;
     std::string field = "rock_mass";
@@ -138,8 +141,8 @@ struct BlockSelection {
         touching  ///< with a face in the plane
     };
     Kind kind = Kind::box;
-    Vec3 min = Vec3::Zero(), max = Vec3::Zero();                   ///< of the box [m]
-    Vec3 point = Vec3::Zero(), upward_normal = Vec3::UnitZ();      ///< of the plane [m]
+    Vec3 min = Vec3::Zero(), max = Vec3::Zero();               ///< of the box [m]
+    Vec3 point = Vec3::Zero(), upward_normal = Vec3::UnitZ();  ///< of the plane [m]
 };
 
 /// For each part, whether the selection takes its block; a block's parts are judged together. Planes are met within

@@ -42,8 +42,7 @@ bool openEdges(const std::vector<CellFace>& faces, std::vector<Edge>& open) {
     std::vector<Edge> edges;
     for (const CellFace& face : faces)
         for (std::size_t i = 0; i < face.outline.size(); ++i)
-            edges.emplace_back(face.outline[i],
-                               face.outline[i + 1 < face.outline.size() ? i + 1 : 0]);
+            edges.emplace_back(face.outline[i], face.outline[i + 1 < face.outline.size() ? i + 1 : 0]);
     std::sort(edges.begin(), edges.end());
     if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) return false;
     for (const Edge& edge : edges)
@@ -85,8 +84,7 @@ Cell partOf(const Cell& cell, const Plane& plane, std::int32_t index, int sign, 
 /// Takes out vertices that only two faces of a cell meet in: they lie on a straight edge.
 void dropStraightVertices(Cell& cell) {
     std::vector<std::int32_t> used;
-    for (const CellFace& face : cell.faces)
-        used.insert(used.end(), face.outline.begin(), face.outline.end());
+    for (const CellFace& face : cell.faces) used.insert(used.end(), face.outline.begin(), face.outline.end());
     std::sort(used.begin(), used.end());
     for (CellFace& face : cell.faces)
         std::erase_if(face.outline, [&](std::int32_t v) {
@@ -152,7 +150,8 @@ Polygon projected(const CellFace& face, const FaceFrame& frame, bool reversed, c
 std::uint64_t VertexTable::keyOf(const Vec3& position) const {
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis)
-        key = mixed(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(position[axis] / cell_))));
+        key = mixed(
+            key, static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(position[axis] / cell_))));
     return key;
 }
 
@@ -161,7 +160,8 @@ std::int32_t VertexTable::add(const Vec3& position) {
     std::size_t count = 0;
     // The buckets that a cube of the weld distance about the position reaches: nearly always one.
     for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 shift(corner & 1 ? weld_ : -weld_, corner & 2 ? weld_ : -weld_, corner & 4 ? weld_ : -weld_);
+        const Vec3 shift(corner & 1 ? weld_ : -weld_, corner & 2 ? weld_ : -weld_,
+                         corner & 4 ? weld_ : -weld_);
         const std::uint64_t key = keyOf(position + shift);
         if (std::find(keys.begin(), keys.begin() + count, key) == keys.begin() + count) keys[count++] = key;
     }
@@ -232,7 +232,8 @@ bool merge(const Cell& a, const Cell& b, const std::vector<Plane>& planes, const
         for (std::size_t j = 0; j < b.faces.size(); ++j) {
             if (a.faces[i].plane != b.faces[j].plane || a.faces[i].outward == b.faces[j].outward) continue;
             if (!isReversed(a.faces[i].outline, b.faces[j].outline)) continue;
-            if (!liesBehind(a, i, b, planes, vertices) || !liesBehind(b, j, a, planes, vertices)) return false;
+            if (!liesBehind(a, i, b, planes, vertices) || !liesBehind(b, j, a, planes, vertices))
+                return false;
             merged.faces.clear();
             for (std::size_t f = 0; f < a.faces.size(); ++f)
                 if (f != i) merged.faces.push_back(a.faces[f]);
@@ -270,7 +271,8 @@ double sharedArea(const CellFace& a, const CellFace& b, const std::vector<Plane>
     if (a.plane != b.plane || a.outward == b.outward) return 0;
     const Vec3 normal = (a.outward ? 1 : -1) * planes[static_cast<std::size_t>(a.plane)].normal;
     const FaceFrame frame = faceFrame(vertices[a.outline[0]], vertices[a.outline[1]], normal);
-    const Polygon outline_a = projected(a, frame, false, vertices), outline_b = projected(b, frame, true, vertices);
+    const Polygon outline_a = projected(a, frame, false, vertices),
+                  outline_b = projected(b, frame, true, vertices);
     const Polygon common = intersect(outline_a, outline_b);
     return common.empty() ? 0 : area(common);
 }
@@ -280,8 +282,9 @@ double volume(const Cell& cell, const VertexTable& vertices) {
     double sixfold = 0;
     for (const CellFace& face : cell.faces)
         for (std::size_t i = 2; i < face.outline.size(); ++i)
-            sixfold += (vertices[face.outline[0]] - origin)
-                           .dot((vertices[face.outline[i - 1]] - origin).cross(vertices[face.outline[i]] - origin));
+            sixfold +=
+                (vertices[face.outline[0]] - origin)
+                    .dot((vertices[face.outline[i - 1]] - origin).cross(vertices[face.outline[i]] - origin));
     return sixfold / 6;
 }
 

@@ -18,12 +18,12 @@ namespace {
 
 using namespace rock_mass;
 
-constexpr double kWeld = 1e-11;           // of the region's extent
-constexpr double kUlps = 64 * 2.22e-16;   // of the largest coordinate: what is nearer is rounding
-constexpr double kThinSpacing = 1e-3;     // default least thickness: of the least mean spacing ...
-constexpr double kThinExtent = 1e-4;      // ... or of the region's longest side
-constexpr double kVolumeTolerance = 1e-9; // of the region's volume
-constexpr double kSameLevel = 1e-7;       // of the extent: centroids this near in a coordinate are level
+constexpr double kWeld = 1e-11;            // of the region's extent
+constexpr double kUlps = 64 * 2.22e-16;    // of the largest coordinate: what is nearer is rounding
+constexpr double kThinSpacing = 1e-3;      // default least thickness: of the least mean spacing ...
+constexpr double kThinExtent = 1e-4;       // ... or of the region's longest side
+constexpr double kVolumeTolerance = 1e-9;  // of the region's volume
+constexpr double kSameLevel = 1e-7;        // of the extent: centroids this near in a coordinate are level
 
 std::string text(double value) {
     char buffer[32];
@@ -40,7 +40,8 @@ const std::string& fieldOf(const RockMass& description, std::size_t joint) {
 /// "joint_set[0] (J1)"
 std::string titleOf(const RockMass& description, std::size_t joint) {
     const std::size_t sets = description.sets.size();
-    const std::string& name = joint < sets ? description.sets[joint].name : description.singles[joint - sets].name;
+    const std::string& name =
+        joint < sets ? description.sets[joint].name : description.singles[joint - sets].name;
     return fieldOf(description, joint) + (name.empty() ? "" : " (" + name + ")");
 }
 
@@ -78,7 +79,8 @@ class Cutter {
         auto errors = inRegion(checkSurface(description_.region));
         for (Error& error : checkJoints(description_)) errors.push_back(std::move(error));
         if (description_.min_thickness && !(*description_.min_thickness >= 0))
-            errors.push_back({description_.field + ".min_thickness", "found a negative thickness, allowed: at least 0"});
+            errors.push_back(
+                {description_.field + ".min_thickness", "found a negative thickness, allowed: at least 0"});
         return errors;
     }
 
@@ -96,7 +98,8 @@ class Cutter {
 
     double weldDistance() const {
         double farthest = 0;
-        for (const Vec3& v : description_.region.vertices) farthest = std::max(farthest, v.cwiseAbs().maxCoeff());
+        for (const Vec3& v : description_.region.vertices)
+            farthest = std::max(farthest, v.cwiseAbs().maxCoeff());
         return std::max(kWeld * extent(), kUlps * farthest);
     }
 
@@ -132,14 +135,15 @@ class Cutter {
         if (!description_.refuse_slivers) return std::nullopt;
         return Error{fieldOf(description_, joint.joint),
                      "found a cut that leaves a sliver " + text(outcome.thinnest) + " m thick near " +
-                         text(outcome.place) + ", allowed: at least min_thickness, " + text(result_.min_thickness) +
-                         " m, or slivers = \"merge\""};
+                         text(outcome.place) + ", allowed: at least min_thickness, " +
+                         text(result_.min_thickness) + " m, or slivers = \"merge\""};
     }
 
     Error onTooMany(const JointPlane& joint) const {
-        return {fieldOf(description_, joint.joint), "found more than " + std::to_string(description_.max_blocks) +
-                                                        " blocks up to here, allowed: at most that many; a wider "
-                                                        "spacing or a smaller region"};
+        return {fieldOf(description_, joint.joint),
+                "found more than " + std::to_string(description_.max_blocks) +
+                    " blocks up to here, allowed: at most that many; a wider "
+                    "spacing or a smaller region"};
     }
 
     void warnOfCuts() {
@@ -148,9 +152,10 @@ class Cutter {
             if (tally.left_out > 0)
                 result_.warnings.push_back(
                     titleOf(description_, joint) + ": " + std::to_string(tally.left_out) +
-                    (tally.left_out == 1 ? " cut was" : " cuts were") + " left out, as a part would be thinner than " +
-                    text(result_.min_thickness) + " m; the first near " + text(tally.first_place) + ", " +
-                    text(tally.first_thickness) + " m thick");
+                    (tally.left_out == 1 ? " cut was" : " cuts were") +
+                    " left out, as a part would be thinner than " + text(result_.min_thickness) +
+                    " m; the first near " + text(tally.first_place) + ", " + text(tally.first_thickness) +
+                    " m thick");
             else if (tally.cuts == 0)
                 result_.warnings.push_back(titleOf(description_, joint) + ": cuts no block");
         }
@@ -158,7 +163,8 @@ class Cutter {
 
     /// A solid where it will stand among the blocks.
     struct Ranked {
-        std::array<std::int64_t, 3> level;  ///< z, x, y of the centroid in steps of the least difference that counts
+        std::array<std::int64_t, 3>
+            level;  ///< z, x, y of the centroid in steps of the least difference that counts
         const Solid* solid;
     };
 
@@ -178,7 +184,8 @@ class Cutter {
                               std::llround(centroid.y() / step)},
                              &solid});
         }
-        std::stable_sort(order.begin(), order.end(), [](const Ranked& a, const Ranked& b) { return a.level < b.level; });
+        std::stable_sort(order.begin(), order.end(),
+                         [](const Ranked& a, const Ranked& b) { return a.level < b.level; });
         return order;
     }
 
@@ -186,7 +193,8 @@ class Cutter {
         BlockPart part;
         part.block = block;
         std::vector<std::int32_t> used;
-        for (const CellFace& face : cell.faces) used.insert(used.end(), face.outline.begin(), face.outline.end());
+        for (const CellFace& face : cell.faces)
+            used.insert(used.end(), face.outline.begin(), face.outline.end());
         std::sort(used.begin(), used.end());
         used.erase(std::unique(used.begin(), used.end()), used.end());
         for (const std::int32_t v : used) part.shape.vertices.push_back(vertices[v]);
@@ -212,13 +220,17 @@ class Cutter {
             ++result_.blocks;
             if (ranked.solid->pieces.size() == 1) continue;
             for (const auto& [a, b] : sharedFaces(ranked.solid->pieces, knife))
-                result_.bonds.emplace_back(first + static_cast<std::int32_t>(a), first + static_cast<std::int32_t>(b));
+                result_.bonds.emplace_back(first + static_cast<std::int32_t>(a),
+                                           first + static_cast<std::int32_t>(b));
         }
         for (const BlockPart& part : result_.parts) result_.volume += part.volume;
         if (!(std::abs(result_.volume - result_.region_volume) <= kVolumeTolerance * result_.region_volume))
-            return Error{description_.field, "the blocks' volumes add up to " + text(result_.volume) + " m3, the "
-                                             "region's is " + text(result_.region_volume) +
-                                                 " m3: joints too nearly parallel for coordinates this large"};
+            return Error{description_.field,
+                         "the blocks' volumes add up to " + text(result_.volume) +
+                             " m3, the "
+                             "region's is " +
+                             text(result_.region_volume) +
+                             " m3: joints too nearly parallel for coordinates this large"};
         return std::move(result_);
     }
 

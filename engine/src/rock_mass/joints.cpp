@@ -9,7 +9,8 @@
 namespace talus {
 
 Vec3 upwardNormal(double dip, double dip_direction) {
-    Vec3 normal(std::sin(dip) * std::sin(dip_direction), std::sin(dip) * std::cos(dip_direction), std::cos(dip));
+    Vec3 normal(std::sin(dip) * std::sin(dip_direction), std::sin(dip) * std::cos(dip_direction),
+                std::cos(dip));
     // Right angles in degrees leave some 1e-16 behind.
     for (double& component : normal)
         if (std::abs(component) < 1e-15) component = 0;
@@ -61,13 +62,15 @@ std::optional<Error> polygonFault(const SingleJoint& joint) {
         return Error{field, "found corners on one line, allowed: corners that span a plane"};
     const Vec3 normal = area.normalized();
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec3 &a = corners[i], &b = corners[(i + 1) % corners.size()], &c = corners[(i + 2) % corners.size()];
+        const Vec3 &a = corners[i], &b = corners[(i + 1) % corners.size()],
+                   &c = corners[(i + 2) % corners.size()];
         const std::string corner = field + "[" + std::to_string((i + 1) % corners.size()) + "]";
         if (std::abs(normal.dot(a - corners[0])) > kEvenness * size)
             return Error{field + "[" + std::to_string(i) + "]",
                          "found a corner off the plane of the others, allowed: corners in one plane"};
         if (normal.dot((b - a).cross(c - b)) <= 0)
-            return Error{corner, "found a polygon that is not convex here, allowed: a convex one, corners in order"};
+            return Error{corner,
+                         "found a polygon that is not convex here, allowed: a convex one, corners in order"};
     }
     return std::nullopt;
 }
@@ -101,11 +104,13 @@ struct Station {
 };
 
 /// Places of the planes between `low` and `high` [m] along the normal; nothing if there are too many.
-std::vector<Station> stations(const JointSet& set, std::size_t index, double low, double high, std::uint64_t seed) {
+std::vector<Station> stations(const JointSet& set, std::size_t index, double low, double high,
+                              std::uint64_t seed) {
     const double start = upwardNormal(set.dip, set.dip_direction).dot(set.origin) + set.offset;
     std::vector<Station> found;
     if (set.law == SpacingLaw::constant) {
-        const double first = std::ceil((low - start) / set.spacing), last = std::floor((high - start) / set.spacing);
+        const double first = std::ceil((low - start) / set.spacing),
+                     last = std::floor((high - start) / set.spacing);
         if (last - first > kMostPlanes || std::abs(first) > 1e9 || std::abs(last) > 1e9) return {};
         for (auto k = static_cast<std::int64_t>(first); k <= static_cast<std::int64_t>(last); ++k)
             found.push_back({start + static_cast<double>(k) * set.spacing, k});
@@ -123,7 +128,8 @@ std::vector<Station> stations(const JointSet& set, std::size_t index, double low
         if (along < low) break;
         if (along <= high) found.push_back({along, k});
     }
-    std::sort(found.begin(), found.end(), [](const Station& a, const Station& b) { return a.number < b.number; });
+    std::sort(found.begin(), found.end(),
+              [](const Station& a, const Station& b) { return a.number < b.number; });
     if (steps >= 4 * kMostPlanes || found.size() > static_cast<std::size_t>(kMostPlanes)) return {};
     return found;
 }
@@ -138,8 +144,8 @@ void appendHalving(const std::vector<JointPlane>& ordered, std::size_t begin, st
     appendHalving(ordered, middle + 1, end, planes);
 }
 
-std::optional<Error> appendSet(const RockMass& description, std::size_t index, const std::vector<Vec3>& corners,
-                               std::vector<JointPlane>& planes) {
+std::optional<Error> appendSet(const RockMass& description, std::size_t index,
+                               const std::vector<Vec3>& corners, std::vector<JointPlane>& planes) {
     const JointSet& set = description.sets[index];
     const Vec3 normal = upwardNormal(set.dip, set.dip_direction);
     Vec3 middle = Vec3::Zero();
@@ -156,9 +162,10 @@ std::optional<Error> appendSet(const RockMass& description, std::size_t index, c
     }
     const auto places = stations(set, index, low, high, description.seed);
     if (places.empty() && high - low > static_cast<double>(kMostPlanes) * 0.5 * set.spacing)
-        return Error{set.field + ".spacing", "found more than " + std::to_string(kMostPlanes) +
-                                                 " planes through the region, allowed: a wider spacing, or an origin "
-                                                 "nearer to the region"};
+        return Error{set.field + ".spacing",
+                     "found more than " + std::to_string(kMostPlanes) +
+                         " planes through the region, allowed: a wider spacing, or an origin "
+                         "nearer to the region"};
     std::vector<JointPlane> ordered;
     for (const Station& place : places) {
         const Vec3 point = middle + (place.along - normal.dot(middle)) * normal;
@@ -233,15 +240,19 @@ std::vector<Error> checkJoints(const RockMass& description) {
     std::vector<Error> errors;
     for (const JointSet& set : description.sets) {
         if (!(set.spacing > 0) || !std::isfinite(set.spacing))
-            errors.push_back({set.field + ".spacing", "found a spacing that is not positive, allowed: greater than 0"});
+            errors.push_back(
+                {set.field + ".spacing", "found a spacing that is not positive, allowed: greater than 0"});
         if (!(set.spread >= 0 && set.spread < 1))
-            errors.push_back({set.field + ".spread", "found a spread outside 0..1, allowed: at least 0 and less than 1"});
+            errors.push_back(
+                {set.field + ".spread", "found a spread outside 0..1, allowed: at least 0 and less than 1"});
         if (set.fisher && !(*set.fisher > 0))
-            errors.push_back({set.field + ".fisher", "found a Fisher constant that is not positive, allowed: greater than 0"});
+            errors.push_back({set.field + ".fisher",
+                              "found a Fisher constant that is not positive, allowed: greater than 0"});
     }
     for (const SingleJoint& joint : description.singles) {
         if (joint.radius && !(*joint.radius > 0))
-            errors.push_back({joint.field + ".radius", "found a radius that is not positive, allowed: greater than 0"});
+            errors.push_back(
+                {joint.field + ".radius", "found a radius that is not positive, allowed: greater than 0"});
         if (!joint.polygon.empty())
             if (auto fault = polygonFault(joint)) errors.push_back(std::move(*fault));
     }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kCandidates = 24;      // cutting planes compared for one cell
 constexpr std::size_t kMostCells = 200'000;  // of a region: one for each reflex edge and more
-constexpr double kSameVolume = 1e-6;         // of a region against its surface, beyond what its flatness allows
+constexpr double kSameVolume = 1e-6;  // of a region against its surface, beyond what its flatness allows
 
 /// A triangle of the surface and its place among the planes.
 struct Facet {
@@ -47,8 +47,10 @@ class Decomposer {
 
  private:
     static Error crossing() {
-        return {"", "found a surface that crosses itself (its parts do not add up to its volume), allowed: a surface "
-                    "that parts inside from outside"};
+        return {
+            "",
+            "found a surface that crosses itself (its parts do not add up to its volume), allowed: a surface "
+            "that parts inside from outside"};
     }
     static Error tooMany() {
         return {"", "found a surface with so many reflex edges that it falls into more than " +
@@ -130,9 +132,8 @@ class Decomposer {
             const auto p = static_cast<std::size_t>(facets_[t].plane);
             if (is_hull[p] < 0) {
                 const double allowed = std::max(4 * vertices_.weld(), 2 * deviation_);
-                is_hull[p] = std::all_of(surface_.vertices.begin(), surface_.vertices.end(), [&](const Vec3& v) {
-                    return planes_[p].height(v) <= allowed;
-                });
+                is_hull[p] = std::all_of(surface_.vertices.begin(), surface_.vertices.end(),
+                                         [&](const Vec3& v) { return planes_[p].height(v) <= allowed; });
                 if (is_hull[p] == 1) {
                     Split parts = split(root, planes_, facets_[t].plane, vertices_);
                     if (parts.kind == Split::Kind::above) return false;
@@ -238,7 +239,8 @@ class Decomposer {
         const bool swapped = a > b;
         const Vec3& from = surface_.vertices[static_cast<std::size_t>(swapped ? b : a)];
         const Vec3& to = surface_.vertices[static_cast<std::size_t>(swapped ? a : b)];
-        const double turn = (to.x() - from.x()) * (point.y() - from.y()) - (to.y() - from.y()) * (point.x() - from.x());
+        const double turn =
+            (to.x() - from.x()) * (point.y() - from.y()) - (to.y() - from.y()) * (point.x() - from.x());
         return (turn >= 0) != swapped;
     }
 

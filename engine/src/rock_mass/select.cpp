@@ -15,11 +15,11 @@ struct BlockSum {
     bool has_face = false;
 };
 
-bool liesInPlane(const Polyhedron& shape, const std::vector<std::int32_t>& face, const BlockSelection& selection,
-                 double tolerance) {
+bool liesInPlane(const Polyhedron& shape, const std::vector<std::int32_t>& face,
+                 const BlockSelection& selection, double tolerance) {
     return std::all_of(face.begin(), face.end(), [&](std::int32_t v) {
-        return std::abs(selection.upward_normal.dot(shape.vertices[static_cast<std::size_t>(v)] - selection.point)) <=
-               tolerance;
+        return std::abs(selection.upward_normal.dot(shape.vertices[static_cast<std::size_t>(v)] -
+                                                    selection.point)) <= tolerance;
     });
 }
 

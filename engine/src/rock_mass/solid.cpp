@@ -19,7 +19,8 @@ struct FaceOf {
 std::vector<FaceOf> facesByPlane(const std::vector<Cell>& cells) {
     std::vector<FaceOf> faces;
     for (std::size_t c = 0; c < cells.size(); ++c)
-        for (std::size_t f = 0; f < cells[c].faces.size(); ++f) faces.push_back({cells[c].faces[f].plane, c, f});
+        for (std::size_t f = 0; f < cells[c].faces.size(); ++f)
+            faces.push_back({cells[c].faces[f].plane, c, f});
     std::stable_sort(faces.begin(), faces.end(),
                      [](const FaceOf& a, const FaceOf& b) { return a.plane < b.plane; });
     return faces;
@@ -114,7 +115,8 @@ Sides sidesOf(const Solid& solid, std::int32_t plane, const Reach* reach, const 
 }
 
 /// Whether a joint along the faces between whole pieces is met: one of them has an outline in the plane.
-bool metAlongFaces(const std::vector<Cell>& lower, std::int32_t index, const Reach* reach, const Knife& knife) {
+bool metAlongFaces(const std::vector<Cell>& lower, std::int32_t index, const Reach* reach,
+                   const Knife& knife) {
     if (!reach) return true;
     const Plane& plane = knife.planes[static_cast<std::size_t>(index)];
     for (const Cell& cell : lower)
@@ -133,8 +135,10 @@ std::vector<std::array<std::size_t, 2>> sharedFaces(const std::vector<Cell>& cel
     const auto faces = facesByPlane(cells);
     for (std::size_t i = 0; i < faces.size(); ++i)
         for (std::size_t j = i + 1; j < faces.size() && faces[j].plane == faces[i].plane; ++j)
-            if (touch(cells[faces[i].cell].faces[faces[i].face], cells[faces[j].cell].faces[faces[j].face], knife))
-                pairs.push_back({std::min(faces[i].cell, faces[j].cell), std::max(faces[i].cell, faces[j].cell)});
+            if (touch(cells[faces[i].cell].faces[faces[i].face], cells[faces[j].cell].faces[faces[j].face],
+                      knife))
+                pairs.push_back(
+                    {std::min(faces[i].cell, faces[j].cell), std::max(faces[i].cell, faces[j].cell)});
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
@@ -149,7 +153,7 @@ std::vector<Solid> joined(std::vector<Cell> cells, const Knife& knife) {
     };
     if (cells.size() > 1)
         for (const auto& [a, b] : sharedFaces(cells, knife)) {
-            const auto [low, high] = std::minmax(rootOf(a), rootOf(b));
+            const auto [low, high] = std::minmax({rootOf(a), rootOf(b)});
             root[high] = low;
         }
     std::vector<std::vector<Cell>> groups(cells.size());

@@ -76,16 +76,17 @@ std::vector<Error> edgeErrors(const TriangleSurface& surface) {
         if (errors.size() >= kMostFaults) break;
         const auto twin = edges.find({edge.second, edge.first});
         const std::size_t against = twin == edges.end() ? 0 : twin->second.size();
-        const std::string place = "the edge from " + text(surface.vertices[static_cast<std::size_t>(edge.first)]) +
-                                  " to " + text(surface.vertices[static_cast<std::size_t>(edge.second)]);
+        const std::string place = "the edge from " +
+                                  text(surface.vertices[static_cast<std::size_t>(edge.first)]) + " to " +
+                                  text(surface.vertices[static_cast<std::size_t>(edge.second)]);
         const std::string others = along.size() > 1 ? " and " + triangleField(along[1]) : "";
         if (along.size() + against == 1)
-            errors.push_back({triangleField(along[0]), "found an open surface: " + place +
-                                                           " has one triangle only, allowed: two"});
-        else if (along.size() + against == 2 && against == 0)
             errors.push_back({triangleField(along[0]),
-                              "found triangles that face opposite ways along " + place + others +
-                                  ", allowed: corners counter-clockwise seen from outside"});
+                              "found an open surface: " + place + " has one triangle only, allowed: two"});
+        else if (along.size() + against == 2 && against == 0)
+            errors.push_back(
+                {triangleField(along[0]), "found triangles that face opposite ways along " + place + others +
+                                              ", allowed: corners counter-clockwise seen from outside"});
         else if (along.size() + against > 2 && (against == 0 || edge.first < edge.second))
             errors.push_back({triangleField(along[0]), "found a non-manifold surface: " + place + " has " +
                                                            std::to_string(along.size() + against) +
@@ -105,12 +106,11 @@ double doubleArea(const std::vector<Point>& polygon) {
 
 double turn(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
 
-bool isBetween(const Point& a, const Point& b, const Point& p) {
-    return (p - a).dot(p - b) <= 0;
-}
+bool isBetween(const Point& a, const Point& b, const Point& p) { return (p - a).dot(p - b) <= 0; }
 
 bool sidesMeet(const Point& a, const Point& b, const Point& c, const Point& d) {
-    const double c_side = turn(a, b, c), d_side = turn(a, b, d), a_side = turn(c, d, a), b_side = turn(c, d, b);
+    const double c_side = turn(a, b, c), d_side = turn(a, b, d), a_side = turn(c, d, a),
+                 b_side = turn(c, d, b);
     if (c_side == 0 && isBetween(a, b, c)) return true;
     if (d_side == 0 && isBetween(a, b, d)) return true;
     if (a_side == 0 && isBetween(c, d, a)) return true;
@@ -126,10 +126,12 @@ std::vector<Error> profileErrors(const std::vector<Point>& p) {
     for (std::size_t i = 0; i < n; ++i) {
         if (!p[i].allFinite()) return {{field(i), "coordinates must be finite"}};
         if (p[i] == p[(i + 1) % n])
-            return {{field((i + 1) % n), "found the point of " + field(i) + " again, allowed: a point of its own"}};
+            return {{field((i + 1) % n),
+                     "found the point of " + field(i) + " again, allowed: a point of its own"}};
         const Point &a = p[i], &b = p[(i + 1) % n], &c = p[(i + 2) % n];
         if (turn(a, b, c) == 0 && (c - b).dot(a - b) > 0)
-            return {{field((i + 1) % n), "found a profile that turns back on itself, allowed: sides that do not touch"}};
+            return {{field((i + 1) % n),
+                     "found a profile that turns back on itself, allowed: sides that do not touch"}};
     }
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = i + 2; j < n; ++j)
