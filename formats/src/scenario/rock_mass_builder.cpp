@@ -72,11 +72,12 @@ class BlockMaker {
                 continue;
             }
             const auto [first, is_new] = named.emplace(block, name.name);
-            if (!is_new)
+            if (is_new)
+                name_of[static_cast<std::size_t>(block)] = name.name;
+            else
                 report_.add(name.place, name.field,
                             "found a point in the block that is named " + quoted(first->second) +
                                 " already, allowed: one name for a block");
-            name_of[static_cast<std::size_t>(block)] = name.name;
         }
         int part = 0;
         for (std::size_t p = 0; p < blocks_.cut.parts.size(); ++p) {
