@@ -52,6 +52,7 @@ Command addRun(CLI::App& root);
 Command addCriticalAngle(CLI::App& root);
 Command addSafetyFactor(CLI::App& root);
 Command addValidate(CLI::App& root);
+Command addBlocks(CLI::App& root);
 Command addTheory(CLI::App& root);
 Command addPaper(CLI::App& root);
 

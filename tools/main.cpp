@@ -63,8 +63,8 @@ std::string unknownCommand(const std::string& word, const std::vector<Command>& 
 }
 
 std::vector<Command> addCommands(CLI::App& root) {
-    return {addPaper(root), addCriticalAngle(root), addSafetyFactor(root),
-            addRun(root),   addValidate(root),      addTheory(root)};
+    return {addPaper(root),    addCriticalAngle(root), addSafetyFactor(root), addRun(root),
+            addValidate(root), addBlocks(root),        addTheory(root)};
 }
 
 int execute(const std::vector<Command>& commands) {
