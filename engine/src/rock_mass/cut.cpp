@@ -161,6 +161,19 @@ class Cutter {
         }
     }
 
+    bool isThin(const Cell& piece, const Knife& knife) const {
+        return thickness({&piece}, planes_, knife.vertices) < result_.min_thickness;
+    }
+
+    void warnOfThinParts(std::size_t count) {
+        if (count > 0)
+            result_.warnings.push_back(
+                description_.field + ".region: " + std::to_string(count) +
+                " convex parts of blocks at its reflex edges are thinner than " +
+                text(result_.min_thickness) +
+                " m, which shortens the time step of a run; a surface of fewer triangles has fewer of them");
+    }
+
     /// A solid where it will stand among the blocks.
     struct Ranked {
         std::array<std::int64_t, 3>
@@ -212,6 +225,7 @@ class Cutter {
     }
 
     Result<CutRockMass> collect(const CutTree& tree, const Knife& knife) {
+        std::size_t thin_parts = 0;
         result_.parts.reserve(tree.size());
         for (const Ranked& ranked : ranked(tree, knife)) {
             const auto first = static_cast<std::int32_t>(result_.parts.size());
@@ -219,10 +233,12 @@ class Cutter {
                 result_.parts.push_back(partOf(piece, result_.blocks, knife.vertices));
             ++result_.blocks;
             if (ranked.solid->pieces.size() == 1) continue;
+            for (const Cell& piece : ranked.solid->pieces) thin_parts += isThin(piece, knife);
             for (const auto& [a, b] : sharedFaces(ranked.solid->pieces, knife))
                 result_.bonds.emplace_back(first + static_cast<std::int32_t>(a),
                                            first + static_cast<std::int32_t>(b));
         }
+        warnOfThinParts(thin_parts);
         for (const BlockPart& part : result_.parts) result_.volume += part.volume;
         if (!(std::abs(result_.volume - result_.region_volume) <= kVolumeTolerance * result_.region_volume))
             return Error{description_.field,
