@@ -23,7 +23,7 @@ Model read(const std::string& name) {
 void checkFactor(const std::string& name, double expected, double tolerance) {
     const auto result = safetyFactor(read(name), {});
     REQUIRE(result.ok());
-    REQUIRE(result->status == SearchStatus::found);
+    REQUIRE((result->status == SearchStatus::found));
     const double factor = 0.5 * (result->low + result->high);
     MESSAGE(name, ": factor of safety ", factor, ", expected ", expected);
     CHECK(std::abs(factor - expected) <= tolerance * expected);
@@ -32,7 +32,7 @@ void checkFactor(const std::string& name, double expected, double tolerance) {
 void checkAngle(const std::string& name, double expected_deg, double tolerance_deg) {
     const auto result = criticalAngle(read(name), {});
     REQUIRE(result.ok());
-    REQUIRE(result->status == SearchStatus::found);
+    REQUIRE((result->status == SearchStatus::found));
     const double angle = 0.5 * (result->low + result->high) / kDegree;
     MESSAGE(name, ": critical angle ", angle, " deg, expected ", expected_deg);
     CHECK(std::abs(angle - expected_deg) <= tolerance_deg);
@@ -62,7 +62,7 @@ TEST_CASE("cut rock: the paper's joint sets give the paper's slope") {
 TEST_CASE("cut rock: Goodman and Bray's slope stands and topples as they say, near their friction angle") {
     const auto result = safetyFactor(read("goodman-bray.toml"), {});
     REQUIRE(result.ok());
-    REQUIRE(result->status == SearchStatus::found);
+    REQUIRE((result->status == SearchStatus::found));
     const double factor = 0.5 * (result->low + result->high);
     const double required = std::atan(std::tan(38.15 * kDegree) / factor) / kDegree;
     MESSAGE("required friction angle ", required, " deg, limiting friction on every side 38.15 deg");

@@ -87,7 +87,7 @@ struct RockMass {
     std::vector<SingleJoint> singles;
     std::optional<double>
         min_thickness;  ///< [m]; default: a thousandth of the least mean spacing, without joint sets
-                        ///< 1e-4 of the region's longest side
+                        ///< 1e-4 of the region's longest side; at least 1e-6 of that
     bool refuse_slivers = false;  ///< a cut that would leave a thinner part is an error, not left out
     std::uint64_t seed = 1;
     std::size_t max_blocks = 2'000'000;

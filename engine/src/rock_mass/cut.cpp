@@ -22,6 +22,7 @@ constexpr double kWeld = 1e-11;            // of the region's extent
 constexpr double kUlps = 64 * 2.22e-16;    // of the largest coordinate: what is nearer is rounding
 constexpr double kThinSpacing = 1e-3;      // default least thickness: of the least mean spacing ...
 constexpr double kThinExtent = 1e-4;       // ... or of the region's longest side
+constexpr double kThinWelds = 1e5;         // weld distances, in any case
 constexpr double kVolumeTolerance = 1e-9;  // of the region's volume
 constexpr double kSameLevel = 1e-7;        // of the extent: centroids this near in a coordinate are level
 
@@ -63,7 +64,7 @@ class Cutter {
         if (!cells) return inRegion(cells.errors());
         for (const Cell& cell : *cells) result_.region_volume += volume(cell, vertices);
         result_.min_thickness = minThickness();
-        const Knife knife{planes_, vertices, std::max(result_.min_thickness, 4 * vertices.weld())};
+        const Knife knife{planes_, vertices, result_.min_thickness};
         const auto joints = jointPlanes(description_, description_.region.vertices);
         if (!joints) return joints.errors();
         CutTree tree(joined(std::move(*cells), knife));
@@ -103,11 +104,13 @@ class Cutter {
         return std::max(kWeld * extent(), kUlps * farthest);
     }
 
+    /// The user's or the default, but never so thin that the weld distance shows against the gap of closed faces
+    /// (1e-4 of a block).
     double minThickness() const {
-        if (description_.min_thickness) return *description_.min_thickness;
         double spacing = kInfinity;
         for (const JointSet& set : description_.sets) spacing = std::min(spacing, set.spacing);
-        return std::min(kThinSpacing * spacing, kThinExtent * extent());
+        const double fallback = std::min(kThinSpacing * spacing, kThinExtent * extent());
+        return std::max(description_.min_thickness.value_or(fallback), kThinWelds * weldDistance());
     }
 
     std::optional<Error> cutBy(const JointPlane& joint, const Knife& knife, CutTree& tree) {

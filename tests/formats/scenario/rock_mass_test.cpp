@@ -135,7 +135,7 @@ TEST_CASE("rock mass: faults of the region") {
           "meets the one behind point [0]");
     fault("stl = \"none.stl\"", ".stl", "none.stl: error: cannot be opened");
     fault("stl = 3", ".stl", "found an integer 3, allowed: a string");
-    fault("bocks = 3", ".bocks", "did you mean \"box\"?");
+    fault("bx = 3", ".bx", "did you mean \"box\"?");
     checkFault(properties() + "[rock_mass]\n", 7, "rock_mass.region", "missing");
     checkFault(properties() + "rock_mass = 3\n", 6, "joint.default.rock_mass", "unknown key");
     checkFault(properties() + stack() + "[[joint_set]]\n", 12, "joint_set", "without [rock_mass]");
@@ -160,7 +160,7 @@ TEST_CASE("rock mass: faults of joints") {
     single("point = [0, 0, 1]\ndip_deg = 91\ndip_direction_deg = 0\n", 11, ".dip_deg",
            "found 91, allowed: at least 0");
     single("polygon = [[0, 0, 0], [1, 0, 0]]\n", 10, ".polygon", "found 2 corners");
-    single("polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.5]]\n", 10, ".polygon", "off the plane");
+    single("polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.5]]\n", 10, ".polygon[1]", "off the plane");
     single("polygon = [[0, 0, 1], [1, 0, 1], [1, 1, 1]]\nradius = 2\n", 11, ".radius", "beside polygon");
 }
 
