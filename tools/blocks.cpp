@@ -85,9 +85,7 @@ std::string content(const BlocksOptions& options, const Model& model) {
 }
 
 int blocks(const BlocksOptions& options) {
-    const formats::Scenario scenario = loadScenario(options.scenario);
-    for (const std::string& warning : scenario.warnings)
-        note(options.common, "warning: " + options.scenario + ": " + warning);
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
     if (!options.output.empty()) writeFile(options.output, content(options, scenario.model));
     const Sizes sizes = sizesOf(scenario.model);
     if (!options.common.json) {

@@ -104,16 +104,22 @@ struct VisibleFace {
     Vec3 normal = Vec3::Zero();
 };
 
-/// Whether other blocks lie against the whole face, as far as its middle and its corners tell.
+/// Whether other blocks lie against the whole face, as far as its middle, its corners and the middles of its
+/// sides tell.
 bool isCovered(const BlockFinder& finder, const Polyhedron& shape, std::size_t f, const Vec3& normal,
                const Vec3& centroid) {
     const Vec3 off = 1e-5 * finder.size() * normal;
     if (!finder.isInside(centroid + off)) return false;
     const auto& outline = shape.faces[f];
-    return std::all_of(outline.begin(), outline.end(), [&](std::int32_t v) {
-        const Vec3& corner = shape.vertices[static_cast<std::size_t>(v)];
-        return finder.isInside(corner + 0.05 * (centroid - corner) + off);
-    });
+    const auto covered = [&](const Vec3& rim) {
+        return finder.isInside(rim + 0.05 * (centroid - rim) + off);
+    };
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec3& a = shape.vertices[static_cast<std::size_t>(outline[i])];
+        const Vec3& b = shape.vertices[static_cast<std::size_t>(outline[(i + 1) % outline.size()])];
+        if (!covered(a) || !covered(0.5 * (a + b))) return false;
+    }
+    return true;
 }
 
 std::vector<VisibleFace> visibleFaces(const Model& model, const Camera& camera) {

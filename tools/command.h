@@ -86,8 +86,9 @@ T valueOf(Result<T> result, const formats::Scenario& scenario) {
     return std::move(*result);
 }
 
-/// Reads a scenario file; throws BadInput.
+/// Reads a scenario file; throws BadInput. The second tells its warnings on stderr, too.
 formats::Scenario loadScenario(const std::string& path);
+formats::Scenario loadScenario(const std::string& path, const Common& common);
 
 // --- interruption ---------------------------------------------------------------------------------------------------
 

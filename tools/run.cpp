@@ -102,7 +102,7 @@ std::string toText(const RunOptions& options, const RunResult& result) {
 }
 
 int runScenario(const RunOptions& options) {
-    const formats::Scenario scenario = loadScenario(options.scenario);
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
     auto history = openHistory(options, scenario);
     std::vector<Error> refused;
     const auto record = [&](const HistoryRecord& row) {

@@ -44,11 +44,9 @@ std::string summary(const std::string& path, const Model& model) {
 }
 
 int validate(const ValidateOptions& options) {
-    const formats::Scenario scenario = loadScenario(options.scenario);
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
     const std::vector<Error> errors = checkModel(scenario.model, options.common.threads);
     if (!errors.empty()) throw BadInput(formats::placed(scenario, errors));
-    for (const std::string& warning : scenario.warnings)
-        note(options.common, "warning: " + options.scenario + ": " + warning);
     if (!options.common.json) {
         printText(summary(options.scenario, scenario.model));
         return kDone;
