@@ -63,6 +63,7 @@ class Cutter {
         auto cells = decompose(description_.region, planes_, vertices);
         if (!cells) return inRegion(cells.errors());
         for (const Cell& cell : *cells) result_.region_volume += volume(cell, vertices);
+        if (auto error = expectTooMany()) return *error;
         result_.min_thickness = minThickness();
         const Knife knife{planes_, vertices, result_.min_thickness};
         const auto joints = jointPlanes(description_, description_.region.vertices);
@@ -140,6 +141,26 @@ class Cutter {
                      "found a cut that leaves a sliver " + text(outcome.thinnest) + " m thick near " +
                          text(outcome.place) + ", allowed: at least min_thickness, " +
                          text(result_.min_thickness) + " m, or slivers = \"merge\""};
+    }
+
+    /// Three sets alone cut a volume V into about V |n1 . n2 x n3| / (s1 s2 s3) blocks: far too many are refused before
+    /// they fill the memory.
+    std::optional<Error> expectTooMany() const {
+        const auto& sets = description_.sets;
+        const auto normal = [&](std::size_t i) { return upwardNormal(sets[i].dip, sets[i].dip_direction); };
+        for (std::size_t k = 2; k < sets.size(); ++k)
+            for (std::size_t j = 1; j < k; ++j)
+                for (std::size_t i = 0; i < j; ++i) {
+                    const double count = result_.region_volume *
+                                         std::abs(normal(i).dot(normal(j).cross(normal(k)))) /
+                                         (sets[i].spacing * sets[j].spacing * sets[k].spacing);
+                    if (count > 2.0 * static_cast<double>(description_.max_blocks))
+                        return Error{sets[k].field + ".spacing", "found sets that cut the region into some " +
+                                                                     text(count) +
+                                                                     " blocks, allowed: at most " +
+                                                                     std::to_string(description_.max_blocks)};
+                }
+        return std::nullopt;
     }
 
     Error onTooMany(const JointPlane& joint) const {

@@ -53,6 +53,9 @@ struct RockMassBlocks {
 std::optional<RockMassInput> readRockMass(Report& report, TableReader& root, const Materials& materials,
                                           const Joints& joints, const std::string& folder);
 
+/// The surface that rock_mass.region means; nothing when that is reported. \param table  rock_mass
+std::optional<TriangleSurface> readRegion(Report& report, TableReader& table, const std::string& folder);
+
 /// Cuts it, names its blocks and finds the fixed ones; faults are reported. \pre the input has no faults
 std::optional<RockMassBlocks> cutBlocks(Report& report, const RockMassInput& input);
 

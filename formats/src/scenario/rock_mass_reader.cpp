@@ -1,8 +1,6 @@
 #include <algorithm>
 
 #include "rock_mass.h"
-#include "talus/formats/mesh.h"
-#include "talus/formats/scenario.h"
 #include "wording.h"
 
 namespace talus::formats::scenario {
@@ -17,22 +15,6 @@ constexpr std::size_t kMaxProfile = 1000;
 constexpr std::int64_t kMaxSeed = INT64_MAX;
 const std::vector<std::string> kSides = {"below", "above", "touching"};
 const std::vector<std::string> kBoundaries = {"-x", "+x", "-y", "+y", "-z", "+z"};
-
-/// Exactly one of `keys`; the others are reported.
-bool checkOneOf(TableReader& table, const std::vector<std::string>& keys) {
-    std::vector<std::string> found;
-    for (const std::string& key : keys)
-        if (table.has(key)) found.push_back(key);
-    if (found.size() == 1) return true;
-    if (found.empty()) {
-        if (std::none_of(keys.begin(), keys.end(), [&](const auto& key) { return table.isMeant(key); }))
-            table.error(keys.front(), "missing; one of these is required: " + listed(keys));
-    } else {
-        table.error(found[1],
-                    "found " + listed(found) + " together, allowed: exactly one of " + listed(keys));
-    }
-    return false;
-}
 
 /// [joint.NAME] by the key `joint`, else by the joint's own name, else the default.
 std::int32_t readStrength(Report& report, TableReader& table, const std::string& name, const Joints& joints) {
@@ -53,7 +35,7 @@ class RockMassReader {
         table.require({"region"});
         input_.place = table.place();
         input_.description.field = table.field();
-        readRegion(table);
+        readBounds(table);
         readProperties(table);
         for (const FieldNode& entry : root.tables("joint_set")) readSet(entry);
         for (const FieldNode& entry : root.tables("single_joint")) readSingle(entry);
@@ -74,83 +56,12 @@ class RockMassReader {
         rock.seed = static_cast<std::uint64_t>(table.integer("seed", {0, kMaxSeed}).value_or(1));
     }
 
-    // --- the region ---------------------------------------------------------------------------------------------
-
-    void readRegion(TableReader& table) {
-        auto region = table.table("region", {"box", "profile", "y", "stl", "obj", "scale"});
-        if (!region || !checkOneOf(*region, {"box", "profile", "stl", "obj"})) return;
-        const bool is_mesh = region->has("stl") || region->has("obj");
-        if (region->has("y") && !region->has("profile"))
-            region->error("y", "found y without profile, allowed: only together with profile");
-        if (region->has("scale") && !is_mesh)
-            region->error("scale", "found scale without stl or obj, allowed: only together with a mesh");
-        if (region->has("box")) readBox(*region);
-        if (region->has("profile")) readProfile(*region);
-        if (is_mesh) readMesh(*region, region->has("stl") ? "stl" : "obj");
-        setOrigin();
-    }
-
-    void readBox(TableReader& region) {
-        auto box = region.table("box", {"min", "max"});
-        if (!box) return;
-        box->require({"min", "max"});
-        const auto min = box->vector("min", kCoordinate), max = box->vector("max", kCoordinate);
-        if (min && max) take(region, "box", boxSurface(*min, *max));
-    }
-
-    void readProfile(TableReader& region) {
-        region.require({"y"});
-        const auto y = region.numbers("y", kCoordinate, 2);
-        const auto array = region.array("profile");
-        if (!array) return;
-        if (array->size() > kMaxProfile) {
-            region.error("profile", "found " + std::to_string(array->size()) + " points, allowed: at most " +
-                                        std::to_string(kMaxProfile));
-            return;
-        }
-        std::vector<Eigen::Vector2d> points;
-        for (std::size_t i = 0; i < array->size(); ++i) {
-            const std::string field = elementField(region.fieldOf("profile"), i);
-            report_.mark(field, array->at(i).place());
-            if (const auto point = readNumbers(report_, array->at(i), field, kCoordinate, 2))
-                points.emplace_back((*point)[0], (*point)[1]);
-        }
-        if (points.size() < array->size() || !y) return;
-        const auto surface = extrudeProfile(points, (*y)[0], (*y)[1]);
-        if (surface) return void(input_.description.region = *surface);
-        for (const Error& error : surface.errors()) {
-            const std::string field =
-                error.field == "y" ? region.fieldOf("y") : region.fieldOf("profile") + error.field;
-            report_.add(report_.placeOf(field).value_or(region.place()), field, error.message);
-        }
-    }
-
-    void readMesh(TableReader& region, const std::string& key) {
-        const double scale = region.number("scale", kPositive).value_or(1);
-        const auto file = region.text(key);
-        if (!file) return;
-        const std::string path = file->starts_with('/') ? *file : folder_ + *file;
-        take(region, key, key == "stl" ? readStl(path, scale) : readObj(path, scale));
-    }
-
-    /// Faults of a mesh file are told at the key that names it, with their own place in front.
-    void take(TableReader& region, const std::string& key, const Result<TriangleSurface>& surface) {
-        if (surface) return void(input_.description.region = *surface);
-        for (Error error : surface.errors()) {
-            error.field.clear();
-            region.error(key, error.file.empty() ? error.message : format(error));
-        }
-    }
-
-    void setOrigin() {
+    void readBounds(TableReader& table) {
+        if (auto region = readRegion(report_, table, folder_)) input_.description.region = std::move(*region);
         const auto& vertices = input_.description.region.vertices;
         if (vertices.empty()) return;
         low_ = high_ = vertices[0];
         for (const Vec3& v : vertices) low_ = low_.cwiseMin(v), high_ = high_.cwiseMax(v);
-        if (!(low_.cwiseAbs().maxCoeff() <= kMaxLength && high_.cwiseAbs().maxCoeff() <= kMaxLength))
-            report_.add(input_.place, "rock_mass.region",
-                        "found coordinates beyond " + numberText(kMaxLength) +
-                            " m, allowed: at most that; a scale, or an origin nearer by");
     }
 
     // --- joints -------------------------------------------------------------------------------------------------
@@ -239,7 +150,7 @@ class RockMassReader {
         TableReader table(report_, entry.node, entry.field,
                           {"box", "plane", "joint", "boundary", "name", "side"});
         FixedEntry fixed{entry.field, table.place(), std::nullopt, "", table.placeOf("name")};
-        if (!checkOneOf(table, {"box", "plane", "joint", "boundary", "name"})) return;
+        if (!table.requireOneOf({"box", "plane", "joint", "boundary", "name"})) return;
         const bool has_side = table.has("plane") || table.has("joint");
         if (table.has("side") && !has_side)
             table.error("side", "found side without plane or joint, allowed: only together with one of them");

@@ -14,29 +14,6 @@ const std::array<Vec3, 6> kFaceDirections = {Vec3::UnitX(),  -Vec3::UnitX(), Vec
                                              -Vec3::UnitY(), Vec3::UnitZ(),  -Vec3::UnitZ()};
 const std::vector<std::string> kFaceNames = {"+x", "-x", "+y", "-y", "+z", "-z"};
 
-/// The keys of `keys` that a table has.
-std::vector<std::string> present(const TableReader& table, const std::vector<std::string>& keys) {
-    std::vector<std::string> found;
-    for (const std::string& key : keys)
-        if (table.has(key)) found.push_back(key);
-    return found;
-}
-
-/// True if exactly one of `keys` is there.
-bool checkExactlyOne(TableReader& table, const std::vector<std::string>& keys) {
-    const auto found = present(table, keys);
-    if (found.size() == 1) return true;
-    if (found.empty() &&
-        std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return table.isMeant(key); }))
-        return false;  // a misspelt one is reported
-    if (found.empty())
-        table.error(keys.front(), "missing; one of these is required: " + listed(keys));
-    else
-        table.error(found[1],
-                    "found " + listed(found) + " together, allowed: exactly one of " + listed(keys));
-    return false;
-}
-
 std::vector<LevelPoint> readLevels(Report& report, TableReader& table) {
     std::vector<LevelPoint> levels;
     const auto array = table.array("levels");
@@ -56,7 +33,7 @@ std::vector<LevelPoint> readLevels(Report& report, TableReader& table) {
 }
 
 void readLevel(Report& report, TableReader& table, const std::vector<std::string>& kinds, Water& water) {
-    if (!checkExactlyOne(table, kinds)) return;
+    if (!table.requireOneOf(kinds)) return;
     if (const auto depth = table.number("depth", Range{0, kMaxLength})) water.level = {{0, *depth}};
     if (table.has("levels")) water.level = readLevels(report, table);
     if (const auto elevation = table.number("elevation", kCoordinate)) {
@@ -85,7 +62,7 @@ class WaterReader {
         entry.water.field = node.field;
         entry.water.density = table.number("density", kPositive).value_or(entry.water.density);
         entry.water.drains_at_aperture = table.number("drains_at_aperture", kPositive).value_or(kInfinity);
-        if (!checkExactlyOne(table, {"fissure", "between", "block", "joint"})) return std::nullopt;
+        if (!table.requireOneOf({"fissure", "between", "block", "joint"})) return std::nullopt;
         refuseForeignKeys(table);
         if (table.has("joint")) return readRockJoint(table, entry);
         if (table.has("fissure")) return readStackJoint(table, entry);
@@ -98,7 +75,7 @@ class WaterReader {
     static void refuseForeignKeys(TableReader& table) {
         const auto refuse = [&](const char* owner, const std::vector<std::string>& keys) {
             if (table.has(owner)) return;
-            for (const std::string& key : present(table, keys))
+            for (const std::string& key : table.present(keys))
                 table.error(key,
                             "found " + key + " without " + owner + ", allowed: only together with " + owner);
         };
