@@ -52,6 +52,7 @@ Command addRun(CLI::App& root);
 Command addCriticalAngle(CLI::App& root);
 Command addSafetyFactor(CLI::App& root);
 Command addValidate(CLI::App& root);
+Command addBlocks(CLI::App& root);
 Command addTheory(CLI::App& root);
 Command addPaper(CLI::App& root);
 Command addInspect(CLI::App& root);
@@ -90,8 +91,9 @@ T valueOf(Result<T> result, const formats::Scenario& scenario) {
     return std::move(*result);
 }
 
-/// Reads a scenario file; throws BadInput.
+/// Reads a scenario file; throws BadInput. The second tells its warnings on stderr, too.
 formats::Scenario loadScenario(const std::string& path);
+formats::Scenario loadScenario(const std::string& path, const Common& common);
 
 // --- interruption ---------------------------------------------------------------------------------------------------
 

@@ -65,7 +65,7 @@ std::string unknownCommand(const std::string& word, const std::vector<Command>& 
 std::vector<Command> addCommands(CLI::App& root) {
     return {addPaper(root),   addCriticalAngle(root), addSafetyFactor(root), addRun(root),
             addInspect(root), addExport(root),        addBatch(root),        addSample(root),
-            addMerge(root),   addValidate(root),      addTheory(root)};
+            addMerge(root),   addValidate(root),      addBlocks(root),       addTheory(root)};
 }
 
 int execute(const std::vector<Command>& commands) {
