@@ -27,7 +27,7 @@ enum ExitCode : int {
     kDone = 0,
     kInternalError = 1,
     kBadInput = 2,     ///< bad input, missing file or wrong usage
-    kUndecided = 3,    ///< the analysis ended undecided
+    kUndecided = 3,    ///< the analysis ended undecided, or runs of a batch failed
     kFileRefused = 4,  ///< the file system refused
     kInterrupted = 130
 };
@@ -52,8 +52,14 @@ Command addRun(CLI::App& root);
 Command addCriticalAngle(CLI::App& root);
 Command addSafetyFactor(CLI::App& root);
 Command addValidate(CLI::App& root);
+Command addBlocks(CLI::App& root);
 Command addTheory(CLI::App& root);
 Command addPaper(CLI::App& root);
+Command addInspect(CLI::App& root);
+Command addExport(CLI::App& root);
+Command addBatch(CLI::App& root);
+Command addSample(CLI::App& root);
+Command addMerge(CLI::App& root);
 
 // --- failures: throw these, main prints them (on stderr, and as JSON on stdout with --json) and exits ---------------
 
@@ -85,8 +91,9 @@ T valueOf(Result<T> result, const formats::Scenario& scenario) {
     return std::move(*result);
 }
 
-/// Reads a scenario file; throws BadInput.
+/// Reads a scenario file; throws BadInput. The second tells its warnings on stderr, too.
 formats::Scenario loadScenario(const std::string& path);
+formats::Scenario loadScenario(const std::string& path, const Common& common);
 
 // --- interruption ---------------------------------------------------------------------------------------------------
 

@@ -31,7 +31,7 @@ Json toJson(const SearchReport& report) {
 }
 
 int findCriticalAngle(const CriticalAngleOptions& options) {
-    const formats::Scenario scenario = loadScenario(options.scenario);
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
     ProgressPrinter progress(options.common);
     const SearchResult result =
         valueOf(criticalAngle(scenario.model, controlOf(options.common, progress)), scenario);

@@ -63,8 +63,9 @@ std::string unknownCommand(const std::string& word, const std::vector<Command>& 
 }
 
 std::vector<Command> addCommands(CLI::App& root) {
-    return {addPaper(root), addCriticalAngle(root), addSafetyFactor(root),
-            addRun(root),   addValidate(root),      addTheory(root)};
+    return {addPaper(root),   addCriticalAngle(root), addSafetyFactor(root), addRun(root),
+            addInspect(root), addExport(root),        addBatch(root),        addSample(root),
+            addMerge(root),   addValidate(root),      addBlocks(root),       addTheory(root)};
 }
 
 int execute(const std::vector<Command>& commands) {
@@ -92,7 +93,9 @@ int runTool(int argc, char** argv, bool json) {
     root.require_subcommand(1);
     root.footer(
         "Example:\n  talus critical-angle bench/paper/fissure-1.toml\n\n'talus COMMAND --help' explains a "
-        "command. Exit codes: 0 done, 1 internal error, 2 bad input or usage,\n3 undecided, 4 the file "
+        "command. Exit codes: 0 done, 1 internal error, 2 bad input or usage,\n3 undecided or runs of a "
+        "batch failed, 4 the "
+        "file "
         "system "
         "refused, 130 interrupted.");
     const std::vector<Command> commands = addCommands(root);

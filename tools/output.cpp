@@ -25,6 +25,12 @@ FileRefused::FileRefused(const std::string& path, const std::string& doing, int 
 
 formats::Scenario loadScenario(const std::string& path) { return valueOf(formats::readScenario(path)); }
 
+formats::Scenario loadScenario(const std::string& path, const Common& common) {
+    formats::Scenario scenario = loadScenario(path);
+    for (const std::string& warning : scenario.warnings) note(common, "warning: " + path + ": " + warning);
+    return scenario;
+}
+
 void printText(const std::string& text) {
     errno = 0;
     const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();

@@ -18,6 +18,7 @@ struct PaperOptions {
     Common common;
     std::string out = "talus-paper";
     std::string points = "vertex";
+    std::uint64_t monte_carlo = 0;  ///< samples of the laboratory's scatter; 0: none
 };
 
 PaperResults computeAll(const PaperOptions& options, std::vector<PaperCase> cases) {
@@ -64,6 +65,7 @@ void writeAll(const PaperResults& results, const std::string& out) {
     writeFile(out + "/fig6.svg", plotFig6(results).standalone());
     writeFile(out + "/difference.svg", plotDifference(results).standalone());
     writeFile(out + "/contact-points.svg", plotPoints(results).standalone());
+    if (results.scatter) writeFile(out + "/scatter.svg", plotScatter(*results.scatter).standalone());
     writeSlopes(results, out + "/slopes");
     writeScenarios(results, out + "/scenarios");
     writeFile(out + "/index.html", paperPage(results));
@@ -83,7 +85,14 @@ int execute(const PaperOptions& options) {
     std::vector<PaperCase> cases = paperCases(options.points);
     // A folder that cannot be made is told before minutes of computing, not after.
     makeFolder(options.out);
-    const PaperResults results = computeAll(options, std::move(cases));
+    PaperResults results = computeAll(options, std::move(cases));
+    if (options.monte_carlo > 0 && !results.interrupted) {
+        const auto begin = std::chrono::steady_clock::now();
+        results.scatter = computeScatter(options.monte_carlo, options.out + "/scatter", options.common);
+        results.interrupted = stopRequested();
+        results.wall_seconds +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
     writeAll(results, options.out);
     if (options.common.json) {
         printJson(paperJson(results));
@@ -102,7 +111,15 @@ Command addPaper(CLI::App& root) {
     app->add_option("--points", options->points,
                     "Contact points of Table 1 and section 5: quarter, corner, vertex or \"grid N\"")
         ->capture_default_str();
-    app->footer("Example: talus paper --out reproduction");
+    app->add_option(
+           "--monte-carlo", options->monte_carlo,
+           "Also compute the laboratory's scatter from N samples, each interface with its own friction angle "
+           "(about 5 s of processor time a sample)")
+        ->check(CLI::Range(1, 1000000));
+    app->footer(
+        "Example:\n  talus paper --out reproduction\n  talus paper --out reproduction --monte-carlo "
+        "100\n\nThe Monte "
+        "Carlo's rows are in OUT/scatter and are kept: the same command goes on where it was stopped.");
     addCommon(*app, options->common);
     return {app, [options] { return execute(*options); }};
 }

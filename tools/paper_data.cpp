@@ -123,6 +123,7 @@ Json paperJson(const PaperResults& results) {
         cpu += run.cpu_seconds;
     }
     return Json{{"cases", cases},
+                {"monte_carlo", results.scatter ? scatterJson(*results.scatter) : Json(nullptr)},
                 {"interrupted", results.interrupted},
                 {"steps", steps},
                 {"cpu_seconds", cpu},

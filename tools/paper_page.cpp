@@ -165,18 +165,20 @@ std::string styleSheet() {
            "}\n</style>\n";
 }
 
-std::string contents() {
+std::string contents(bool has_scatter) {
     std::string links;
     for (const auto& [id, name] : {std::pair{"slopes", "Slopes"},
                                    {"table", "Table 1"},
                                    {"fig6", "Fig. 6"},
                                    {"section5", "Section 5"},
+                                   {"scatter", "Scatter"},
                                    {"points", "Contact points"},
                                    {"differences", "Differences"},
                                    {"errata", "Errata"},
                                    {"parameters", "Parameters"},
                                    {"time", "Time"},
                                    {"scenarios", "Scenarios"}}) {
+        if (!has_scatter && name == std::string("Scatter")) continue;
         links += "<a href=\"#" + std::string(id) + "\">" + name + "</a> ";
     }
     return tagged("nav", links, "aria-label=\"Contents\"");
@@ -192,7 +194,7 @@ std::string opening(const PaperResults& results) {
         "fissure: the laboratory test of a paper on fissure water pressure in vertical sliding surfaces, "
         "computed again with rigid blocks (discrete element method, DEM) and set beside the laboratory "
         "and the closed formula.");
-    return html + contents();
+    return html + contents(results.scatter.has_value());
 }
 
 }  // namespace
@@ -203,7 +205,8 @@ std::string paperPage(const PaperResults& results) {
            "name=\"color-scheme\" content=\"light dark\">\n<title>Talus: fissure water and the critical "
            "angle</title>\n" +
            styleSheet() + "</head>\n<body>\n" + tagged("header", opening(results)) + "<main>\n" +
-           slopes(results) + tableSection(results) + plots(results) + section5(results) + points(results) +
+           slopes(results) + tableSection(results) + plots(results) + section5(results) +
+           (results.scatter ? htmlScatter(*results.scatter) : "") + points(results) +
            heading("differences", "Where laboratory, paper and model differ") +
            notes(differenceNotes(results)) + heading("errata", "Slips in the paper\u2019s print") +
            notes(errata()) + htmlParameters(results) + timing(results) + scenarios(results) +

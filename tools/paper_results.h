@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command.h"
+#include "paper_scatter.h"
 #include "talus/analysis.h"
 #include "talus/formats/scenario.h"
 #include "talus/theory.h"
@@ -49,7 +50,8 @@ struct PaperResults {
     bool interrupted = false;
     std::string table_points;  ///< rule of Table 1 and section 5
     Json provenance = Json::object();
-    std::string provenance_comments;  ///< the same as "# key: value" lines
+    std::string provenance_comments;   ///< the same as "# key: value" lines
+    std::optional<Scatter> scatter{};  ///< with --monte-carlo
 };
 
 const char* groupName(PaperGroup group);                 ///< "table-1", "section-5", ...

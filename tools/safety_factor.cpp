@@ -81,7 +81,7 @@ Json toJson(const SearchReport& report) {
 }
 
 int findSafetyFactor(const SafetyFactorOptions& options) {
-    const formats::Scenario scenario = loadScenario(options.scenario);
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
     ProgressPrinter progress(options.common);
     const SearchResult result =
         valueOf(safetyFactor(scenario.model, controlOf(options.common, progress)), scenario);

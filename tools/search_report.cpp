@@ -48,9 +48,9 @@ std::string answerText(const SearchReport& report) {
         case SearchStatus::found:
             return loadText(report, result.answer) + unit + "  (" + bracketText(report) + ")";
         case SearchStatus::unstable_at_start:
-            return "none: fails already at the start, " + loadText(report, result.high) + unit;
+            return "none: unstable at the start of the search, " + loadText(report, result.high) + unit;
         case SearchStatus::stable_to_stop:
-            return "none: still stands at the end of the search, " + loadText(report, result.low) + unit;
+            return "none: stands to the end of the search, " + loadText(report, result.low) + unit;
         case SearchStatus::interrupted:
         case SearchStatus::undecided:
             break;

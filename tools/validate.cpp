@@ -44,7 +44,7 @@ std::string summary(const std::string& path, const Model& model) {
 }
 
 int validate(const ValidateOptions& options) {
-    const formats::Scenario scenario = loadScenario(options.scenario);
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
     const std::vector<Error> errors = checkModel(scenario.model, options.common.threads);
     if (!errors.empty()) throw BadInput(formats::placed(scenario, errors));
     if (!options.common.json) {
@@ -53,6 +53,7 @@ int validate(const ValidateOptions& options) {
     }
     Json json{{"ok", true}, {"errors", Json::array()}};
     json.update(counts(scenario.model));
+    json["warnings"] = scenario.warnings;
     json["provenance"] = provenance(options.common, options.scenario);
     printJson(json);
     return kDone;

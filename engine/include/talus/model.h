@@ -118,7 +118,12 @@ struct RunSettings {
     double duration = 1.0;            ///< [s]
     std::optional<double> time_step;  ///< default: from the stability bound [s]
     double frame_interval = 0.01;     ///< [s]
-    std::vector<std::string> watch;   ///< names of blocks to report
+    enum class Start : std::uint8_t {
+        equilibrium,  ///< weight and water are there already at time 0, in equilibrium where there is one
+        unstressed    ///< they arrive all at once
+    };
+    Start start = Start::equilibrium;
+    std::vector<std::string> watch;  ///< names of blocks to report
 };
 
 /// What the closed formulas need to know of a regular stack (theory.h); present when the model is one stack only.

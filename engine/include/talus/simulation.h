@@ -13,9 +13,11 @@
 
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "talus/analysis.h"
+#include "talus/frame.h"
 #include "talus/model.h"
 #include "talus/result.h"
 
@@ -43,7 +45,15 @@ struct HistoryRecord {
     std::vector<BlockReport> watch;
 };
 
+/// What a time history started from (`RunSettings::Start::equilibrium` takes the first that exists).
+enum class InitialState : std::uint8_t {
+    equilibrium,  ///< at rest under weight and water
+    held,         ///< no equilibrium: at rest with joints that do not give way, let go at time 0
+    unstressed    ///< weight and water came all at once
+};
+
 struct RunResult {
+    InitialState start = InitialState::unstressed;
     std::int64_t steps = 0;
     double simulated_seconds = 0;
     double time_step = 0;  ///< [s]
@@ -56,12 +66,43 @@ struct RunResult {
     std::vector<std::string> warnings;  ///< what left the valid range, if anything did
 };
 
-/// Time history of a model; `record` is called at the start, at every frame interval and at the end.
-Result<RunResult> run(const Model& model, const Control& control,
-                      const std::function<void(const HistoryRecord&)>& record);
+/// What a run hands out while it goes on; every member may be left empty. All are called from the computing thread, in the
+/// order of time: `begin` first, `record` and `light` at the start, at every frame interval and at the end, `full` behind
+/// every `frames_per_full`-th light frame and at the start and the end (also of an interrupted run).
+struct RunOutput {
+    std::function<void(const RunGeometry&)> begin{};
+    std::function<void(const HistoryRecord&)> record{};
+    std::function<void(LightFrame&&)> light{};
+    std::function<void(FullFrame&&)> full{};
+    int frames_per_full = 10;
+};
+
+/// Time history of a model. With `resume`, a full frame of an earlier run of the same model, it goes on from there and
+/// ends in the same bits as a run never interrupted, on any number of threads; frames up to that one are not handed out
+/// again. Errors: those of the model; a frame that does not fit it; a motion that became infinite.
+Result<RunResult> run(const Model& model, const Control& control, const RunOutput& output,
+                      const FullFrame* resume = nullptr);
+
+/// The same for a history alone: `record` is called at the start, at every frame interval and at the end.
+template <class Record>
+requires std::is_invocable_v<const Record&, const HistoryRecord&> Result<RunResult> run(
+    const Model& model, const Control& control, const Record& record) {
+    return run(model, control, RunOutput{.record = record});
+}
+
+const char* toString(InitialState start);
 
 /// Checks what needs geometry: blocks that overlap, water on faces that are not there, pairs that do not touch.
 /// Empty when the model can be built.
 std::vector<Error> checkModel(const Model& model, int threads = 1);
+
+/// Two blocks that share at least one interface at the start, and the joint between them.
+struct TouchingPair {
+    std::int32_t block_a = 0, block_b = 0;  ///< a < b
+    std::int32_t joint = 0;                 ///< of the first interface they share
+};
+
+/// All pairs that touch, in the order of their blocks. Errors: as of checkModel.
+Result<std::vector<TouchingPair>> touchingPairs(const Model& model);
 
 }  // namespace talus

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "analysis/initial_state.h"
 #include "analysis/threads.h"
 #include "stages/contacts.h"
 #include "stages/measure.h"
@@ -12,6 +13,7 @@
 #include "stages/time_step.h"
 #include "stages/water.h"
 #include "state/build.h"
+#include "state/frame.h"
 #include "talus/simulation.h"
 
 namespace talus {
@@ -25,20 +27,10 @@ constexpr double kImpactStepSafety = 0.03;
 constexpr int kStepsPerLook = 10;  // neighbours, patches, draining, interruption
 constexpr int kStepsPerReport = 2000;
 
-/// Whether a block has an interface that is closed at the start.
-bool touches(const State& state, std::size_t b) {
-    for (auto k = state.incidence.interface_begin[b]; k < state.incidence.interface_begin[b + 1]; ++k) {
-        const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
-        if (stages::relativePose(state, i).gap.x() <= stages::kClosedGap * state.geometry->size[b])
-            return true;
-    }
-    return false;
-}
-
 bool expectsImpacts(const State& state) {
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] == Motion::free &&
-            (!touches(state, b) || state.blocks.velocity.get(b).norm() > 0))
+            (!analysis::touchesSomething(state, b) || state.blocks.velocity.get(b).norm() > 0))
             return true;
         if (state.blocks.motion[b] == Motion::driven) return true;
     }
@@ -82,34 +74,50 @@ HistoryRecord recordOf(const State& state, const std::vector<std::size_t>& watch
 
 class TimeHistory {
  public:
-    TimeHistory(State state, const Control& control, const std::function<void(const HistoryRecord&)>& record,
-                bool parallel)
+    TimeHistory(State state, const Control& control, const RunOutput& output, bool parallel)
         : state_(std::move(state)),
           control_(control),
-          record_(record),
+          output_(output),
           parallel_(parallel),
           settings_(state_.geometry->model.run),
-          watched_(watchedBlocks(state_.geometry->model)),
-          safety_(expectsImpacts(state_) ? kImpactStepSafety : kStepSafety) {}
+          watched_(watchedBlocks(state_.geometry->model)) {
+        if (output_.begin) output_.begin(geometryOf(state_));
+    }
 
-    Result<RunResult> run() {
+    void start() {
+        progress_.step_safety = expectsImpacts(state_) ? kImpactStepSafety : kStepSafety;
+        if (control_.progress) control_.progress({"start", 0.0, "weight and water are put on"});
+        start_ = analysis::bringToStart(state_, control_, parallel_);
         chooseTimeStep();
         stages::updateForces(state_, parallel_);
-        if (record_) record_(recordOf(state_, watched_));
-        double next_frame = settings_.frame_interval;
-        while (state_.time < settings_.duration - 0.5 * time_step_ && !interrupted() && finite_) {
+        progress_.next_frame = settings_.frame_interval;
+        progress_.frames = 1;
+        handOut(true);
+    }
+
+    /// Goes on from a frame that was handed out after a whole step: nothing is computed anew.
+    std::vector<Error> resume(const FullFrame& frame) {
+        progress_ = frame.progress;
+        if (!std::isfinite(progress_.next_frame) || !(progress_.time_step > 0) ||
+            !(progress_.step_safety > 0) || !(progress_.time_step < kInfinity) || progress_.frames < 1)
+            return {{"full.progress", "holds no valid time step or next frame: the frame is damaged"}};
+        last_light_ = last_full_ = frame.step;
+        return restoreFrame(frame, state_);
+    }
+
+    Result<RunResult> run() {
+        while (state_.time < settings_.duration - 0.5 * progress_.time_step && !interrupted() && finite_) {
             oneStep();
-            if (record_ && state_.time >= next_frame - 0.5 * time_step_) {
-                record_(recordOf(state_, watched_));
-                while (next_frame <= state_.time + 0.5 * time_step_) next_frame += settings_.frame_interval;
-            }
+            if (finite_ && state_.time >= progress_.next_frame - 0.5 * progress_.time_step) frameIsDue();
         }
         if (!finite_ || !stages::isFinite(state_))
             return Error{"run.time_step_s",
                          "the motion became infinite before t = " + std::to_string(state_.time) +
-                             " s with a step of " + std::to_string(time_step_ * 1e6) +
+                             " s with a step of " + std::to_string(progress_.time_step * 1e6) +
                              " us; allowed: a step below the stability bound of " +
-                             std::to_string(bound_ * 1e6) + " us (leave the key out to have it chosen)"};
+                             std::to_string(progress_.stability_bound * 1e6) +
+                             " us (leave the key out to have it chosen)"};
+        handOut(true);
         return result();
     }
 
@@ -121,34 +129,61 @@ class TimeHistory {
         return interrupted_;
     }
 
+    void frameIsDue() {
+        while (progress_.next_frame <= state_.time + 0.5 * progress_.time_step)
+            progress_.next_frame += settings_.frame_interval;
+        const bool full = progress_.frames % std::max(1, output_.frames_per_full) == 0;
+        ++progress_.frames;
+        handOut(full);
+    }
+
+    /// Nothing is handed out twice. The last frame of an interrupted run comes beside the regular ones and does not
+    /// count, so that the run that goes on from it has its frames where they would have been.
+    void handOut(bool full) {
+        if (std::exchange(last_light_, state_.step) != state_.step) {
+            if (output_.record) output_.record(recordOf(state_, watched_));
+            if (output_.light) {
+                LightFrame frame = lightFrameOf(state_);
+                frame.time_step = progress_.time_step;
+                output_.light(std::move(frame));
+            }
+        }
+        if (!full || !output_.full || std::exchange(last_full_, state_.step) == state_.step) return;
+        FullFrame frame = fullFrameOf(state_);
+        frame.progress = progress_;
+        output_.full(std::move(frame));
+    }
+
     void chooseTimeStep() {
         const double highest = highestFrequency(state_, parallel_);
         const double bound =
             highest > 0 ? stages::stableTimeStep(highest, state_.damping.contact) : settings_.duration / 1000;
-        bound_ = bound;
+        progress_.stability_bound = bound;
         if (settings_.time_step) {
-            time_step_ = *settings_.time_step;
-            if (time_step_ > bound && !warned_step_) {
+            progress_.time_step = *settings_.time_step;
+            if (progress_.time_step > bound && !progress_.warned_of_step) {
                 state_.warnings.push_back("run.time_step_s is above the stability bound of " +
                                           std::to_string(bound * 1e6) + " us");
-                warned_step_ = true;
+                progress_.warned_of_step = true;
             }
             return;
         }
         // A whole number of steps ends exactly at the duration.
         const double left = settings_.duration - state_.time;
-        if (left > 0) time_step_ = left / std::max(1.0, std::ceil(left / (safety_ * bound)));
+        if (left > 0.5 * progress_.time_step)
+            progress_.time_step = left / std::max(1.0, std::ceil(left / (progress_.step_safety * bound)));
     }
 
     void oneStep() {
-        state_.load.time = state_.time + time_step_;
-        stages::advance(state_, {time_step_, parallel_});
-        state_.time += time_step_;
+        state_.load.time = state_.time + progress_.time_step;
+        stages::advance(state_, {progress_.time_step, parallel_});
+        state_.time += progress_.time_step;
         if (state_.step % kStepsPerLook == 0) {
             finite_ = stages::isFinite(state_);
             if (!finite_) return;
             stages::drainWater(state_);
-            if (stages::refreshInterfaces(state_, parallel_, kStepsPerLook * time_step_)) chooseTimeStep();
+            if (stages::refreshInterfaces(state_, parallel_, kStepsPerLook * progress_.time_step))
+                chooseTimeStep();
         }
         if (state_.step % kStepsPerReport == 0 && control_.progress)
             control_.progress(
@@ -157,9 +192,10 @@ class TimeHistory {
 
     RunResult result() {
         RunResult result;
+        result.start = start_;
         result.steps = state_.step;
         result.simulated_seconds = state_.time;
-        result.time_step = time_step_;
+        result.time_step = progress_.time_step;
         result.blocks = state_.blocks.size();
         result.interfaces = state_.interfaces.size();
         result.contact_points = state_.points.size();
@@ -177,32 +213,50 @@ class TimeHistory {
 
     State state_;
     const Control& control_;
-    const std::function<void(const HistoryRecord&)>& record_;
+    const RunOutput& output_;
     bool parallel_;
     const RunSettings& settings_;
     std::vector<std::size_t> watched_;
-    double safety_;
-    double time_step_ = 0, bound_ = 0;
-    bool warned_step_ = false;
+    RunProgress progress_;
+    InitialState start_ = InitialState::unstressed;
+    std::int64_t last_light_ = -1, last_full_ = -1;  // steps at which they were handed out
     bool interrupted_ = false;
     bool finite_ = true;
 };
 
 }  // namespace
 
-Result<RunResult> run(const Model& model, const Control& control,
-                      const std::function<void(const HistoryRecord&)>& record) {
+Result<RunResult> run(const Model& model, const Control& control, const RunOutput& output,
+                      const FullFrame* resume) {
     return analysis::inArena(control.threads, [&]() -> Result<RunResult> {
         const auto begin = std::chrono::steady_clock::now();
         Result<State> built = buildState(model, control.threads != 1);
         if (!built) return built.errors();
         const bool parallel = analysis::worthThreads(*built, control.threads);
-        Result<RunResult> result = TimeHistory(std::move(*built), control, record, parallel).run();
+        TimeHistory history(std::move(*built), control, output, parallel);
+        if (resume == nullptr) {
+            history.start();
+        } else if (std::vector<Error> errors = history.resume(*resume); !errors.empty()) {
+            return errors;
+        }
+        Result<RunResult> result = history.run();
         if (result)
             result->wall_seconds =
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
     });
+}
+
+const char* toString(InitialState start) {
+    switch (start) {
+        case InitialState::equilibrium:
+            return "equilibrium";
+        case InitialState::held:
+            return "held";
+        case InitialState::unstressed:
+            break;
+    }
+    return "unstressed";
 }
 
 std::vector<Error> checkModel(const Model& model, int threads) {

@@ -8,6 +8,7 @@
 
 #include "analysis/bracket.h"
 #include "analysis/failure_mode.h"
+#include "analysis/initial_state.h"
 #include "analysis/quasi_static.h"
 #include "analysis/threads.h"
 #include "stages/measure.h"
@@ -188,6 +189,21 @@ class Search {
         result_.interfaces = last.interfaces.size();
         result_.contact_points = last.points.size();
         result_.warnings = last.warnings;
+        warnOfSoftJoints(last);
+    }
+
+    /// The formulas are for joints that do not give.
+    void warnOfSoftJoints(const State& state) {
+        constexpr double kSoft = 1e-4;  // of the block size
+        double deflection = 0;
+        for (const Probe& p : result_.probes)
+            if (p.verdict == Verdict::stable) deflection += p.displacement;
+        if (deflection <= kSoft * state.geometry->length_scale) return;
+        result_.warnings.push_back(
+            "the joints are soft against the stress on them: blocks move by " +
+            formatted("%.2g", deflection) +
+            " m before they fail, so toppling blocks turn about points inside their edges, and "
+            "formulas for rigid joints give higher values");
     }
 
     /// How far the assembly has come at rest; when it fails before it has stood, what one slowest period of its own
@@ -267,10 +283,20 @@ Result<SearchResult> search(const Model& model, const Axis& axis, const Control&
         Result<State> built = buildState(model, control.threads != 1);
         if (!built) return built.errors();
         const bool parallel = analysis::worthThreads(*built, control.threads);
+        warnOfFreeBlocks(*built);
         SearchResult result = searchConfirmed(*built, axis, control, settings, parallel);
         result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
     });
+}
+
+void warnOfFreeBlocks(State& state) {
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free && !analysis::touchesSomething(state, b)) {
+            state.warnings.push_back("block \"" + state.geometry->model.blocks[b].name +
+                                     "\" touches no other block at the start");
+            return;
+        }
 }
 
 /// Halvings of `step` until it is no wider than the tolerance.

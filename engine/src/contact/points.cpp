@@ -101,4 +101,19 @@ std::vector<PatchPoint> patchPoints(std::span<const Vec2> patch, const PointRule
     return vertexPoints(patch);
 }
 
+std::size_t pointCount(std::span<const Vec2> patch, const PointRule& rule) {
+    switch (rule.kind) {
+        case PointRule::Kind::quarter:
+        case PointRule::Kind::corner:
+            return patch.size();
+        case PointRule::Kind::grid:
+            if (isRectangle(patch))
+                return static_cast<std::size_t>(rule.grid) * static_cast<std::size_t>(rule.grid);
+            break;
+        case PointRule::Kind::vertex:
+            break;
+    }
+    return 2 * patch.size() + 1;
+}
+
 }  // namespace talus::contact

@@ -22,6 +22,9 @@ struct PatchPoint {
 ///  - grid N: centroids of N x N equal cells on a rectangle; on the other patches of a model in motion, `vertex`.
 std::vector<PatchPoint> patchPoints(std::span<const Eigen::Vector2d> patch, const PointRule& rule);
 
+/// How many Lps patchPoints gives.
+std::size_t pointCount(std::span<const Eigen::Vector2d> patch, const PointRule& rule);
+
 /// Four right angles, to a relative 1e-9.
 bool isRectangle(std::span<const Eigen::Vector2d> patch);
 

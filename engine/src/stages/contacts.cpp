@@ -103,15 +103,6 @@ void updateContacts(State& state, Range groups) {
         updateContactsScalar(view, groups.begin, groups.end);
 }
 
-std::vector<Eigen::Vector2d> patchOutline(const Interfaces& interfaces, std::size_t i) {
-    std::vector<Eigen::Vector2d> outline(interfaces.cornerCount(i));
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-        const std::size_t slot = interfaces.cornerSlot(i, k);
-        outline[k] = {interfaces.patch_xi[slot], interfaces.patch_eta[slot]};
-    }
-    return outline;
-}
-
 std::vector<PointState> pointStates(const State& state, std::size_t i) {
     constexpr double kNoRelease = 0.0;
     const ContactPoints& points = state.points;

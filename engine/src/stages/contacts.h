@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "state/arrays.h"
+#include "state/point_layout.h"
 #include "state/range.h"
 
 namespace talus::stages {
@@ -36,9 +37,6 @@ struct PointState {
 /// All Lps of an interface, in the order of contact::patchPoints. The law gives the same forces when it is asked once more
 /// at the same place (but for slip that dilates, which the next step feels).
 std::vector<PointState> pointStates(const State& state, std::size_t interface);
-
-/// Corners of an interface's patch, counter-clockwise, from its origin along e1, e2 [m].
-std::vector<Eigen::Vector2d> patchOutline(const Interfaces& interfaces, std::size_t interface);
 
 /// Angular velocity of a block in the model frame [rad/s].
 Vec3 angularVelocity(const Blocks& blocks, std::size_t block);

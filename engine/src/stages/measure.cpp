@@ -69,29 +69,30 @@ bool isFinite(const State& state) {
     return std::isfinite(sum);
 }
 
-std::uint64_t stateHash(const State& state) {
+std::uint64_t stateHash(const Blocks& blocks, const std::vector<double>& points) {
     const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), XXH3_freeState);
     XXH3_64bits_reset(hash.get());
     const auto add = [&](const std::vector<double>& values) {
         XXH3_64bits_update(hash.get(), values.data(), values.size() * sizeof(double));
     };
     const auto addVector = [&](const VectorArray& v) { add(v.x), add(v.y), add(v.z); };
-    const Blocks& blocks = state.blocks;
     addVector(blocks.position);
     add(blocks.orientation.w), add(blocks.orientation.x), add(blocks.orientation.y),
         add(blocks.orientation.z);
     addVector(blocks.velocity);
     addVector(blocks.angular_momentum);
-    std::vector<double> values;
-    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
-        values.clear();
+    add(points);
+    return XXH3_64bits_digest(hash.get());
+}
+
+std::uint64_t stateHash(const State& state) {
+    std::vector<double> points;
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i)
         for (const PointState& point : pointStates(state, i))
             for (const double value : {point.force.normal, point.force.shear_1, point.force.shear_2,
                                        point.memory.offset_1, point.memory.offset_2, point.memory.bond})
-                values.push_back(value);
-        add(values);
-    }
-    return XXH3_64bits_digest(hash.get());
+                points.push_back(value);
+    return stateHash(state.blocks, points);
 }
 
 double rotationFrom(const QuaternionArray& from, const QuaternionArray& to, std::size_t b) {

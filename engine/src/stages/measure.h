@@ -20,6 +20,9 @@ bool isFinite(const State& state);
 /// xxh3-64 over poses, velocities, and Lp forces and states.
 std::uint64_t stateHash(const State& state);
 
+/// The same from what it is made of: per Lp, in stored order, F_n, F_s along both tangents, plastic slide along both, bond.
+std::uint64_t stateHash(const Blocks& blocks, const std::vector<double>& points);
+
 /// Angle a block has turned from a given orientation [rad].
 double rotationFrom(const QuaternionArray& from, const QuaternionArray& to, std::size_t block);
 

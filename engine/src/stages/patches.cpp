@@ -14,6 +14,7 @@
 #include "stages/measure.h"
 #include "stages/water.h"
 #include "state/build.h"
+#include "state/point_layout.h"
 #include "state/range.h"
 
 namespace talus::stages {
@@ -142,18 +143,6 @@ std::vector<Error> overlapErrors(const State& state, const std::vector<PairFindi
     return errors;
 }
 
-/// Interleaves a patch's corners with those of its group.
-void placeCorners(Interfaces& f, std::size_t i, const std::vector<Eigen::Vector2d>& outline) {
-    const std::size_t slots = static_cast<std::size_t>(f.groupOf(i).first_corner) +
-                              outline.size() * static_cast<std::size_t>(simd::kLanes);
-    f.patch_xi.resize(slots, 0.0);
-    f.patch_eta.resize(slots, 0.0);
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-        f.patch_xi[f.cornerSlot(i, k)] = outline[k].x();
-        f.patch_eta[f.cornerSlot(i, k)] = outline[k].y();
-    }
-}
-
 /// Appends one interface with frames at the patch's centroid; its group is there already.
 void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePair& pair) {
     Interfaces& f = state.interfaces;
@@ -194,35 +183,6 @@ void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePai
     f.moment_a.add(Vec3::Zero());
     f.moment_b.add(Vec3::Zero());
     placeCorners(f, f.size() - 1, outline);
-}
-
-/// Lps of every interface: unbroken where their joint has a bond, unslid.
-void makePoints(State& state) {
-    const Interfaces& f = state.interfaces;
-    ContactPoints& points = state.points;
-    std::size_t slots = 0;
-    for (const InterfaceGroup& group : f.groups) {
-        slots += static_cast<std::size_t>(group.points * simd::kLanes);
-        points.count += static_cast<std::size_t>(group.points * group.size);
-    }
-    points.offset_1.assign(slots, 0.0);
-    points.offset_2.assign(slots, 0.0);
-    if (std::any_of(state.laws.begin(), state.laws.end(), contact::hasMemory)) {
-        points.bond.assign(slots, 1.0);
-        points.dilation.assign(slots, 0.0);
-    }
-    const PointRule& rule = state.geometry->model.points;
-    if (rule.kind == PointRule::Kind::vertex || rule.kind == PointRule::Kind::corner) return;
-    for (auto* values : {&points.xi, &points.eta, &points.area}) values->assign(slots, 0.0);
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        std::size_t k = 0;
-        for (const contact::PatchPoint& point : contact::patchPoints(patchOutline(f, i), rule)) {
-            const std::size_t slot = f.pointSlot(i, k++);
-            points.xi[slot] = point.position.x();
-            points.eta[slot] = point.position.y();
-            points.area[slot] = point.area;
-        }
-    }
 }
 
 void setBond(State& state, std::size_t i, double bond) {
@@ -280,45 +240,17 @@ std::vector<Found> storageOrder(const std::vector<PairFinding>& findings) {
     return found;
 }
 
-int pointsPerPatch(const PointRule& rule, const Polygon& patch) {
-    const std::vector<Eigen::Vector2d> outline(patch.begin(), patch.end());
-    switch (rule.kind) {
-        case PointRule::Kind::quarter:
-        case PointRule::Kind::corner:
-            return static_cast<int>(outline.size());
-        case PointRule::Kind::grid:
-            if (contact::isRectangle(outline)) return rule.grid * rule.grid;
-            break;
-        case PointRule::Kind::vertex:
-            break;
-    }
-    return 2 * static_cast<int>(outline.size()) + 1;
-}
-
-/// Makes the group of the next interface: the last one if it has room and the shape is the same, else a new one.
-void chooseGroup(Interfaces& f, int corners, int points) {
-    if (f.groups.empty() || f.groups.back().size == simd::kLanes || f.groups.back().corners != corners ||
-        f.groups.back().points != points) {
-        InterfaceGroup next{
-            .begin = static_cast<std::int32_t>(f.size()), .corners = corners, .points = points};
-        if (!f.groups.empty()) {
-            const InterfaceGroup& last = f.groups.back();
-            next.first_corner = last.first_corner + last.corners * simd::kLanes;
-            next.first_point = last.first_point + last.points * simd::kLanes;
-        }
-        f.groups.push_back(next);
-    }
-    ++f.groups.back().size;
-    f.group.push_back(static_cast<std::int32_t>(f.groups.size()) - 1);
-}
-
 void appendInterfaces(State& state, const std::vector<PairFinding>& findings) {
     for (const Found& found : storageOrder(findings)) {
-        chooseGroup(state.interfaces, found.corners,
-                    pointsPerPatch(state.geometry->model.points, found.faces->patch));
+        const Polygon& patch = found.faces->patch;
+        addToGroups(
+            state.interfaces, patch.size(),
+            contact::pointCount(std::span(patch.begin(), patch.size()), state.geometry->model.points));
         appendInterface(state, found.blocks->block_a, found.blocks->block_b, *found.faces);
     }
 }
+
+}  // namespace
 
 void buildIncidence(State& state) {
     Incidence& incidence = state.incidence;
@@ -342,6 +274,8 @@ void buildIncidence(State& state) {
         }
     if (incidence.wet_begin.size() != n + 1) incidence.wet_begin.assign(n + 1, 0);
 }
+
+namespace {
 
 std::vector<Error> gridErrors(const State& state, const std::vector<PairFinding>& findings) {
     std::vector<Error> errors;

@@ -23,6 +23,9 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel);
 /// or an interface has slid or turned by more than a small share of its size. True when it did.
 bool refreshInterfaces(State& state, bool parallel, double ahead);
 
+/// Finds which interfaces push on which block. Reads interfaces, writes their part of incidence.
+void buildIncidence(State& state);
+
 /// Joint of an interface between two faces: the pair's own, else that of the face with less friction.
 std::int32_t interfaceJoint(const Geometry& geometry, std::size_t block_a, std::size_t face_a,
                             std::size_t block_b, std::size_t face_b);

@@ -101,6 +101,8 @@ void addInterfaceWalls(State& state, std::size_t water, std::size_t i) {
              {head.x(), head.z(), head.y()});
 }
 
+}  // namespace
+
 void buildWetIncidence(State& state) {
     const std::size_t n = state.blocks.size();
     Incidence& incidence = state.incidence;
@@ -113,6 +115,8 @@ void buildWetIncidence(State& state) {
         incidence.wet[static_cast<std::size_t>(next[static_cast<std::size_t>(state.wet.block[w])]++)] =
             static_cast<std::int32_t>(w);
 }
+
+namespace {
 
 Vec3 initialPoint(const State& state, std::size_t w, const Vec2& v) {
     const auto b = static_cast<std::size_t>(state.wet.block[w]);
@@ -292,6 +296,14 @@ bool bounds(const State& state, std::size_t water, std::size_t i) {
 
 }  // namespace
 
+Polygon wetPolygon(const State& state, std::size_t w) { return polygonOf(state.wet, w); }
+
+LinearPressure pressureOnWall(const State& state, std::size_t w) {
+    const auto b = static_cast<std::size_t>(state.wet.block[w]);
+    return pressureOnPatch(state, w, state.pressure[static_cast<std::size_t>(state.wet.water[w])],
+                           state.blocks.orientation.matrix(b), state.blocks.position.get(b));
+}
+
 double levelAt(const Water& water, double time) {
     const auto& level = water.level;
     if (level.empty()) return 0.0;
@@ -312,10 +324,8 @@ PressureField pressureField(const State& state, std::size_t index) {
     if (water.kind == Water::Level::head) return {unit_weight * std::cos(state.load.tilt), Vec3::Zero()};
     const Vec3 down = downward(state.load.tilt);
     const double level = levelAt(water, state.load.time);
-    const Vec3 table =
-        water.kind == Water::Level::elevation
-                           ? Vec3(-level * down - state.geometry->origin)
-                           : tablePoint(state, index, level, down);
+    const Vec3 table = water.kind == Water::Level::elevation ? Vec3(-level * down - state.geometry->origin)
+                                                             : tablePoint(state, index, level, down);
     // Depth below the table along gravity: down . (x - table).
     return {-unit_weight * down.dot(table), unit_weight * down};
 }

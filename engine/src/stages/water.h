@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "geometry/pressure.h"
 #include "state/arrays.h"
 #include "talus/result.h"
 
@@ -26,6 +27,13 @@ void updateWater(State& state);
 
 /// Marks waters as drained whose interfaces have opened wider than they allow. Reads poses, writes drained.
 void drainWater(State& state);
+
+/// Finds which wet patches push on which block. Reads wet, writes its part of incidence.
+void buildWetIncidence(State& state);
+
+/// A wet patch in its own plane, and the pressure there as last computed.
+Polygon wetPolygon(const State& state, std::size_t wet_patch);
+LinearPressure pressureOnWall(const State& state, std::size_t wet_patch);
 
 /// The pressure of a water under the state's load.
 PressureField pressureField(const State& state, std::size_t water);

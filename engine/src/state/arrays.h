@@ -189,7 +189,7 @@ struct Geometry {
     std::vector<PairJoint> pair_joints;  ///< sorted by pair of blocks
     VectorArray initial_position;
     QuaternionArray initial_orientation;
-    double length_scale = 0;  ///< median block size [m]
+    double length_scale = 0;     ///< median block size [m]
     Vec3 origin = Vec3::Zero();  ///< of the state's positions, in the model frame [m]
 };
 

@@ -84,6 +84,21 @@ void BlockDirectory::addPlaced(Report& report, const std::vector<PlacedBlock>& p
     }
 }
 
+void BlockDirectory::add(Report& report, const std::vector<std::string>& names, std::int32_t first,
+                         Place place, const std::string& field) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (find(names[i])) {
+            report.add(
+                place, field,
+                "found the name " + quoted(names[i]) +
+                    " of another block, allowed: another prefix by the key name, or names of their own");
+            return;
+        }
+        placed_.emplace(names[i], first + static_cast<std::int32_t>(i));
+        if (placed_names_.size() < kMaxCandidates) placed_names_.push_back(names[i]);
+    }
+}
+
 std::optional<std::int32_t> BlockDirectory::findInStack(const Stack& stack, const std::string& name) const {
     if (name == stack.floorName()) return stack.floorIndex();
     const auto parts = splitStackName(name);

@@ -19,6 +19,13 @@ class BlockDirectory {
     /// then the placed blocks. Both vectors must outlive the directory.
     BlockDirectory(Report& report, const std::vector<Stack>& stacks, const std::vector<PlacedBlock>& placed);
 
+    /// Adds blocks behind the placed ones, from index `first` on; names that are there already are reported.
+    void add(Report& report, const std::vector<std::string>& names, std::int32_t first, Place place,
+             const std::string& field);
+
+    /// Blocks could not be made, so that unknown names are not to be reported.
+    void setIncomplete() { complete_ = false; }
+
     /// Index of a block, or nothing.
     std::optional<std::int32_t> find(const std::string& name) const;
 

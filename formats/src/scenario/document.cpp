@@ -19,6 +19,47 @@ Place placeOf(const toml::source_region& region) {
     return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
+/// What stands at one part of a path, made when it is missing; nothing when it cannot be there.
+class Step {
+ public:
+    Step(toml::node& parent, const PathPart& part) : parent_(parent), part_(part) {}
+
+    /// Why this part leads nowhere, or nothing.
+    std::optional<std::string> fault(bool may_append) const {
+        if (const auto* key = std::get_if<std::string>(&part_)) {
+            if (parent_.is_table()) return std::nullopt;
+            return "there is no table to hold the key " + quoted(*key);
+        }
+        const std::size_t index = std::get<std::size_t>(part_);
+        if (!parent_.is_array()) return "there is no array to hold element [" + std::to_string(index) + "]";
+        const std::size_t size = parent_.as_array()->size();
+        if (index < size || (may_append && index == size)) return std::nullopt;
+        return "there is no element [" + std::to_string(index) + "], the array has " + std::to_string(size) +
+               (size == 1 ? " element" : " elements");
+    }
+
+    toml::node* find() const {
+        if (const auto* key = std::get_if<std::string>(&part_)) return parent_.as_table()->get(*key);
+        return parent_.as_array()->get(std::get<std::size_t>(part_));
+    }
+
+    template <class T>
+    void put(T&& value) const {
+        if (const auto* key = std::get_if<std::string>(&part_)) {
+            parent_.as_table()->insert_or_assign(*key, std::forward<T>(value));
+        } else if (toml::array& array = *parent_.as_array(); std::get<std::size_t>(part_) < array.size()) {
+            array.replace(array.cbegin() + static_cast<std::ptrdiff_t>(std::get<std::size_t>(part_)),
+                          std::forward<T>(value));
+        } else {
+            array.push_back(std::forward<T>(value));
+        }
+    }
+
+ private:
+    toml::node& parent_;
+    const PathPart& part_;
+};
+
 Error syntaxError(const std::string& path, Place place, std::string message) {
     return {"", std::move(message), path, place.line, place.column};
 }
@@ -121,11 +162,34 @@ Result<Document> Document::parse(const std::string& text, const std::string& pat
     try {
         auto table =
             std::make_shared<toml::table>(toml::parse(std::string_view(text), std::string_view(path)));
-        return Document(std::shared_ptr<const void>(table, static_cast<const toml::node*>(table.get())));
+        return Document(std::shared_ptr<void>(table, static_cast<toml::node*>(table.get())));
     } catch (const toml::parse_error& error) {
         return syntaxError(path, placeOf(error.source()),
                            "not valid TOML: " + oneLine(std::string(error.description())));
     }
+}
+
+std::optional<std::string> Document::set(const std::vector<PathPart>& path, const Scalar& value,
+                                         bool may_append) {
+    toml::node* node = static_cast<toml::node*>(root_.get());
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const Step step(*node, path[i]);
+        if (auto fault = step.fault(may_append)) return fault;
+        if (i + 1 == path.size()) {
+            std::visit([&](const auto& scalar) { step.put(scalar); }, value);
+            return std::nullopt;
+        }
+        if (!step.find()) {
+            if (std::holds_alternative<std::string>(path[i + 1]))
+                step.put(toml::table{});
+            else if (may_append)
+                step.put(toml::array{});
+            else
+                return "there is no such array";
+        }
+        node = step.find();
+    }
+    return "the path is empty";
 }
 
 }  // namespace talus::formats::scenario

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "talus/result.h"
@@ -57,6 +58,12 @@ std::string describe(const Node& node);
 /// The value alone, for messages about its size: `-3`, `"abc"`, `nan`.
 std::string valueText(const Node& node);
 
+/// A value that can be put into a document.
+using Scalar = std::variant<bool, std::int64_t, double, std::string>;
+
+/// One part of a field's path: a key of a table, or an index of an array.
+using PathPart = std::variant<std::string, std::size_t>;
+
 class Document {
  public:
     /// Syntax errors carry their line and column.
@@ -64,9 +71,15 @@ class Document {
 
     Node root() const { return Node(root_.get()); }
 
+    /// Puts a value in place of what is there, which keeps its place in the text; a missing key is added, and so are
+    /// missing tables on the way. With `may_append` an index just behind the end of an array adds an element.
+    /// Returns what is wrong with the path, or nothing. Copies of a document share its nodes.
+    std::optional<std::string> set(const std::vector<PathPart>& path, const Scalar& value,
+                                   bool may_append = false);
+
  private:
-    explicit Document(std::shared_ptr<const void> root) : root_(std::move(root)) {}
-    std::shared_ptr<const void> root_;  ///< a toml::node, namely a table
+    explicit Document(std::shared_ptr<void> root) : root_(std::move(root)) {}
+    std::shared_ptr<void> root_;  ///< a toml::node, namely a table
 };
 
 }  // namespace talus::formats::scenario

@@ -20,7 +20,7 @@ Error fileError(const std::string& path, std::string message) { return {"", std:
 Result<std::string> readFileText(const std::string& path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
-        return fileError(path, "found a directory, allowed: a scenario file");
+        return fileError(path, "found a directory, allowed: a file");
     errno = 0;
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) return fileError(path, std::string("cannot be opened: ") + std::strerror(errno));

@@ -30,16 +30,19 @@ std::optional<BlockPair> readBetween(Report& report, TableReader& table, const B
 }
 
 std::vector<PairJoint> readInterfaces(Report& report, TableReader& root, const BlockDirectory& blocks,
-                                      const Joints& joints) {
+                                      Joints& joints) {
+    std::vector<std::string> keys = jointKeys();
+    keys.insert(keys.begin(), {"between", "joint"});
     std::vector<PairJoint> interfaces;
     std::map<BlockPair, std::string> first;
     for (const FieldNode& entry : root.tables("interface")) {
-        TableReader table(report, entry.node, entry.field, {"between", "joint"});
+        TableReader table(report, entry.node, entry.field, keys);
         table.require({"between", "joint"});
         const auto between = readBetween(report, table, blocks);
         const auto joint = table.has("joint") ? readJoint(report, table, "joint", joints) : std::nullopt;
+        const auto own = joint ? joints.withOverrides(*joint, table, entry.field) : 0;
         if (!between) continue;
-        const PairJoint pair{between->first, between->second, joint.value_or(0), true, entry.field};
+        const PairJoint pair{between->first, between->second, own, true, entry.field};
         const auto [earlier, is_new] = first.emplace(blocksOf(pair), entry.field);
         if (is_new)
             interfaces.push_back(pair);

@@ -1,5 +1,5 @@
 #pragma once
-// [[interface]]: the joint of one pair of blocks by hand.
+// [[interface]]: the joint of one pair of blocks by hand, and properties in which it differs from that joint.
 
 #include "directory.h"
 #include "properties.h"
@@ -12,7 +12,7 @@ std::optional<std::pair<std::int32_t, std::int32_t>> readBetween(Report& report,
                                                                  const BlockDirectory& blocks);
 
 std::vector<PairJoint> readInterfaces(Report& report, TableReader& root, const BlockDirectory& blocks,
-                                      const Joints& joints);
+                                      Joints& joints);
 
 /// Adds interfaces given by hand to the model's pairs; they replace what a stack derived for the same two
 /// blocks.

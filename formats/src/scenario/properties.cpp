@@ -1,5 +1,7 @@
 #include "properties.h"
 
+#include <algorithm>
+
 #include "wording.h"
 
 namespace talus::formats::scenario {
@@ -67,6 +69,41 @@ std::int32_t Joints::withFriction(std::int32_t base, double friction_deg) {
     return place->second;
 }
 
+std::int32_t Joints::withOverrides(std::int32_t base, TableReader& table, const std::string& field) {
+    const auto index = static_cast<std::size_t>(base);
+    if (std::none_of(jointKeys().begin(), jointKeys().end(),
+                     [&](const std::string& key) { return table.has(key); }))
+        return base;
+    Joint joint = joints_[index];
+    joint.name += "@" + field;
+    const auto replace = [&](const char* key, const Range& range, double& value, double unit) {
+        const auto given = table.number(key, range);
+        if (given) value = *given * unit;
+        return given.has_value();
+    };
+    replace("normal_stiffness", kPositive, joint.normal_stiffness, 1);
+    replace("shear_stiffness", kPositive, joint.shear_stiffness, 1);
+    replace("cohesion", kNotNegative, joint.cohesion, 1);
+    replace("tensile_strength", kNotNegative, joint.tensile_strength, 1);
+    replace("residual_cohesion", kNotNegative, joint.residual_cohesion, 1);
+    replace("dilation_deg", kFrictionDeg, joint.dilation, kRadPerDeg);
+    const bool has_friction = replace("friction_deg", kFrictionDeg, joint.friction, kRadPerDeg);
+    const bool has_residual =
+        replace("residual_friction_deg", kFrictionDeg, joint.residual_friction, kRadPerDeg);
+    // As in a joint's own table, the residual angle is the peak's unless somebody gave one.
+    if (has_friction && !has_residual && !has_residual_friction_[index])
+        joint.residual_friction = joint.friction;
+    joints_.push_back(std::move(joint));
+    return static_cast<std::int32_t>(joints_.size()) - 1;
+}
+
+const std::vector<std::string>& jointKeys() {
+    static const std::vector<std::string> keys = {
+        "normal_stiffness", "shear_stiffness",   "friction_deg",          "cohesion",
+        "tensile_strength", "residual_cohesion", "residual_friction_deg", "dilation_deg"};
+    return keys;
+}
+
 Materials readMaterials(Report& report, TableReader& root) {
     Materials materials;
     for (const FieldNode& entry : root.namedTables("material")) {
@@ -81,9 +118,7 @@ Materials readMaterials(Report& report, TableReader& root) {
 Joints readJoints(Report& report, TableReader& root) {
     Joints joints;
     for (const FieldNode& entry : root.namedTables("joint")) {
-        TableReader table(report, entry.node, entry.field,
-                          {"normal_stiffness", "shear_stiffness", "friction_deg", "cohesion",
-                           "tensile_strength", "residual_cohesion", "residual_friction_deg", "dilation_deg"});
+        TableReader table(report, entry.node, entry.field, jointKeys());
         table.require({"normal_stiffness", "shear_stiffness", "friction_deg"});
         const double friction_deg = table.number("friction_deg", kFrictionDeg).value_or(0);
         joints.add(readJointTable(table, entry.name, friction_deg), friction_deg,

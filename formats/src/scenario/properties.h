@@ -51,12 +51,19 @@ class Joints {
     /// is the same angle. The residual angle follows unless the file gave one.
     std::int32_t withFriction(std::int32_t base, double friction_deg);
 
+    /// The joint like `base` but for the properties given in `table`, for one interface; `base` itself when there are
+    /// none. `field` names the new joint.
+    std::int32_t withOverrides(std::int32_t base, TableReader& table, const std::string& field);
+
  private:
     std::vector<Joint> joints_;
     std::vector<double> friction_deg_;         ///< as written, per joint of the file
     std::vector<bool> has_residual_friction_;  ///< likewise
     std::map<std::pair<std::int32_t, double>, std::int32_t> derived_;
 };
+
+/// Keys of a joint's properties.
+const std::vector<std::string>& jointKeys();
 
 Materials readMaterials(Report& report, TableReader& root);
 Joints readJoints(Report& report, TableReader& root);

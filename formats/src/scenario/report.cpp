@@ -32,4 +32,13 @@ std::vector<Error> Report::errors() const {
     return sorted;
 }
 
+std::optional<Place> Report::placeOf(std::string field) const {
+    for (; !field.empty(); field.resize(std::min(field.find_last_of(".["), field.size() - 1))) {
+        const auto found = places_.find(field);
+        if (found != places_.end()) return Place{found->second.first, found->second.second};
+        if (field.find_last_of(".[") == std::string::npos) break;
+    }
+    return std::nullopt;
+}
+
 }  // namespace talus::formats::scenario

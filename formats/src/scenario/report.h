@@ -2,6 +2,7 @@
 // Collects every fault found while a scenario is read, and the place of every field.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,9 @@ class Report {
 
     /// The first faults in the order of the file, and a last entry that counts the others, if any.
     std::vector<Error> errors() const;
+
+    /// Where a field stands, else the nearest table around it.
+    std::optional<Place> placeOf(std::string field) const;
 
     void mark(const std::string& field, Place place) { places_[field] = {place.line, place.column}; }
     std::map<std::string, std::pair<int, int>> takePlaces() { return std::move(places_); }

@@ -9,6 +9,8 @@
 #include "interface.h"
 #include "placed_block.h"
 #include "properties.h"
+#include "read_document.h"
+#include "rock_mass.h"
 #include "settings.h"
 #include "stack.h"
 #include "water.h"
@@ -22,11 +24,13 @@ constexpr Place kFileStart{1, 1};
 
 class ScenarioReader {
  public:
-    ScenarioReader(Report& report, Node root)
+    /// \param folder  where mesh files are looked for: "" or with a slash at its end
+    ScenarioReader(Report& report, Node root, std::string folder)
         : report_(report),
           root_(report, root, "",
                 {"format", "analysis", "run", "damping", "gravity", "contact", "material", "joint", "stack",
-                 "block", "water", "interface"}) {}
+                 "block", "rock_mass", "joint_set", "single_joint", "water", "interface"}),
+          folder_(std::move(folder)) {}
 
     /// \post the model is complete when the report is clean
     Model read() {
@@ -35,18 +39,23 @@ class ScenarioReader {
         materials_ = readMaterials(report_, root_);
         joints_ = readJoints(report_, root_);
         readBlocks();
-        const BlockDirectory directory(report_, stacks_, placed_);
+        BlockDirectory directory(report_, stacks_, placed_);
+        readRock(directory);
         checkWatch(directory);
         const auto interfaces = readInterfaces(report_, root_, directory, joints_);
-        const auto waters = readWaters(report_, root_, stacks_, directory);
+        const auto waters = readWaters(report_, root_, {stacks_, rock_ ? &*rock_ : nullptr}, directory);
+        std::vector<std::vector<WetFace>> walls;
+        if (report_.clean()) walls = rockWalls(waters);
         if (report_.clean()) buildBlocks();
         if (report_.clean()) {
             addInterfaces(interfaces, model_);
-            appendWaters(report_, waters, stacks_, model_);
+            appendWaters(report_, waters, stacks_, walls, model_);
             checkWaterOverlaps(report_, waters, model_);
         }
         return std::move(model_);
     }
+
+    std::vector<std::string> takeWarnings() { return std::move(warnings_); }
 
  private:
     void readBlocks() {
@@ -65,6 +74,33 @@ class ScenarioReader {
         checkThereAreBlocks();
     }
 
+    /// Cut as soon as its tables are read, because only then its blocks have names; not if there are faults already,
+    /// which could be meant for it.
+    void readRock(BlockDirectory& directory) {
+        rock_ = readRockMass(report_, root_, materials_, joints_, folder_);
+        if (!rock_) return;
+        if (report_.clean()) rock_blocks_ = cutBlocks(report_, *rock_);
+        if (!rock_blocks_) return directory.setIncomplete();
+        warnings_ = rock_blocks_->cut.warnings;
+        directory.add(report_, rock_blocks_->names, firstRockBlock(), rock_->place, "rock_mass.name");
+    }
+
+    std::int32_t firstRockBlock() const {
+        std::int64_t count = static_cast<std::int64_t>(placed_.size());
+        for (const Stack& stack : stacks_) count += stack.blockCount();
+        return static_cast<std::int32_t>(count);
+    }
+
+    /// Of the waters in joints of the rock mass; empty for the others.
+    std::vector<std::vector<WetFace>> rockWalls(const std::vector<WaterEntry>& waters) const {
+        std::vector<std::vector<WetFace>> walls(waters.size());
+        for (std::size_t i = 0; i < waters.size(); ++i)
+            if (waters[i].where == WaterEntry::Where::rock_joint)
+                walls[i] =
+                    jointWalls(rock_blocks_->cut, waters[i].rock_joint, waters[i].plane, firstRockBlock());
+        return walls;
+    }
+
     bool checkCount(Place place, const std::string& field, std::int64_t count) {
         if (count <= kMaxBlocks) return true;
         report_.add(
@@ -74,10 +110,11 @@ class ScenarioReader {
     }
 
     void checkThereAreBlocks() {
-        if (isEmpty("stack") && isEmpty("block")) {
-            if (!root_.isMeant("stack") && !root_.isMeant("block"))
-                report_.add(kFileStart, "stack",
-                            "found no blocks, allowed: at least one [[stack]] or [[block]]");
+        if (isEmpty("stack") && isEmpty("block") && !root_.has("rock_mass")) {
+            if (!root_.isMeant("stack") && !root_.isMeant("block") && !root_.isMeant("rock_mass"))
+                report_.add(
+                    kFileStart, "stack",
+                    "found no blocks, allowed: at least one [[stack]] or [[block]], or a [rock_mass]");
             return;
         }
         if (materials_.names.empty()) reportNone("material", "[material.NAME] with a density");
@@ -110,7 +147,8 @@ class ScenarioReader {
         for (const Stack& stack : stacks_) appendStack(report_, stack, joints_, model_);
         for (PlacedBlock& placed : placed_) model_.blocks.push_back(std::move(placed.block));
         model_.joints = joints_.all();
-        if (stacks_.size() == 1 && placed_.empty()) model_.stack = shapeOf(stacks_[0]);
+        if (rock_) appendRockMass(*rock_, std::move(*rock_blocks_), model_);
+        if (stacks_.size() == 1 && placed_.empty() && !rock_) model_.stack = shapeOf(stacks_[0]);
     }
 
     static StackShape shapeOf(const Stack& stack) {
@@ -125,18 +163,29 @@ class ScenarioReader {
     Joints joints_;
     std::vector<Stack> stacks_;
     std::vector<PlacedBlock> placed_;
+    std::string folder_;
+    std::optional<RockMassInput> rock_;
+    std::optional<RockMassBlocks> rock_blocks_;
+    std::vector<std::string> warnings_;
 };
 
 }  // namespace
 }  // namespace scenario
 
+Result<Scenario> scenario::readDocument(const Document& document, std::string text, const std::string& path) {
+    Report report(path);
+    const auto slash = path.rfind('/');
+    const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
+    ScenarioReader reader(report, document.root(), folder);
+    Model model = reader.read();
+    if (!report.clean()) return report.errors();
+    return Scenario{std::move(model), path, std::move(text), report.takePlaces(), reader.takeWarnings()};
+}
+
 Result<Scenario> parseScenario(const std::string& text, const std::string& path) {
     const auto document = scenario::Document::parse(text, path);
     if (!document) return document.errors();
-    scenario::Report report(path);
-    Model model = scenario::ScenarioReader(report, document->root()).read();
-    if (!report.clean()) return report.errors();
-    return Scenario{std::move(model), path, text, report.takePlaces()};
+    return scenario::readDocument(*document, text, path);
 }
 
 Result<Scenario> readScenario(const std::string& path) {

@@ -59,7 +59,7 @@ void readAnalysis(TableReader& root, Model& model, double tilt_deg) {
 }
 
 void readRun(TableReader& root, Model& model) {
-    auto table = root.table("run", {"duration_s", "time_step_s", "frame_interval_s", "watch"});
+    auto table = root.table("run", {"duration_s", "time_step_s", "frame_interval_s", "watch", "start"});
     if (!table) return;
     RunSettings& run = model.run;
     run.duration = table->number("duration_s", kPositive).value_or(run.duration);
@@ -69,6 +69,8 @@ void readRun(TableReader& root, Model& model) {
         table->error("frame_interval_s", "found " + numberText(run.frame_interval) + " s in a run of " +
                                              numberText(run.duration) + " s, allowed: at most " +
                                              numberText(kMaxFrames) + " frames");
+    if (const auto start = table->choice("start", {"equilibrium", "unstressed"}))
+        run.start = *start == 0 ? RunSettings::Start::equilibrium : RunSettings::Start::unstressed;
     // Whether the watched blocks exist is checked once all blocks are known.
     run.watch = table->texts("watch", std::nullopt).value_or(std::vector<std::string>{});
 }

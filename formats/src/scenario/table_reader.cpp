@@ -134,6 +134,25 @@ bool TableReader::isMeant(std::string_view key) const {
     return std::find(meant_.begin(), meant_.end(), key) != meant_.end();
 }
 
+std::vector<std::string> TableReader::present(const std::vector<std::string>& keys) const {
+    std::vector<std::string> found;
+    for (const std::string& key : keys)
+        if (has(key)) found.push_back(key);
+    return found;
+}
+
+bool TableReader::requireOneOf(const std::vector<std::string>& keys) {
+    const auto found = present(keys);
+    if (found.size() == 1) return true;
+    if (found.empty() && std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return isMeant(key); }))
+        return false;
+    if (found.empty())
+        error(keys.front(), "missing; one of these is required: " + listed(keys));
+    else
+        error(found[1], "found " + listed(found) + " together, allowed: exactly one of " + listed(keys));
+    return false;
+}
+
 void TableReader::error(std::string_view key, std::string message) {
     report_.add(placeOf(key), fieldOf(key), std::move(message));
 }

@@ -83,6 +83,11 @@ class TableReader {
     void require(std::initializer_list<std::string_view> keys);
     void error(std::string_view key, std::string message);
 
+    /// True if exactly one of `keys` is there; else that is reported, unless a misspelt key shows what was meant.
+    bool requireOneOf(const std::vector<std::string>& keys);
+    std::vector<std::string> present(
+        const std::vector<std::string>& keys) const;  ///< those of `keys` that are there
+
     // Nothing when the key is missing or its value is not allowed (which is then reported).
     std::optional<double> number(std::string_view key, const Range& range);
     std::optional<std::int64_t> integer(std::string_view key, Bounds bounds);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "directory.h"
+#include "rock_mass.h"
 #include "stack.h"
 #include "table_reader.h"
 #include "talus/model.h"
@@ -14,22 +15,31 @@ namespace talus::formats::scenario {
 
 /// What a [[water]] table says; its walls are looked up once the blocks are built.
 struct WaterEntry {
-    enum class Where { stack_joint, between_blocks, block_face };
+    enum class Where { stack_joint, between_blocks, block_face, rock_joint };
     Where where = Where::stack_joint;
     Water water;  ///< complete but for its walls
     Place place;
-    std::size_t stack = 0;           ///< stack_joint: which stack
-    int fissure = 0;                 ///< stack_joint: between this many columns and the others
-    std::int32_t block = 0;          ///< block_face
-    Vec3 direction = Vec3::UnitX();  ///< block_face: the face whose normal is nearest
+    std::size_t stack = 0;                ///< stack_joint: which stack
+    int fissure = 0;                      ///< stack_joint: between this many columns and the others
+    std::int32_t block = 0;               ///< block_face
+    Vec3 direction = Vec3::UnitX();       ///< block_face: the face whose normal is nearest
+    std::size_t rock_joint = 0;           ///< rock_joint: index into the sets, then the single joints
+    std::optional<std::int64_t> plane{};  ///< rock_joint: one plane of a set
 };
 
-std::vector<WaterEntry> readWaters(Report& report, TableReader& root, const std::vector<Stack>& stacks,
+/// What joints there are for water to stand in.
+struct WaterPlaces {
+    const std::vector<Stack>& stacks;
+    const RockMassInput* rock = nullptr;
+};
+
+std::vector<WaterEntry> readWaters(Report& report, TableReader& root, const WaterPlaces& places,
                                    const BlockDirectory& blocks);
 
-/// Looks up the walls and adds the waters to the model. \pre the model has all its blocks
+/// Looks up the walls and adds the waters to the model. \param rock_walls  per entry, of those in a rock mass
+/// \pre the model has all its blocks
 void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const std::vector<Stack>& stacks,
-                  Model& model);
+                  const std::vector<std::vector<WetFace>>& rock_walls, Model& model);
 
 /// Reports water entries whose wet parts overlap on a common wall that stands normal to x, at the scenario's
 /// start tilt. Other walls, and water between two blocks, need the engine's geometry and are checked there.

@@ -88,11 +88,13 @@ void addIntervals(const Model& model, std::size_t entry, double tilt, std::vecto
 }  // namespace
 
 void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const std::vector<Stack>& stacks,
-                  Model& model) {
+                  const std::vector<std::vector<WetFace>>& rock_walls, Model& model) {
     std::size_t walls = 0;
-    for (const WaterEntry& entry : entries) {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const WaterEntry& entry = entries[i];
         Water water = entry.water;
-        water.walls = wallsOf(entry, stacks, model);
+        water.walls =
+            entry.where == WaterEntry::Where::rock_joint ? rock_walls[i] : wallsOf(entry, stacks, model);
         walls += water.walls.size();
         if (walls > kMaxWalls) {
             report.add(entry.place, water.field,

@@ -14,29 +14,6 @@ const std::array<Vec3, 6> kFaceDirections = {Vec3::UnitX(),  -Vec3::UnitX(), Vec
                                              -Vec3::UnitY(), Vec3::UnitZ(),  -Vec3::UnitZ()};
 const std::vector<std::string> kFaceNames = {"+x", "-x", "+y", "-y", "+z", "-z"};
 
-/// The keys of `keys` that a table has.
-std::vector<std::string> present(const TableReader& table, const std::vector<std::string>& keys) {
-    std::vector<std::string> found;
-    for (const std::string& key : keys)
-        if (table.has(key)) found.push_back(key);
-    return found;
-}
-
-/// True if exactly one of `keys` is there.
-bool checkExactlyOne(TableReader& table, const std::vector<std::string>& keys) {
-    const auto found = present(table, keys);
-    if (found.size() == 1) return true;
-    if (found.empty() &&
-        std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return table.isMeant(key); }))
-        return false;  // a misspelt one is reported
-    if (found.empty())
-        table.error(keys.front(), "missing; one of these is required: " + listed(keys));
-    else
-        table.error(found[1],
-                    "found " + listed(found) + " together, allowed: exactly one of " + listed(keys));
-    return false;
-}
-
 std::vector<LevelPoint> readLevels(Report& report, TableReader& table) {
     std::vector<LevelPoint> levels;
     const auto array = table.array("levels");
@@ -56,7 +33,7 @@ std::vector<LevelPoint> readLevels(Report& report, TableReader& table) {
 }
 
 void readLevel(Report& report, TableReader& table, const std::vector<std::string>& kinds, Water& water) {
-    if (!checkExactlyOne(table, kinds)) return;
+    if (!table.requireOneOf(kinds)) return;
     if (const auto depth = table.number("depth", Range{0, kMaxLength})) water.level = {{0, *depth}};
     if (table.has("levels")) water.level = readLevels(report, table);
     if (const auto elevation = table.number("elevation", kCoordinate)) {
@@ -71,22 +48,23 @@ void readLevel(Report& report, TableReader& table, const std::vector<std::string
 
 class WaterReader {
  public:
-    WaterReader(Report& report, const std::vector<Stack>& stacks, const BlockDirectory& blocks)
-        : report_(report), stacks_(stacks), blocks_(blocks) {
-        for (std::size_t i = 0; i < stacks.size(); ++i) stack_names_.add(stacks[i].name);
+    WaterReader(Report& report, const WaterPlaces& places, const BlockDirectory& blocks)
+        : report_(report), stacks_(places.stacks), rock_(places.rock), blocks_(blocks) {
+        for (const Stack& stack : stacks_) stack_names_.add(stack.name);
     }
 
     std::optional<WaterEntry> read(const FieldNode& node) const {
         TableReader table(report_, node.node, node.field,
-                          {"fissure", "stack", "between", "block", "face", "depth", "elevation", "levels",
-                           "head", "base", "density", "drains_at_aperture"});
+                          {"fissure", "stack", "between", "block", "face", "joint", "plane", "depth",
+                           "elevation", "levels", "head", "base", "density", "drains_at_aperture"});
         WaterEntry entry;
         entry.place = table.place();
         entry.water.field = node.field;
         entry.water.density = table.number("density", kPositive).value_or(entry.water.density);
         entry.water.drains_at_aperture = table.number("drains_at_aperture", kPositive).value_or(kInfinity);
-        if (!checkExactlyOne(table, {"fissure", "between", "block"})) return std::nullopt;
+        if (!table.requireOneOf({"fissure", "between", "block", "joint"})) return std::nullopt;
         refuseForeignKeys(table);
+        if (table.has("joint")) return readRockJoint(table, entry);
         if (table.has("fissure")) return readStackJoint(table, entry);
         if (table.has("between")) return readBetweenBlocks(table, entry);
         return readBlockFace(table, entry);
@@ -97,11 +75,13 @@ class WaterReader {
     static void refuseForeignKeys(TableReader& table) {
         const auto refuse = [&](const char* owner, const std::vector<std::string>& keys) {
             if (table.has(owner)) return;
-            for (const std::string& key : present(table, keys))
+            for (const std::string& key : table.present(keys))
                 table.error(key,
                             "found " + key + " without " + owner + ", allowed: only together with " + owner);
         };
-        refuse("fissure", {"stack", "base"});
+        refuse("fissure", {"stack"});
+        if (!table.has("joint")) refuse("fissure", {"base"});
+        refuse("joint", {"plane"});
         refuse("between", {"head"});
         refuse("block", {"face"});
     }
@@ -159,6 +139,36 @@ class WaterReader {
                                     numberText(top));
     }
 
+    /// In a single joint, in one plane of a joint set, or (by elevation) in all of a set.
+    std::optional<WaterEntry> readRockJoint(TableReader& table, WaterEntry& entry) const {
+        entry.where = WaterEntry::Where::rock_joint;
+        readLevel(report_, table, {"elevation", "depth", "levels"}, entry.water);
+        if (const auto base = table.number("base", kCoordinate)) entry.water.base = *base;
+        const auto name = table.text("joint");
+        const auto plane = table.integer("plane", {INT32_MIN, INT32_MAX});
+        if (!name) return std::nullopt;
+        if (!rock_ || rock_->joint_names.empty()) {
+            table.error(
+                "joint",
+                rock_ ? "found " + quoted(*name) + ", but no joint set or single joint has a name"
+                      : "found a joint in a scenario without [rock_mass], allowed: fissure, between, block");
+            return std::nullopt;
+        }
+        const auto index =
+            rock_->joint_names.resolve(report_, table.placeOf("joint"), table.fieldOf("joint"), *name);
+        if (!index) return std::nullopt;
+        entry.rock_joint = rock_->joint_of_name[static_cast<std::size_t>(*index)];
+        entry.plane = plane;
+        const bool is_set = entry.rock_joint < rock_->description.sets.size();
+        if (plane && !is_set)
+            table.error("plane",
+                        "found plane with the single joint " + quoted(*name) + ", allowed: with a joint set");
+        if (is_set && !table.has("plane") && entry.water.kind == Water::Level::depth)
+            table.error("joint", "found a depth in all planes of the joint set " + quoted(*name) +
+                                     ", allowed: elevation, or plane = NUMBER for one of them");
+        return entry;
+    }
+
     std::optional<WaterEntry> readBetweenBlocks(TableReader& table, WaterEntry& entry) const {
         entry.where = WaterEntry::Where::between_blocks;
         readLevel(report_, table, {"depth", "elevation", "levels", "head"}, entry.water);
@@ -180,15 +190,16 @@ class WaterReader {
 
     Report& report_;
     const std::vector<Stack>& stacks_;
+    const RockMassInput* rock_;
     const BlockDirectory& blocks_;
     NameList stack_names_{"stack"};
 };
 
 }  // namespace
 
-std::vector<WaterEntry> readWaters(Report& report, TableReader& root, const std::vector<Stack>& stacks,
+std::vector<WaterEntry> readWaters(Report& report, TableReader& root, const WaterPlaces& places,
                                    const BlockDirectory& blocks) {
-    const WaterReader reader(report, stacks, blocks);
+    const WaterReader reader(report, places, blocks);
     std::vector<WaterEntry> entries;
     for (const FieldNode& node : root.tables("water"))
         if (auto entry = reader.read(node)) entries.push_back(std::move(*entry));

@@ -204,7 +204,7 @@ TEST_SUITE("stages") {
         std::vector<int> owners(state.points.offset_1.size(), 0);
         for (std::size_t i = 0; i < f.size(); ++i) {
             CHECK(f.pointCount(i) == 2 * f.cornerCount(i) + 1);
-            CHECK(stages::patchOutline(f, i).size() == f.cornerCount(i));
+            CHECK(patchOutline(f, i).size() == f.cornerCount(i));
             for (std::size_t k = 0; k < f.pointCount(i); ++k) ++owners[f.pointSlot(i, k)];
         }
         CHECK(*std::max_element(owners.begin(), owners.end()) == 1);

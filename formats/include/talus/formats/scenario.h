@@ -2,7 +2,8 @@
 // Scenario files: TOML in, a Model out, every fault with its line and column.
 //
 // The order of the model's blocks: stack by stack as in the file (its floor first, then column by column from
-// the toe, row by row from the floor, slice by slice), then the blocks placed by hand. Joints stand in the
+// the toe, row by row from the floor, slice by slice), then the blocks placed by hand, then those of the rock
+// mass (b1, b2, ... from the bottom up, by x, by y). Joints stand in the
 // order of the file, behind them those derived for bed levels with a friction angle of their own
 // ("default@18.5deg").
 //
@@ -26,6 +27,7 @@ struct Scenario {
     std::string path;  ///< as given, for messages
     std::string text;
     std::map<std::string, std::pair<int, int>> places;  ///< "stack[0].columns" -> (line, column), 1-based
+    std::vector<std::string> warnings{};  ///< of cutting a rock mass: cuts left out, joints that cut nothing
 };
 
 /// Reads and checks a scenario file. All faults found are reported, not just the first.

@@ -1,0 +1,155 @@
+#pragma once
+// Rock masses: a region cut into blocks by joint sets and single joints.
+//
+//   region (closed surface)  --cut by the planes of the joints-->  blocks, each face knowing the joint that made it
+//
+// Axes as everywhere: x east, y north, z up. A plane's dip direction is counted clockwise from +y; its normal points
+// upwards, and towards the dip direction where the plane is steep.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "talus/model.h"
+#include "talus/polyhedron.h"
+#include "talus/result.h"
+
+namespace talus {
+
+/// A surface of triangles, counter-clockwise seen from outside. Vertices are shared: two triangles meet in an edge when
+/// they use the same two indices.
+struct TriangleSurface {
+    std::vector<Vec3> vertices;  ///< [m]
+    std::vector<std::array<std::int32_t, 3>> triangles;
+};
+
+/// What keeps a surface from being the boundary of a region: empty, an index or a coordinate out of range, a triangle
+/// without area, an edge with one triangle (open) or more than two (non-manifold), neighbours that face opposite ways,
+/// a surface that faces inwards. Fields are "triangles[i]" (0-based) or "" for the whole. At most 20 faults are listed.
+std::vector<Error> checkSurface(const TriangleSurface& surface);
+
+/// The volume a closed surface encloses; negative when it faces inwards [m^3].
+double surfaceVolume(const TriangleSurface& surface);
+
+/// The surface of a box; as makeBox.
+Result<TriangleSurface> boxSurface(const Vec3& min, const Vec3& max);
+
+/// A slope profile, a simple polygon of (x, z) in either sense of rotation, extruded from y_min to y_max [m].
+/// Errors: fewer than three points, sides that cross or touch ("[i]" is the side behind point i), y_min >= y_max.
+Result<TriangleSurface> extrudeProfile(const std::vector<Eigen::Vector2d>& profile, double y_min,
+                                       double y_max);
+
+/// Unit normal of a plane of this dip and dip direction [rad], pointing upwards.
+Vec3 upwardNormal(double dip, double dip_direction);
+
+/// How the spacing of a joint set varies from plane to plane.
+enum class SpacingLaw : std::uint8_t {
+    constant,
+    uniform,     ///< mean * (1 + spread * u), u uniform in [-1, 1]
+    exponential  ///< negative exponential: planes at random places (S. D. Priest and J. A. Hudson, 1976)
+};
+
+/// Parallel planes through the whole region. Plane 0 goes through `origin` (moved by `offset`), plane 1 is the next
+/// along the upward normal.
+struct JointSet {
+    std::string name;
+    double dip = 0;            ///< [rad]
+    double dip_direction = 0;  ///< [rad]
+    double spacing = 0;        ///< mean, normal to the planes [m]
+    Vec3 origin = Vec3::Zero();
+    double offset = 0;  ///< along the upward normal [m]
+    SpacingLaw law = SpacingLaw::constant;
+    double spread = 0;  ///< of SpacingLaw::uniform, 0..1
+    std::optional<double>
+        fisher;  ///< Fisher constant of the scatter of orientation about the mean; none: no scatter
+    std::int32_t joint = 0;  ///< index of the strength
+    std::string field{};     ///< "joint_set[0]", for messages
+};
+
+/// One joint: a plane through a point, through the whole region or as far as a disc or a convex polygon reaches.
+struct SingleJoint {
+    std::string name;
+    Vec3 point = Vec3::Zero();
+    double dip = 0;                ///< [rad]
+    double dip_direction = 0;      ///< [rad]
+    std::optional<double> radius;  ///< of a disc about `point` [m]
+    std::vector<Vec3> polygon;     ///< instead: its corners in order; they give point and orientation, too
+    std::int32_t joint = 0;
+    std::string field{};
+};
+
+struct RockMass {
+    TriangleSurface region;
+    std::vector<JointSet> sets;
+    std::vector<SingleJoint> singles;
+    std::optional<double>
+        min_thickness;  ///< [m]; default: a thousandth of the least mean spacing, without joint sets
+                        ///< 1e-4 of the region's longest side; at least 1e-6 of that
+    bool refuse_slivers = false;  ///< a cut that would leave a thinner part is an error, not left out
+    std::uint64_t seed = 1;
+    std::size_t max_blocks = 2'000'000;
+    std::string field = "rock_mass";
+};
+
+/// Which joint made a face: index into the sets, then the singles; -1 the region's surface, or the inside of a block
+/// that is made of several convex parts.
+struct FaceOrigin {
+    std::int32_t joint = -1;
+    std::int32_t plane = 0;  ///< number of the plane within its set
+};
+
+/// A convex part of a block. Most blocks are one part; a block with a reflex edge of the region is several.
+struct BlockPart {
+    Polyhedron shape;
+    std::vector<FaceOrigin> origin;  ///< per face
+    std::int32_t block = 0;          ///< which block it is part of
+    double volume = 0;               ///< [m^3]
+};
+
+struct CutRockMass {
+    std::vector<BlockPart> parts;  ///< block by block, blocks from the bottom up, then by x, then by y
+    std::int32_t blocks = 0;
+    std::vector<std::pair<std::int32_t, std::int32_t>> bonds;  ///< parts of one block that share a face
+    double volume = 0;                                         ///< of all parts [m^3]
+    double region_volume = 0;                                  ///< [m^3]
+    double min_thickness = 0;                                  ///< the one used [m]
+    std::vector<std::string> warnings;
+};
+
+/// Cuts the region by the joint sets, then the unbounded single joints, then the finite ones, each in the order given.
+///
+/// A finite joint cuts the blocks it meets, and these from side to side. A joint that comes within `weld` (1e-11 of the
+/// region's extent) of a vertex goes through the vertex, and one that near to a face is that face. A cut that would
+/// leave a part thinner than `min_thickness` is left out for that block, which keeps the sliver, and reported.
+///
+/// Where the region is not convex, its blocks with a reflex edge are split there into convex parts; `bonds` lists the
+/// parts that must not move against each other.
+///
+/// Errors: an open, non-manifold, inverted or self-crossing region; spacing not positive; a joint that is no plane or
+/// no convex polygon; more than `max_blocks` blocks; slivers, if refused; volumes that do not add up to 1e-9.
+Result<CutRockMass> cutRockMass(const RockMass& description);
+
+/// Which blocks a user means.
+struct BlockSelection {
+    enum class Kind : std::uint8_t {
+        box,      ///< centroid within the box
+        below,    ///< wholly below a plane (against its upward normal)
+        above,    ///< wholly above
+        touching  ///< with a face in the plane
+    };
+    Kind kind = Kind::box;
+    Vec3 min = Vec3::Zero(), max = Vec3::Zero();               ///< of the box [m]
+    Vec3 point = Vec3::Zero(), upward_normal = Vec3::UnitZ();  ///< of the plane [m]
+};
+
+/// For each part, whether the selection takes its block; a block's parts are judged together. Planes are met within
+/// `tolerance` [m].
+std::vector<bool> selectBlocks(const CutRockMass& mass, const BlockSelection& selection, double tolerance);
+
+/// The block that holds a point; -1 if none does.
+std::int32_t blockAt(const CutRockMass& mass, const Vec3& point);
+
+}  // namespace talus

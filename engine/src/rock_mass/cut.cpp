@@ -1,0 +1,287 @@
+// Cutting a rock mass: the region into cells, the cells by the joints' planes one after the other, the cells into
+// blocks.
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "rock_mass/cut_tree.h"
+#include "rock_mass/joints.h"
+#include "rock_mass/region.h"
+#include "rock_mass/solid.h"
+#include "talus/rock_mass.h"
+
+namespace talus {
+namespace {
+
+using namespace rock_mass;
+
+constexpr double kWeld = 1e-11;            // of the region's extent
+constexpr double kUlps = 64 * 2.22e-16;    // of the largest coordinate: what is nearer is rounding
+constexpr double kThinSpacing = 1e-3;      // default least thickness: of the least mean spacing ...
+constexpr double kThinExtent = 1e-4;       // ... or of the region's longest side
+constexpr double kThinWelds = 1e5;         // weld distances, in any case
+constexpr double kVolumeTolerance = 1e-9;  // of the region's volume
+constexpr double kSameLevel = 1e-7;        // of the extent: centroids this near in a coordinate are level
+
+std::string text(double value) {
+    char buffer[32];
+    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 4).ptr};
+}
+
+std::string text(const Vec3& p) { return "(" + text(p.x()) + ", " + text(p.y()) + ", " + text(p.z()) + ")"; }
+
+const std::string& fieldOf(const RockMass& description, std::size_t joint) {
+    const std::size_t sets = description.sets.size();
+    return joint < sets ? description.sets[joint].field : description.singles[joint - sets].field;
+}
+
+/// "joint_set[0] (J1)"
+std::string titleOf(const RockMass& description, std::size_t joint) {
+    const std::size_t sets = description.sets.size();
+    const std::string& name =
+        joint < sets ? description.sets[joint].name : description.singles[joint - sets].name;
+    return fieldOf(description, joint) + (name.empty() ? "" : " (" + name + ")");
+}
+
+/// What happened at one joint or joint set.
+struct Tally {
+    std::size_t cuts = 0, left_out = 0;
+    Vec3 first_place = Vec3::Zero();
+    double first_thickness = 0;
+};
+
+class Cutter {
+ public:
+    explicit Cutter(const RockMass& description) : description_(description) {}
+
+    Result<CutRockMass> run() {
+        if (auto errors = checkAll(); !errors.empty()) return errors;
+        VertexTable vertices(weldDistance());
+        auto cells = decompose(description_.region, planes_, vertices);
+        if (!cells) return inRegion(cells.errors());
+        for (const Cell& cell : *cells) result_.region_volume += volume(cell, vertices);
+        if (auto error = expectTooMany()) return *error;
+        result_.min_thickness = minThickness();
+        const Knife knife{planes_, vertices, result_.min_thickness};
+        const auto joints = jointPlanes(description_, description_.region.vertices);
+        if (!joints) return joints.errors();
+        CutTree tree(joined(std::move(*cells), knife));
+        tallies_.resize(description_.sets.size() + description_.singles.size());
+        for (const JointPlane& joint : *joints)
+            if (auto error = cutBy(joint, knife, tree)) return *error;
+        warnOfCuts();
+        return collect(tree, knife);
+    }
+
+ private:
+    std::vector<Error> checkAll() const {
+        auto errors = inRegion(checkSurface(description_.region));
+        for (Error& error : checkJoints(description_)) errors.push_back(std::move(error));
+        if (description_.min_thickness && !(*description_.min_thickness >= 0))
+            errors.push_back(
+                {description_.field + ".min_thickness", "found a negative thickness, allowed: at least 0"});
+        return errors;
+    }
+
+    std::vector<Error> inRegion(std::vector<Error> errors) const {
+        for (Error& error : errors)
+            error.field = description_.field + ".region" + (error.field.empty() ? "" : "." + error.field);
+        return errors;
+    }
+
+    double extent() const {
+        Vec3 min = description_.region.vertices[0], max = min;
+        for (const Vec3& v : description_.region.vertices) min = min.cwiseMin(v), max = max.cwiseMax(v);
+        return (max - min).maxCoeff();
+    }
+
+    double weldDistance() const {
+        double farthest = 0;
+        for (const Vec3& v : description_.region.vertices)
+            farthest = std::max(farthest, v.cwiseAbs().maxCoeff());
+        return std::max(kWeld * extent(), kUlps * farthest);
+    }
+
+    /// The user's or the default, but never so thin that the weld distance shows against the gap of closed faces
+    /// (1e-4 of a block).
+    double minThickness() const {
+        double spacing = kInfinity;
+        for (const JointSet& set : description_.sets) spacing = std::min(spacing, set.spacing);
+        const double fallback = std::min(kThinSpacing * spacing, kThinExtent * extent());
+        return std::max(description_.min_thickness.value_or(fallback), kThinWelds * weldDistance());
+    }
+
+    std::optional<Error> cutBy(const JointPlane& joint, const Knife& knife, CutTree& tree) {
+        const auto index = static_cast<std::int32_t>(planes_.size());
+        planes_.push_back(joint.plane);
+        Tally& tally = tallies_[joint.joint];
+        const Reach* reach = joint.reach ? &*joint.reach : nullptr;
+        std::optional<Error> error;
+        tree.visit(joint.plane, reach, knife.vertices.weld(), [&](const Solid& solid) {
+            if (error) return std::vector<Solid>{};
+            CutOutcome outcome = cutSolid(solid, index, reach, knife);
+            if (outcome.kind == CutOutcome::Kind::cut) ++tally.cuts;
+            if (outcome.kind == CutOutcome::Kind::sliver) error = onSliver(joint, outcome, tally);
+            if (tree.size() + outcome.parts.size() > description_.max_blocks) error = onTooMany(joint);
+            return std::move(outcome.parts);
+        });
+        return error;
+    }
+
+    std::optional<Error> onSliver(const JointPlane& joint, const CutOutcome& outcome, Tally& tally) const {
+        if (tally.left_out++ == 0) {
+            tally.first_place = outcome.place;
+            tally.first_thickness = outcome.thinnest;
+        }
+        if (!description_.refuse_slivers) return std::nullopt;
+        return Error{fieldOf(description_, joint.joint),
+                     "found a cut that leaves a sliver " + text(outcome.thinnest) + " m thick near " +
+                         text(outcome.place) + ", allowed: at least min_thickness, " +
+                         text(result_.min_thickness) + " m, or slivers = \"merge\""};
+    }
+
+    /// Three sets alone cut a volume V into about V |n1 . n2 x n3| / (s1 s2 s3) blocks: far too many are refused before
+    /// they fill the memory.
+    std::optional<Error> expectTooMany() const {
+        const auto& sets = description_.sets;
+        const auto normal = [&](std::size_t i) { return upwardNormal(sets[i].dip, sets[i].dip_direction); };
+        for (std::size_t k = 2; k < sets.size(); ++k)
+            for (std::size_t j = 1; j < k; ++j)
+                for (std::size_t i = 0; i < j; ++i) {
+                    const double count = result_.region_volume *
+                                         std::abs(normal(i).dot(normal(j).cross(normal(k)))) /
+                                         (sets[i].spacing * sets[j].spacing * sets[k].spacing);
+                    if (count > 2.0 * static_cast<double>(description_.max_blocks))
+                        return Error{sets[k].field + ".spacing", "found sets that cut the region into some " +
+                                                                     text(count) +
+                                                                     " blocks, allowed: at most " +
+                                                                     std::to_string(description_.max_blocks)};
+                }
+        return std::nullopt;
+    }
+
+    Error onTooMany(const JointPlane& joint) const {
+        return {fieldOf(description_, joint.joint),
+                "found more than " + std::to_string(description_.max_blocks) +
+                    " blocks up to here, allowed: at most that many; a wider "
+                    "spacing or a smaller region"};
+    }
+
+    void warnOfCuts() {
+        for (std::size_t joint = 0; joint < tallies_.size(); ++joint) {
+            const Tally& tally = tallies_[joint];
+            if (tally.left_out > 0)
+                result_.warnings.push_back(
+                    titleOf(description_, joint) + ": " + std::to_string(tally.left_out) +
+                    (tally.left_out == 1 ? " cut was" : " cuts were") +
+                    " left out, as a part would be thinner than " + text(result_.min_thickness) +
+                    " m; the first near " + text(tally.first_place) + ", " + text(tally.first_thickness) +
+                    " m thick");
+            else if (tally.cuts == 0)
+                result_.warnings.push_back(titleOf(description_, joint) + ": cuts no block");
+        }
+    }
+
+    bool isThin(const Cell& piece, const Knife& knife) const {
+        return thickness({&piece}, planes_, knife.vertices) < result_.min_thickness;
+    }
+
+    void warnOfThinParts(std::size_t count) {
+        if (count > 0)
+            result_.warnings.push_back(
+                description_.field + ".region: " + std::to_string(count) +
+                " convex parts of blocks at its reflex edges are thinner than " +
+                text(result_.min_thickness) +
+                " m, which shortens the time step of a run; a surface of fewer triangles has fewer of them");
+    }
+
+    /// A solid where it will stand among the blocks.
+    struct Ranked {
+        std::array<std::int64_t, 3>
+            level;  ///< z, x, y of the centroid in steps of the least difference that counts
+        const Solid* solid;
+    };
+
+    std::vector<Ranked> ranked(const CutTree& tree, const Knife& knife) const {
+        const double step = kSameLevel * extent();
+        std::vector<Ranked> order;
+        for (const Solid& solid : tree.solids()) {
+            Vec3 centroid = Vec3::Zero();
+            double total = 0;
+            for (const Cell& piece : solid.pieces) {
+                const double share = volume(piece, knife.vertices);
+                centroid += share * centre(piece, knife.vertices);
+                total += share;
+            }
+            centroid /= total;
+            order.push_back({{std::llround(centroid.z() / step), std::llround(centroid.x() / step),
+                              std::llround(centroid.y() / step)},
+                             &solid});
+        }
+        std::stable_sort(order.begin(), order.end(),
+                         [](const Ranked& a, const Ranked& b) { return a.level < b.level; });
+        return order;
+    }
+
+    BlockPart partOf(const Cell& cell, std::int32_t block, const VertexTable& vertices) const {
+        BlockPart part;
+        part.block = block;
+        std::vector<std::int32_t> used;
+        for (const CellFace& face : cell.faces)
+            used.insert(used.end(), face.outline.begin(), face.outline.end());
+        std::sort(used.begin(), used.end());
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+        for (const std::int32_t v : used) part.shape.vertices.push_back(vertices[v]);
+        for (const CellFace& face : cell.faces) {
+            std::vector<std::int32_t> outline;
+            for (const std::int32_t v : face.outline)
+                outline.push_back(
+                    static_cast<std::int32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin()));
+            part.shape.faces.push_back(std::move(outline));
+            const Plane& plane = planes_[static_cast<std::size_t>(face.plane)];
+            part.origin.push_back({plane.source, plane.number});
+        }
+        part.volume = massProperties(part.shape).volume;
+        return part;
+    }
+
+    Result<CutRockMass> collect(const CutTree& tree, const Knife& knife) {
+        std::size_t thin_parts = 0;
+        result_.parts.reserve(tree.size());
+        for (const Ranked& ranked : ranked(tree, knife)) {
+            const auto first = static_cast<std::int32_t>(result_.parts.size());
+            for (const Cell& piece : ranked.solid->pieces)
+                result_.parts.push_back(partOf(piece, result_.blocks, knife.vertices));
+            ++result_.blocks;
+            if (ranked.solid->pieces.size() == 1) continue;
+            for (const Cell& piece : ranked.solid->pieces) thin_parts += isThin(piece, knife);
+            for (const auto& [a, b] : sharedFaces(ranked.solid->pieces, knife))
+                result_.bonds.emplace_back(first + static_cast<std::int32_t>(a),
+                                           first + static_cast<std::int32_t>(b));
+        }
+        warnOfThinParts(thin_parts);
+        for (const BlockPart& part : result_.parts) result_.volume += part.volume;
+        if (!(std::abs(result_.volume - result_.region_volume) <= kVolumeTolerance * result_.region_volume))
+            return Error{description_.field,
+                         "the blocks' volumes add up to " + text(result_.volume) +
+                             " m3, the "
+                             "region's is " +
+                             text(result_.region_volume) +
+                             " m3: joints too nearly parallel for coordinates this large"};
+        return std::move(result_);
+    }
+
+    const RockMass& description_;
+    std::vector<Plane> planes_;
+    std::vector<Tally> tallies_;
+    CutRockMass result_;
+};
+
+}  // namespace
+
+Result<CutRockMass> cutRockMass(const RockMass& description) { return Cutter(description).run(); }
+
+}  // namespace talus

@@ -1,0 +1,190 @@
+#include "rock_mass/solid.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+namespace talus::rock_mass {
+
+namespace {
+
+constexpr double kTouch = 1e-9;  // of the smaller face: less common area is none
+
+struct FaceOf {
+    std::int32_t plane;
+    std::size_t cell, face;
+};
+
+/// Faces of all cells, those of one plane together.
+std::vector<FaceOf> facesByPlane(const std::vector<Cell>& cells) {
+    std::vector<FaceOf> faces;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        for (std::size_t f = 0; f < cells[c].faces.size(); ++f)
+            faces.push_back({cells[c].faces[f].plane, c, f});
+    std::stable_sort(faces.begin(), faces.end(),
+                     [](const FaceOf& a, const FaceOf& b) { return a.plane < b.plane; });
+    return faces;
+}
+
+double faceArea(const CellFace& face, const VertexTable& vertices) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 2; i < face.outline.size(); ++i)
+        sum += (vertices[face.outline[i - 1]] - vertices[face.outline[0]])
+                   .cross(vertices[face.outline[i]] - vertices[face.outline[0]]);
+    return 0.5 * sum.norm();
+}
+
+bool touch(const CellFace& a, const CellFace& b, const Knife& knife) {
+    const double common = sharedArea(a, b, knife.planes, knife.vertices);
+    return common > 0 && common > kTouch * std::min(faceArea(a, knife.vertices), faceArea(b, knife.vertices));
+}
+
+Solid bounded(std::vector<Cell> pieces, const VertexTable& vertices) {
+    Solid solid{std::move(pieces)};
+    solid.min = solid.max = vertices[solid.pieces[0].faces[0].outline[0]];
+    for (const Cell& piece : solid.pieces)
+        for (const CellFace& face : piece.faces)
+            for (const std::int32_t v : face.outline) {
+                solid.min = solid.min.cwiseMin(vertices[v]);
+                solid.max = solid.max.cwiseMax(vertices[v]);
+            }
+    return solid;
+}
+
+/// Pieces parted inside the region only, and no longer in need of it, become one again.
+void mergePieces(std::vector<Cell>& pieces, const Knife& knife) {
+    Cell merged;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        for (std::size_t j = i + 1; j < pieces.size(); ++j) {
+            if (!merge(pieces[i], pieces[j], knife.planes, knife.vertices, merged)) continue;
+            pieces[i] = std::move(merged);
+            pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(j));
+            merged = {};
+            j = i;  // the grown piece may fit those it did not fit before
+        }
+}
+
+double thicknessOf(const Solid& solid, const Knife& knife) {
+    std::vector<const Cell*> cells;
+    for (const Cell& piece : solid.pieces) cells.push_back(&piece);
+    return thickness(cells, knife.planes, knife.vertices);
+}
+
+std::vector<Vec3> corners(const CellFace& face, const VertexTable& vertices) {
+    std::vector<Vec3> points;
+    for (const std::int32_t v : face.outline) points.push_back(vertices[v]);
+    return points;
+}
+
+/// Faces the region was decomposed along become faces of a joint that runs in them.
+void giveFacesTo(std::vector<Cell>& cells, std::int32_t index, const Knife& knife) {
+    const Plane& plane = knife.planes[static_cast<std::size_t>(index)];
+    for (Cell& cell : cells)
+        for (CellFace& face : cell.faces) {
+            const Plane& own = knife.planes[static_cast<std::size_t>(face.plane)];
+            if (own.source != kSurface) continue;
+            if (!std::all_of(face.outline.begin(), face.outline.end(),
+                             [&](std::int32_t v) { return knife.vertices.side(plane, v) == 0; }))
+                continue;
+            face.outward = own.normal.dot(plane.normal) > 0 ? face.outward : !face.outward;
+            face.plane = index;
+        }
+}
+
+/// The two sides of a solid, and what parts them.
+struct Sides {
+    std::vector<Cell> lower, upper;
+    bool met = false;     ///< by the finite joint
+    bool failed = false;  ///< a piece could not be cut
+};
+
+Sides sidesOf(const Solid& solid, std::int32_t plane, const Reach* reach, const Knife& knife) {
+    Sides sides;
+    for (const Cell& piece : solid.pieces) {
+        Split parts = split(piece, knife.planes, plane, knife.vertices);
+        if (parts.kind == Split::Kind::failed) sides.failed = true;
+        if (parts.kind == Split::Kind::below) sides.lower.push_back(piece);
+        if (parts.kind == Split::Kind::above) sides.upper.push_back(piece);
+        if (parts.kind != Split::Kind::cut) continue;
+        sides.met = sides.met || !reach ||
+                    reach->covers(corners(parts.lower.faces.back(), knife.vertices), knife.vertices.weld());
+        sides.lower.push_back(std::move(parts.lower));
+        sides.upper.push_back(std::move(parts.upper));
+    }
+    return sides;
+}
+
+/// Whether a joint along the faces between whole pieces is met: one of them has an outline in the plane.
+bool metAlongFaces(const std::vector<Cell>& lower, std::int32_t index, const Reach* reach,
+                   const Knife& knife) {
+    if (!reach) return true;
+    const Plane& plane = knife.planes[static_cast<std::size_t>(index)];
+    for (const Cell& cell : lower)
+        for (const CellFace& face : cell.faces)
+            if (std::all_of(face.outline.begin(), face.outline.end(),
+                            [&](std::int32_t v) { return knife.vertices.side(plane, v) == 0; }) &&
+                reach->covers(corners(face, knife.vertices), knife.vertices.weld()))
+                return true;
+    return false;
+}
+
+}  // namespace
+
+std::vector<std::array<std::size_t, 2>> sharedFaces(const std::vector<Cell>& cells, const Knife& knife) {
+    std::vector<std::array<std::size_t, 2>> pairs;
+    const auto faces = facesByPlane(cells);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        for (std::size_t j = i + 1; j < faces.size() && faces[j].plane == faces[i].plane; ++j)
+            if (touch(cells[faces[i].cell].faces[faces[i].face], cells[faces[j].cell].faces[faces[j].face],
+                      knife))
+                pairs.push_back(
+                    {std::min(faces[i].cell, faces[j].cell), std::max(faces[i].cell, faces[j].cell)});
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+std::vector<Solid> joined(std::vector<Cell> cells, const Knife& knife) {
+    std::vector<std::size_t> root(cells.size());
+    std::iota(root.begin(), root.end(), 0);
+    const auto rootOf = [&](std::size_t c) {
+        while (root[c] != c) c = root[c] = root[root[c]];
+        return c;
+    };
+    if (cells.size() > 1)
+        for (const auto& [a, b] : sharedFaces(cells, knife)) {
+            const auto [low, high] = std::minmax({rootOf(a), rootOf(b)});
+            root[high] = low;
+        }
+    std::vector<std::vector<Cell>> groups(cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c) groups[rootOf(c)].push_back(std::move(cells[c]));
+    std::vector<Solid> solids;
+    for (auto& group : groups) {
+        if (group.empty()) continue;
+        if (group.size() > 1) mergePieces(group, knife);
+        solids.push_back(bounded(std::move(group), knife.vertices));
+    }
+    return solids;
+}
+
+CutOutcome cutSolid(const Solid& solid, std::int32_t plane, const Reach* reach, const Knife& knife) {
+    Sides sides = sidesOf(solid, plane, reach, knife);
+    if (!sides.failed && (sides.lower.empty() || sides.upper.empty())) return {};
+    if (!sides.failed && !sides.met && !metAlongFaces(sides.lower, plane, reach, knife)) return {};
+    if (sides.failed) return {CutOutcome::Kind::sliver, {}, 0.5 * (solid.min + solid.max), 0};
+    if (solid.pieces.size() > 1) {
+        giveFacesTo(sides.lower, plane, knife);
+        giveFacesTo(sides.upper, plane, knife);
+    }
+    CutOutcome outcome{CutOutcome::Kind::cut, joined(std::move(sides.lower), knife)};
+    for (Solid& part : joined(std::move(sides.upper), knife)) outcome.parts.push_back(std::move(part));
+    for (const Solid& part : outcome.parts) {
+        const double thin = thicknessOf(part, knife);
+        // A region that is that thin itself is the user's will; only what the cut makes thinner is a sliver.
+        if (thin < knife.min_thickness && thin < (1 - 1e-9) * thicknessOf(solid, knife))
+            return {CutOutcome::Kind::sliver, {}, 0.5 * (part.min + part.max), thin};
+    }
+    return outcome;
+}
+
+}  // namespace talus::rock_mass

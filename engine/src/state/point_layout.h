@@ -1,0 +1,22 @@
+#pragma once
+// How the corners of patches and the Lps on them are laid out in memory, group by group (interface_group.h).
+
+#include <vector>
+
+#include "state/arrays.h"
+
+namespace talus {
+
+/// Puts the next interface into a group: the last one if it has room and the shape is the same, else a new one.
+void addToGroups(Interfaces& interfaces, std::size_t corners, std::size_t points);
+
+/// Stores the patch of an interface whose group is known; corners counter-clockwise from its origin along e1, e2 [m].
+void placeCorners(Interfaces& interfaces, std::size_t interface, const std::vector<Eigen::Vector2d>& outline);
+
+/// The corners again.
+std::vector<Eigen::Vector2d> patchOutline(const Interfaces& interfaces, std::size_t interface);
+
+/// Lps of every interface: unbroken, unslid.
+void makePoints(State& state);
+
+}  // namespace talus

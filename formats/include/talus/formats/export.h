@@ -1,0 +1,35 @@
+#pragma once
+// Frames in formats of other programs, as the bytes of a file: VTK's XML poly data (ParaView 5.11 and VTK 9 read it) and
+// STL. Lengths in m, forces in N, everything in the model frame.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "talus/analysis.h"
+#include "talus/formats/snapshot.h"
+
+namespace talus::formats {
+
+/// How each block moves up to a frame: `none` when it went less than a tenth of the farthest block's way, `toppling` when
+/// it turns about a pivot within reach of the moving group, else `sliding` (the rule of the failure analysis).
+std::vector<FailureMode> failureRoles(const SnapshotHeader& header, const LightFrame& frame);
+
+/// Vertices of all blocks where they are in a frame, in the header's order [m].
+std::vector<Vec3> placedVertices(const SnapshotHeader& header, const LightFrame& frame);
+
+/// Blocks as polygons (.vtp). Cell data: block_id, motion, failure_role (0 none, 1 sliding, 2 toppling), displacement,
+/// velocity, rotation (axis times angle, rad).
+std::string vtpBlocks(const SnapshotHeader& header, const LightFrame& frame);
+
+/// Contact points as vertices (.vtp). Point data: force (on block b), normal_force, shear_force, water_force, area,
+/// state (0 open, 1 sticking, 2 slipping), mobilised_friction, interface, block_a, block_b.
+std::string vtpContacts(const FullFrame& full);
+
+/// Times and files of a series (.pvd).
+std::string pvdSeries(const std::vector<std::pair<double, std::string>>& files);
+
+/// Binary STL of all blocks, faces as fans of triangles.
+std::string stlBlocks(const SnapshotHeader& header, const LightFrame& frame);
+
+}  // namespace talus::formats

@@ -1,0 +1,121 @@
+#pragma once
+// Sweep files: a scenario, an analysis, and what varies. A sweep is a list of runs that is never stored: each run's
+// sample follows from its number alone, so any worker can compute any run, and any run can be looked at again.
+//
+//   format = 1
+//   scenario = "slope.toml"        # beside the sweep file
+//   analysis = "critical-angle"    # "safety-factor", "run"
+//   samples = 1000                 # of the random variables
+//   seed = 1                       # default 1
+//   sampling = "random"            # or "latin-hypercube"
+//
+//   [[grid]]                       # every value with every value of the other grids
+//   field = "water[0].depth"       # a field of the scenario, or a list of fields that get the same value
+//   values = [0.1, 0.2, 0.35]      # or from = 0.1, to = 0.35 with count = 6 or step = 0.05
+//
+//   [table]                        # one case per row
+//   file = "cases.csv"             # its header names the fields; a column "name" names the cases
+//   # or columns = ["water[0].depth", ...] and rows = [[0.1, ...], ...]
+//
+//   [[random]]
+//   field = "joint.default.friction_deg"   # "joint.*.friction_deg": of all joints
+//   per = "run"                    # one draw a run; "joint": one a joint; "interface": one an interface
+//   distribution = "uniform"       # min, max. "normal": mean, sd. "truncated-normal": mean, sd, min, max.
+//                                  # "lognormal": mean, sd. "triangular": min, mode, max. "beta": alpha, beta, min, max
+//   [report]
+//   tilt_deg = [15.0, 18.0]        # critical-angle: probability of failure at these tilts
+//   factor = [1.0]                 # safety-factor: probability of less than these
+//   confidence = 0.95
+//
+// Runs are numbered from 0, sample by sample: run = sample * cases + case. Cases are the table's rows times the grids'
+// values, the last grid fastest. A sample draws the same numbers in every case, so that cases differ by what was
+// changed and not by chance.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "talus/formats/distribution.h"
+#include "talus/formats/scenario.h"
+#include "talus/result.h"
+
+namespace talus::formats {
+
+enum class SweepAnalysis : std::uint8_t { critical_angle, safety_factor, run };
+const char* toString(SweepAnalysis analysis);
+
+using SweepValue = std::variant<bool, std::int64_t, double, std::string>;
+std::string toString(const SweepValue& value);  ///< the shortest text that reads back as the same value
+
+enum class SweepSource : std::uint8_t { table, grid, random };
+enum class SampledPer : std::uint8_t { run, joint, interface };
+
+/// What varies together: one column of the results, or three (mean, smallest, largest) for draws per interface.
+struct SweepColumn {
+    std::string name;                  ///< the (first) field
+    std::string unit;                  ///< "deg", "Pa/m", ...; "" when it has none or is not known
+    std::vector<std::string> targets;  ///< fields of the scenario that get the value
+    SweepSource source = SweepSource::grid;
+    SampledPer per = SampledPer::run;
+    std::vector<SweepValue> values;  ///< of a grid, or of the table's rows
+    Distribution distribution;       ///< of a random variable
+};
+
+struct SweepReport {
+    std::vector<double> tilts_deg, factors;
+    double confidence = 0.95;
+};
+
+struct Sweep {
+    std::string path, scenario_path;
+    SweepAnalysis analysis = SweepAnalysis::critical_angle;
+    std::vector<SweepColumn> columns;
+    std::vector<std::string> case_names;  ///< of the table's rows; may be empty
+    std::uint64_t cases = 1, samples = 1;
+    std::uint64_t seed = 1;
+    bool latin_hypercube = false;
+    SweepReport report;
+    std::string text, scenario_text;  ///< of the two files
+
+    std::uint64_t runs() const { return cases * samples; }
+};
+
+/// Reads and checks a sweep file, its scenario and its table. Every value of a table or grid is tried, and the median
+/// and the ends of each distribution, so that what no run could survive is found before the first one.
+Result<Sweep> readSweep(const std::string& path);
+
+/// 16 hex digits over everything that decides the runs: scenario, analysis, what varies, seed. Neither comments nor
+/// the report count, nor, in random sampling, the number of samples: more of them can be added to a batch later.
+std::string identityOf(const Sweep& sweep);
+
+/// One run: which it is and what the columns hold (nothing for a column of draws per interface).
+struct SweepRun {
+    std::uint64_t index = 0, case_index = 0, sample = 0;
+    std::vector<SweepValue> values;
+};
+
+/// \pre index < sweep.runs()
+SweepRun runOf(const Sweep& sweep, std::uint64_t index);
+
+/// Mean, smallest and largest of the draws of one column over the interfaces.
+struct DrawnRange {
+    std::size_t column = 0;
+    std::size_t interfaces = 0;
+    double mean = 0, min = 0, max = 0;
+};
+
+struct SampledScenario {
+    Scenario scenario;
+    std::vector<DrawnRange> drawn;  ///< one per column of draws per interface
+};
+
+/// The scenario of a run. Errors: what the scenario reader says of these values; interfaces cannot be listed.
+Result<SampledScenario> scenarioOf(const Sweep& sweep, const SweepRun& run);
+
+/// The same as the text of a scenario file, which reads back as the same model. Draws per interface stand in it as one
+/// [[interface]] each.
+Result<std::string> scenarioTextOf(const Sweep& sweep, const SweepRun& run);
+
+}  // namespace talus::formats

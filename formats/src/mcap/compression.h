@@ -1,0 +1,18 @@
+#pragma once
+// Checksums and compression of MCAP chunks.
+
+#include "mcap/bytes.h"
+
+namespace talus::mcap {
+
+/// CRC-32 (IEEE 802.3), going on from `crc`, which starts at 0.
+std::uint32_t crc32(std::uint32_t crc, View bytes);
+
+/// zstd frame; empty when there is no memory for it.
+Bytes compress(View bytes);
+
+/// Takes "zstd", "" (stored) ... of exactly `size` bytes; false when damaged, of another size, or of a compression this
+/// reader does not know. Never allocates more than is really there.
+bool decompress(const std::string& compression, View bytes, std::uint64_t size, Bytes& out);
+
+}  // namespace talus::mcap

@@ -1,0 +1,111 @@
+// Wavefront OBJ: `v x y z` and `f a b c ...`, each corner `vertex`, `vertex/texture` or `vertex/texture/normal`,
+// counted from 1, or backwards from -1.
+
+#include "mesh/builder.h"
+#include "scenario/file_text.h"
+#include "scenario/wording.h"
+#include "talus/formats/mesh.h"
+
+namespace talus::formats {
+
+namespace {
+
+using mesh::SurfaceBuilder;
+using mesh::Words;
+
+class ObjReader {
+ public:
+    ObjReader(const std::string& text, SurfaceBuilder& builder) : words_(text), builder_(builder) {}
+
+    Result<TriangleSurface> read() {
+        while (words_.nextLine()) {
+            const std::string_view word = words_.next();
+            if (word == "v")
+                if (auto fault = readVertex()) return *fault;
+            if (word == "f")
+                if (auto fault = readFace()) return *fault;
+        }
+        return builder_.finish();
+    }
+
+ private:
+    std::optional<Error> readVertex() {
+        Vec3 position;
+        for (double& coordinate : position) {
+            const std::string_view word = words_.next();
+            const auto value = mesh::numberOf(word);
+            if (!value)
+                return builder_.fault(words_.line(), "found " + scenario::quoted(word) +
+                                                         ", allowed: v with three finite numbers");
+            coordinate = *value;
+        }
+        vertices_.push_back(builder_.vertex(position));
+        positions_.push_back(position);
+        return std::nullopt;
+    }
+
+    std::optional<Error> readFace() {
+        std::vector<std::size_t> corners;
+        for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+            const auto index = indexOf(word);
+            if (!index)
+                return builder_.fault(words_.line(),
+                                      "found the corner " + scenario::quoted(word) + ", allowed: 1 to " +
+                                          std::to_string(vertices_.size()) + ", or -1 to -" +
+                                          std::to_string(vertices_.size()) + ", the vertices listed before");
+            corners.push_back(*index);
+        }
+        if (corners.size() < 3)
+            return builder_.fault(words_.line(), "found a face with " + std::to_string(corners.size()) +
+                                                     " corners, allowed: three or more");
+        if (!isConvex(corners))
+            return builder_.fault(words_.line(),
+                                  "found a face that is not convex, allowed: convex faces, or triangles");
+        for (std::size_t i = 2; i < corners.size(); ++i)
+            builder_.triangle({vertices_[corners[0]], vertices_[corners[i - 1]], vertices_[corners[i]]},
+                              words_.line());
+        return std::nullopt;
+    }
+
+    std::optional<std::size_t> indexOf(std::string_view word) const {
+        word = word.substr(0, word.find('/'));
+        std::int64_t index = 0;
+        const auto read = std::from_chars(word.data(), word.data() + word.size(), index);
+        if (read.ec != std::errc() || read.ptr != word.data() + word.size()) return {};
+        const auto count = static_cast<std::int64_t>(vertices_.size());
+        if (index < 0) index += count + 1;
+        if (index < 1 || index > count) return {};
+        return static_cast<std::size_t>(index - 1);
+    }
+
+    /// The triangles of its fan all face one way.
+    bool isConvex(const std::vector<std::size_t>& corners) const {
+        if (corners.size() == 3) return true;
+        std::vector<Vec3> normals;
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t i = 2; i < corners.size(); ++i) {
+            const Vec3& a = positions_[corners[0]];
+            normals.push_back((positions_[corners[i - 1]] - a).cross(positions_[corners[i]] - a));
+            sum += normals.back();
+        }
+        for (const Vec3& normal : normals)
+            if (normal.dot(sum) <= 0) return false;
+        return true;
+    }
+
+    Words words_;
+    SurfaceBuilder& builder_;
+    std::vector<std::int32_t> vertices_;
+    std::vector<Vec3> positions_;
+};
+
+}  // namespace
+
+Result<TriangleSurface> readObj(const std::string& path, double scale) {
+    const auto content = scenario::readFileText(path);
+    if (!content) return content.errors();
+    SurfaceBuilder builder(path, scale);
+    return ObjReader(*content, builder).read();
+}
+
+}  // namespace talus::formats

@@ -1,0 +1,12 @@
+#pragma once
+// A scenario out of a parsed document, which may have been edited since.
+
+#include "document.h"
+#include "talus/formats/scenario.h"
+
+namespace talus::formats::scenario {
+
+/// As parseScenario; `text` is what the result says it was read from.
+Result<Scenario> readDocument(const Document& document, std::string text, const std::string& path);
+
+}  // namespace talus::formats::scenario

@@ -1,0 +1,13 @@
+#pragma once
+// A document as TOML text that reads back with the same meaning: same values to the last bit, tables in the same
+// order (which decides ties between joints). Comments are lost.
+
+#include <string>
+
+#include "document.h"
+
+namespace talus::formats::scenario {
+
+std::string writeDocument(const Document& document);
+
+}  // namespace talus::formats::scenario

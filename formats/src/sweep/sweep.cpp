@@ -1,0 +1,261 @@
+// Sweep files: the order of reading, and the trial of every value before the first run.
+
+#include "talus/formats/sweep.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "field_path.h"
+#include "scenario/document.h"
+#include "scenario/file_text.h"
+#include "scenario/table_reader.h"
+#include "scenario/wording.h"
+#include "variables.h"
+
+namespace talus::formats {
+
+namespace sweep {
+namespace {
+
+using namespace scenario;
+
+constexpr std::size_t kMaxTried = 1000;  // values of one variable that are tried in advance
+constexpr double kNearlyCertain = 1e-9;  // share of a distribution beyond the ends that are tried
+constexpr std::int64_t kMaxSamples = 1'000'000'000;
+constexpr std::uint64_t kMaxRuns = 1'000'000'000'000;
+
+std::vector<std::string> jointNames(const Document& document) {
+    std::vector<std::string> names;
+    const auto joints = document.root().find("joint");
+    if (!joints || joints->kind() != Kind::table) return names;
+    for (const Entry& entry : joints->entries()) names.push_back(entry.key);
+    return names;
+}
+
+class SweepReader {
+ public:
+    SweepReader(Report& report, Node root, const std::string& path)
+        : report_(report),
+          root_(report, root, "",
+                {"format", "scenario", "analysis", "samples", "seed", "sampling", "grid", "table", "random",
+                 "report"}) {
+        sweep_.path = path;
+    }
+
+    Result<Sweep> read() {
+        root_.integer("format", {1, 1});
+        root_.require({"scenario", "analysis"});
+        const auto joints = readScenarioText();
+        if (!errors_.empty()) return errors_;
+        sweep_.analysis = static_cast<SweepAnalysis>(
+            root_.choice("analysis", {"critical-angle", "safety-factor", "run"}).value_or(0));
+        Variables variables = readVariables(report_, root_, sweep_.path, joints);
+        readSampling(variables);
+        readReport();
+        if (!variables.errors.empty() || !report_.clean()) {
+            errors_ = report_.clean() ? std::vector<Error>{} : report_.errors();
+            errors_.insert(errors_.end(), variables.errors.begin(), variables.errors.end());
+            return errors_;
+        }
+        keep(variables);
+        tryValues(variables.list);
+        if (!errors_.empty()) return errors_;
+        if (!report_.clean()) return report_.errors();
+        return std::move(sweep_);
+    }
+
+ private:
+    /// The scenario has to be good as it is. Returns its joints' names.
+    std::vector<std::string> readScenarioText() {
+        const auto name = root_.text("scenario");
+        if (!name) return {};
+        sweep_.scenario_path = besideFile(sweep_.path, *name);
+        const auto text = readFileText(sweep_.scenario_path);
+        const auto scenario =
+            text ? parseScenario(*text, sweep_.scenario_path) : Result<Scenario>(text.errors());
+        if (!scenario) {
+            errors_ = scenario.errors();
+            return {};
+        }
+        sweep_.scenario_text = *text;
+        return jointNames(*Document::parse(*text, sweep_.scenario_path));
+    }
+
+    void readSampling(const Variables& variables) {
+        const bool is_random = std::any_of(
+            variables.list.begin(), variables.list.end(),
+            [](const Variable& variable) { return variable.column.source == SweepSource::random; });
+        const bool has_random = is_random || root_.has("random");
+        if (has_random)
+            root_.require({"samples"});
+        else
+            for (const char* key : {"samples", "seed", "sampling"})
+                if (root_.has(key))
+                    root_.error(key, "found without [[random]], allowed: only with random variables");
+        sweep_.samples = static_cast<std::uint64_t>(root_.integer("samples", {1, kMaxSamples}).value_or(1));
+        sweep_.seed = static_cast<std::uint64_t>(
+            root_.integer("seed", {0, std::numeric_limits<std::int64_t>::max()}).value_or(1));
+        sweep_.latin_hypercube = root_.choice("sampling", {"random", "latin-hypercube"}).value_or(0) == 1;
+    }
+
+    void readReport() {
+        auto table = root_.table("report", {"tilt_deg", "factor", "confidence"});
+        if (!table) return;
+        constexpr Range kConfidence{0.5, 1, false, true};
+        sweep_.report.tilts_deg =
+            table->numbers("tilt_deg", kTiltDeg, std::nullopt).value_or(std::vector<double>{});
+        sweep_.report.factors =
+            table->numbers("factor", kPositive, std::nullopt).value_or(std::vector<double>{});
+        sweep_.report.confidence = table->number("confidence", kConfidence).value_or(0.95);
+        if (table->has("tilt_deg") && sweep_.analysis != SweepAnalysis::critical_angle)
+            table->error("tilt_deg", "found in another analysis, allowed: with \"critical-angle\"");
+        if (table->has("factor") && sweep_.analysis != SweepAnalysis::safety_factor)
+            table->error("factor", "found in another analysis, allowed: with \"safety-factor\"");
+    }
+
+    /// \pre nothing is wrong so far
+    void keep(const Variables& variables) {
+        sweep_.case_names = variables.case_names;
+        std::uint64_t rows = std::max<std::uint64_t>(1, variables.case_names.size()), grids = 1;
+        for (const Variable& variable : variables.list) {
+            sweep_.columns.push_back(variable.column);
+            if (variable.column.source == SweepSource::table) rows = variable.column.values.size();
+            if (variable.column.source != SweepSource::grid) continue;
+            grids *= variable.column.values.size();
+            if (grids > kMaxRuns) break;
+        }
+        sweep_.cases = rows * grids;
+        if (sweep_.cases > kMaxRuns || sweep_.runs() > kMaxRuns)
+            root_.error("", "found a sweep of more than 10^12 runs, allowed: at most that many");
+    }
+
+    // --- the trial ----------------------------------------------------------------------------------------------
+
+    void tryValues(const std::vector<Variable>& list) {
+        if (!report_.clean()) return;
+        SweepRun first = runOf(sweep_, 0);
+        for (std::size_t c = 0; c < list.size(); ++c)
+            if (list[c].column.source == SweepSource::random && list[c].column.per != SampledPer::interface)
+                first.values[c] = quantile(list[c].column.distribution, 0.5);
+        if (!tryRun(first, list, nullptr, 0)) return;
+        for (std::size_t c = 0; c < list.size() && errors_.empty(); ++c) tryVariable(first, list, c);
+        tryRows(first, list);
+    }
+
+    void tryVariable(const SweepRun& first, const std::vector<Variable>& list, std::size_t c) {
+        const SweepColumn& column = list[c].column;
+        if (column.source == SweepSource::table) return;
+        SweepRun run = first;
+        if (column.source == SweepSource::grid) {
+            for (std::size_t i = 1; i < std::min(column.values.size(), kMaxTried); ++i) {
+                run.values[c] = column.values[i];
+                tryRun(run, list, &list[c], i);
+            }
+            return;
+        }
+        const auto kind = column.distribution.kind;
+        if (kind == Distribution::Kind::normal || kind == Distribution::Kind::lognormal) return;
+        for (const double share : {kNearlyCertain, 1 - kNearlyCertain}) {
+            const double value = quantile(column.distribution, share);
+            if (column.per == SampledPer::interface) {
+                // Every interface alike stands for the one that drew this value.
+                SweepRun all = first;
+                Sweep like = sweep_;
+                like.columns[c].per = SampledPer::run;
+                all.values[c] = value;
+                check(scenarioOf(like, all), list, &list[c], 0);
+            } else {
+                run.values[c] = value;
+                tryRun(run, list, &list[c], 0);
+            }
+        }
+    }
+
+    void tryRows(const SweepRun& first, const std::vector<Variable>& list) {
+        const auto of_table = [](const Variable& v) { return v.column.source == SweepSource::table; };
+        const auto column = std::find_if(list.begin(), list.end(), of_table);
+        if (column == list.end()) return;
+        for (std::size_t row = 1; row < std::min(column->column.values.size(), kMaxTried); ++row) {
+            SweepRun run = first;
+            for (std::size_t c = 0; c < list.size(); ++c)
+                if (of_table(list[c])) run.values[c] = list[c].column.values[row];
+            tryRun(run, list, &*column, row);
+        }
+    }
+
+    bool tryRun(const SweepRun& run, const std::vector<Variable>& list, const Variable* suspect,
+                std::size_t value) {
+        return check(scenarioOf(sweep_, run), list, suspect, value);
+    }
+
+    /// Says of a scenario that is not good which of the sweep's values made it so: the one whose field the scenario's
+    /// reader complains of, else the one that was changed last.
+    bool check(const Result<SampledScenario>& scenario, const std::vector<Variable>& list,
+               const Variable* suspect, std::size_t value) {
+        for (const Error& error : scenario.errors()) {
+            const Variable* variable = suspect;
+            for (const Variable& candidate : list)
+                for (const std::string& target : candidate.column.targets)
+                    if (error.field == target) variable = &candidate;
+            addError(error, variable, variable == suspect || isTable(variable) ? value : 0);
+        }
+        return scenario.ok();
+    }
+
+    static bool isTable(const Variable* variable) {
+        return variable && variable->column.source == SweepSource::table;
+    }
+
+    void addError(const Error& error, const Variable* variable, std::size_t value) {
+        const std::string message = "gives a scenario with " + error.field + ": " + error.message;
+        if (!variable) {
+            errors_.push_back({error.field, error.message + " (with the sweep's first values)",
+                               sweep_.scenario_path, error.line, error.column});
+            return;
+        }
+        const Place place = value < variable->places.size() ? variable->places[value] : variable->place;
+        errors_.push_back({variable->field, message, variable->file.empty() ? sweep_.path : variable->file,
+                           place.line, place.column});
+    }
+
+    Report& report_;
+    TableReader root_;
+    Sweep sweep_;
+    std::vector<Error> errors_;
+};
+
+}  // namespace
+}  // namespace sweep
+
+const char* toString(SweepAnalysis analysis) {
+    switch (analysis) {
+        case SweepAnalysis::critical_angle:
+            return "critical-angle";
+        case SweepAnalysis::safety_factor:
+            return "safety-factor";
+        case SweepAnalysis::run:
+            return "run";
+    }
+    return "";
+}
+
+std::string toString(const SweepValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
+    return scenario::numberText(std::get<double>(value));
+}
+
+Result<Sweep> readSweep(const std::string& path) {
+    const auto text = scenario::readFileText(path);
+    if (!text) return text.errors();
+    const auto document = scenario::Document::parse(*text, path);
+    if (!document) return document.errors();
+    scenario::Report report(path);
+    auto sweep = sweep::SweepReader(report, document->root(), path).read();
+    if (sweep) sweep->text = *text;
+    return sweep;
+}
+
+}  // namespace talus::formats

@@ -1,0 +1,88 @@
+// A run that goes on from a full frame ends in the bits of a run that was never interrupted.
+
+#include <doctest/doctest.h>
+
+#include "support/models.h"
+#include "support/snapshots.h"
+
+using namespace talus;
+using namespace talus::test;
+
+namespace {
+
+Model scenarioModel(const std::string& text) { return formats::parseScenario(text, "test.toml")->model; }
+
+/// Light frames of `resumed` are those of `whole` after the one it went on from, bit for bit.
+bool sameFrames(const Recorded& resumed, const Recorded& whole, std::int64_t after) {
+    std::size_t k = 0;
+    for (const LightFrame& frame : whole.lights) {
+        if (frame.step <= after) continue;
+        if (k >= resumed.lights.size()) return false;
+        const LightFrame& other = resumed.lights[k++];
+        if (other.step != frame.step || other.time != frame.time || other.state_hash != frame.state_hash ||
+            other.displacement.x != frame.displacement.x || other.kinetic_energy != frame.kinetic_energy)
+            return false;
+    }
+    return k == resumed.lights.size();
+}
+
+void checkRestarts(const Model& model, int frames_per_full) {
+    const Recorded whole = record(model, frames_per_full);
+    REQUIRE(whole.result.ok());
+    REQUIRE(whole.fulls.size() >= 3);
+    for (const FullFrame& from : whole.fulls)
+        for (const int threads : {1, 3}) {
+            CAPTURE(from.step);
+            CAPTURE(threads);
+            const Recorded resumed = record(model, frames_per_full, &from, {.threads = threads});
+            REQUIRE(resumed.result.ok());
+            CHECK(resumed.result->state_hash == whole.result->state_hash);
+            CHECK(resumed.result->steps == whole.result->steps);
+            CHECK(resumed.result->warnings == whole.result->warnings);
+            CHECK(sameFrames(resumed, whole, from.step));
+        }
+}
+
+}  // namespace
+
+TEST_SUITE("determinism") {
+    TEST_CASE("restart: sliding, breaking bonds, dilation, water that rises and drains, uplift, damping") {
+        checkRestarts(scenarioModel(runScenarioText()), 8);
+    }
+
+    TEST_CASE("restart: blocks that fly, hit and turn") {
+        Model model = floorModel(30, 1e7);
+        addBox(model, "falling", {0, 0, 0.02}, {0.3, 0.3, 0.3});
+        addBox(model, "resting", {1, 0, 0}, {0.3, 0.3, 0.3});
+        addBox(model, "thrown", {0.5, 0, 0.001}, {0.2, 0.3, 0.3});
+        model.blocks.back().velocity = {3, 0, 0};
+        model.run.duration = 0.1;
+        model.run.frame_interval = 0.002;
+        checkRestarts(model, 7);
+    }
+
+    TEST_CASE("restart: a slope wide enough to be cut among threads") {
+        Model model = stackModel(10, 8, 12, 15, {0.2, 0.1, 0.1}, 1e8);
+        model.gravity.tilt = radians(24);
+        model.run.duration = 0.01;
+        model.run.frame_interval = 0.001;
+        checkRestarts(model, 4);
+    }
+
+    TEST_CASE("restart: interrupted at any time, the run goes on from its last frame") {
+        const Model model = scenarioModel(runScenarioText());
+        const std::uint64_t whole = record(model).result->state_hash;
+        for (const std::size_t stop_after : {1, 2, 13, 30}) {
+            std::atomic<bool> stop = false;
+            Control control;
+            control.stop = &stop;
+            std::size_t lights = 0;
+            FullFrame last;
+            RunOutput output;
+            output.light = [&](LightFrame&&) { stop = ++lights >= stop_after; };
+            output.full = [&](FullFrame&& frame) { last = std::move(frame); };
+            REQUIRE(run(model, control, output)->interrupted);
+            CHECK(record(model, 10, &last).result->state_hash == whole);
+        }
+    }
+}

@@ -1,0 +1,146 @@
+// Snapshot files: every value comes back, unfinished and damaged ones give what is whole.
+
+#include "talus/formats/snapshot.h"
+
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+
+#include "snapshot/convert.h"
+#include "support/snapshots.h"
+#include "tools/program.h"
+
+using namespace talus;
+using namespace talus::formats;
+using namespace talus::test;
+using tools::testing::contentOf;
+using tools::testing::TemporaryFolder;
+
+namespace {
+
+struct Sample {
+    Scenario scenario = *parseScenario(runScenarioText("0.02"), "run.toml");
+    Recorded run = record(scenario.model, 5);
+};
+
+const Sample& sample() {
+    static const Sample made;
+    return made;
+}
+
+}  // namespace
+
+TEST_CASE("every message survives the way into a file and back, to the bit") {
+    const TemporaryFolder folder;
+    const Sample& s = sample();
+    REQUIRE(s.run.result.ok());
+    REQUIRE(writeFile(folder / "a.mcap", s.scenario, s.run).empty());
+    auto reader = SnapshotReader::open(folder / "a.mcap");
+    REQUIRE(reader.ok());
+    CHECK(reader->faults().empty());
+    CHECK(reader->verify().empty());
+    REQUIRE(reader->frames().size() == s.run.lights.size());
+    REQUIRE(reader->fulls() == s.run.fulls.size());
+    // A message is a function of its values, so equal messages are equal values.
+    for (std::size_t k = 0; k < s.run.lights.size(); ++k)
+        CHECK(encode(*reader->frame(k)) == encode(s.run.lights[k]));
+    for (std::size_t k = 0; k < s.run.fulls.size(); ++k)
+        CHECK(encode(*reader->full(k)) == encode(s.run.fulls[k]));
+    const SnapshotHeader header = headerOf(s.scenario, s.run.geometry, "talus run", 10);
+    CHECK(encode(reader->header()) == encode(header));
+    CHECK(reader->header().scenario_text == s.scenario.text);
+    REQUIRE(reader->end().has_value());
+    CHECK(reader->end()->ended == "finished");
+    CHECK(reader->end()->state_hash == s.run.result->state_hash);
+    CHECK(reader->end()->steps == s.run.result->steps);
+    // A full state read back is as good as the one handed out.
+    const FullFrame middle = *reader->full(2);
+    CHECK(record(s.scenario.model, 5, &middle).result->state_hash == s.run.result->state_hash);
+}
+
+TEST_CASE("an unfinished file gives its frames and says that it has no end") {
+    const TemporaryFolder folder;
+    const Sample& s = sample();
+    REQUIRE(writeFile(folder / "a.mcap", s.scenario, s.run, false).empty());
+    CHECK(inspectSnapshot(folder / "a.mcap") == SnapshotFile::unfinished);
+    auto reader = SnapshotReader::open(folder / "a.mcap");
+    REQUIRE(reader.ok());
+    CHECK(reader->frames().size() == s.run.lights.size());
+    CHECK_FALSE(reader->end().has_value());
+    REQUIRE(reader->faults().size() == 2);
+    CHECK(reader->faults()[1].find("frames up to t =") != std::string::npos);
+}
+
+TEST_CASE("what stands at a path is told apart") {
+    const TemporaryFolder folder;
+    CHECK(inspectSnapshot(folder / "none.mcap") == SnapshotFile::absent);
+    CHECK(inspectSnapshot(folder.write("empty.mcap", "")) == SnapshotFile::empty);
+    CHECK(inspectSnapshot(folder.write("other.mcap", "something else")) == SnapshotFile::foreign);
+    REQUIRE(writeFile(folder / "a.mcap", sample().scenario, sample().run).empty());
+    CHECK(inspectSnapshot(folder / "a.mcap") == SnapshotFile::finished);
+    CHECK(SnapshotReader::open(folder / "none.mcap").errors()[0].message.find("No such file") !=
+          std::string::npos);
+    CHECK(SnapshotReader::open(folder / "other.mcap").errors()[0].message.find("not an MCAP") !=
+          std::string::npos);
+}
+
+TEST_CASE("a header of a later format is refused") {
+    SnapshotHeader header = headerOf(sample().scenario, sample().run.geometry, "", 10);
+    header.format = kSnapshotFormat + 1;
+    const mcap::Bytes message = encode(header);
+    SnapshotHeader read;
+    std::string why;
+    CHECK_FALSE(decode(message, read, why));
+    CHECK(why.find("later version") != std::string::npos);
+}
+
+TEST_CASE("messages whose arrays do not fit are noticed") {
+    const SnapshotHeader header = headerOf(sample().scenario, sample().run.geometry, "", 10);
+    CHECK(fits(header));
+    SnapshotHeader damaged = header;
+    damaged.geometry.face_vertex[3] = 100000;
+    CHECK_FALSE(fits(damaged));
+    LightFrame light = sample().run.lights[3];
+    CHECK(fits(light, header));
+    light.rotation.y.pop_back();
+    CHECK_FALSE(fits(light, header));
+    FullFrame full = sample().run.fulls[1];
+    CHECK(fits(full, header));
+    full.interfaces.block_b[1] = -4;
+    CHECK_FALSE(fits(full, header));
+}
+
+TEST_CASE("a full disk ends the file at its last whole frame") {
+    const TemporaryFolder folder;
+    const Sample& s = sample();
+    REQUIRE(writeFile(folder / "whole.mcap", s.scenario, s.run).empty());
+    const auto size = contentOf(folder / "whole.mcap").size();
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limited = before;
+    limited.rlim_cur = size / 2;
+    setrlimit(RLIMIT_FSIZE, &limited);
+    const std::vector<Error> errors = writeFile(folder / "cut.mcap", s.scenario, s.run);
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    REQUIRE(errors.size() == 1);
+    CHECK(errors[0].message.find("cannot be written") != std::string::npos);
+    auto reader = SnapshotReader::open(folder / "cut.mcap");
+    REQUIRE(reader.ok());
+    CHECK(reader->frames().size() > 3);
+    CHECK(reader->frames().size() < s.run.lights.size());
+    for (std::size_t k = 0; k < reader->frames().size(); ++k) CHECK(reader->frame(k).ok());
+    CHECK_FALSE(reader->end().has_value());
+}
+
+TEST_CASE("a writer that got nothing leaves nothing, and leaves alone what was there") {
+    const TemporaryFolder folder;
+    { const auto writer = SnapshotWriter::open(folder / "new.mcap"); }
+    CHECK_FALSE(std::filesystem::exists(folder / "new.mcap"));
+    folder.write("old.mcap", "something");
+    { const auto writer = SnapshotWriter::open(folder / "old.mcap"); }
+    CHECK(contentOf(folder / "old.mcap") == "something");
+    CHECK_FALSE(SnapshotWriter::open(folder / "no/folder.mcap").ok());
+}

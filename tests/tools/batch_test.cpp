@@ -1,0 +1,288 @@
+// talus batch as a user runs it: results, restart, interruption, kill -9, full disk, two processes, shards.
+
+#include <doctest/doctest.h>
+#include <signal.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "batch/rows.h"
+#include "tools/program.h"
+
+namespace talus::tools::testing {
+
+namespace {
+
+using batch::csvCells;
+using batch::Row;
+
+const std::string kGrid = "[[grid]]\nfield = \"joint.default.friction_deg\"\nvalues = [10.0, 15.0]\n";
+
+std::string draws(int samples) {
+    return "samples = " + std::to_string(samples) +
+           "\n[[random]]\nfield = \"joint.default.friction_deg\"\ndistribution = \"uniform\"\nmin = 10\nmax "
+           "= 14\n";
+}
+
+/// A folder with a scenario and a sweep over it.
+struct BatchFolder {
+    explicit BatchFolder(const std::string& sweep, const std::string& analysis = "critical-angle",
+                         const std::string& scenario = blockScenario(0, 12)) {
+        folder.write("block.toml", scenario);
+        path = folder.write("sweep.toml",
+                            "scenario = \"block.toml\"\nanalysis = \"" + analysis + "\"\n" + sweep);
+    }
+    std::vector<std::string> command(std::vector<std::string> more = {}) const {
+        std::vector<std::string> arguments = {"batch", path, "-o", out(), "--json", "--quiet"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+    }
+    Outcome run(std::vector<std::string> more = {}) const { return runTalus(command(std::move(more))); }
+    std::string out() const { return folder / "out"; }
+
+    TemporaryFolder folder;
+    std::string path;
+};
+
+std::vector<std::string> linesOf(const std::string& path) {
+    std::stringstream text(contentOf(path));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    return lines;
+}
+
+/// Rows by run, without what depends on the clock. Every run once, every row whole.
+std::map<int, std::string> rowsOf(const std::string& path) {
+    const auto lines = linesOf(path);
+    REQUIRE(!lines.empty());
+    const Row header = csvCells(lines[0]);
+    const auto time = std::find(header.begin(), header.end(), "cpu_seconds") - header.begin();
+    std::map<int, std::string> rows;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        Row cells = csvCells(lines[i]);
+        REQUIRE(cells.size() == header.size());
+        cells[static_cast<std::size_t>(time)].clear();
+        CHECK(rows.emplace(std::stoi(cells[0]), batch::csvLine(cells)).second);
+    }
+    return rows;
+}
+
+std::string cellOf(const std::string& path, int run, const std::string& column) {
+    const auto lines = linesOf(path);
+    const Row header = csvCells(lines.at(0));
+    const auto index = std::find(header.begin(), header.end(), column) - header.begin();
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        const Row cells = csvCells(lines[i]);
+        if (cells[0] == std::to_string(run)) return cells.at(static_cast<std::size_t>(index));
+    }
+    return "no such run";
+}
+
+std::size_t rowCount(const std::string& path) {
+    const std::string text = contentOf(path);
+    const auto feeds = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    return feeds > 0 ? feeds - 1 : 0;
+}
+
+}  // namespace
+
+TEST_CASE("a grid of friction angles slides at each of them") {
+    const BatchFolder batch(kGrid);
+    const Outcome outcome = batch.run();
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.json()["runs"] == 2);
+    CHECK(outcome.json()["done"] == 2);
+    CHECK(outcome.json()["failed"] == 0);
+    CHECK(outcome.json()["wall_seconds"] > 0);
+    const std::string results = batch.out() + "/results.csv";
+    CHECK(std::stod(cellOf(results, 0, "critical_angle_deg")) == doctest::Approx(10).epsilon(0.001));
+    CHECK(std::stod(cellOf(results, 1, "critical_angle_deg")) == doctest::Approx(15).epsilon(0.001));
+    CHECK(cellOf(results, 1, "failure_mode") == "sliding");
+    const auto metadata = nlohmann::json::parse(contentOf(results + "-metadata.json"));
+    CHECK(metadata["tableSchema"]["columns"].size() == csvCells(linesOf(results)[0]).size());
+    CHECK(metadata["tableSchema"]["columns"][3]["schema:unitText"] == "deg");
+    CHECK(contentOf(batch.out() + "/report.html").find("</html>") != std::string::npos);
+}
+
+TEST_CASE("the rows are those of the single commands, for any number of threads") {
+    const BatchFolder batch(draws(6));
+    REQUIRE(batch.run({"--threads", "1"}).exit_code == 0);
+    const auto one = rowsOf(batch.out() + "/results.csv");
+    REQUIRE(
+        runTalus({"batch", batch.path, "-o", batch.folder / "two", "--threads", "3", "--quiet"}).exit_code ==
+        0);
+    CHECK(rowsOf(batch.folder / "two" + "/results.csv") == one);
+    const std::string scenario = batch.folder / "run4.toml";
+    REQUIRE(runTalus({"sample", batch.path, "4", "-o", scenario}).exit_code == 0);
+    const auto alone = runTalus({"critical-angle", scenario, "--json", "--quiet"}).json();
+    CHECK(alone["state_hash"] == cellOf(batch.out() + "/results.csv", 4, "state_hash"));
+}
+
+TEST_CASE("safety factors, histories, and their probabilities") {
+    const BatchFolder factor(draws(40) + "[report]\nfactor = [1.0]\n", "safety-factor",
+                             blockScenario(11, 12));
+    REQUIRE(factor.run().exit_code == 0);
+    const auto summary = nlohmann::json::parse(contentOf(factor.out() + "/summary.json"));
+    // F = tan(phi) / tan(11 deg), phi uniform in 10..14: less than 1 with probability 1/4.
+    const auto failure = summary["all"]["failure"][0];
+    CHECK(failure["of"] == 40);
+    CHECK(failure["interval"][0] < 0.25);
+    CHECK(failure["interval"][1] > 0.25);
+    CHECK(summary["sensitivity"][0]["rank_correlation"] > 0.999);
+
+    const BatchFolder history(kGrid, "run",
+                              blockScenario(20, 12, "[run]\nduration_s = 0.01\nwatch = [\"key\"]\n"));
+    REQUIRE(history.run().exit_code == 0);
+    const std::string results = history.out() + "/results.csv";
+    CHECK(cellOf(results, 1, "status") == "finished");
+    // s = g (sin 20 - cos 20 tan phi) t^2 / 2; the elastic start costs a little.
+    const double exact = 0.5 * 9.81 * (0.342020 - 0.939693 * 0.176327) * 1e-4;
+    CHECK(std::stod(cellOf(results, 0, "key.displacement_m")) == doctest::Approx(exact).epsilon(0.1));
+}
+
+TEST_CASE("the same command does nothing twice, and goes on with more samples") {
+    const BatchFolder batch(draws(4));
+    REQUIRE(batch.run().json()["computed"] == 4);
+    const std::string before = contentOf(batch.out() + "/results.csv");
+    const Outcome again = batch.run();
+    CHECK(again.exit_code == 0);
+    CHECK(again.json()["computed"] == 0);
+    CHECK(again.json()["done"] == 4);
+    CHECK(contentOf(batch.out() + "/results.csv") == before);
+    batch.folder.write("sweep.toml", "scenario = \"block.toml\"\nanalysis = \"critical-angle\"\n" + draws(7));
+    CHECK(batch.run().json()["computed"] == 3);
+    CHECK(rowsOf(batch.out() + "/results.csv").size() == 7);
+}
+
+TEST_CASE("the results of another sweep are not touched") {
+    const BatchFolder batch(draws(2));
+    REQUIRE(batch.run().exit_code == 0);
+    const std::string before = contentOf(batch.out() + "/results.csv");
+    batch.folder.write("block.toml", blockScenario(0, 12, "velocity = [0, 0, 0]\n"));
+    const Outcome other = batch.run();
+    CHECK(other.exit_code == 2);
+    CHECK(other.err.find("another sweep") != std::string::npos);
+    CHECK(contentOf(batch.out() + "/results.csv") == before);
+}
+
+TEST_CASE("a run that fails is a row with its reason, the batch goes on, and --retry computes it again") {
+    // Normal deviates below zero are no friction angles.
+    const BatchFolder batch(
+        "samples = 12\nseed = 2\n[[random]]\nfield = \"joint.default.friction_deg\"\ndistribution = "
+        "\"normal\"\nmean "
+        "= 2\nsd = 4\n");
+    const Outcome outcome = batch.run();
+    CHECK(outcome.exit_code == 3);
+    const int failed = outcome.json()["failed"];
+    CHECK(failed > 0);
+    CHECK(failed < 12);
+    CHECK(outcome.json()["done"] == 12);
+    int rows = 0;
+    for (int run = 0; run < 12; ++run) {
+        if (cellOf(batch.out() + "/results.csv", run, "status") != "failed") continue;
+        CHECK(
+            cellOf(batch.out() + "/results.csv", run, "reason").find("joint.default.friction_deg: found -") ==
+            0);
+        ++rows;
+    }
+    CHECK(rows == failed);
+    CHECK(batch.run().json()["computed"] == 0);
+    CHECK(batch.run({"--retry"}).json()["computed"] == failed);
+}
+
+TEST_CASE("Ctrl-C keeps the rows so far, and the same command finishes them") {
+    const BatchFolder batch(draws(3000));
+    Program program(batch.command({"--threads", "2"}));
+    const std::string results = batch.out() + "/results.csv";
+    REQUIRE(waitFor([&] { return rowCount(results) > 20; }));
+    program.signal(SIGINT);
+    const Outcome outcome = program.outcome();
+    CHECK(outcome.exit_code == 130);
+    CHECK(outcome.json()["interrupted"] == true);
+    const auto rows = rowsOf(results);
+    CHECK(rows.size() == outcome.json()["done"]);
+    CHECK(rows.size() < 3000);
+}
+
+TEST_CASE("after kill -9 and a torn row the batch ends as if nothing had happened") {
+    const BatchFolder batch(draws(60));
+    Program program(batch.command({"--threads", "1"}));
+    const std::string results = batch.out() + "/results.csv";
+    REQUIRE(waitFor([&] { return rowCount(results) > 5; }));
+    program.signal(SIGKILL);
+    CHECK(program.outcome().exit_code == 128 + SIGKILL);
+    std::ofstream(results, std::ios::app) << "59,59,0,12.3";
+    REQUIRE(batch.run().exit_code == 0);
+    REQUIRE(runTalus({"batch", batch.path, "-o", batch.folder / "whole", "--quiet"}).exit_code == 0);
+    CHECK(rowsOf(results) == rowsOf(batch.folder / "whole" + "/results.csv"));
+}
+
+TEST_CASE("two processes on one folder share the work") {
+    const BatchFolder batch(draws(300));
+    Program first(batch.command({"--threads", "1"})), second(batch.command({"--threads", "1"}));
+    const auto one = first.outcome(), two = second.outcome();
+    CHECK(one.exit_code == 0);
+    CHECK(two.exit_code == 0);
+    CHECK(int(one.json()["computed"]) + int(two.json()["computed"]) == 300);
+    CHECK(int(one.json()["computed"]) > 0);
+    CHECK(int(two.json()["computed"]) > 0);
+    CHECK(rowsOf(batch.out() + "/results.csv").size() == 300);
+}
+
+TEST_CASE("shards add up to the whole, again and again") {
+    std::string other = draws(5);
+    other.replace(other.find("joint.default.friction_deg"), 26, "material.rock.density");
+    const BatchFolder batch(other + kGrid);
+    std::size_t rows = 0;
+    for (const std::string shard : {"1/3", "2/3", "3/3", "2/3"}) {
+        const Outcome outcome = batch.run({"--shard", shard});
+        CHECK(outcome.exit_code == 0);
+        rows += static_cast<std::size_t>(outcome.json()["computed"]);
+    }
+    CHECK(rows == 10);
+    REQUIRE(runTalus({"merge", batch.out(), "-o", batch.folder / "merged"}).exit_code == 0);
+    REQUIRE(runTalus({"batch", batch.path, "-o", batch.folder / "whole", "--quiet"}).exit_code == 0);
+    CHECK(rowsOf(batch.folder / "merged" + "/results.csv") ==
+          rowsOf(batch.folder / "whole" + "/results.csv"));
+    CHECK(batch.run({"--shard", "0/3"}).exit_code == 2);
+    CHECK(batch.run({"--shard", "4/3"}).exit_code == 2);
+    CHECK(batch.run({"--shard", "half"}).exit_code == 2);
+}
+
+TEST_CASE("a merge says what is missing and refuses another sweep's results") {
+    const BatchFolder batch(draws(4));
+    REQUIRE(batch.run({"--shard", "1/2"}).exit_code == 0);
+    const Outcome half = runTalus({"merge", batch.out(), "--json"});
+    CHECK(half.exit_code == 3);
+    CHECK(half.json()["missing"] == 2);
+    const BatchFolder other(draws(5) + "mode = 3\n");
+    CHECK(other.run().exit_code == 2);  // no such key in a uniform distribution
+    const BatchFolder stranger("seed = 9\n" + draws(4));
+    REQUIRE(stranger.run().exit_code == 0);
+    CHECK(runTalus({"merge", batch.out(), stranger.out()}).exit_code == 2);
+    CHECK(runTalus({"merge", batch.folder / "nowhere"}).exit_code == 2);
+}
+
+TEST_CASE("a full disk ends the batch with what was written") {
+    const BatchFolder batch(draws(4));
+    // /dev/full takes no byte; as the results file it stands for a disk without room.
+    REQUIRE(::mkdir(batch.out().c_str(), 0700) == 0);
+    std::filesystem::create_symlink("/dev/full", batch.out() + "/results.csv");
+    const Outcome outcome = batch.run();
+    CHECK(outcome.exit_code == 4);
+    CHECK(outcome.err.find("No space left on device") != std::string::npos);
+}
+
+TEST_CASE("--plan counts and computes nothing") {
+    const BatchFolder batch(kGrid);
+    const Outcome outcome = runTalus({"batch", batch.path, "--plan", "--json"});
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.json()["runs"] == 2);
+    CHECK(outcome.json()["first"][1]["joint.default.friction_deg"] == "15");
+    CHECK(runTalus({"batch", batch.path}).exit_code == 2);
+}
+
+}  // namespace talus::tools::testing

@@ -1,0 +1,163 @@
+#include "batch/compute.h"
+
+#include <cmath>
+#include <ctime>
+
+#include "block_names.h"
+#include "talus/simulation.h"
+#include "talus/theory.h"
+
+namespace talus::tools::batch {
+
+namespace {
+
+using formats::SampledPer;
+using formats::SampledScenario;
+using formats::Sweep;
+using formats::SweepAnalysis;
+using formats::SweepRun;
+
+/// A row that is filled by the columns' names, so that no order has to be kept in two places.
+class RowWriter {
+ public:
+    explicit RowWriter(const BatchInfo& info) : info_(info), cells_(info.columns.size()) {}
+
+    void set(const std::string& column, std::string text) {
+        if (const auto index = info_.find(column)) cells_[*index] = std::move(text);
+    }
+    void set(const std::string& column, double value) { set(column, numberCell(value)); }
+    void set(const std::string& column, std::int64_t value) { set(column, std::to_string(value)); }
+    void addReason(const std::string& text) {
+        std::string& cell = cells_.back();
+        if (!text.empty()) cell += (cell.empty() ? "" : "; ") + text;
+    }
+    Row take() { return std::move(cells_); }
+
+ private:
+    const BatchInfo& info_;
+    Row cells_;
+};
+
+void writeKeys(const Sweep& sweep, const SweepRun& run, RowWriter& row) {
+    row.set("run", static_cast<std::int64_t>(run.index));
+    row.set("case", static_cast<std::int64_t>(run.case_index));
+    row.set("sample", static_cast<std::int64_t>(run.sample));
+    if (!sweep.case_names.empty()) {
+        const std::uint64_t grids = sweep.cases / sweep.case_names.size();
+        row.set("name", sweep.case_names[run.case_index / grids]);
+    }
+    for (std::size_t c = 0; c < sweep.columns.size(); ++c)
+        if (sweep.columns[c].per != SampledPer::interface) {
+            const auto* real = std::get_if<double>(&run.values[c]);
+            row.set(sweep.columns[c].name, real ? numberCell(*real) : formats::toString(run.values[c]));
+        }
+}
+
+void writeDrawn(const Sweep& sweep, const SampledScenario& sampled, RowWriter& row) {
+    for (const formats::DrawnRange& drawn : sampled.drawn) {
+        if (drawn.interfaces == 0) continue;
+        const std::string& name = sweep.columns[drawn.column].name;
+        row.set(name + ".mean", drawn.mean);
+        row.set(name + ".min", drawn.min);
+        row.set(name + ".max", drawn.max);
+    }
+}
+
+void fail(RowWriter& row, const std::vector<Error>& errors) {
+    row.set("status", std::string("failed"));
+    for (const Error& error : errors)
+        row.addReason((error.field.empty() ? "" : error.field + ": ") + error.message);
+}
+
+void writeSearch(const SearchResult& result, SweepAnalysis analysis, const Model& model, RowWriter& row) {
+    const bool is_angle = analysis == SweepAnalysis::critical_angle;
+    const double unit = is_angle ? kDegree : 1;
+    const std::string suffix = is_angle ? "_deg" : "";
+    row.set("status", std::string(toString(result.status)));
+    if (result.status == SearchStatus::found)
+        row.set(is_angle ? "critical_angle_deg" : "safety_factor", result.answer / unit);
+    row.set("bracket_low" + suffix, result.low / unit);
+    row.set("bracket_high" + suffix, result.high / unit);
+    if (is_angle)
+        if (const auto prediction = theory::predict(model))
+            row.set("theory_deg", degrees(prediction->critical_tilt));
+    row.set("failure_mode", std::string(toString(result.mode)));
+    row.set("moving_count", static_cast<std::int64_t>(result.moving_blocks.size()));
+    row.set("moving_blocks", compactNames(result.moving_blocks));
+    row.set("probes", static_cast<std::int64_t>(result.probes.size()));
+    row.set("steps", result.steps);
+    row.set("state_hash", hashText(result.state_hash));
+    if (result.status == SearchStatus::undecided)
+        row.addReason(result.probes.empty() ? "undecided" : result.probes.back().reason);
+    for (const std::string& warning : result.warnings) row.addReason(warning);
+}
+
+void writeRun(const RunResult& result, RowWriter& row) {
+    row.set("status", std::string("finished"));
+    row.set("simulated_seconds", result.simulated_seconds);
+    row.set("time_step_s", result.time_step);
+    row.set("kinetic_energy_j", result.kinetic_energy);
+    for (const BlockReport& block : result.watch) {
+        row.set(block.name + ".displacement_m", block.displacement.norm());
+        row.set(block.name + ".rotation_deg", degrees(block.rotation));
+    }
+    row.set("steps", result.steps);
+    row.set("state_hash", hashText(result.state_hash));
+    for (const std::string& warning : result.warnings) row.addReason(warning);
+}
+
+/// False when it was interrupted.
+bool analyse(const SampledScenario& sampled, SweepAnalysis analysis, const std::atomic<bool>& stop,
+             RowWriter& row, bool& failed) {
+    const Control control{{}, &stop, 1};
+    const Model& model = sampled.scenario.model;
+    if (analysis == SweepAnalysis::run) {
+        const auto result = run(model, control, [](const HistoryRecord&) {});
+        if (result && result->interrupted) return false;
+        failed = !result;
+        failed ? fail(row, result.errors()) : writeRun(*result, row);
+        return true;
+    }
+    const auto result = analysis == SweepAnalysis::critical_angle ? criticalAngle(model, control)
+                                                                  : safetyFactor(model, control);
+    // A probe that was cut short is undecided, too.
+    if (result &&
+        (result->status == SearchStatus::interrupted || (result->status == SearchStatus::undecided && stop)))
+        return false;
+    failed = !result || result->status == SearchStatus::undecided;
+    result ? writeSearch(*result, analysis, model, row) : fail(row, result.errors());
+    return true;
+}
+
+}  // namespace
+
+double threadCpuSeconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::optional<ComputedRow> computeRun(const Sweep& sweep, const BatchInfo& info, std::uint64_t index,
+                                      const std::atomic<bool>& stop) {
+    const double begin = threadCpuSeconds();
+    const SweepRun run = formats::runOf(sweep, index);
+    RowWriter row(info);
+    writeKeys(sweep, run, row);
+    bool failed = true;
+    try {
+        const auto sampled = formats::scenarioOf(sweep, run);
+        if (sampled) {
+            writeDrawn(sweep, *sampled, row);
+            if (!analyse(*sampled, sweep.analysis, stop, row, failed)) return std::nullopt;
+        } else {
+            fail(row, sampled.errors());
+        }
+    } catch (const std::exception& error) {  // memory, most likely; the other runs go on
+        failed = true;
+        fail(row, {Error{"", std::string("internal error: ") + error.what()}});
+    }
+    row.set("cpu_seconds", threadCpuSeconds() - begin);
+    return ComputedRow{row.take(), failed};
+}
+
+}  // namespace talus::tools::batch

@@ -1,0 +1,63 @@
+#pragma once
+// Result rows: which columns a batch has, what one run's row holds, and both as CSV.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "command.h"
+#include "talus/formats/sweep.h"
+
+namespace talus::tools::batch {
+
+/// One column of results.csv.
+struct Column {
+    enum class Role : std::uint8_t { key, varied, result };
+    std::string name;
+    std::string type;   ///< of CSV on the Web: "integer", "number", "string", "boolean"
+    std::string unit;   ///< "deg", "Pa", ...; "" without one
+    std::string about;  ///< for people
+    Role role = Role::result;
+    std::string source{};  ///< of what varies: "grid", "table", "random", "interfaces"
+};
+
+/// Everything about a batch that its rows need to be understood, so that results can be merged and reported without the
+/// sweep file. Kept as batch.json beside the results.
+struct BatchInfo {
+    std::string identity, analysis, sweep, scenario, sweep_text, scenario_text;
+    std::uint64_t runs = 0, cases = 1, samples = 1, seed = 1;
+    bool latin_hypercube = false;
+    std::vector<std::string> case_names;
+    std::vector<double> thresholds;  ///< tilts [deg] or factors of safety at which failure is asked for
+    double confidence = 0.95;
+    std::vector<Column> columns;
+
+    bool isSearch() const { return analysis != "run"; }
+    std::string answerName() const;   ///< the column that is the answer: "critical_angle_deg", ...
+    std::string answerTitle() const;  ///< "critical angle (deg)"
+    std::optional<std::size_t> find(std::string_view column) const;
+};
+
+BatchInfo describe(const formats::Sweep& sweep);
+Json toJson(const BatchInfo& info);
+BatchInfo infoFromJson(const Json& json);  ///< throws nlohmann's errors
+
+/// Cells of one run's row, in the order of the columns.
+using Row = std::vector<std::string>;
+
+std::string csvLine(const Row& cells);  ///< with its line feed; quotes where needed
+std::string csvHeader(const BatchInfo& info);
+Row csvCells(std::string_view line);  ///< of a line without its line feed
+
+/// Types and units of the columns, as the standard CSV on the Web (https://www.w3.org/TR/tabular-metadata/) has them.
+Json csvMetadata(const BatchInfo& info, const std::string& file);
+
+/// A number so that it reads back as the same one; "" when it is not finite.
+std::string numberCell(double value);
+
+/// Whether a run with this status counts as failed: it has no result, or an undecided one.
+bool isFailure(std::string_view status);
+
+}  // namespace talus::tools::batch
