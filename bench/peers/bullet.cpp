@@ -22,6 +22,8 @@ class World {
                          0.5 * kScale * peers::kSize[2])),
           floor_(btVector3(100, 100, 5)) {
         world_.getSolverInfo().m_numIterations = settings.iterations;
+        // With one friction direction, the default, the columns fan out at half the angle.
+        world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
         add(floor_, 0, btVector3(0, 0, -5));
         const double volume = peers::kSize[0] * peers::kSize[1] * peers::kSize[2];
         for (int b = 0; b < peers::kBlocks; ++b) {
@@ -50,7 +52,8 @@ class World {
     void add(btCollisionShape& shape, double mass, const btVector3& centre) {
         btVector3 inertia(0, 0, 0);
         if (mass > 0) shape.calculateLocalInertia(mass, inertia);
-        states_.push_back(std::make_unique<btDefaultMotionState>(btTransform(btQuaternion::getIdentity(), centre)));
+        states_.push_back(
+            std::make_unique<btDefaultMotionState>(btTransform(btQuaternion::getIdentity(), centre)));
         bodies_.push_back(std::make_unique<btRigidBody>(
             btRigidBody::btRigidBodyConstructionInfo(mass, states_.back().get(), &shape, inertia)));
         bodies_.back()->setFriction(std::sqrt(std::tan(peers::kFriction)));

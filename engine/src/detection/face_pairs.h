@@ -3,21 +3,14 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "geometry/face_frame.h"
 #include "geometry/polygon.h"
+#include "geometry/world_shape.h"
 #include "talus/polyhedron.h"
 
 namespace talus {
-
-/// A block as it stands in the world; refers to the caller's arrays.
-struct WorldShape {
-    std::span<const Vec3> vertices;                    ///< [m]
-    std::span<const std::vector<std::int32_t>> faces;  ///< as in Polyhedron
-    std::span<const Vec3> normals;                     ///< outward unit normal per face
-};
 
 struct FacePairLimits {
     double max_gap = 0;            ///< of the patch's nearest point [m]

@@ -14,7 +14,7 @@ constexpr double kParallel = 1e-8;
 bool isParallel(const Vec3& a, const Vec3& b) { return a.cross(b).squaredNorm() < kParallel * kParallel; }
 
 /// Directions of the edges, one of each set of parallel ones.
-std::vector<Vec3> edgeDirections(const Polyhedron& shape) {
+std::vector<Vec3> edgeDirections(const WorldShape& shape) {
     std::vector<Vec3> directions;
     for (const auto& outline : shape.faces)
         for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -32,7 +32,7 @@ struct Shadow {
     double min = std::numeric_limits<double>::infinity(), max = -min;
 };
 
-Shadow shadow(const Polyhedron& shape, const Vec3& origin, const Vec3& axis) {
+Shadow shadow(const WorldShape& shape, const Vec3& origin, const Vec3& axis) {
     Shadow sum;
     for (const Vec3& vertex : shape.vertices) {
         const double along = axis.dot(vertex - origin);
@@ -43,7 +43,7 @@ Shadow shadow(const Polyhedron& shape, const Vec3& origin, const Vec3& axis) {
 }
 
 /// Separation along an axis, which is turned to point from a to b.
-Separation alongAxis(const Polyhedron& a, const Polyhedron& b, const Vec3& axis) {
+Separation alongAxis(const WorldShape& a, const WorldShape& b, const Vec3& axis) {
     const Vec3& origin = a.vertices[0];
     const Shadow of_a = shadow(a, origin, axis), of_b = shadow(b, origin, axis);
     const double ahead = of_b.min - of_a.max, behind = of_a.min - of_b.max;
@@ -52,7 +52,7 @@ Separation alongAxis(const Polyhedron& a, const Polyhedron& b, const Vec3& axis)
 
 /// The best separation so far; `tryAxis` tells whether it is enough.
 struct Search {
-    const Polyhedron &a, &b;
+    const WorldShape &a, &b;
     double enough;
     Separation best{-std::numeric_limits<double>::infinity(), Vec3::Zero()};
 
@@ -63,9 +63,9 @@ struct Search {
     }
 };
 
-bool tryFaces(Search& search, const Polyhedron& shape) {
-    for (std::size_t face = 0; face < shape.faces.size(); ++face)
-        if (search.tryAxis(shape.faceNormal(face))) return true;
+bool tryFaces(Search& search, const WorldShape& shape) {
+    for (const Vec3& normal : shape.normals)
+        if (search.tryAxis(normal)) return true;
     return false;
 }
 
@@ -76,12 +76,24 @@ void tryEdges(Search& search) {
             if (!isParallel(edge_a, edge_b) && search.tryAxis(edge_a.cross(edge_b).normalized())) return;
 }
 
+std::vector<Vec3> faceNormals(const Polyhedron& shape) {
+    std::vector<Vec3> normals;
+    for (std::size_t face = 0; face < shape.faces.size(); ++face) normals.push_back(shape.faceNormal(face));
+    return normals;
+}
+
 }  // namespace
 
-Separation findSeparation(const Polyhedron& a, const Polyhedron& b, double enough) {
+Separation findSeparation(const WorldShape& a, const WorldShape& b, double enough) {
     Search search{a, b, enough};
     if (!tryFaces(search, a) && !tryFaces(search, b)) tryEdges(search);
     return search.best;
+}
+
+Separation findSeparation(const Polyhedron& a, const Polyhedron& b, double enough) {
+    const std::vector<Vec3> normals_a = faceNormals(a), normals_b = faceNormals(b);
+    return findSeparation(WorldShape{a.vertices, a.faces, normals_a},
+                          WorldShape{b.vertices, b.faces, normals_b}, enough);
 }
 
 }  // namespace talus

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "geometry/world_shape.h"
 #include "talus/polyhedron.h"
 
 namespace talus {
@@ -17,6 +18,8 @@ struct Separation {
 /// them. When positive it is a lower bound of their distance (equal to it unless the nearest points are a
 /// vertex and an edge or a vertex). The search ends at the first axis that separates by `enough` [m]: with
 /// minus the overlap allowed, touching blocks are passed after a few axes.
+Separation findSeparation(const WorldShape& a, const WorldShape& b,
+                          double enough = std::numeric_limits<double>::infinity());
 Separation findSeparation(const Polyhedron& a, const Polyhedron& b,
                           double enough = std::numeric_limits<double>::infinity());
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
 
 #include "contact/points.h"
 #include "detection/face_pairs.h"
@@ -35,7 +36,7 @@ double searchMargin(const State& state, double ahead) {
     return std::max(kSearchMargin * state.geometry->length_scale, 4.0 * fastest * ahead);
 }
 
-Box boundingBox(const Polyhedron& shape, double margin) {
+Box boundingBox(const WorldShape& shape, double margin) {
     Box box{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
     for (const Vec3& v : shape.vertices) {
         box.min = box.min.cwiseMin(v);
@@ -63,13 +64,37 @@ struct PairFinding {
     double depth = 0;  ///< [m], when they overlap
 };
 
-/// Shapes of all blocks where they are now, with their face normals.
+/// Shapes of all blocks where they are now, with their face normals; the faces' outlines are those of the own frame.
 struct PlacedShapes {
-    std::vector<Polyhedron> shapes;
-    std::vector<std::vector<Vec3>> normals;
+    const std::vector<Polyhedron>& own;
+    std::vector<std::size_t> first_vertex, first_normal;  ///< of each block; one more at the end
+    std::vector<Vec3> vertices, normals;
 
-    WorldShape world(std::size_t b) const { return {shapes[b].vertices, shapes[b].faces, normals[b]}; }
+    WorldShape world(std::size_t b) const {
+        return {std::span(vertices).subspan(first_vertex[b], own[b].vertices.size()), own[b].faces,
+                std::span(normals).subspan(first_normal[b], own[b].faces.size())};
+    }
 };
+
+PlacedShapes placeShapes(const State& state, bool parallel) {
+    const std::size_t n = state.blocks.size();
+    PlacedShapes placed{state.geometry->shape, {0}, {0}, {}, {}};
+    for (const Polyhedron& shape : placed.own) {
+        placed.first_vertex.push_back(placed.first_vertex.back() + shape.vertices.size());
+        placed.first_normal.push_back(placed.first_normal.back() + shape.faces.size());
+    }
+    placed.vertices.resize(placed.first_vertex.back());
+    placed.normals.resize(placed.first_normal.back());
+    forRange(n, 256, parallel, [&](Range range) {
+        for (std::size_t b = range.begin; b < range.end; ++b) {
+            const Polyhedron shape = placedShape(state, b);
+            std::copy(shape.vertices.begin(), shape.vertices.end(), &placed.vertices[placed.first_vertex[b]]);
+            for (std::size_t f = 0; f < shape.faces.size(); ++f)
+                placed.normals[placed.first_normal[b] + f] = shape.faceNormal(f);
+        }
+    });
+    return placed;
+}
 
 /// Faces may look at each other through the bodies: the far side of a block and the near side of its neighbour, or faces
 /// that are not parallel. A pair whose overlap is not the blocks' own is none.
@@ -77,7 +102,7 @@ void dropFalsePairs(const PlacedShapes& placed, std::size_t a, std::size_t b, do
                     PairFinding& finding) {
     const auto overlaps = [&](const FacePair& face) { return face.least_gap < -closed; };
     if (std::none_of(finding.faces.begin(), finding.faces.end(), overlaps)) return;
-    const double depth = std::max(0.0, -findSeparation(placed.shapes[a], placed.shapes[b]).distance);
+    const double depth = std::max(0.0, -findSeparation(placed.world(a), placed.world(b)).distance);
     std::erase_if(finding.faces,
                   [&](const FacePair& face) { return -face.least_gap > 2.0 * depth + closed; });
 }
@@ -102,30 +127,36 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     for (const FacePair& face :
          finding.faces)  // parallel faces that do not overlap: a plane between the blocks
         if (face.least_gap >= -closed && face.most_gap - face.least_gap <= closed) return finding;
-    finding.depth = -findSeparation(placed.shapes[a], placed.shapes[b], -closed).distance;
+    finding.depth = -findSeparation(placed.world(a), placed.world(b), -closed).distance;
     finding.overlaps = finding.depth > closed;
     return finding;
 }
 
-std::vector<PairFinding> examinePairs(const State& state, double margin, bool initial, bool parallel) {
-    const std::size_t n = state.blocks.size();
-    PlacedShapes placed{std::vector<Polyhedron>(n), std::vector<std::vector<Vec3>>(n)};
-    std::vector<Box> boxes(n);
-    forRange(n, 256, parallel, [&](Range range) {
-        for (std::size_t b = range.begin; b < range.end; ++b) {
-            placed.shapes[b] = placedShape(state, b);
-            for (std::size_t f = 0; f < placed.shapes[b].faces.size(); ++f)
-                placed.normals[b].push_back(placed.shapes[b].faceNormal(f));
-            boxes[b] = boundingBox(placed.shapes[b], 0.5 * margin);
-        }
+std::vector<BoxPair> nearPairs(const PlacedShapes& placed, double margin, bool parallel) {
+    std::vector<Box> boxes(placed.own.size());
+    forRange(boxes.size(), 1024, parallel, [&](Range range) {
+        for (std::size_t b = range.begin; b < range.end; ++b)
+            boxes[b] = boundingBox(placed.world(b), 0.5 * margin);
     });
-    const auto pairs = findNeighbours(boxes, parallel);
-    std::vector<PairFinding> findings(pairs.size());
-    forRange(pairs.size(), 64, parallel, [&](Range range) {
-        for (std::size_t k = range.begin; k < range.end; ++k)
-            findings[k] = examinePair(state, placed, pairs[k], margin, initial);
-    });
-    return findings;
+    return findNeighbours(boxes, parallel);
+}
+
+/// Examines all pairs and hands what it finds to `take`, pair by pair in order. In pieces: of a million blocks' thirteen
+/// million pairs all findings at once would take more memory than the state.
+template <class Take>
+void examinePairs(const State& state, double margin, bool initial, bool parallel, const Take& take) {
+    constexpr std::size_t kPiece = 16384;
+    const PlacedShapes placed = placeShapes(state, parallel);
+    const std::vector<BoxPair> pairs = nearPairs(placed, margin, parallel);
+    std::vector<PairFinding> findings;
+    for (std::size_t begin = 0; begin < pairs.size(); begin += kPiece) {
+        findings.assign(std::min(kPiece, pairs.size() - begin), {});
+        forRange(findings.size(), 64, parallel, [&](Range range) {
+            for (std::size_t k = range.begin; k < range.end; ++k)
+                findings[k] = examinePair(state, placed, pairs[begin + k], margin, initial);
+        });
+        for (const PairFinding& finding : findings) take(finding);
+    }
 }
 
 std::vector<Error> overlapErrors(const State& state, const std::vector<PairFinding>& findings) {
@@ -219,36 +250,38 @@ void closeInitialInterfaces(State& state) {
 
 /// One interface to be made.
 struct Found {
-    const PairFinding* blocks;
-    const FacePair* faces;
-    int corners;
+    std::int32_t block_a = 0, block_b = 0;
+    FacePair faces;
 };
 
-/// Interfaces in the order they are stored in: that of the findings, but those with as many corners side by side within
-/// windows short enough that neighbours in space stay neighbours in memory.
-std::vector<Found> storageOrder(const std::vector<PairFinding>& findings) {
-    constexpr std::ptrdiff_t kWindow = 256;
-    std::vector<Found> found;
-    for (const PairFinding& finding : findings)
-        for (const FacePair& pair : finding.faces)
-            found.push_back({&finding, &pair, static_cast<int>(pair.patch.size())});
-    for (auto begin = found.begin(); begin != found.end();) {
-        const auto end = begin + std::min(kWindow, found.end() - begin);
-        std::stable_sort(begin, end, [](const Found& a, const Found& b) { return a.corners < b.corners; });
-        begin = end;
-    }
-    return found;
-}
+/// Appends interfaces in the order they are stored in: that of the search, but those with as many corners side by side
+/// within windows short enough that neighbours in space stay neighbours in memory.
+struct InterfaceWindow {
+    static constexpr std::size_t kSize = 256;
+    std::vector<Found> found{};
+    std::vector<const Found*> order{};
 
-void appendInterfaces(State& state, const std::vector<PairFinding>& findings) {
-    for (const Found& found : storageOrder(findings)) {
-        const Polygon& patch = found.faces->patch;
-        addToGroups(
-            state.interfaces, patch.size(),
-            contact::pointCount(std::span(patch.begin(), patch.size()), state.geometry->model.points));
-        appendInterface(state, found.blocks->block_a, found.blocks->block_b, *found.faces);
+    void add(State& state, const Found& next) {
+        found.push_back(next);
+        if (found.size() == kSize) append(state);
     }
-}
+
+    void append(State& state) {
+        order.clear();
+        for (const Found& one : found) order.push_back(&one);
+        std::stable_sort(order.begin(), order.end(), [](const Found* a, const Found* b) {
+            return a->faces.patch.size() < b->faces.patch.size();
+        });
+        for (const Found* one : order) {
+            const Polygon& patch = one->faces.patch;
+            addToGroups(
+                state.interfaces, patch.size(),
+                contact::pointCount(std::span(patch.begin(), patch.size()), state.geometry->model.points));
+            appendInterface(state, one->block_a, one->block_b, one->faces);
+        }
+        found.clear();
+    }
+};
 
 }  // namespace
 
@@ -277,22 +310,39 @@ void buildIncidence(State& state) {
 
 namespace {
 
-std::vector<Error> gridErrors(const State& state, const std::vector<PairFinding>& findings) {
-    std::vector<Error> errors;
-    if (state.geometry->model.points.kind != PointRule::Kind::grid) return errors;
-    for (const PairFinding& finding : findings)
+Error gridError(const State& state, const PairFinding& finding, const FacePair& pair) {
+    const auto& blocks = state.geometry->model.blocks;
+    return {"contact.points", "\"grid N\" needs rectangular patches; the one between \"" +
+                                  blocks[static_cast<std::size_t>(finding.block_a)].name + "\" and \"" +
+                                  blocks[static_cast<std::size_t>(finding.block_b)].name + "\" has " +
+                                  std::to_string(pair.patch.size()) + " corners"};
+}
+
+bool suitsRule(const State& state, const FacePair& pair) {
+    return state.geometry->model.points.kind != PointRule::Kind::grid ||
+           contact::isRectangle({pair.patch.begin(), pair.patch.end()});
+}
+
+/// What a search leaves beside the interfaces.
+struct SearchRemarks {
+    std::vector<PairFinding> overlaps;  ///< without their faces
+    std::vector<Error> grid{};          ///< the first patch that is no rectangle where the rule asks for one
+};
+
+SearchRemarks appendInterfaces(State& state, double margin, bool initial, bool parallel) {
+    SearchRemarks remarks;
+    InterfaceWindow window;
+    examinePairs(state, margin, initial, parallel, [&](const PairFinding& finding) {
+        if (finding.overlaps)
+            remarks.overlaps.push_back({{}, finding.block_a, finding.block_b, true, finding.depth});
         for (const FacePair& pair : finding.faces) {
-            const std::vector<Eigen::Vector2d> outline(pair.patch.begin(), pair.patch.end());
-            if (contact::isRectangle(outline)) continue;
-            const auto& blocks = state.geometry->model.blocks;
-            errors.push_back({"contact.points", "\"grid N\" needs rectangular patches; the one between \"" +
-                                                    blocks[static_cast<std::size_t>(finding.block_a)].name +
-                                                    "\" and \"" +
-                                                    blocks[static_cast<std::size_t>(finding.block_b)].name +
-                                                    "\" has " + std::to_string(outline.size()) + " corners"});
-            return errors;
+            if (initial && remarks.grid.empty() && !suitsRule(state, pair))
+                remarks.grid.push_back(gridError(state, finding, pair));
+            if (remarks.grid.empty()) window.add(state, {finding.block_a, finding.block_b, pair});
         }
-    return errors;
+    });
+    window.append(state);
+    return remarks;
 }
 
 std::vector<Error> touchErrors(const State& state) {
@@ -323,14 +373,13 @@ void warnOfMissedContacts(State& state, const std::vector<PairFinding>& findings
 }
 
 std::vector<Error> findInterfacesWithin(State& state, double margin, bool initial, bool parallel) {
-    const std::vector<PairFinding> findings = examinePairs(state, margin, initial, parallel);
+    const OldInterfaces old = takeInterfaces(state);
+    const SearchRemarks remarks = appendInterfaces(state, margin, initial, parallel);
     if (initial) {
-        std::vector<Error> errors = overlapErrors(state, findings);
-        if (errors.empty()) errors = gridErrors(state, findings);
+        std::vector<Error> errors = overlapErrors(state, remarks.overlaps);
+        if (errors.empty()) errors = remarks.grid;
         if (!errors.empty()) return errors;
     }
-    const OldInterfaces old = takeInterfaces(state);
-    appendInterfaces(state, findings);
     makePoints(state);
     breakBonds(state);
     if (initial)
@@ -343,7 +392,7 @@ std::vector<Error> findInterfacesWithin(State& state, double margin, bool initia
     state.search_margin = margin;
     if (initial) return touchErrors(state);
     rebuildPairWater(state);
-    warnOfMissedContacts(state, findings);
+    warnOfMissedContacts(state, remarks.overlaps);
     return {};
 }
 
