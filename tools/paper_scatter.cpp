@@ -52,11 +52,12 @@ std::optional<double> numberOf(const std::string& cell) {
 Scatter read(const batch::StoredBatch& stored) {
     Scatter scatter;
     scatter.samples = stored.info.samples;
-    scatter.complete = stored.rows.size() >= stored.info.runs;
+    scatter.complete = stored.lines.size() >= stored.info.runs;
     for (const LaboratorySeries& series : kLaboratory)
         scatter.cases.push_back({series.fissure, series.repeats_deg, 0, 0, {}});
     const std::size_t angle = *stored.info.find("critical_angle_deg"), cpu = *stored.info.find("cpu_seconds");
-    for (const auto& [run, row] : stored.rows) {
+    for (const auto& [run, line] : stored.lines) {
+        const batch::Row row = stored.row(run);
         ScatterCase& one = scatter.cases.at(run % stored.info.cases);
         const auto found = numberOf(row[angle]);
         ++one.runs;

@@ -79,7 +79,8 @@ int runScenario(const RunOptions& options) {
         throw BadInput(Error{"SCENARIO", "give either a scenario or --resume FILE, which brings its own"});
     std::optional<Resumed> resumed;
     if (!options.resume.empty()) resumed = readResumed(options);
-    const formats::Scenario scenario = resumed ? resumed->scenario : loadScenario(options.scenario, options.common);
+    const formats::Scenario scenario =
+        resumed ? resumed->scenario : loadScenario(options.scenario, options.common);
     RunRecorder recorder(options, scenario, resumed ? &*resumed : nullptr);
     ProgressPrinter progress(options.common);
     Result<RunResult> outcome = run(scenario.model, controlOf(options.common, progress), recorder.output(),

@@ -57,6 +57,7 @@ class ReducedTheory {
 std::optional<TheoryFigure> theoryOf(const Model& model) {
     constexpr double kLowest = 0.02, kHighest = 50, kRatio = 1.05;
     ReducedTheory theory(model);
+    if (theory.slides(kLowest)) return std::nullopt;  // whatever the strength: nothing to divide
     double high = kLowest;
     while (high < kHighest && !theory.slides(high)) high *= kRatio;
     double low = high / kRatio;
@@ -64,7 +65,8 @@ std::optional<TheoryFigure> theoryOf(const Model& model) {
         const double middle = 0.5 * (low + high);
         (theory.slides(middle) ? high : low) = middle;
     }
-    const auto prediction = theory.at(high);
+    auto prediction = theory.at(high);
+    if (prediction) prediction->formula = "with strengths divided by it: " + prediction->formula;
     const bool at_limit =
         prediction && !prediction->topples && std::abs(prediction->critical_tilt - theory.tilt()) < 1e-9;
     return at_limit ? std::optional(TheoryFigure{high, *prediction}) : std::nullopt;

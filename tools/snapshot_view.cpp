@@ -74,7 +74,8 @@ PlacedInterface placed(const FullFrame& full, std::size_t i) {
     const auto a = static_cast<std::size_t>(f.block_a[i]);
     const Mat3 turn = turnOf(full, a);
     PlacedInterface p;
-    p.origin = get(full.blocks.position, a) + turn * get(f.origin_a, i);
+    p.origin = Vec3(full.origin_x, full.origin_y, full.origin_z) + get(full.blocks.position, a) +
+               turn * get(f.origin_a, i);
     p.e1 = turn * get(f.e1_a, i);
     p.e2 = turn * get(f.e2_a, i);
     p.e3 = p.e1.cross(p.e2);

@@ -36,8 +36,9 @@ double spread(const Model& model, const Analysis& analysis, double unit) {
         Model changed = model;
         changed.analysis.time_scaling = variant.time_scaling;
         const SearchResult result = *analysis(changed, Control{}, variant.settings);
-        MESSAGE(std::string(variant.name) << ": " << result.answer * unit << " " << std::string(toString(result.mode)) << ", "
-                             << result.steps << " steps");
+        MESSAGE(std::string(variant.name)
+                << ": " << result.answer * unit << " " << std::string(toString(result.mode)) << ", "
+                << result.steps << " steps");
         CHECK((result.status == SearchStatus::found));
         low = std::min(low, result.answer);
         high = std::max(high, result.answer);

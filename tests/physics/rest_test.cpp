@@ -2,11 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include "analysis/quasi_static.h"
 #include "stages/measure.h"
 #include "stages/step.h"
 #include "stages/time_step.h"
 #include "state/build.h"
 #include "support/models.h"
+#include "talus/formats/scenario.h"
 #include "talus/simulation.h"
 
 using namespace talus;
@@ -61,6 +63,37 @@ TEST_SUITE("physics") {
         const Settled s = settled(model, 0.5);
         MESSAGE("out-of-balance force over weight: " << stages::outOfBalanceRatio(s.state));
         CHECK(stages::outOfBalanceRatio(s.state) < 1e-6);
+    }
+
+    TEST_CASE(
+        "a wedge of 32 blocks in a valley comes to rest: its out-of-balance force decays by far more than "
+        "1e-6") {
+        // A prism, apex down, between two fixed flanks; cut into slabs, and each slab upright and flat.
+        const auto scenario = formats::parseScenario(
+            "[material.rock]\ndensity = 2700.0\n"
+            "[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = 35.0\n"
+            "[rock_mass]\nregion = { profile = [[0, 0], [2, 2], [-2, 2]], y = [0, 8] }\n"
+            "[[joint_set]]\nname = \"slabs\"\ndip_deg = 90\ndip_direction_deg = 0\nspacing = 1.0\n"
+            "[[single_joint]]\nname = \"upright\"\npoint = [0, 4, 1]\ndip_deg = 90\ndip_direction_deg = 90\n"
+            "[[single_joint]]\nname = \"flat\"\npoint = [0, 4, 1]\ndip_deg = 0\ndip_direction_deg = 90\n"
+            "[[block]]\nname = \"east\"\nfixed = true\n"
+            "vertices = [[0,0,0],[3,0,3],[3,0,0],[0,8,0],[3,8,3],[3,8,0]]\n"
+            "[[block]]\nname = \"west\"\nfixed = true\n"
+            "vertices = [[0,0,0],[-3,0,3],[-3,0,0],[0,8,0],[-3,8,3],[-3,8,0]]\n",
+            "wedge.toml");
+        REQUIRE(scenario.ok());
+        State state = *buildState(scenario->model, false);
+        REQUIRE(state.blocks.size() == 2 + 32);
+        stages::updateForces(state, false);
+        const double start = stages::outOfBalanceRatio(state);
+        const Control control;
+        auto work = analysis::prepare(state, QuasiStatic{}, control, 1e-8, false);
+        const Probe probe = analysis::bringOn(state, work, [](State&, double) {});
+        MESSAGE("out-of-balance force over weight: " << start << ", then " << probe.out_of_balance
+                                                     << " after " << probe.steps << " steps");
+        CHECK(start == doctest::Approx(1));
+        CHECK((probe.verdict == Verdict::stable));
+        CHECK(probe.out_of_balance < 1e-9);
     }
 
     TEST_CASE("an undamped stack keeps its energy while its contacts stay closed") {

@@ -11,7 +11,7 @@ for program in munged slurmctld slurmd sbatch squeue; do
 done
 [ "$(id -u)" = 0 ] || skip "Slurm's daemons want root here"
 
-work=$(mktemp -d /tmp/talus-slurm-XXXXXX)
+work=$(mktemp -d -t talus-slurm-XXXXXX)
 chmod 755 "$work"
 pids=()
 stop() {

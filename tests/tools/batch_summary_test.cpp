@@ -12,6 +12,12 @@ namespace {
 
 using Role = Column::Role;
 
+std::string lineOf(const Row& cells) {
+    std::string line = csvLine(cells);
+    line.pop_back();
+    return line;
+}
+
 /// Two cases of ten samples: the answer is the friction angle less the case's depth.
 StoredBatch madeUp() {
     StoredBatch batch;
@@ -31,28 +37,22 @@ StoredBatch madeUp() {
     for (const char* name : {"failure_mode", "reason"}) info.columns.push_back({name, "string", "", ""});
     for (int run = 0; run < 20; ++run) {
         const int depth = run % 2, sample = run / 2, angle = 10 + sample - depth;
-        batch.rows[static_cast<std::uint64_t>(run)] = {std::to_string(run),
-                                                       std::to_string(depth),
-                                                       std::to_string(sample),
-                                                       std::to_string(depth),
-                                                       std::to_string(10 + sample),
-                                                       "found",
-                                                       std::to_string(angle),
-                                                       std::to_string(angle - 1),
-                                                       std::to_string(angle + 1),
-                                                       sample < 3 ? "toppling" : "sliding",
-                                                       ""};
+        batch.lines[static_cast<std::uint64_t>(run)] =
+            lineOf({std::to_string(run), std::to_string(depth), std::to_string(sample), std::to_string(depth),
+                    std::to_string(10 + sample), "found", std::to_string(angle), std::to_string(angle - 1),
+                    std::to_string(angle + 1), sample < 3 ? "toppling" : "sliding", ""});
     }
     return batch;
 }
 
 void setStatus(StoredBatch& batch, std::uint64_t run, const std::string& status, const std::string& low,
                const std::string& high) {
-    Row& row = batch.rows.at(run);
+    Row row = batch.row(run);
     row[5] = status;
     row[6] = "";
     row[7] = low;
     row[8] = high;
+    batch.lines[run] = lineOf(row);
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ TEST_CASE("the page has no outside resource and is escaped") {
 
 TEST_CASE("an empty batch has a page, too") {
     StoredBatch batch = madeUp();
-    batch.rows.clear();
+    batch.lines.clear();
     CHECK(batchPage(summarise(batch), Json::object()).find("Not finished") != std::string::npos);
 }
 

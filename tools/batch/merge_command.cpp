@@ -29,7 +29,7 @@ StoredBatch merged(const std::vector<std::string>& folders) {
                 Error{"", "holds another sweep than " + folders.front() + ", allowed: folders of one sweep",
                       folders[i]});
         if (more.info.runs > all.info.runs) all.info = more.info;
-        for (auto& [run, row] : more.rows) keepBetter(all, run, std::move(row));
+        for (auto& [run, line] : more.lines) keepBetter(all, run, std::move(line));
     }
     return all;
 }
@@ -39,14 +39,14 @@ int merge(const MergeOptions& options) {
     const std::string folder = options.output.empty() ? options.folders.front() : options.output;
     makeFolder(folder);
     std::vector<std::uint64_t> runs;
-    for (const auto& entry : all.rows) runs.push_back(entry.first);
+    for (const auto& entry : all.lines) runs.push_back(entry.first);
     std::sort(runs.begin(), runs.end());
     std::string csv = csvHeader(all.info);
     std::uint64_t failed = 0;
     const std::size_t status = *all.info.find("status");
     for (const std::uint64_t run : runs) {
-        csv += csvLine(all.rows.at(run));
-        failed += isFailure(all.rows.at(run)[status]);
+        csv += all.lines.at(run) + '\n';
+        failed += isFailure(all.row(run)[status]);
     }
     writeFile(folder + "/batch.json",
               toJson(all.info).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

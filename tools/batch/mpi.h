@@ -29,8 +29,8 @@ class MpiJob {
 
  private:
     int rank_ = 0, size_ = 1;
-    bool joined_ = false;
-    mutable bool dismissed_ = false;  ///< the helpers know that there is no more
+    [[maybe_unused]] bool joined_ = false;
+    [[maybe_unused]] mutable bool dismissed_ = false;  ///< the helpers know that there is no more
 };
 
 }  // namespace talus::tools::batch

@@ -258,11 +258,13 @@ void Store::refresh() {
     readNewRows();
 }
 
-void keepBetter(StoredBatch& stored, std::uint64_t run, Row row) {
+void keepBetter(StoredBatch& stored, std::uint64_t run, std::string line) {
     const std::size_t status = *stored.info.find("status");
-    const auto there = stored.rows.find(run);
-    if (there != stored.rows.end() && isFailure(row[status]) && !isFailure(there->second[status])) return;
-    stored.rows[run] = std::move(row);
+    const auto [there, is_new] = stored.lines.try_emplace(run, std::move(line));
+    if (is_new) return;
+    // try_emplace leaves a line it has no use for as it was.
+    const bool worse = isFailure(csvCells(line)[status]) && !isFailure(csvCells(there->second)[status]);
+    if (!worse) there->second = std::move(line);
 }
 
 StoredBatch readStored(const std::string& folder) {
@@ -283,9 +285,10 @@ StoredBatch readStored(const std::string& folder) {
             throw BadInput(Error{"", "has other columns than its batch.json says", file, 1, 1});
         std::string_view rest = std::string_view(text).substr(header.size());
         for (auto end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
-            Row cells = csvCells(rest.substr(0, end));
+            const Row cells = csvCells(rest.substr(0, end));
             const auto run = runNumber(cells);
-            if (run && cells.size() == stored.info.columns.size()) keepBetter(stored, *run, std::move(cells));
+            if (run && cells.size() == stored.info.columns.size())
+                keepBetter(stored, *run, std::string(rest.substr(0, end)));
             rest.remove_prefix(end + 1);
         }
     }

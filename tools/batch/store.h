@@ -88,11 +88,14 @@ class Store {
 /// run in place of an earlier one. Throws BadInput, FileRefused.
 struct StoredBatch {
     BatchInfo info;
-    std::unordered_map<std::uint64_t, Row> rows;  ///< by run
+    std::unordered_map<std::uint64_t, std::string>
+        lines;  ///< by run: its row, as text, since a million may come
+
+    Row row(std::uint64_t run) const { return csvCells(lines.at(run)); }
 };
 StoredBatch readStored(const std::string& folder);
 
-/// Adds a run's row; a result stands before a failure, else the later one counts.
-void keepBetter(StoredBatch& stored, std::uint64_t run, Row row);
+/// Adds a run's row (without its line feed); a result stands before a failure, else the later one counts.
+void keepBetter(StoredBatch& stored, std::uint64_t run, std::string line);
 
 }  // namespace talus::tools::batch

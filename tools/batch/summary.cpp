@@ -183,11 +183,11 @@ Summary summarise(const StoredBatch& batch) {
     const bool lists_cases = info.cases > 1 && info.cases <= kMostCases;
     std::map<std::uint64_t, Group> cases;
     std::vector<std::uint64_t> runs;
-    for (const auto& entry : batch.rows) runs.push_back(entry.first);
+    for (const auto& entry : batch.lines) runs.push_back(entry.first);
     std::sort(runs.begin(), runs.end());
     const std::size_t status = *info.find("status");
     for (const std::uint64_t run : runs) {
-        const Row& row = batch.rows.at(run);
+        const Row row = batch.row(run);
         ++summary.done;
         ++summary.statuses[row[status]];
         if (isFailure(row[status])) {

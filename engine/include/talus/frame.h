@@ -171,6 +171,7 @@ struct FullFrame {
         -1;                 ///< time from which a contact came about that is not modelled; negative: none [s]
     double shear_lost = 0;  ///< [N]
     std::vector<std::string> warnings;
+    double origin_x = 0, origin_y = 0, origin_z = 0;  ///< of all positions, in the model frame [m]
 };
 
 /// Hash of a full frame's own values, which is its state_hash as long as nothing was changed.

@@ -276,6 +276,15 @@ SearchResult searchConfirmed(const State& state, const Axis& axis, const Control
     }
 }
 
+void warnOfFreeBlocks(State& state) {
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free && !analysis::touchesSomething(state, b)) {
+            state.warnings.push_back("block \"" + state.geometry->model.blocks[b].name +
+                                     "\" touches no other block at the start");
+            return;
+        }
+}
+
 Result<SearchResult> search(const Model& model, const Axis& axis, const Control& control,
                             const QuasiStatic& settings) {
     return analysis::inArena(control.threads, [&]() -> Result<SearchResult> {
@@ -288,15 +297,6 @@ Result<SearchResult> search(const Model& model, const Axis& axis, const Control&
         result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
     });
-}
-
-void warnOfFreeBlocks(State& state) {
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
-        if (state.blocks.motion[b] == Motion::free && !analysis::touchesSomething(state, b)) {
-            state.warnings.push_back("block \"" + state.geometry->model.blocks[b].name +
-                                     "\" touches no other block at the start");
-            return;
-        }
 }
 
 /// Halvings of `step` until it is no wider than the tolerance.

@@ -61,7 +61,9 @@ void addWaterLevels(const State& state, WaterLevels& levels) {
         levels.drained.push_back(state.drained[w]);
         const PressureField field = stages::pressureField(state, w);
         const double unit_weight = field.gradient.norm();
-        levels.table.push_back(unit_weight > 0 ? field.p0 / unit_weight : kNone);
+        // p = p0 + gradient . x in the state's coordinates; the table is told in the model's.
+        const double shift = field.gradient.dot(state.geometry->origin);
+        levels.table.push_back(unit_weight > 0 ? (field.p0 - shift) / unit_weight : kNone);
     }
 }
 
@@ -130,7 +132,8 @@ void addShape(const Block& block, RunGeometry& g) {
 RunGeometry geometryOf(const State& state) {
     RunGeometry g;
     g.mass = state.blocks.mass;
-    ToFrame{}(state.geometry->initial_position, g.centroid);
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        add(g.centroid, state.geometry->origin + state.geometry->initial_position.get(b));
     ToFrame{}(state.geometry->initial_orientation, g.orientation);
     g.size = state.geometry->size;
     g.vertex_begin = g.face_begin = g.face_vertex_begin = {0};
@@ -162,6 +165,8 @@ FullFrame fullFrameOf(const State& state) {
     FullFrame frame;
     frame.state_hash = stages::stateHash(state);
     eachField(state, frame, ToFrame{});
+    const Vec3& origin = state.geometry->origin;
+    frame.origin_x = origin.x(), frame.origin_y = origin.y(), frame.origin_z = origin.z();
     addWaterLoads(state, frame.waters);
     addLaws(state, frame.laws);
     addPatches(state, frame.interfaces, frame.points);

@@ -170,6 +170,9 @@ void eachField(FullFrame& f, fb::FullT& m, const Move& move) {
     move(f.invalid_since, m.invalid_since);
     move(f.shear_lost, m.shear_lost);
     move(f.warnings, m.warnings);
+    move(f.origin_x, m.origin_x);
+    move(f.origin_y, m.origin_y);
+    move(f.origin_z, m.origin_z);
 }
 
 template <class Move>

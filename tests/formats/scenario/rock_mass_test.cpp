@@ -137,7 +137,7 @@ TEST_CASE("rock mass: faults of the region") {
     fault("stl = 3", ".stl", "found an integer 3, allowed: a string");
     fault("bx = 3", ".bx", "did you mean \"box\"?");
     checkFault(properties() + "[rock_mass]\n", 7, "rock_mass.region", "missing");
-    checkFault(properties() + "rock_mass = 3\n", 6, "joint.default.rock_mass", "unknown key");
+    checkFault("rock_mass = 3\n" + properties(), 1, "rock_mass", "found an integer 3, allowed: a table");
     checkFault(properties() + stack() + "[[joint_set]]\n", 12, "joint_set", "without [rock_mass]");
 }
 
