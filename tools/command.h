@@ -55,6 +55,7 @@ Command addValidate(CLI::App& root);
 Command addTheory(CLI::App& root);
 Command addPaper(CLI::App& root);
 Command addInspect(CLI::App& root);
+Command addReplay(CLI::App& root);
 
 // --- failures: throw these, main prints them (on stderr, and as JSON on stdout with --json) and exits ---------------
 

@@ -64,7 +64,7 @@ std::string unknownCommand(const std::string& word, const std::vector<Command>& 
 
 std::vector<Command> addCommands(CLI::App& root) {
     return {addPaper(root),    addCriticalAngle(root), addSafetyFactor(root), addRun(root),
-            addValidate(root), addTheory(root),        addInspect(root)};
+            addValidate(root), addTheory(root),        addInspect(root),      addReplay(root)};
 }
 
 int execute(const std::vector<Command>& commands) {
