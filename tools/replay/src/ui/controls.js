@@ -233,7 +233,7 @@ export class Controls {
     }
     element("axes").innerHTML = axesSvg(replay.stage.axes(replay.now.a.tilt));
     this.updateLabels(look.water);
-    element("play").textContent = player.playing ? "⏸" : "▶";
+    element("play").classList.toggle("playing", player.playing);
     element("play").setAttribute("aria-label", player.playing ? "Pause" : "Play");
   }
 
