@@ -65,9 +65,10 @@ std::string shortNumber(double value) {
 std::string summaryLine(const Table& course, const Quantity& quantity, bool unicode) {
     const std::vector<double> values = valuesOf(course, quantity.column);
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const std::string unit = *quantity.unit != '\0' ? std::string(" ") + quantity.unit : "";
     return padded(quantity.name, 26) + sparkline(values, kCurveWidth, quantity.logarithmic, unicode) + "  " +
-           shortNumber(*least) + " to " + shortNumber(*most) + " " + quantity.unit + ", at the end " +
-           shortNumber(values.back()) + "\n";
+           shortNumber(*least) + " to " + shortNumber(*most) + unit + ", at the end " +
+           shortNumber(values.back()) + unit + "\n";
 }
 
 }  // namespace

@@ -145,6 +145,16 @@ export class Replay {
     this.shownFrame = a;
   }
 
+  /** Failure role of every block by its motion up to the frame shown. */
+  get roles() {
+    const frame = this.now.a;
+    if (this.rolesFrame !== frame) {
+      this.rolesFrame = frame;
+      this.rolesFound = rolesAt(this.header, frame, this.radius);
+    }
+    return this.rolesFound;
+  }
+
   /** Joints lie between opaque blocks: they need ghosts to be seen. */
   rockOpacity() {
     if (this.look.joints) return Math.min(this.look.opacity, 0.12);
@@ -153,7 +163,6 @@ export class Replay {
 
   uploadFrames(a, b) {
     const colouring = this.look.colouring;
-    this.roles = rolesAt(this.header, a, this.radius);
     const values = (frame) => (colouring === "role" ? this.roles : magnitudes(frame[colouring]));
     this.motion.set(a, b, values(a), values(b));
     const most = colouring === "role" ? 1 : this.look.ownScale ? this.largest(a, colouring) : this.ranges[colouring];

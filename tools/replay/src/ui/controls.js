@@ -266,7 +266,7 @@ export class Controls {
     element("arrow-row").hidden = !arrows;
     element("arrow-size-value").textContent = `× ${Number(look.arrowSize.toPrecision(2))}`;
     const html = legendHtml({
-      colouring: look.colouring, range: replay.range, ownScale: look.ownScale, roles: replay.roles, joints: look.joints,
+      colouring: look.colouring, range: replay.range, ownScale: look.ownScale, roles: look.colouring === "role" ? replay.roles : [], joints: look.joints,
       forces: arrows, reference: replay.arrows.reference, arrowPixels: this.arrowPixels(), fullTime: replay.full?.time ?? null,
       exaggeration: look.exaggeration, selected: replay.selected.block >= 0,
     });
@@ -287,8 +287,8 @@ export class Controls {
     const since = performance.now() - (this.selectionAt ?? 0);
     if (replay.player.playing && !dirty.has("selection") && since < 1000 / kPanelPerSecond) return;
     this.selectionAt = performance.now();
-    const context = { header: replay.header, full: replay.full, frames: replay.now, roles: replay.roles };
-    const html = selected.block >= 0 ? blockText({ ...context, block: selected.block, setOff: replay.setOffOf(selected.block) })
+    const context = { header: replay.header, full: replay.full, frames: replay.now };
+    const html = selected.block >= 0 ? blockText({ ...context, roles: replay.roles, block: selected.block, setOff: replay.setOffOf(selected.block) })
       : selected.interface >= 0 && replay.full ? interfaceText({ ...context, i: selected.interface })
       : `<p class="note">Click a block, or with <em>Joints</em> shown a joint, to see its numbers and why it fails or stands.</p>`;
     if (html !== this.selectionShown) element("selection").innerHTML = this.selectionShown = html;

@@ -7,24 +7,27 @@ import { blockFragment, blockVertex, edgeFragment, edgeVertex } from "./shaders.
 
 const attribute = (values, size) => new THREE.BufferAttribute(Float32Array.from(values), size);
 
+/** Corners of a face share its normal, so each face has corners of its own. */
 function facesOf(header) {
-  const position = [], normal = [], block = [];
+  const position = [], normal = [], block = [], index = [];
   for (let b = 0; b < header.names.length; ++b) {
     const centre = get(header.centroid, b);
     const corner = (k) => sub(get(header.vertex, header.faceVertex[k]), centre);
     for (let f = header.faceBegin[b]; f < header.faceBegin[b + 1]; ++f) {
       const begin = header.faceVertexBegin[f], end = header.faceVertexBegin[f + 1];
-      const first = corner(begin);
-      const outward = newellNormal(corner, begin, end);
-      for (let k = begin + 1; k + 1 < end; ++k) {
-        for (const p of [first, corner(k), corner(k + 1)]) position.push(...p), normal.push(...outward), block.push(b);
-      }
+      const outward = newellNormal(corner, begin, end), first = block.length;
+      for (let k = begin; k < end; ++k) position.push(...corner(k)), normal.push(...outward), block.push(b);
+      for (let k = 1; k + 1 < end - begin; ++k) index.push(first, first + k, first + k + 1);
     }
   }
+  return geometryOf(position, block, index).setAttribute("faceNormal", attribute(normal, 3));
+}
+
+function geometryOf(position, block, index) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", attribute(position, 3));
-  geometry.setAttribute("faceNormal", attribute(normal, 3));
   geometry.setAttribute("block", attribute(block, 1));
+  geometry.setIndex(new THREE.BufferAttribute(Uint32Array.from(index), 1));
   return geometry;
 }
 
@@ -39,23 +42,20 @@ function newellNormal(corner, begin, end) {
 
 /** Each edge once: a closed polyhedron's faces name it in both directions. */
 function edgesOf(header) {
-  const position = [], block = [];
+  const position = [], block = [], index = [];
   for (let b = 0; b < header.names.length; ++b) {
     const centre = get(header.centroid, b);
+    for (let v = header.vertexBegin[b]; v < header.vertexBegin[b + 1]; ++v)
+      position.push(...sub(get(header.vertex, v), centre)), block.push(b);
     for (let f = header.faceBegin[b]; f < header.faceBegin[b + 1]; ++f) {
       const begin = header.faceVertexBegin[f], end = header.faceVertexBegin[f + 1];
       for (let k = begin; k < end; ++k) {
         const from = header.faceVertex[k], to = header.faceVertex[k + 1 < end ? k + 1 : begin];
-        if (from > to) continue;
-        position.push(...sub(get(header.vertex, from), centre), ...sub(get(header.vertex, to), centre));
-        block.push(b, b);
+        if (from < to) index.push(from, to);
       }
     }
   }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", attribute(position, 3));
-  geometry.setAttribute("block", attribute(block, 1));
-  return geometry;
+  return geometryOf(position, block, index);
 }
 
 export class BlocksView {
