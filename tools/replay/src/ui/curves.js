@@ -63,7 +63,7 @@ export class Curve {
     pen.fillStyle = css("--muted"), (pen.strokeStyle = css("--line"));
     pen.lineWidth = 1;
     pen.textBaseline = "middle", (pen.textAlign = "right");
-    const count = Math.max(2, Math.floor((height - kTop - kBottom) / 22));
+    const count = Math.max(3, Math.floor((height - kTop - kBottom) / 18));
     const values = this.log ? ticks(low, high, count).filter(Number.isInteger) : ticks(low, high, count);
     for (const value of values) {
       pen.beginPath(), pen.moveTo(kLeft, y(value)), pen.lineTo(width - kRight, y(value)), pen.stroke();
