@@ -60,6 +60,7 @@ Command addExport(CLI::App& root);
 Command addBatch(CLI::App& root);
 Command addSample(CLI::App& root);
 Command addMerge(CLI::App& root);
+Command addReplay(CLI::App& root);
 
 // --- failures: throw these, main prints them (on stderr, and as JSON on stdout with --json) and exits ---------------
 

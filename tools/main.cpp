@@ -63,9 +63,10 @@ std::string unknownCommand(const std::string& word, const std::vector<Command>& 
 }
 
 std::vector<Command> addCommands(CLI::App& root) {
-    return {addPaper(root),   addCriticalAngle(root), addSafetyFactor(root), addRun(root),
-            addInspect(root), addExport(root),        addBatch(root),        addSample(root),
-            addMerge(root),   addValidate(root),      addBlocks(root),       addTheory(root)};
+    return {addPaper(root),  addCriticalAngle(root), addSafetyFactor(root), addRun(root),
+            addReplay(root), addInspect(root),       addExport(root),       addBatch(root),
+            addSample(root), addMerge(root),         addValidate(root),     addBlocks(root),
+            addTheory(root)};
 }
 
 int execute(const std::vector<Command>& commands) {

@@ -1,0 +1,65 @@
+// What each block does in a failure, by the rules of the engine's failure mode (talus critical-angle): a block moves when
+// it goes a tenth of the farthest one's way, and topples when its rotation, at the size of the moving group, makes up
+// more than a quarter of its motion.
+
+import { get, norm } from "./poses.js";
+
+export const Role = { fixed: 0, driven: 1, stands: 2, slides: 3, topples: 4 };
+export const roleNames = ["fixed", "driven", "stands", "slides", "topples"];
+
+const kMovingShare = 0.1;
+const kTopplingShare = 0.25;
+const kStandingShare = 1e-3; // of the smallest block's size: nobody has gone farther, so nothing fails
+
+/** Way of a block since the start, of its farthest corner [m]. */
+export const motionOf = (frame, block, radius) =>
+  norm(get(frame.displacement, block)) + norm(get(frame.rotation, block)) * radius[block];
+
+const smallestFree = (header) =>
+  header.size.reduce((least, size, b) => (header.motion[b] === 0 ? Math.min(least, size) : least), Infinity);
+
+function movingExtent(header, frame, radius, moving) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  moving.forEach((moves, b) => {
+    if (!moves) return;
+    const at = get(header.centroid, b), u = get(frame.displacement, b);
+    for (let k = 0; k < 3; ++k) {
+      low[k] = Math.min(low[k], at[k] + u[k] - radius[b]);
+      high[k] = Math.max(high[k], at[k] + u[k] + radius[b]);
+    }
+  });
+  return norm([high[0] - low[0], high[1] - low[1], high[2] - low[2]]);
+}
+
+/** Role of every block by its motion up to this frame, as a Uint8Array. */
+export function rolesAt(header, frame, radius) {
+  const motion = header.names.map((_, b) => (header.motion[b] === 0 ? motionOf(frame, b, radius) : 0));
+  const largest = motion.reduce((most, value) => Math.max(most, value), 0);
+  const fails = largest > kStandingShare * smallestFree(header);
+  const moving = motion.map((way) => fails && way > kMovingShare * largest);
+  const extent = movingExtent(header, frame, radius, moving);
+  return Uint8Array.from(motion, (way, b) => {
+    if (header.motion[b] === 1) return Role.fixed;
+    if (header.motion[b] === 2) return Role.driven;
+    if (!moving[b]) return Role.stands;
+    return norm(get(frame.rotation, b)) * extent > kTopplingShare * way ? Role.topples : Role.slides;
+  });
+}
+
+/** "sliding", "toppling", "mixed" or "none", by moving mass as in the engine. */
+export function overallMode(header, roles) {
+  let sliding = 0, toppling = 0;
+  roles.forEach((role, b) => {
+    if (role === Role.slides) sliding += header.mass[b];
+    if (role === Role.topples) toppling += header.mass[b];
+  });
+  const all = sliding + toppling;
+  if (all === 0) return "none";
+  return sliding >= 0.9 * all ? "sliding" : toppling >= 0.9 * all ? "toppling" : "mixed";
+}
+
+/** Time at which a block had gone a thousandth of its size, or null. */
+export function setOffTime(header, frames, block, radius) {
+  const found = frames.find((frame) => motionOf(frame, block, radius) > kStandingShare * header.size[block]);
+  return found ? found.time : null;
+}

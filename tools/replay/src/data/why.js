@@ -1,0 +1,81 @@
+// Sentences on why a block or a joint fails or stands, each resting on numbers of the file.
+
+import { dot, get, norm, poseOf, sub, upOf } from "./poses.js";
+import { neighboursOf, waterForce } from "./contacts.js";
+import { Role } from "./roles.js";
+import { angle, percent, quantity } from "../units.js";
+
+const kUsedUp = 0.98; // share of the strength from which a joint counts as slipping as a whole
+const kAtEdge = 0.85; // of the way from a patch's centroid to its edge
+
+const listed = (names, most = 3) =>
+  names.slice(0, most).join(", ") + (names.length > most ? ` and ${names.length - most} more` : "");
+
+function motionSentence(role, moved, turned, setOff) {
+  const since = setOff === null ? "" : `, since t = ${quantity(setOff, "s")}`;
+  if (role === Role.fixed) return "Fixed: it cannot move.";
+  if (role === Role.driven) return "Driven: its velocity is prescribed.";
+  if (role === Role.slides) return `Slides: ${quantity(moved, "m")} moved and only ${angle(turned)} turned${since}.`;
+  if (role === Role.topples)
+    return `Topples: rotation makes up much of its way (${angle(turned)} turned, ${quantity(moved, "m")} moved)${since}.`;
+  return `Stands: what it moves (${quantity(moved, "m")}) is below a tenth of the farthest block's way.`;
+}
+
+/** Facts on the contacts of a block: what is used up, open, pressed on an edge, pushed by water. */
+function contactSentences(header, full, block, up) {
+  const sentences = [];
+  const neighbours = neighboursOf(full, block);
+  const name = (n) => header.names[n.other];
+  const closed = neighbours.filter((n) => n.sums.openShare < 1 && n.sums.strength > 0);
+  const used = closed.filter((n) => n.sums.mobilised >= kUsedUp);
+  const open = neighbours.filter((n) => n.sums.openShare >= 1);
+  const centre = get(header.centroid, block);
+  const below = closed.filter((n) => dot(sub(get(header.centroid, n.other), centre), up) < 0);
+  const edge = below.filter((n) => n.sums.edge >= kAtEdge);
+  if (used.length) sentences.push(`Friction is used up on ${listed(used.map(name))}.`);
+  else if (closed.length) {
+    const most = closed.reduce((a, b) => (b.sums.mobilised > a.sums.mobilised ? b : a));
+    sentences.push(`At most ${percent(most.sums.mobilised)} of the shear strength is used (on ${name(most)}).`);
+  }
+  if (edge.length) sentences.push(`It stands on an edge: the force from ${listed(edge.map(name))} acts at ${percent(edge[0].sums.edge)} of the way to the rim.`);
+  if (open.length) sentences.push(`Open towards ${listed(open.map(name))}.`);
+  if (neighbours.length === 0) sentences.push("It touches nothing: it falls or flies.");
+  return sentences;
+}
+
+function waterSentence(header, full, block, pose) {
+  const weight = header.mass[block] * header.gravity;
+  const walls = full.walls.get(block) ?? [];
+  const thrust = walls.map((k) => waterForce(header, full, k, pose.turn)).reduce((a, b) => a.map((v, k) => v + b[k]), [0, 0, 0]);
+  if (norm(thrust) < 1e-9 * weight) return null;
+  return `Water pushes it with ${quantity(norm(thrust), "N")}, ${percent(norm(thrust) / weight)} of its weight.`;
+}
+
+export function whyBlock({ header, full, frames, block, role, setOff }) {
+  const { a, b, share } = frames;
+  const pose = poseOf(header, frames, block);
+  const moved = norm(sub(pose.position, get(header.centroid, block)));
+  const turned = norm(get((share < 0.5 ? a : b).rotation, block));
+  const sentences = [motionSentence(role, moved, turned, setOff)];
+  if (!full || role === Role.fixed) return sentences;
+  const water = waterSentence(header, full, block, pose);
+  return [...sentences, ...contactSentences(header, full, block, upOf(a.tilt)), ...(water ? [water] : [])];
+}
+
+export function whyInterface(header, full, i) {
+  const s = full.sums[i], joint = header.joints[full.interfaces.joint[i]];
+  const sentences = [];
+  if (s.openShare >= 1) sentences.push("Open: the faces have parted, it carries nothing.");
+  else if (s.mobilised >= kUsedUp)
+    sentences.push(`Slips: shear ${quantity(s.shear, "N")} has reached its strength of ${quantity(s.strength, "N")}.`);
+  else if (s.slipping > 0)
+    sentences.push(`Slips in part: ${s.slipping} of ${s.points} contact points, ${percent(s.mobilised)} of the strength used.`);
+  else if (s.strength > 0) sentences.push(`Holds: ${percent(s.mobilised)} of the shear strength is used.`);
+  else sentences.push("Holds without shear.");
+  if (s.openShare > 0 && s.openShare < 1) sentences.push(`${percent(s.openShare)} of its area is open.`);
+  if (s.openShare < 1 && s.edge >= kAtEdge) sentences.push(`The normal force acts at ${percent(s.edge)} of the way from the middle to the rim: it turns about an edge.`);
+  if (joint && (joint.cohesion > 0 || joint.tensileStrength > 0))
+    sentences.push(s.broken > 0 ? `Its bond is broken at ${s.broken} of ${s.points} contact points.` : "Its bond is whole.");
+  if (s.water > 0) sentences.push(`Water presses its walls apart with ${quantity(s.water, "N")}.`);
+  return sentences;
+}

@@ -1,0 +1,258 @@
+// The replay: what is shown of the run at the player's time. Everything is drawn on demand, at most once a picture.
+
+import { add, get, norm, poseOf, radiiOf, sub, turn } from "./data/poses.js";
+import { prepareFull } from "./data/contacts.js";
+import { overallMode, rolesAt, setOffTime } from "./data/roles.js";
+import { Player } from "./player.js";
+import { ArrowsView } from "./view/arrows.js";
+import { BlocksView } from "./view/blocks.js";
+import { MotionTextures } from "./view/motion.js";
+import { pickBlock, pickInterface } from "./view/pick.js";
+import { JointsView, WaterView } from "./view/sheets.js";
+import { Stage } from "./view/stage.js";
+import { Controls } from "./ui/controls.js";
+
+const magnitudes = (list) => Float32Array.from(list.x, (_, b) => Math.hypot(list.x[b], list.y[b], list.z[b]));
+const median = (values) => values.slice().sort((a, b) => a - b)[Math.floor(values.length / 2)];
+const kRoundSize = 3; // a fixed block this many times as large as the free ones is ground: it is not put in view
+
+export class Replay {
+  constructor(file) {
+    this.file = file;
+    this.header = file.header;
+    this.frames = file.frames;
+    this.radius = radiiOf(this.header);
+    this.look = { colouring: "displacement", ownScale: false, water: true, forces: false, joints: false, edges: true,
+      exaggeration: 1, opacity: 1, arrowSize: 1 };
+    this.selected = { block: -1, interface: -1 };
+    this.hovered = -1;
+    this.fullIndex = -1, (this.full = null);
+    this.valuesOf = { frame: [], values: [] };
+    this.mode = overallMode(this.header, rolesAt(this.header, this.frames.at(-1), this.radius));
+    this.player = new Player(this.frames, () => this.invalidate("time"));
+    this.buildScene();
+    this.controls = new Controls(this);
+    this.dirty = new Set(["all"]);
+    this.home("iso");
+    this.controls.readAddress();
+    this.ready = this.refreshFull().then(() => this.runLoop());
+  }
+
+  buildScene() {
+    this.stage = new Stage(document.getElementById("scene"), () => this.invalidate("camera"));
+    this.motion = new MotionTextures(this.header);
+    this.blocks = new BlocksView(this.header, this.motion);
+    this.joints = new JointsView(this.header, this.motion);
+    this.water = new WaterView(this.header, this.motion);
+    const free = this.freeBlocks();
+    this.blockSize = median(free.map((b) => this.header.size[b]));
+    this.arrows = new ArrowsView(this.header, this.motion, this.blockSize);
+    this.stage.model.add(this.blocks.object, this.joints.object, this.water.object);
+    this.stage.over.add(this.arrows.object);
+    this.ranges = this.wholeRanges();
+  }
+
+  freeBlocks() {
+    const free = this.header.names.map((_, b) => b).filter((b) => this.header.motion[b] === 0);
+    return free.length ? free : this.header.names.map((_, b) => b);
+  }
+
+  /** Largest displacement, velocity and rotation of a free block over the whole run. */
+  wholeRanges() {
+    const ranges = { displacement: 0, velocity: 0, rotation: 0 };
+    for (const frame of this.frames)
+      for (const kind of Object.keys(ranges)) ranges[kind] = Math.max(ranges[kind], this.largest(frame, kind));
+    return ranges;
+  }
+
+  largest(frame, kind) {
+    const { x, y, z } = frame[kind];
+    let most = 0;
+    for (let b = 0; b < x.length; ++b)
+      if (this.header.motion[b] === 0) most = Math.max(most, x[b] * x[b] + y[b] * y[b] + z[b] * z[b]);
+    return Math.sqrt(most);
+  }
+
+  /** Sphere around the free blocks where they start and where they end, and fixed ones that are not ground. */
+  extent() {
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    const free = this.freeBlocks();
+    const typical = Math.max(...free.map((b) => this.radius[b]).slice(0, 10000));
+    const end = this.frames.at(-1);
+    this.header.names.forEach((_, b) => {
+      if (this.header.motion[b] !== 0 && this.radius[b] > kRoundSize * typical) return;
+      const from = get(this.header.centroid, b), way = get(end.displacement, b);
+      // A block that flies off must not make the rest a dot.
+      const to = norm(way) < 20 * typical ? add(from, way) : from;
+      for (const at of [from, to])
+        for (let k = 0; k < 3; ++k) {
+          low[k] = Math.min(low[k], at[k] - this.radius[b] * 0.7);
+          high[k] = Math.max(high[k], at[k] + this.radius[b] * 0.7);
+        }
+    });
+    return { centre: low.map((v, k) => (v + high[k]) / 2), radius: (norm(sub(high, low)) / 2) * 0.95 };
+  }
+
+  home(view) {
+    this.view = view;
+    this.stage.setTilt(this.frames[0].tilt);
+    const { centre, radius } = this.extent();
+    this.stage.look(view, centre, radius);
+  }
+
+  invalidate(what) {
+    this.dirty?.add(what);
+  }
+
+  runLoop() {
+    let last = performance.now();
+    const tick = (now) => {
+      this.player.advance(Math.min(0.25, (now - last) / 1000));
+      last = now;
+      if (this.dirty.size) this.draw();
+      requestAnimationFrame(tick);
+    };
+    this.draw();
+    requestAnimationFrame(tick);
+  }
+
+  draw() {
+    const dirty = this.dirty;
+    this.dirty = new Set();
+    const shape = ["all", "time", "look", "selection", "full"].some((what) => dirty.has(what));
+    if (shape) this.updateScene(dirty);
+    this.stage.render();
+    this.controls.update(dirty);
+    this.pictures = (this.pictures ?? 0) + 1;
+  }
+
+  updateScene(dirty) {
+    const now = this.player.between();
+    this.now = now;
+    const { a, b } = now;
+    this.stage.setTilt(a.tilt + (b.tilt - a.tilt) * now.share);
+    this.motion.uniforms.share.value = now.share;
+    this.motion.uniforms.exaggeration.value = this.look.exaggeration;
+    const newFrame = this.shownFrame !== a || dirty.has("look") || dirty.has("all");
+    if (newFrame) this.uploadFrames(a, b);
+    const uniforms = this.blocks.uniforms;
+    uniforms.selected.value = this.selected.block, (uniforms.hovered.value = this.hovered);
+    this.blocks.setOpacity(this.rockOpacity());
+    this.blocks.edges.visible = this.look.edges;
+    uniforms.ink.value.set(...this.controls.edgeInk(this.rockOpacity()));
+    this.refreshFull();
+    if (newFrame || dirty.has("full") || dirty.has("selection")) this.updateLayers(a);
+    this.shownFrame = a;
+  }
+
+  /** Failure role of every block by its motion up to the frame shown. */
+  get roles() {
+    const frame = this.now.a;
+    if (this.rolesFrame !== frame) {
+      this.rolesFrame = frame;
+      this.rolesFound = rolesAt(this.header, frame, this.radius);
+    }
+    return this.rolesFound;
+  }
+
+  /** Joints lie between opaque blocks: they need ghosts to be seen. */
+  rockOpacity() {
+    if (this.look.joints) return Math.min(this.look.opacity, 0.12);
+    return this.look.forces ? Math.min(this.look.opacity, 0.6) : this.look.opacity;
+  }
+
+  uploadFrames(a, b) {
+    const colouring = this.look.colouring;
+    const values = (frame) => (colouring === "role" ? this.roles : magnitudes(frame[colouring]));
+    this.motion.set(a, b, values(a), values(b));
+    const most = colouring === "role" ? 1 : this.look.ownScale ? this.largest(a, colouring) : this.ranges[colouring];
+    this.range = [0, most > 0 ? most : 1e-12];
+    this.blocks.uniforms.range.value.set(...this.range);
+    this.blocks.uniforms.categories.value = colouring === "role";
+  }
+
+  updateLayers(frame) {
+    this.water.object.visible = this.look.water;
+    this.water.show(this.look.water ? this.full : null, frame);
+    const chosen = this.selected.interface;
+    this.joints.object.visible = this.look.joints || chosen >= 0;
+    this.joints.show(this.joints.object.visible ? this.full : null, this.full?.sums, this.look.joints, chosen);
+    const body = this.selected.block;
+    const wanted = this.look.forces || body >= 0;
+    this.arrows.show(wanted ? this.full : null, frame, body, this.look.arrowSize, this.controls.dark());
+  }
+
+  /** Reads the last full state not after the time when it is not the one at hand. */
+  async refreshFull() {
+    const ns = BigInt(Math.round(this.player.time * 1e9)) + 1n;
+    let k = this.file.fullTimes.length - 1;
+    while (k >= 0 && this.file.fullTimes[k] > ns) --k;
+    if (k === this.fullIndex) return;
+    this.fullIndex = k;
+    const full = k < 0 ? null : prepareFull(this.header, await this.file.full(k));
+    if (this.fullIndex !== k) return; // time has gone on meanwhile
+    this.keepInterface(full);
+    this.full = full;
+    this.invalidate("full");
+  }
+
+  /** A selected interface stays selected in another full state, by its blocks and faces' order. */
+  keepInterface(full) {
+    const i = this.selected.interface;
+    if (i < 0 || !this.full) return;
+    const was = this.full.interfaces, f = full?.interfaces;
+    let found = -1;
+    for (let k = 0; f && k < f.count && found < 0; ++k)
+      if (f.blockA[k] === was.blockA[i] && f.blockB[k] === was.blockB[i]) found = k;
+    this.selected.interface = found;
+  }
+
+  /** Selects a block by name or index, or nothing (-1). */
+  select(block) {
+    const index = typeof block === "string" ? this.header.names.indexOf(block) : block;
+    this.selected = { block: index, interface: -1 };
+    this.invalidate("selection");
+  }
+
+  selectInterface(i) {
+    this.selected = { block: -1, interface: i };
+    this.invalidate("selection");
+  }
+
+  /** Selects what is drawn at a point of the canvas (CSS pixels). */
+  pick(x, y) {
+    const { origin, direction } = this.stage.rayAt(x, y);
+    const times = this.look.exaggeration;
+    if (this.look.joints) {
+      const i = pickInterface(this.header, this.full, this.now, times, origin, direction, this.selected.interface);
+      if (i >= 0) return this.selectInterface(i);
+    }
+    this.select(pickBlock(this.header, this.radius, this.now, times, origin, direction));
+  }
+
+  hover(x, y) {
+    const { origin, direction } = this.stage.rayAt(x, y);
+    this.hovered = pickBlock(this.header, this.radius, this.now, this.look.exaggeration, origin, direction);
+    this.blocks.uniforms.hovered.value = this.hovered;
+    this.invalidate("camera");
+    return this.hovered;
+  }
+
+  /** Canvas point (CSS pixels) of a block's centroid, by name or index. */
+  screenOf(block) {
+    const index = typeof block === "string" ? this.header.names.indexOf(block) : block;
+    return this.stage.screenOf(poseOf(this.header, this.now, index, this.look.exaggeration).position);
+  }
+
+  /** Canvas point of a point that moves with a block. */
+  screenOfPoint(block, offset) {
+    const pose = poseOf(this.header, this.now, block, this.look.exaggeration);
+    return this.stage.screenOf(add(pose.position, turn(pose.turn, offset)));
+  }
+
+  setOffOf(block) {
+    this.setOffs ??= new Map();
+    if (!this.setOffs.has(block)) this.setOffs.set(block, setOffTime(this.header, this.frames, block, this.radius));
+    return this.setOffs.get(block);
+  }
+}

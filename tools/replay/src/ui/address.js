@@ -1,0 +1,17 @@
+// What the address may ask for, so that a report can link to a moment: page.html#t=0.2&colour=role&joints&select=c1r1s1.
+
+export function readAddress(replay, hash) {
+  const asked = new URLSearchParams(hash.slice(1));
+  const { look, player } = replay;
+  const colour = asked.get("colour");
+  if (["displacement", "velocity", "rotation", "role"].includes(colour)) look.colouring = colour;
+  for (const layer of ["water", "forces", "joints", "edges"])
+    if (asked.has(layer)) look[layer] = !["0", "no"].includes(asked.get(layer));
+  const times = Number(asked.get("exaggerate"));
+  if (times >= 1) look.exaggeration = Math.min(times, 1e4);
+  if (["iso", "front", "toe", "top"].includes(asked.get("view"))) replay.home(asked.get("view"));
+  if (asked.get("t") === "end") player.seek(player.last);
+  else if (asked.has("t") && Number.isFinite(Number(asked.get("t")))) player.seek(Number(asked.get("t")));
+  if (replay.header.names.includes(asked.get("select"))) replay.select(asked.get("select"));
+  if (asked.has("play")) player.play();
+}

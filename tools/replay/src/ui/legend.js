@@ -1,0 +1,48 @@
+// The legend over the scene: what colours and arrows mean, with units; and the axes with gravity.
+
+import { degrees, quantity } from "../units.js";
+import { forceColours, gradientOf, openJoint, roleColours } from "../view/colours.js";
+import { roleNames } from "../data/roles.js";
+
+const titles = { displacement: "Displacement", velocity: "Velocity", rotation: "Rotation" };
+const item = (colour, text) => `<li><i style="background:${colour}"></i>${text}</li>`;
+const unitOf = (kind) => (value) =>
+  kind === "rotation" ? `${Number(degrees(value).toPrecision(3))}°` : quantity(value, kind === "velocity" ? "m/s" : "m", 3);
+
+export function legendHtml({ colouring, range, ownScale, roles, joints, forces, reference, arrowPixels, fullTime, exaggeration, selected }) {
+  const parts = [];
+  if (colouring === "role") {
+    const present = [...new Set(roles)].sort();
+    parts.push(`Failure role<ul>${present.map((role) => item(roleColours[role], roleNames[role])).join("")}</ul>`);
+  } else {
+    const text = unitOf(colouring);
+    parts.push(`${titles[colouring]}${ownScale ? " (scale of this frame)" : ""}<div class="bar" style="background:${gradientOf("heat")}"></div>` +
+      `<div class="ends"><span>0</span><span>${text(range[1] / 2)}</span><span>${text(range[1])}</span></div>`);
+  }
+  const at = fullTime === null ? "" : ` at t = ${quantity(fullTime, "s")}`;
+  if (joints)
+    parts.push(`Joints${at}: friction used<div class="bar" style="background:${gradientOf("used")}"></div>` +
+      `<div class="ends"><span>0</span><span>½</span><span>all: slips</span></div><ul>${item(openJoint + "55", "open")}</ul>`);
+  if (forces && reference > 0)
+    parts.push(`${selected ? "Forces on the block" : "Contact forces"}${at}<br>` +
+      `<svg width="${arrowPixels + 2}" height="10" style="vertical-align:-1px"><path d="M1 5H${arrowPixels - 7}m0-4 8 4-8 4z" stroke="currentColor" stroke-width="2" fill="currentColor"/></svg>` +
+      ` ${quantity(reference, "N", 2)}<ul>${item("var(--ink)", "holds")}${item(forceColours.slipping, "slips")}` +
+      `${selected ? item(forceColours.water, "water") + item(forceColours.weight, "weight") : ""}</ul>`);
+  if (exaggeration !== 1) parts.push(`Displacement drawn × ${Number(exaggeration.toPrecision(3))}`);
+  return parts.map((part) => `<div>${part}</div>`).join("");
+}
+
+/** SVG content: axes x (uphill), y, z and gravity as seen from the camera. */
+export function axesSvg(axes) {
+  const colours = { x: "#c0392b", y: "#2e8b57", z: "#2f6fd0", g: "currentColor" };
+  return Object.entries(axes)
+    .sort(([, a], [, b]) => a[2] - b[2])
+    .map(([name, [x, y]]) => {
+      const length = name === "g" ? 34 : 28;
+      const [u, v] = [x * length, -y * length];
+      const dash = name === "g" ? ' stroke-dasharray="3 2"' : "";
+      return `<g stroke="${colours[name]}" fill="${colours[name]}"><path d="M0 0L${u.toFixed(1)} ${v.toFixed(1)}" stroke-width="2"${dash}/>` +
+        `<text x="${(u * 1.32).toFixed(1)}" y="${(v * 1.32 + 4).toFixed(1)}" text-anchor="middle" stroke="none">${name}</text></g>`;
+    })
+    .join("");
+}
