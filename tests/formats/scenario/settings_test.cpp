@@ -23,6 +23,7 @@ TEST_CASE("scenario: defaults of everything optional") {
     CHECK_FALSE(model.run.time_step.has_value());
     CHECK(model.run.frame_interval == 0.01);
     CHECK(model.run.watch.empty());
+    CHECK((model.run.start == RunSettings::Start::equilibrium));
     CHECK(model.damping.mass == 0);
     CHECK(model.damping.rotation == 0);
     CHECK(model.damping.contact == 0);
@@ -40,6 +41,7 @@ TEST_CASE("scenario: every setting") {
         "[analysis]\nstart_deg = -10\nstop_deg = 60.5\ntolerance_deg = 0.1\nfactor_tolerance = 0.01\n"
         "time_scaling = false\n"
         "[run]\nduration_s = 3\ntime_step_s = 1e-6\nframe_interval_s = 0.5\nwatch = [\"c1r2s1\", \"floor\"]\n"
+        "start = \"unstressed\"\n"
         "[damping]\nmass = 1\nrotation = 2.5\ncontact = 1e-3\nlocal = 0.8\n"
         "[gravity]\nmagnitude = 10\ntilt_deg = -20\n"
         "[contact]\npoints = \"grid 12\"\n" +
@@ -52,6 +54,7 @@ TEST_CASE("scenario: every setting") {
     CHECK(model.run.duration == 3.0);
     CHECK(model.run.time_step.value() == 1e-6);
     CHECK(model.run.frame_interval == 0.5);
+    CHECK((model.run.start == RunSettings::Start::unstressed));
     CHECK(model.run.watch == std::vector<std::string>{"c1r2s1", "floor"});
     CHECK(model.damping.mass == 1);
     CHECK(model.damping.rotation == 2.5);
