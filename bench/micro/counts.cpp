@@ -96,7 +96,6 @@ struct Members<Counting> {
 
 template <>
 struct Consecutive<Counting> {
-    static constexpr std::size_t kWidth = 1;
     std::size_t block;
     Counting load(const double* values) const { return bench::read(values[block]); }
     void store(double* values, Counting v) const { bench::write(values[block], v); }
