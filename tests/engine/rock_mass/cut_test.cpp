@@ -290,13 +290,16 @@ TEST_CASE("cutting: a finite joint cuts the blocks it meets, and these from side
     RockMass rock = box({5, 1, 1});
     rock.sets = {jointSet(90, 90, 1)};
     SingleJoint disc = joint(0, 0, {2.5, 0.5, 0.5});
-    for (const auto& [radius, blocks] :
-         std::vector<std::pair<double, int>>{{0.3, 6}, {0.5, 6}, {0.6, 8}, {1.6, 10}}) {
-        CAPTURE(radius);
-        disc.radius = radius;  // 0.5 touches the neighbours only
+    struct Row {
+        double radius;
+        int blocks;
+    };
+    for (const Row& row : {Row{0.3, 6}, Row{0.5, 6}, Row{0.6, 8}, Row{1.6, 10}}) {
+        CAPTURE(row.radius);
+        disc.radius = row.radius;  // 0.5 touches the neighbours only
         rock.singles = {disc};
         const CutRockMass cut = good(rock);
-        CHECK(cut.blocks == blocks);
+        CHECK(cut.blocks == row.blocks);
         CHECK(cut.volume == doctest::Approx(5).epsilon(1e-13));
     }
     SingleJoint polygon;
