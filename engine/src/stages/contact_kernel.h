@@ -178,7 +178,7 @@ TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& gr
         const auto corners = static_cast<std::size_t>(group.corners);
         const double* patch_xi = view.patch_xi + group.first_corner;
         const double* patch_eta = view.patch_eta + group.first_corner;
-        if constexpr (Places == PointPlaces::corner) {
+        if (Places == PointPlaces::corner || corners == 1) {
             const V share = members.load(view.patch_area) * (1.0 / static_cast<double>(corners));
             for (std::size_t k = 0; k < corners; ++k)
                 each(members.slot(patch_xi + k * step), members.slot(patch_eta + k * step), share,

@@ -42,6 +42,12 @@ std::vector<Eigen::Vector2d> patchOutline(const Interfaces& f, std::size_t i) {
     return outline;
 }
 
+std::vector<contact::PatchPoint> interfacePoints(const Interfaces& f, std::size_t i, const PointRule& rule) {
+    const std::vector<Eigen::Vector2d> outline = patchOutline(f, i);
+    if (outline.size() == 1) return {{outline[0], f.area[i]}};
+    return contact::patchPoints(outline, rule);
+}
+
 void makePoints(State& state) {
     const Interfaces& f = state.interfaces;
     ContactPoints& points = state.points;
@@ -62,7 +68,7 @@ void makePoints(State& state) {
     for (auto* values : {&points.xi, &points.eta, &points.area}) values->assign(slots, 0.0);
     for (std::size_t i = 0; i < f.size(); ++i) {
         std::size_t k = 0;
-        for (const contact::PatchPoint& point : contact::patchPoints(patchOutline(f, i), rule)) {
+        for (const contact::PatchPoint& point : interfacePoints(f, i, rule)) {
             const std::size_t slot = f.pointSlot(i, k++);
             points.xi[slot] = point.position.x();
             points.eta[slot] = point.position.y();
