@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "contact/points.h"
@@ -36,6 +37,15 @@ Eigen::Vector2d shearForce(const std::vector<PointState>& points) {
     return sum;
 }
 
+// An Lp that slips goes on doing so with what its new area carries: a little more than its strength, which the law cuts.
+constexpr double kStillSlipping = 1.1;
+
+bool isSlipping(const contact::JointLaw& law, const PointState& point) {
+    constexpr double kAtStrength = 1.0 - 1e-9;
+    const double strength = contact::shearStrength(law, point.area, point.force.normal, point.memory.bond);
+    return strength > 0 && std::hypot(point.force.shear_1, point.force.shear_2) >= kAtStrength * strength;
+}
+
 /// Returns the shear force that found no closed Lp [N].
 double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std::size_t n) {
     Interfaces& f = state.interfaces;
@@ -47,7 +57,7 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[n])];
     const auto places = contact::patchPoints(patchOutline(f, n), state.geometry->model.points);
     std::vector<Eigen::Vector2d> shear(places.size());
-    std::vector<bool> closed(places.size());
+    std::vector<bool> closed(places.size()), slips(places.size());
     Eigen::Vector2d missing = shearForce(old.points[o]);
     double closed_area = 0;
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -58,12 +68,14 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
             points.dilation[slot] = q.memory.dilation;
         }
         shear[k] = places[k].area / q.area * Eigen::Vector2d(q.force.shear_1, q.force.shear_2);
+        slips[k] = isSlipping(law, q);
         closed[k] = q.force.normal != 0.0;
         missing -= shear[k];
         if (closed[k]) closed_area += places[k].area;
     }
     for (std::size_t k = 0; k < places.size(); ++k) {
         if (closed[k]) shear[k] += missing * places[k].area / closed_area;
+        if (slips[k]) shear[k] *= kStillSlipping;
         // The slide is zero at the clipping, so the offset alone holds the shear force: F_s = k_s A offset.
         const Eigen::Vector2d offset = shear[k] / (law.shear_stiffness * places[k].area);
         points.offset_1[f.pointSlot(n, k)] = offset.x();
@@ -159,6 +171,22 @@ void takeShear(const std::vector<CarriedPoint>& carried, State& state, std::size
     }
 }
 
+/// What has come about since the last look has slid since: up to `ahead` [s] at the speed it slides at now.
+void startSliding(State& state, std::size_t i, double ahead) {
+    const Interfaces& f = state.interfaces;
+    const RelativePose pose = relativePose(state, i);
+    const auto velocityOf = [&](std::int32_t block) -> Vec3 {
+        const auto b = static_cast<std::size_t>(block);
+        return state.blocks.velocity.get(b) +
+               angularVelocity(state.blocks, b).cross(pose.origin - state.blocks.position.get(b));
+    };
+    const Vec3 slide = ahead * (velocityOf(f.block_b[i]) - velocityOf(f.block_a[i]));
+    for (std::size_t k = 0; k < f.pointCount(i); ++k) {
+        state.points.offset_1[f.pointSlot(i, k)] = -slide.dot(pose.e1);
+        state.points.offset_2[f.pointSlot(i, k)] = -slide.dot(pose.e2);
+    }
+}
+
 }  // namespace
 
 OldInterfaces takeInterfaces(State& state) {
@@ -173,7 +201,7 @@ OldInterfaces takeInterfaces(State& state) {
     return old;
 }
 
-CarriedPoints carryOver(const OldInterfaces& old, State& state) {
+CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
     const Interfaces& f = state.interfaces;
     std::map<Key, std::size_t> faces;  // of face to face interfaces
     std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> slots;  // of pairs of blocks
@@ -210,15 +238,16 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state) {
     for (const auto& [key, o] : faces) carry(o);
     for (const auto& [pair, of_pair] : slots)
         if (next_slot.find(pair) == next_slot.end()) std::for_each(of_pair.begin(), of_pair.end(), carry);
+    std::set<std::pair<std::int32_t, std::int32_t>> with_new_face;
+    for (const std::size_t n : new_faces) with_new_face.insert(pairOfBlocks(f, n));
     for (const auto& [pair, points] : carried) {
-        const bool goes_on = next_slot.find(pair) != next_slot.end() ||
-                             std::any_of(new_faces.begin(), new_faces.end(),
-                                         [&, of = pair](std::size_t n) { return pairOfBlocks(f, n) == of; });
+        const bool goes_on = next_slot.find(pair) != next_slot.end() || with_new_face.count(pair) > 0;
         for (const CarriedPoint& point : points)
             if (!goes_on) state.shear_lost += point.shear.norm();
     }
     for (const std::size_t n : new_faces) {
         const auto pair = pairOfBlocks(f, n);
+        if (carried.count(pair) == 0 && slots.count(pair) == 0) startSliding(state, n, ahead);
         if (const auto found = carried.find(pair); found != carried.end()) takeShear(found->second, state, n);
         if (const auto found = slots.find(pair); found != slots.end())
             for (const std::size_t o : found->second) takeShear(old.carried[o], state, n);

@@ -21,10 +21,11 @@ OldInterfaces takeInterfaces(State& state);
 /// each new Lp takes the shear traction, the bond and the dilation of the nearest old one, and the tractions are shifted
 /// together so that the interface's shear force stays the same. The law then cuts what Coulomb does not allow.
 /// Slots for vertices and edges stay as they are. New pairs of faces start unbonded, with the shear force of contacts of
-/// the same blocks that were there before. No interface is pressed deeper than its blocks' deepest contact was: one that
+/// the same blocks that were there before, else as having slid since the last look. No interface is pressed deeper than its blocks' deepest contact was: one that
 /// is found late counts its gap from there until it opens.
 /// Adds the shear force that was lost because its interface is gone or open to the state's.
+/// \param ahead time between two looks [s]
 /// \return what Lps carried that are gone, for the slots
-CarriedPoints carryOver(const OldInterfaces& old, State& state);
+CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead);
 
 }  // namespace talus::stages

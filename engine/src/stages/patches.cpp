@@ -24,7 +24,8 @@ namespace {
 
 constexpr double kSearchMargin = 0.05;  // of the median block size: pairs nearer than this are interfaces
 constexpr double kTravelLimit = 0.01;   // of a block's own size: then neighbours are searched again
-constexpr double kSlideLimit = 0.01;    // of the root of the patch area: then the patch is clipped again
+constexpr double kSlideLimit = 0.01;    // of the root of the patch area or the smaller block's size, the larger of the
+                                        // two: then the patch is clipped again
 constexpr double kTurnLimit = 0.01;     // [rad], likewise
 constexpr double kMostFaceAngle = 0.8;  // [rad] however deep: then a box always has one such face
 
@@ -397,7 +398,7 @@ std::vector<Error> findInterfacesWithin(State& state, double margin, double ahea
     if (initial)
         closeInitialInterfaces(state);
     else
-        carried = carryOver(old, state);
+        carried = carryOver(old, state, ahead);
     buildIncidence(state);
     renewSharpContacts(state, ahead, parallel, carried);
     state.search_position = state.blocks.position;
@@ -426,7 +427,9 @@ bool movedTooFar(const State& state, double margin) {
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
         if (isSharp(f, i)) continue;
-        const double limit = kSlideLimit * std::sqrt(f.area[i]);
+        const double size = std::min(state.geometry->size[static_cast<std::size_t>(f.block_a[i])],
+                                     state.geometry->size[static_cast<std::size_t>(f.block_b[i])]);
+        const double limit = kSlideLimit * std::max(std::sqrt(f.area[i]), size);
         if (2.0 * farthest < limit) continue;
         const RelativePose pose = relativePose(state, i);
         if (std::hypot(pose.slide_1.x(), pose.slide_2.x()) > limit) return true;
