@@ -11,6 +11,7 @@
 #include "state/build.h"
 #include "state/point_layout.h"
 #include "state/range.h"
+#include "talus/frame.h"
 
 namespace talus::stages {
 namespace {
@@ -262,7 +263,17 @@ Look lookAtPair(const State& state, std::size_t begin, double ahead) {
 bool isSharp(const Interfaces& f, std::size_t i) { return f.groupOf(i).corners == 1; }
 
 bool isIdle(const Interfaces& f, std::size_t i) {
-    return isSharp(f, i) && f.reference_gap.x[i] <= 0.5 * kIdle;
+    return isSharp(f, i) && f.reference_gap.x[i] < FrameInterfaces::kIdleGap;
+}
+
+ContactCount countContacts(const Interfaces& f) {
+    ContactCount count;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        if (isIdle(f, i)) continue;
+        ++count.interfaces;
+        count.points += f.pointCount(i);
+    }
+    return count;
 }
 
 SharpLimits sharpLimits(const Geometry& geometry, std::size_t block_1, std::size_t block_2, double reach) {

@@ -34,6 +34,12 @@ std::vector<CarriedPoint> carriedPoints(const State& state, std::size_t interfac
 bool isSharp(const Interfaces& interfaces, std::size_t interface);
 bool isIdle(const Interfaces& interfaces, std::size_t interface);
 
+/// Interfaces and their Lps without idle slots.
+struct ContactCount {
+    std::size_t interfaces = 0, points = 0;
+};
+ContactCount countContacts(const Interfaces& interfaces);
+
 /// What counts as a meeting of two blocks by vertices or edges that may go this far before the next look [m].
 SharpLimits sharpLimits(const Geometry& geometry, std::size_t block_1, std::size_t block_2, double reach);
 
