@@ -145,11 +145,12 @@ Faces meetingFaces(const Pair& pair, const Axis& axis) {
 }
 
 bool meetsFaceToFace(const Pair& pair, const Axis& axis, const SharpLimits& limits) {
-    const double face_angle = limits.face_angle + limits.angle_per_depth * std::max(0.0, -axis.distance);
     const Faces faces = meetingFaces(pair, axis);
-    const Vec3 sum = pair.first.normals[static_cast<std::size_t>(faces.first)] +
-                     pair.second.normals[static_cast<std::size_t>(faces.second)];
-    return sum.norm() <= 2.0 * std::sin(0.5 * face_angle);
+    const Vec3 &first = pair.first.normals[static_cast<std::size_t>(faces.first)],
+               &second = pair.second.normals[static_cast<std::size_t>(faces.second)];
+    if (first.dot(second) > 0) return false;
+    const double angle = limits.face_angle + limits.angle_per_depth * std::max(0.0, -axis.distance);
+    return (first + second).norm() <= 2.0 * std::sin(0.5 * angle);
 }
 
 /// Calls each(axis) for all axes until it returns false.

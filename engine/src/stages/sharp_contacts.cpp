@@ -347,44 +347,52 @@ void appendSharpSlots(State& state, std::int32_t block_1, std::int32_t block_2) 
     }
 }
 
+namespace {
+
+/// Calls each(begin) for the first slot of every pair, in any order when `parallel`.
+template <class Each>
+void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
+    static_assert(simd::kLanes % kSlots == 0, "a group holds whole pairs");
+    forRange(f.groups.size(), 16, parallel, [&](Range range) {
+        for (std::size_t g = range.begin; g < range.end; ++g) {
+            const InterfaceGroup& group = f.groups[g];
+            if (group.corners != 1) continue;
+            for (std::int32_t i = 0; i < group.size; i += static_cast<std::int32_t>(kSlots))
+                each(static_cast<std::size_t>(group.begin + i));
+        }
+    });
+}
+
+}  // namespace
+
 bool updateSharpContacts(State& state, double ahead, bool parallel) {
     std::atomic<bool> changes = false;
-    const auto& groups = state.interfaces.groups;
-    forRange(groups.size(), 16, parallel, [&](Range range) {
-        for (std::size_t g = range.begin; g < range.end; ++g) {
-            if (groups[g].corners != 1) continue;
-            Interfaces& f = state.interfaces;
-            const auto begin = static_cast<std::size_t>(groups[g].begin);
-            double& left = travelLeft(f, begin);
-            const double speed = speedBound(state, static_cast<std::size_t>(f.block_a[begin])) +
-                                 speedBound(state, static_cast<std::size_t>(f.block_b[begin]));
-            left -= kFaster * speed * ahead;
-            if (left > 0) continue;
-            const Look look = lookAtPair(state, begin, ahead);
-            if (look.changes) {
-                changes = true;
-                continue;
-            }
-            writeSlots(state, begin, look.found, {}, look.size);
-            left = look.travel;
+    forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
+        Interfaces& f = state.interfaces;
+        double& left = travelLeft(f, begin);
+        const double speed = speedBound(state, static_cast<std::size_t>(f.block_a[begin])) +
+                             speedBound(state, static_cast<std::size_t>(f.block_b[begin]));
+        left -= kFaster * speed * ahead;
+        if (left > 0) return;
+        const Look look = lookAtPair(state, begin, ahead);
+        if (look.changes) {
+            changes = true;
+            return;
         }
+        writeSlots(state, begin, look.found, {}, look.size);
+        left = look.travel;
     });
     return changes;
 }
 
 void renewSharpContacts(State& state, double ahead, bool parallel, const CarriedPoints& carried) {
-    const auto& groups = state.interfaces.groups;
-    forRange(groups.size(), 16, parallel, [&](Range range) {
-        for (std::size_t g = range.begin; g < range.end; ++g) {
-            if (groups[g].corners != 1) continue;
-            const auto begin = static_cast<std::size_t>(groups[g].begin);
-            const Look look = lookAtPair(state, begin, ahead);
-            const auto of_pair =
-                carried.find(std::minmax(state.interfaces.block_a[begin], state.interfaces.block_b[begin]));
-            writeSlots(state, begin, look.found,
-                       of_pair == carried.end() ? std::vector<CarriedPoint>{} : of_pair->second, look.size);
-            travelLeft(state.interfaces, begin) = look.travel;
-        }
+    forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
+        const Look look = lookAtPair(state, begin, ahead);
+        const auto of_pair =
+            carried.find(std::minmax(state.interfaces.block_a[begin], state.interfaces.block_b[begin]));
+        writeSlots(state, begin, look.found,
+                   of_pair == carried.end() ? std::vector<CarriedPoint>{} : of_pair->second, look.size);
+        travelLeft(state.interfaces, begin) = look.travel;
     });
 }
 
