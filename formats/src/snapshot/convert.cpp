@@ -4,6 +4,7 @@
 #include <memory>
 #include <type_traits>
 
+#include "snapshot/alignment.h"
 #include "snapshot/fields.h"
 
 namespace talus::formats {
@@ -82,11 +83,21 @@ mcap::Bytes pack(const Message& message) {
     return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
+template <class Table>
+constexpr const char* kTypeName = nullptr;
+template <>
+constexpr const char* kTypeName<fb::Header> = "talus.snapshot.Header";
+template <>
+constexpr const char* kTypeName<fb::Frame> = "talus.snapshot.Frame";
+template <>
+constexpr const char* kTypeName<fb::Full> = "talus.snapshot.Full";
+
 /// The message as plain data; false when its bytes are not one.
 template <class Table, class Message>
 bool unpack(const mcap::Bytes& bytes, Message& message) {
     flatbuffers::Verifier verifier(bytes.data(), bytes.size());
-    if (!verifier.VerifyBuffer<Table>(fb::FrameIdentifier())) return false;
+    if (!verifier.VerifyBuffer<Table>(fb::FrameIdentifier()) || !vectorsAreAligned(bytes, kTypeName<Table>))
+        return false;
     flatbuffers::GetRoot<Table>(bytes.data())->UnPackTo(&message);
     return true;
 }
