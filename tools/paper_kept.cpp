@@ -99,7 +99,7 @@ std::string seenText(const KeptRun& kept) {
     const auto& stack = kept.scenario.model.stack;
     std::string seen;
     for (const auto& [names, does] :
-         {std::pair{&kept.slides, " slide"}, {&kept.topples, " topple"}, {&kept.stays, " stay"}})
+         {std::pair{&kept.slides, " slid"}, {&kept.topples, " toppled"}, {&kept.stays, " stayed"}})
         if (!names->empty()) seen += (seen.empty() ? "" : "; ") + columnsText(*names, stack) + does;
     return capitalised(seen) + ".";
 }

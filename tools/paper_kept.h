@@ -20,7 +20,7 @@ void keepFailures(PaperResults& results, const std::string& folder, const std::s
 /// The slope from its side where the kept run ends, to scale: blocks coloured by role, water in its fissures.
 Svg drawEnd(const KeptRun& kept, const std::vector<int>& fissures, const std::string& title);
 
-/// What is seen: "Columns 1-5 (75 blocks) slide; columns 6-7 (30 blocks) stay."
+/// What is seen: "Columns 1-5 (75 blocks) slid; columns 6-7 (30 blocks) stayed."
 std::string seenText(const KeptRun& kept);
 
 /// The page's section: pictures with links to the replays, or how to get them.

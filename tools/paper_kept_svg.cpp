@@ -88,10 +88,10 @@ class EndView {
 
     /// Between the rows of the two columns beside a fissure, up to the level water table.
     void drawWater(Svg& svg, int fissure, double table) const {
-        if (!std::isfinite(table)) return;
         const std::string ends[2] = {"c" + std::to_string(fissure) + "r1s1",
                                      "c" + std::to_string(fissure + 1) + "r1s1"};
         const double from = wall(ends[0], true), to = wall(ends[1], false);
+        if (!std::isfinite(from) || !std::isfinite(to) || !std::isfinite(table)) return;
         const auto level = [&](double x) { return (table - x * side_.sin_tilt) / side_.cos_tilt; };
         if (from < to)
             svg.polygon(pixels({side_.at(from, 0), side_.at(to, 0), side_.at(to, level(to)),

@@ -127,7 +127,7 @@ std::string columnsText(const std::vector<std::string>& blocks, const std::optio
     if (columns.empty()) return "none";
     const bool all_rows = stack && rows.size() == static_cast<std::size_t>(stack->rows);
     return plural("column", columns) + (all_rows ? "" : ", " + plural("row", rows)) + " (" +
-           std::to_string(blocks.size()) + " blocks)";
+           std::to_string(blocks.size()) + (blocks.size() == 1 ? " block)" : " blocks)");
 }
 
 std::string answerText(const PaperRun& run) {
