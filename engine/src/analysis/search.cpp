@@ -109,22 +109,15 @@ class Search {
         return verdict;
     }
 
-    /// A slender column that is loaded in a tilted position rocks for long before it rests, and looks like failing.
-    Verdict probeAtStart(const std::string& stage, const analysis::Ramp& ramp) {
-        const Verdict verdict = probe(stage, axis_.start, ramp);
-        const bool rests = verdict == Verdict::failing && settles(last_moving_, axis_.start);
-        return rests ? Verdict::stable : verdict;
-    }
-
     /// Gravity at the start, then water. True when the assembly stands.
     bool loadGravityAndWater() {
         axis_.apply(last_stable_, axis_.start);
         last_stable_.load.gravity_share = last_stable_.load.water_share = 0;
-        Verdict verdict =
-            probeAtStart("gravity", [](State& state, double share) { state.load.gravity_share = share; });
+        Verdict verdict = probe("gravity", axis_.start,
+                                [](State& state, double share) { state.load.gravity_share = share; });
         if (verdict == Verdict::stable && !last_stable_.geometry->model.waters.empty())
-            verdict =
-                probeAtStart("water", [](State& state, double share) { state.load.water_share = share; });
+            verdict = probe("water", axis_.start,
+                            [](State& state, double share) { state.load.water_share = share; });
         if (verdict == Verdict::failing) {
             result_.status = SearchStatus::unstable_at_start;
             result_.high = axis_.start;
@@ -140,27 +133,27 @@ class Search {
         findFailure();
         narrow();
         if (result_.status != SearchStatus::found) return false;
-        if (!settles(last_moving_, axis_.load(*bracket_.high()))) {
+        if (!settles(last_moving_)) {
             continueToFailure();
             if (result_.confirmed || interrupted()) return false;
             State moved = last_moving_;
             axis_.apply(moved, axis_.load(*bracket_.high()));
             analysis::takeBack(moved, work_);
-            if (!settles(moved, axis_.load(*bracket_.high()))) return false;
+            if (!settles(moved)) return false;
         }
         bracket_.reopen();
         return true;
     }
 
-    /// Whether a state that was moving at a failing load comes to rest when it is watched for longer; it is the last
+    /// Whether a state that was moving at the failing load comes to rest when it is watched for longer; it is the last
     /// stable one then. A mode many times slower than the slowest known one looks like failure for a while: close below
     /// the load at which a column topples its stiffness goes to zero.
-    bool settles(const State& moving, double load) {
+    bool settles(const State& moving) {
         analysis::QuasiStaticWork patient = work_;
         patient.settings.watch_periods = kSettlingPeriods;
         patient.settings.drag_ratio *= kSettlingDrag;
         const auto hold = [](State&, double) {};
-        return probe("settling", load, moving, patient, hold) == Verdict::stable;
+        return probe("settling", axis_.load(*bracket_.high()), moving, patient, hold) == Verdict::stable;
     }
 
     /// Up from the start until a probe fails or the end is reached.
