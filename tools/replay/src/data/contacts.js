@@ -41,13 +41,19 @@ function edgeShare(full, i, xi, eta) {
   return reach > 0 ? Math.min(1, away / reach) : 0;
 }
 
+/** A place kept for a vertex or an edge, of one corner, that touches nothing now. */
+function isIdle(full, i) {
+  return full.interfaces.patchBegin[i + 1] - full.interfaces.patchBegin[i] === 1 && full.sums[i].normal === 0;
+}
+
 /** Adds what the page derives to a full state: sums per interface, interfaces and water force per block. */
 export function prepareFull(header, full) {
   const count = full.interfaces.count;
   full.sums = Array.from({ length: count }, (_, i) => sumsOf(full, i));
   full.ofBlock = new Map();
   const note = (block, i) => (full.ofBlock.get(block) ?? full.ofBlock.set(block, []).get(block)).push(i);
-  for (let i = 0; i < count; ++i) note(full.interfaces.blockA[i], i), note(full.interfaces.blockB[i], i);
+  for (let i = 0; i < count; ++i)
+    if (!isIdle(full, i)) note(full.interfaces.blockA[i], i), note(full.interfaces.blockB[i], i);
   full.walls = new Map();
   for (let k = 0; k < full.wet.count; ++k) {
     const b = full.wet.block[k];
