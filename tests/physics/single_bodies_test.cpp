@@ -162,6 +162,19 @@ TEST_SUITE("physics") {
         CHECK(factor() == doctest::Approx(theory::factorOfSafetySliding(mass, radians(20))).epsilon(1e-3));
     }
 
+    TEST_CASE("a start close below the critical angle is no start beyond it") {
+        // Two blocks on one another, b/h = 0.25/1: weight laid on at 12 degrees sets off a rocking of many periods.
+        for (const double start : {0.0, 6.0, 12.0, 13.9}) {
+            Model model = floorModel(40, 1e11);
+            addBox(model, "lower", {0, 0, 0}, {0.25, 1.0, 0.5});
+            addBox(model, "upper", {0, 0, 0.5}, {0.25, 1.0, 0.5});
+            model.analysis.start = radians(start);
+            const SearchResult result = critical(model);
+            MESSAGE("started at " << start << ": " << degrees(result.answer) << ", expected 14.036");
+            CHECK(std::abs(degrees(result.answer) - 14.036) < 0.025);
+        }
+    }
+
     TEST_CASE("answers that are no angle: failing at the start, standing at the end") {
         Model model = bodyOnPlane(20, {1, 1, 0.5});
         model.analysis.start = radians(25);
