@@ -93,11 +93,11 @@ void slippingBenchmark(benchmark::State& run, const SlopeKind& kind) {
     constexpr double kShift = 1e-6;  // [m] ten times what the weight presses a joint together
     constexpr std::size_t kRows = 5, kSlices = 3;
     State& state = slopeFor(kind).state;
-    std::vector<double> other = state.blocks.position.y;
+    PositionArray other = state.blocks.position;
     for (std::size_t b = 1; b < other.size(); ++b)
-        if ((b - 1) / kSlices % kRows % 2 == 0) other[b] += kShift;
+        if ((b - 1) / kSlices % kRows % 2 == 0) other[b].y += kShift;
     for (auto _ : run) {
-        state.blocks.position.y.swap(other);
+        state.blocks.position.swap(other);
         stages::updateContacts(state, {0, state.interfaces.groups.size()});
     }
     tell(run, contactFacts(slopeFor(kind), true));

@@ -17,9 +17,9 @@ Key keyOf(const Interfaces& f, std::size_t i) {
 }
 
 /// Where the new origin lies in the old interface's plane: both origins and tangents belong to the same face of a.
-Eigen::Vector2d originShift(const Interfaces& old, std::size_t o, const Interfaces& now, std::size_t n) {
-    const Vec3 d = now.origin_a.get(n) - old.origin_a.get(o);
-    return {d.dot(old.e1_a.get(o)), d.dot(old.e2_a.get(o))};
+Eigen::Vector2d originShift(const InterfaceFrame& old, const InterfaceFrame& now) {
+    const Vec3 d = now.origin_a - old.origin_a;
+    return {d.dot(old.e1_a), d.dot(old.e2_a)};
 }
 
 const PointState& nearestPoint(const std::vector<PointState>& points, const Eigen::Vector2d& place) {
@@ -39,9 +39,10 @@ Eigen::Vector2d shearForce(const std::vector<PointState>& points) {
 double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std::size_t n) {
     Interfaces& f = state.interfaces;
     ContactPoints& points = state.points;
-    const Eigen::Vector2d shift = originShift(old.interfaces, o, f, n);
-    const Vec3 gap = old.interfaces.reference_gap.get(o);
-    f.reference_gap.set(n, {gap.x() + shift.x() * gap.y() + shift.y() * gap.z(), gap.y(), gap.z()});
+    const InterfaceFrame then = old.interfaces.frame(o);
+    const Eigen::Vector2d shift = originShift(then, f.frame(n));
+    const Vec3& gap = then.reference_gap;
+    f.setReferenceGap(n, {gap.x() + shift.x() * gap.y() + shift.y() * gap.z(), gap.y(), gap.z()});
 
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[n])];
     const auto places = contact::patchPoints(patchOutline(f, n), state.geometry->model.points);
@@ -52,10 +53,7 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
     for (std::size_t k = 0; k < places.size(); ++k) {
         const PointState& q = nearestPoint(old.points[o], places[k].position + shift);
         const std::size_t slot = f.pointSlot(n, k);
-        if (!points.bond.empty()) {
-            points.bond[slot] = q.memory.bond;
-            points.dilation[slot] = q.memory.dilation;
-        }
+        points.setMemory(slot, q.memory);
         shear[k] = places[k].area / q.area * Eigen::Vector2d(q.force.shear_1, q.force.shear_2);
         closed[k] = q.force.normal != 0.0;
         missing -= shear[k];
@@ -65,8 +63,10 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
         if (closed[k]) shear[k] += missing * places[k].area / closed_area;
         // The slide is zero at the clipping, so the offset alone holds the shear force: F_s = k_s A offset.
         const Eigen::Vector2d offset = shear[k] / (law.shear_stiffness * places[k].area);
-        points.offset_1[f.pointSlot(n, k)] = offset.x();
-        points.offset_2[f.pointSlot(n, k)] = offset.y();
+        contact::PointMemory memory = points.memoryAt(f.pointSlot(n, k));
+        memory.offset_1 = offset.x();
+        memory.offset_2 = offset.y();
+        points.setMemory(f.pointSlot(n, k), memory);
     }
     return closed_area > 0 ? 0.0 : missing.norm();
 }

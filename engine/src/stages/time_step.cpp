@@ -55,7 +55,7 @@ double frequencyBound(const State& state, std::size_t block) {
     Mat6 stiffness = Mat6::Zero();
     for (auto k = begin; k < end; ++k) {
         const auto i = static_cast<std::size_t>(incidence.interface[static_cast<std::size_t>(k)]);
-        const bool is_b = incidence.side[static_cast<std::size_t>(k)] != 0;
+        const bool is_b = incidence.isB(k);
         const auto other =
             static_cast<std::size_t>(is_b ? state.interfaces.block_a[i] : state.interfaces.block_b[i]);
         const double share = blocks.motion[other] == Motion::free ? 2.0 : 1.0;

@@ -76,10 +76,7 @@ void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<
 
     const bool free = block.motion == Motion::free;
     blocks.position.add(mass.centroid);
-    blocks.orientation.w.push_back(turn.w());
-    blocks.orientation.x.push_back(turn.x());
-    blocks.orientation.y.push_back(turn.y());
-    blocks.orientation.z.push_back(turn.z());
+    blocks.orientation.push_back({turn.w(), turn.x(), turn.y(), turn.z()});
     blocks.velocity.add(block.motion == Motion::fixed ? Vec3(Vec3::Zero()) : block.velocity);
     blocks.mass.push_back(block.density * mass.volume);
     const Vec3 inertia = block.density * moments;
