@@ -150,14 +150,14 @@ struct OneInterface {
         constexpr std::array<double, 4> kXi{-1, 1, 1, -1}, kEta{-1, -1, 1, 1};
         const double *z = zero.data(), *o = one.data();
         const ConstVectors none{z, z, z};
-        frames.resize(kRow);
+        frames.grow(kRow);
         setFrameAt(frames, 0,
                    {.e1_a = Vec3::UnitX(),
                     .e2_a = Vec3::UnitY(),
                     .origin_b = {slips ? kSlide : 0.0, 0, kDepth},
                     .e1_b = Vec3::UnitX(),
                     .e2_b = Vec3::UnitY()});
-        corners.resize(kXi.size() * kRow);
+        corners.grow(kXi.size() * kRow);
         for (std::size_t k = 0; k < kXi.size(); ++k) {
             corners.set(k * kRow, 0, kXi[k]);
             corners.set(k * kRow, 1, kEta[k]);

@@ -79,6 +79,8 @@ struct PlacedShapes {
 PlacedShapes placeShapes(const State& state, bool parallel) {
     const std::size_t n = state.blocks.size();
     PlacedShapes placed{state.geometry->shape, {0}, {0}, {}, {}};
+    placed.first_vertex.reserve(n + 1);
+    placed.first_normal.reserve(n + 1);
     for (const Polyhedron& shape : placed.own) {
         placed.first_vertex.push_back(placed.first_vertex.back() + shape.vertices.size());
         placed.first_normal.push_back(placed.first_normal.back() + shape.faces.size());
@@ -86,8 +88,9 @@ PlacedShapes placeShapes(const State& state, bool parallel) {
     placed.vertices.resize(placed.first_vertex.back());
     placed.normals.resize(placed.first_normal.back());
     forRange(n, 256, parallel, [&](Range range) {
+        Polyhedron shape;
         for (std::size_t b = range.begin; b < range.end; ++b) {
-            const Polyhedron shape = placedShape(state, b);
+            placeShape(state, b, shape);
             std::copy(shape.vertices.begin(), shape.vertices.end(), &placed.vertices[placed.first_vertex[b]]);
             for (std::size_t f = 0; f < shape.faces.size(); ++f)
                 placed.normals[placed.first_normal[b] + f] = shape.faceNormal(f);

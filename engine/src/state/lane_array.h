@@ -2,11 +2,10 @@
 // Records of interfaces, corners and Lps as the kernels read them: kLanes of them side by side, quantity by quantity, so
 // that a register takes one quantity of several with one load and everything one group needs lies in one piece.
 
-#include <array>
 #include <cstddef>
-#include <vector>
 
 #include "simd/scalar.h"
+#include "state/aligned_doubles.h"
 
 namespace talus {
 
@@ -19,9 +18,8 @@ class LaneArray {
     bool empty() const { return values_.empty(); }
     std::size_t slots() const { return values_.size() / quantities_; }
     std::size_t quantities() const { return quantities_; }
-    /// Room for at least `slots`, the new ones zero. \pre slots is a multiple of kLanes
-    void resize(std::size_t slots) { values_.resize(slots * quantities_, 0.0); }
-    void reserve(std::size_t slots) { values_.reserve(slots * quantities_); }
+    /// Makes more slots; the new ones are zero. \pre slots is a multiple of kLanes, and not less than slots()
+    void grow(std::size_t slots) { values_.grow(slots * quantities_); }
 
     double get(std::size_t slot, std::size_t quantity) const { return values_[place(slot, quantity)]; }
     void set(std::size_t slot, std::size_t quantity, double value) { values_[place(slot, quantity)] = value; }
@@ -39,7 +37,7 @@ class LaneArray {
     }
 
     std::size_t quantities_;
-    std::vector<double> values_;
+    AlignedDoubles values_;
 };
 
 }  // namespace talus

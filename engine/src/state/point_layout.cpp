@@ -18,7 +18,7 @@ void addToGroups(Interfaces& f, std::size_t corners, std::size_t points) {
         }
         f.groups.push_back(next);
         const std::size_t slots = f.groups.size() * static_cast<std::size_t>(simd::kLanes);
-        f.frames.resize(slots);
+        f.frames.grow(slots);
         f.wrenches.resize(slots);
     }
     f.slot.push_back((static_cast<std::int32_t>(f.groups.size()) - 1) * simd::kLanes + f.groups.back().size++);
@@ -27,7 +27,7 @@ void addToGroups(Interfaces& f, std::size_t corners, std::size_t points) {
 void placeCorners(Interfaces& f, std::size_t i, const std::vector<Eigen::Vector2d>& outline) {
     const std::size_t slots = static_cast<std::size_t>(f.groupOf(i).first_corner) +
                               outline.size() * static_cast<std::size_t>(simd::kLanes);
-    if (f.corners.slots() < slots) f.corners.resize(slots);
+    if (f.corners.slots() < slots) f.corners.grow(slots);
     for (std::size_t k = 0; k < outline.size(); ++k) {
         f.corners.set(f.cornerSlot(i, k), 0, outline[k].x());
         f.corners.set(f.cornerSlot(i, k), 1, outline[k].y());
@@ -71,12 +71,12 @@ void makePoints(State& state) {
     }
     const bool remembers = std::any_of(state.laws.begin(), state.laws.end(), contact::hasMemory);
     points.memory = LaneArray(remembers ? kMemoryQuantities : kSlideQuantities);
-    points.memory.resize(slots);
+    points.memory.grow(slots);
     if (remembers)
         for (std::size_t slot = 0; slot < slots; ++slot) points.setBond(slot, 1.0);
     const PointRule& rule = state.geometry->model.points;
     if (rule.kind == PointRule::Kind::vertex || rule.kind == PointRule::Kind::corner) return;
-    points.places.resize(slots);
+    points.places.grow(slots);
     for (std::size_t i = 0; i < f.size(); ++i) {
         std::size_t k = 0;
         for (const contact::PatchPoint& point : contact::patchPoints(patchOutline(f, i), rule)) {
