@@ -68,7 +68,7 @@ View viewBlock(formats::SnapshotReader& reader, std::size_t frame, const std::st
     for (std::size_t i = 0; i < f.size(); ++i) {
         const bool is_a = f.block_a[i] == static_cast<std::int32_t>(b),
                    is_b = f.block_b[i] == static_cast<std::int32_t>(b);
-        if (!is_a && !is_b) continue;
+        if ((!is_a && !is_b) || f.isIdle(i)) continue;
         const Sums sums = sumsOf(full, i);
         const Vec3 force = (is_b ? 1.0 : -1.0) * get(f.force, i);
         const auto other = static_cast<std::size_t>(is_a ? f.block_b[i] : f.block_a[i]);
@@ -96,7 +96,7 @@ View viewInterface(formats::SnapshotReader& reader, std::size_t frame, const std
                           "normal_n",  "shear_n", "water_n", "state", "bond", "mobilised_friction"};
     Json interfaces = Json::array();
     for (std::size_t i = 0; i < f.size(); ++i) {
-        if (std::minmax(f.block_a[i], f.block_b[i]) != std::minmax(a, b)) continue;
+        if (std::minmax(f.block_a[i], f.block_b[i]) != std::minmax(a, b) || f.isIdle(i)) continue;
         const PlacedInterface at = placed(full, i);
         const Sums sums = sumsOf(full, i);
         interfaces.push_back({{"reference_block", header.names[static_cast<std::size_t>(f.block_a[i])]},

@@ -91,8 +91,11 @@ View viewSummary(formats::SnapshotReader& reader, const std::string& path) {
     facts["waters"] = header.waters.size();
     if (reader.fulls() > 0) {
         if (const auto full = reader.full(reader.fulls() - 1); full) {
-            facts["interfaces"] = full->interfaces.size();
-            facts["contact_points"] = full->points.size();
+            const FrameInterfaces& f = full->interfaces;
+            std::size_t idle = 0;
+            for (std::size_t i = 0; i < f.size(); ++i) idle += f.isIdle(i) ? 1 : 0;
+            facts["interfaces"] = f.size() - idle;
+            facts["contact_points"] = full->points.size() - idle;  // an idle one has one Lp
         }
     }
     facts["frames"] = frames.size();

@@ -50,6 +50,17 @@ TEST_SUITE("determinism") {
         checkRestarts(scenarioModel(runScenarioText()), 8);
     }
 
+    TEST_CASE("restart: cubes that tumble onto each other by their edges and corners") {
+        Model model = floorModel(30, 1e8);
+        for (int k = 0; k < 6; ++k)
+            addTurnedCube(model, "cube" + std::to_string(k), turnAbout({1, 2.0 * k, 3}, 20 + 35 * k),
+                          0.11 * (k % 2), 0.07 * (k % 3), 0.01 + 0.3 * k);
+        model.damping.contact = 1e-4;
+        model.run.duration = 0.5;
+        model.run.frame_interval = 0.01;
+        checkRestarts(model, 12);
+    }
+
     TEST_CASE("restart: blocks that fly, hit and turn") {
         Model model = floorModel(30, 1e7);
         addBox(model, "falling", {0, 0, 0.02}, {0.3, 0.3, 0.3});

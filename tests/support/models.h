@@ -1,6 +1,8 @@
 #pragma once
 // Small models for tests, built without a scenario file.
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -43,6 +45,22 @@ inline Model floorModel(double friction_deg, double stiffness = 1e10) {
 inline void addBox(Model& model, const std::string& name, const Vec3& corner, const Vec3& size,
                    double density = 2700) {
     model.blocks.push_back(box(name, corner, corner + size, density));
+}
+
+inline Eigen::Quaterniond turnAbout(const Vec3& axis, double angle_deg) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(radians(angle_deg), axis.normalized()));
+}
+
+/// A cube turned about its centre, its lowest point `height` above z = 0 and its centre at (x, y).
+inline void addTurnedCube(Model& model, const std::string& name, const Eigen::Quaterniond& turn, double x,
+                          double y, double height, double side = 0.2) {
+    addBox(model, name, Vec3::Constant(-side / 2), Vec3::Constant(side));
+    double lowest = kInfinity;
+    for (Vec3& v : model.blocks.back().shape.vertices) {
+        v = turn * v;
+        lowest = std::min(lowest, v.z());
+    }
+    for (Vec3& v : model.blocks.back().shape.vertices) v += Vec3(x, y, height - lowest);
 }
 
 /// A regular stack on the floor, blocks of `size`, toe at the origin.

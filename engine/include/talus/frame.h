@@ -85,6 +85,12 @@ struct FrameInterfaces {
     VectorList<double> moment_a, moment_b;    ///< about the centroids of a and b [N m]
 
     std::size_t size() const { return block_a.size(); }
+
+    /// A place kept for a vertex or an edge that touches nothing now: nothing to show.
+    bool isIdle(std::size_t i) const {
+        return patch_begin[i + 1] - patch_begin[i] == 1 && reference_gap.x[i] < kIdleGap;
+    }
+    static constexpr double kIdleGap = -1e29;  ///< [m]
 };
 
 enum class PointState : std::uint8_t { open, sticking, slipping };

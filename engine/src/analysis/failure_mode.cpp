@@ -6,6 +6,7 @@
 #include "stages/contacts.h"
 #include "stages/measure.h"
 #include "stages/patches.h"
+#include "stages/sharp_contacts.h"
 #include "stages/step.h"
 #include "stages/time_step.h"
 #include "state/build.h"
@@ -69,6 +70,7 @@ void addContactEvidence(const State& state, std::size_t block, BlockMotion& moti
     for (auto k = state.incidence.interface_begin[block]; k < state.incidence.interface_begin[block + 1];
          ++k) {
         const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
+        if (stages::isIdle(state.interfaces, i)) continue;
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
         for (const stages::PointState& point : stages::pointStates(state, i)) {
             area += point.area;

@@ -9,6 +9,7 @@
 #include "stages/contacts.h"
 #include "stages/measure.h"
 #include "stages/patches.h"
+#include "stages/sharp_contacts.h"
 #include "stages/step.h"
 #include "stages/time_step.h"
 #include "stages/water.h"
@@ -197,8 +198,9 @@ class TimeHistory {
         result.simulated_seconds = state_.time;
         result.time_step = progress_.time_step;
         result.blocks = state_.blocks.size();
-        result.interfaces = state_.interfaces.size();
-        result.contact_points = state_.points.size();
+        const stages::ContactCount count = stages::countContacts(state_.interfaces);
+        result.interfaces = count.interfaces;
+        result.contact_points = count.points;
         result.kinetic_energy = stages::kineticEnergy(state_);
         result.state_hash = stages::stateHash(state_);
         for (std::size_t b : watched_) result.watch.push_back(reportOn(state_, b));

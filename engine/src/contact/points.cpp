@@ -102,6 +102,7 @@ std::vector<PatchPoint> patchPoints(std::span<const Vec2> patch, const PointRule
 }
 
 std::size_t pointCount(std::span<const Vec2> patch, const PointRule& rule) {
+    if (patch.size() == 1) return 1;
     switch (rule.kind) {
         case PointRule::Kind::quarter:
         case PointRule::Kind::corner:

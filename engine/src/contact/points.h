@@ -22,7 +22,7 @@ struct PatchPoint {
 ///  - grid N: centroids of N x N equal cells on a rectangle; on the other patches of a model in motion, `vertex`.
 std::vector<PatchPoint> patchPoints(std::span<const Eigen::Vector2d> patch, const PointRule& rule);
 
-/// How many Lps patchPoints gives.
+/// How many Lps patchPoints gives. A vertex or edge contact, of one corner, has one.
 std::size_t pointCount(std::span<const Eigen::Vector2d> patch, const PointRule& rule);
 
 /// Four right angles, to a relative 1e-9.

@@ -2,13 +2,16 @@
 // What contact points carry and remember, handed on when their patch is clipped again.
 
 #include "stages/contacts.h"
+#include "stages/sharp_contacts.h"
 #include "state/arrays.h"
 
 namespace talus::stages {
 
 struct OldInterfaces {
     Interfaces interfaces;
-    std::vector<std::vector<PointState>> points;  ///< per interface
+    std::vector<std::vector<PointState>> points;     ///< per interface
+    std::vector<std::vector<CarriedPoint>> carried;  ///< per interface
+    std::vector<double> depth;  ///< per block: its deepest closed Lp; 0 for fixed ones [m]
 };
 
 /// Takes the interfaces out of a state, with what their Lps carry.
@@ -17,8 +20,12 @@ OldInterfaces takeInterfaces(State& state);
 /// For each new interface between the same two faces as an old one: the reference gap goes with the reference face;
 /// each new Lp takes the shear traction, the bond and the dilation of the nearest old one, and the tractions are shifted
 /// together so that the interface's shear force stays the same. The law then cuts what Coulomb does not allow.
-/// New pairs start unbonded and without shear.
-/// Returns the shear force that was lost because its interface is gone or open [N].
-double carryOver(const OldInterfaces& old, State& state);
+/// Slots for vertices and edges stay as they are. New pairs of faces start unbonded, with the shear force of contacts of
+/// the same blocks that were there before, else as having slid since the last look. No interface is pressed deeper than its blocks' deepest contact was: one that
+/// is found late counts its gap from there until it opens.
+/// Adds the shear force that was lost because its interface is gone or open to the state's.
+/// \param ahead time between two looks [s]
+/// \return what Lps carried that are gone, for the slots
+CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead);
 
 }  // namespace talus::stages

@@ -194,7 +194,7 @@ TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& gr
         constexpr std::size_t step = kCornerQuantities * kRow;
         const double* patch_xi = view.corners + static_cast<std::size_t>(group.first_corner) * kCornerQuantities;
         const double* patch_eta = patch_xi + kRow;
-        if constexpr (Places == PointPlaces::corner) {
+        if (Places == PointPlaces::corner || corners == 1) {
             const V share = members.take(view.patch_area) * (1.0 / static_cast<double>(corners));
             for (std::size_t k = 0; k < corners; ++k)
                 each(members.load(patch_xi + k * step), members.load(patch_eta + k * step), share,

@@ -99,7 +99,7 @@ std::vector<PointState> pointStates(const State& state, std::size_t i) {
     const RelativePose pose = relativePose(state, i);
     std::vector<PointState> result;
     for (const contact::PatchPoint& place :
-         contact::patchPoints(patchOutline(state.interfaces, i), state.geometry->model.points)) {
+         interfacePoints(state.interfaces, i, state.geometry->model.points)) {
         const std::size_t slot = state.interfaces.pointSlot(i, result.size());
         PointState point{
             .position = place.position, .area = place.area, .force = {}, .memory = points.memoryAt(slot)};

@@ -13,6 +13,7 @@
 #include "stages/carry_over.h"
 #include "stages/contacts.h"
 #include "stages/measure.h"
+#include "stages/sharp_contacts.h"
 #include "stages/water.h"
 #include "state/build.h"
 #include "state/point_layout.h"
@@ -23,10 +24,10 @@ namespace {
 
 constexpr double kSearchMargin = 0.05;  // of the median block size: pairs nearer than this are interfaces
 constexpr double kTravelLimit = 0.01;   // of a block's own size: then neighbours are searched again
-constexpr double kSlideLimit = 0.01;    // of the root of the patch area: then the patch is clipped again
+constexpr double kSlideLimit = 0.01;    // of the root of the patch area or the smaller block's size, the larger of the
+                                        // two: then the patch is clipped again
 constexpr double kTurnLimit = 0.01;     // [rad], likewise
-constexpr double kFaceAngle =
-    0.8;  // [rad] faces up to 46 deg apart meet as faces; a box always has one such face
+constexpr double kMostFaceAngle = 0.8;  // [rad] however deep: then a box always has one such face
 
 double searchMargin(const State& state, double ahead) {
     double fastest = 0;
@@ -60,6 +61,7 @@ bool firstIsReference(const State& state, std::size_t first, std::size_t second)
 struct PairFinding {
     std::vector<FacePair> faces;  ///< face_a on the reference block
     std::int32_t block_a = 0, block_b = 0;
+    bool may_meet_sharply = false;
     bool overlaps = false;
     double depth = 0;  ///< [m], when they overlap
 };
@@ -110,6 +112,17 @@ void dropFalsePairs(const PlacedShapes& placed, std::size_t a, std::size_t b, do
                   [&](const FacePair& face) { return -face.least_gap > 2.0 * depth + closed; });
 }
 
+/// Faces too far from parallel to meet as faces.
+void dropTilted(const PlacedShapes& placed, std::size_t a, std::size_t b, double size, PairFinding& finding) {
+    const WorldShape first = placed.world(a), second = placed.world(b);
+    std::erase_if(finding.faces, [&](const FacePair& face) {
+        const Vec3 sum = first.normals[static_cast<std::size_t>(face.face_a)] +
+                         second.normals[static_cast<std::size_t>(face.face_b)];
+        const double angle = kFaceAngle + kFaceAnglePerDepth * std::max(0.0, -face.least_gap) / size;
+        return sum.norm() > 2.0 * std::sin(0.5 * std::min(angle, kMostFaceAngle));
+    });
+}
+
 PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair pair, double margin,
                         bool initial) {
     PairFinding finding;
@@ -123,10 +136,15 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     const double size = std::min(state.geometry->size[a], state.geometry->size[b]);
     const double closed = kClosedGap * size;
     finding.faces = findFacePairs(placed.world(a), placed.world(b),
-                                  {.max_gap = margin, .max_overlap = 0.5 * size, .max_angle = kFaceAngle},
+                                  {.max_gap = margin, .max_overlap = 0.5 * size, .max_angle = kMostFaceAngle},
                                   Reference::face_a);
+    dropTilted(placed, a, b, size, finding);
     dropFalsePairs(placed, a, b, closed, finding);
-    if (!initial && !finding.faces.empty()) return finding;
+    const double travel = 2.0 * (kTravelLimit * size + kTurnLimit * size);
+    finding.may_meet_sharply =
+        mayMeetSharply(placed.world(a), placed.world(b), sharpLimits(*state.geometry, a, b, margin), travel,
+                       2.0 * kTurnLimit);
+    if (!initial) return finding;
     for (const FacePair& face :
          finding.faces)  // parallel faces that do not overlap: a plane between the blocks
         if (face.least_gap >= -closed && face.most_gap - face.least_gap <= closed) return finding;
@@ -231,6 +249,7 @@ void breakBonds(State& state) {
 void closeInitialInterfaces(State& state) {
     Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
+        if (isSharp(f, i)) continue;
         const RelativePose pose = relativePose(state, i);
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
         const double closed = kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
@@ -247,10 +266,10 @@ void closeInitialInterfaces(State& state) {
     }
 }
 
-/// One interface to be made.
+/// One interface to be made; without a patch: the slots of a pair that may meet by vertices or edges.
 struct Found {
     std::int32_t block_a = 0, block_b = 0;
-    FacePair faces;
+    FacePair faces{};
 };
 
 /// Appends interfaces in the order they are stored in: that of the search, but those with as many corners side by side
@@ -273,6 +292,10 @@ struct InterfaceWindow {
         });
         for (const Found* one : order) {
             const Polygon& patch = one->faces.patch;
+            if (patch.empty()) {
+                appendSharpSlots(state, one->block_a, one->block_b);
+                continue;
+            }
             addToGroups(
                 state.interfaces, patch.size(),
                 contact::pointCount(std::span(patch.begin(), patch.size()), state.geometry->model.points));
@@ -333,12 +356,13 @@ SearchRemarks appendInterfaces(State& state, double margin, bool initial, bool p
     InterfaceWindow window;
     examinePairs(state, margin, initial, parallel, [&](const PairFinding& finding) {
         if (finding.overlaps)
-            remarks.overlaps.push_back({{}, finding.block_a, finding.block_b, true, finding.depth});
+            remarks.overlaps.push_back({{}, finding.block_a, finding.block_b, false, true, finding.depth});
         for (const FacePair& pair : finding.faces) {
             if (initial && remarks.grid.empty() && !suitsRule(state, pair))
                 remarks.grid.push_back(gridError(state, finding, pair));
             if (remarks.grid.empty()) window.add(state, {finding.block_a, finding.block_b, pair});
         }
+        if (finding.may_meet_sharply) window.add(state, {finding.block_a, finding.block_b});
     });
     window.append(state);
     return remarks;
@@ -358,20 +382,8 @@ std::vector<Error> touchErrors(const State& state) {
     return errors;
 }
 
-/// Blocks that have come into each other without faces that meet: edges against edges, which are not modelled.
-void warnOfMissedContacts(State& state, const std::vector<PairFinding>& findings) {
-    for (const PairFinding& finding : findings) {
-        if (!finding.overlaps || state.invalid_since >= 0) continue;
-        const auto& blocks = state.geometry->model.blocks;
-        state.invalid_since = state.time;
-        state.warnings.push_back("blocks \"" + blocks[static_cast<std::size_t>(finding.block_a)].name +
-                                 "\" and \"" + blocks[static_cast<std::size_t>(finding.block_b)].name +
-                                 "\" meet by edges only, which is outside the valid range, from t = " +
-                                 std::to_string(state.time) + " s on");
-    }
-}
-
-std::vector<Error> findInterfacesWithin(State& state, double margin, bool initial, bool parallel) {
+std::vector<Error> findInterfacesWithin(State& state, double margin, double ahead, bool initial,
+                                        bool parallel) {
     const OldInterfaces old = takeInterfaces(state);
     const SearchRemarks remarks = appendInterfaces(state, margin, initial, parallel);
     if (initial) {
@@ -381,17 +393,18 @@ std::vector<Error> findInterfacesWithin(State& state, double margin, bool initia
     }
     makePoints(state);
     breakBonds(state);
+    CarriedPoints carried;
     if (initial)
         closeInitialInterfaces(state);
     else
-        state.shear_lost += carryOver(old, state);
+        carried = carryOver(old, state, ahead);
     buildIncidence(state);
+    renewSharpContacts(state, ahead, parallel, carried);
     state.search_position = state.blocks.position;
     state.search_orientation = state.blocks.orientation;
     state.search_margin = margin;
     if (initial) return touchErrors(state);
     rebuildPairWater(state);
-    warnOfMissedContacts(state, remarks.overlaps);
     return {};
 }
 
@@ -412,7 +425,10 @@ bool movedTooFar(const State& state, double margin) {
     if (farthest > 0.25 * state.search_margin || margin > 1.001 * state.search_margin) return true;
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
-        const double limit = kSlideLimit * std::sqrt(f.area[i]);
+        if (isSharp(f, i)) continue;
+        const double size = std::min(state.geometry->size[static_cast<std::size_t>(f.block_a[i])],
+                                     state.geometry->size[static_cast<std::size_t>(f.block_b[i])]);
+        const double limit = kSlideLimit * std::max(std::sqrt(f.area[i]), size);
         if (2.0 * farthest < limit) continue;
         const RelativePose pose = relativePose(state, i);
         if (std::hypot(pose.slide_1.x(), pose.slide_2.x()) > limit) return true;
@@ -435,6 +451,7 @@ std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int
          k < incidence.interface_begin[static_cast<std::size_t>(block) + 1]; ++k) {
         const std::int32_t i = incidence.interface[static_cast<std::size_t>(k)];
         const auto index = static_cast<std::size_t>(i);
+        if (isSharp(state.interfaces, index)) continue;
         if (std::minmax(state.interfaces.block_a[index], state.interfaces.block_b[index]) !=
             std::minmax(block_1, block_2))
             continue;
@@ -446,13 +463,13 @@ std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int
 
 std::vector<Error> findInterfaces(State& state, bool initial, bool parallel) {
     const double margin = searchMargin(state, 0.0);
-    return findInterfacesWithin(state, margin, initial, parallel);
+    return findInterfacesWithin(state, margin, 0.0, initial, parallel);
 }
 
 bool refreshInterfaces(State& state, bool parallel, double ahead) {
     const double margin = searchMargin(state, ahead);
-    if (!movedTooFar(state, margin)) return false;
-    findInterfacesWithin(state, margin, false, parallel);
+    if (!movedTooFar(state, margin) && !updateSharpContacts(state, ahead, parallel)) return false;
+    findInterfacesWithin(state, margin, ahead, false, parallel);
     // Forces are there again before anything looks at them.
     updateContacts(state, {0, state.interfaces.groups.size()});
     updateWater(state);

@@ -93,10 +93,14 @@ struct Interfaces {
 
     InterfaceFrame frame(std::size_t i) const { return frameAt(frames, slotOf(i)); }
     void setFrame(std::size_t i, const InterfaceFrame& frame) { setFrameAt(frames, slotOf(i), frame); }
+    /// The reference gap [m] (0) and its slopes (1, 2).
+    double& referenceGap(std::size_t i, std::size_t part) { return frames.at(slotOf(i), kReferenceGap + part); }
+    double referenceGap(std::size_t i, std::size_t part) const {
+        return frames.get(slotOf(i), kReferenceGap + part);
+    }
     void setReferenceGap(std::size_t i, const Vec3& gap) {
-        InterfaceFrame changed = frame(i);
-        changed.reference_gap = gap;
-        setFrame(i, changed);
+        for (std::size_t part = 0; part < 3; ++part)
+            referenceGap(i, part) = gap[static_cast<Eigen::Index>(part)];
     }
     const InterfaceWrench& wrench(std::size_t i) const { return wrenches[slotOf(i)]; }
     void setWrench(std::size_t i, const InterfaceWrench& wrench) { wrenches[slotOf(i)] = wrench; }
@@ -122,6 +126,10 @@ struct ContactPoints {
 
     contact::PointMemory memoryAt(std::size_t slot) const;
     void setMemory(std::size_t slot, const contact::PointMemory& memory);
+    void setOffset(std::size_t slot, double along_1, double along_2) {
+        memory.set(slot, 0, along_1);
+        memory.set(slot, 1, along_2);
+    }
     /// \pre remembers()
     void setBond(std::size_t slot, double bond) { memory.set(slot, 2, bond); }
 };

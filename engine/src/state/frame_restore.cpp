@@ -135,7 +135,7 @@ bool interfacesFit(const FullFrame& frame, const State& state) {
     return fits && within(f.block_a, 0, blocks) && within(f.block_b, 0, blocks) &&
            within(f.joint, 0, static_cast<std::int64_t>(state.laws.size())) && facesFit(f, state) &&
            f.patch_xi.size() == f.patch_eta.size() &&
-           areBegins(f.patch_begin, f.size(), f.patch_xi.size(), 3) &&
+           areBegins(f.patch_begin, f.size(), f.patch_xi.size(), 1) &&
            areBegins(f.point_begin, f.size(), frame.points.size(), 1);
 }
 

@@ -22,6 +22,7 @@ class LaneArray {
     void grow(std::size_t slots) { values_.grow(slots * quantities_); }
 
     double get(std::size_t slot, std::size_t quantity) const { return values_[place(slot, quantity)]; }
+    double& at(std::size_t slot, std::size_t quantity) { return values_[place(slot, quantity)]; }
     void set(std::size_t slot, std::size_t quantity, double value) { values_[place(slot, quantity)] = value; }
 
     const double* data() const { return values_.data(); }

@@ -60,6 +60,12 @@ void ContactPoints::setMemory(std::size_t slot, const contact::PointMemory& valu
     memory.set(slot, 3, value.dilation);
 }
 
+std::vector<contact::PatchPoint> interfacePoints(const Interfaces& f, std::size_t i, const PointRule& rule) {
+    const std::vector<Eigen::Vector2d> outline = patchOutline(f, i);
+    if (outline.size() == 1) return {{outline[0], f.area[i]}};
+    return contact::patchPoints(outline, rule);
+}
+
 void makePoints(State& state) {
     const Interfaces& f = state.interfaces;
     ContactPoints& points = state.points;
@@ -79,7 +85,7 @@ void makePoints(State& state) {
     points.places.grow(slots);
     for (std::size_t i = 0; i < f.size(); ++i) {
         std::size_t k = 0;
-        for (const contact::PatchPoint& point : contact::patchPoints(patchOutline(f, i), rule)) {
+        for (const contact::PatchPoint& point : interfacePoints(f, i, rule)) {
             const std::size_t slot = f.pointSlot(i, k++);
             points.places.set(slot, 0, point.position.x());
             points.places.set(slot, 1, point.position.y());

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "contact/points.h"
 #include "state/arrays.h"
 
 namespace talus {
@@ -15,6 +16,10 @@ void placeCorners(Interfaces& interfaces, std::size_t interface, const std::vect
 
 /// The corners again.
 std::vector<Eigen::Vector2d> patchOutline(const Interfaces& interfaces, std::size_t interface);
+
+/// Its Lps; the one of a vertex or edge contact, whose patch has one corner, stands for the interface's whole area.
+std::vector<contact::PatchPoint> interfacePoints(const Interfaces& interfaces, std::size_t interface,
+                                                 const PointRule& rule);
 
 /// Lps of every interface: unbroken, unslid.
 void makePoints(State& state);

@@ -6,6 +6,7 @@
 namespace talus {
 
 inline constexpr std::size_t kFrameQuantities = 21;  ///< see InterfaceFrame
+inline constexpr std::size_t kReferenceGap = 18;     ///< where in these its gap and slopes are
 inline constexpr std::size_t kWrenchQuantities = 9;  ///< see InterfaceWrench
 inline constexpr std::size_t kCornerQuantities = 2;  ///< along e1, e2 from the origin [m]
 inline constexpr std::size_t kPlaceQuantities = 3;   ///< along e1, e2 from the origin [m], A_s [m^2]

@@ -91,6 +91,7 @@ PointValues pointValues(const FullFrame& full) {
     const FramePoints& p = full.points;
     PointValues values;
     for (std::size_t i = 0; i < f.size(); ++i) {
+        if (f.isIdle(i)) continue;
         const auto a = static_cast<std::size_t>(f.block_a[i]);
         const Mat3 turn = turnOf(full.blocks.orientation, a);
         const Vec3 origin = at(full.blocks.position, a) + turn * at(f.origin_a, i);
