@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "stages/contact_kernel.h"
-#include "state/interface_frame.h"
 #include "stages/motion_kernel.h"
+#include "state/interface_frame.h"
 
 namespace talus::bench {
 namespace {
@@ -83,8 +83,8 @@ struct Members<Counting> {
     Members(const InterfaceGroup&, int) {}
     Counting load(const double* row) const { return bench::read(row[0]); }
     void store(double* row, Counting v) const { bench::write(row[0], v); }
-    void storeWrench(double* to, const simd::Triple<Counting>& force,
-                     const simd::Triple<Counting>& moment_a, const simd::Triple<Counting>& moment_b) const {
+    void storeWrench(double* to, const simd::Triple<Counting>& force, const simd::Triple<Counting>& moment_a,
+                     const simd::Triple<Counting>& moment_b) const {
         for (const auto& v : {force, moment_a, moment_b})
             for (const Counting number : {v.x, v.y, v.z}) bench::write(*to++, number);
     }
@@ -215,8 +215,8 @@ std::string nameOf(PointRule rule) {
     return {};
 }
 
-// A rectangle with `vertex`, all stick: 664 flops, 63 choices; read 412 bytes, written 216. engine/README.md has the table.
-// Beside what the kernel loads member by member: two blocks and a joint (3 x 4 bytes), and the interface's quarter of its
+// A rectangle with `vertex`, all stick: 664 flops, 63 choices; read 408 bytes, written 216. engine/README.md has the table.
+// Beside what the kernel loads member by member: two blocks and a joint (3 x 4 bytes), and the interface's eighth of its
 // group (32 bytes).
 Counts countInterface(PointRule rule, bool slips) {
     OneInterface data;
@@ -251,14 +251,14 @@ Counts countDrift() {
     return tally;
 }
 
-// motion.cpp's gather, by hand. Per side of an interface: index 4, side 1; force and moment are three additions each.
+// motion.cpp's gather, by hand. Per side of an interface: place of its wrench 4; force and moment are three additions each.
 // Per interface: force, moment_a, moment_b, 9 doubles. Per block: its rows in the two incidence lists 2 x 8, motion 1,
 // mass, inverse mass, velocity, angular momentum, angular velocity 11 doubles; written: force, torque, velocity, angular
 // momentum 12 doubles. Flops per block: weight 3, local damping 12, kick 3 x 3 + 3 x 3 + 2.
 Counts countGather() {
     constexpr double kSides = 6, kInterfaces = 3;
     Counts counts;
-    counts.read = kSides * 5 + kInterfaces * 72 + 2 * 8 + 1 + 11 * 8;
+    counts.read = kSides * 4 + kInterfaces * 72 + 2 * 8 + 1 + 11 * 8;
     counts.written = 12 * 8;
     counts.flops = kSides * 6 + 3 + 12 + 20;
     counts.choices = 6 * 2;

@@ -205,6 +205,9 @@ void addSlope(const Extent& extent, const SlopeKind& kind) {
     if (plain)
         add(extent, "contacts, scalar/" + kind.name(), 1,
             [=](benchmark::State& run) { contactBenchmark(run, kind, 1, simd::InstructionSet::scalar); });
+    if (plain && kind.blocks == 105 && simd::bestInstructionSet() == simd::InstructionSet::avx512)
+        add(extent, "contacts, AVX2/" + kind.name(), 1,
+            [=](benchmark::State& run) { contactBenchmark(run, kind, 1, simd::InstructionSet::avx2); });
     addStage(extent, "contacts", kind, [](benchmark::State& run, const SlopeKind& slope, int threads) {
         contactBenchmark(run, slope, threads, simd::bestInstructionSet());
     });

@@ -138,8 +138,8 @@ TALUS_KERNEL FourLanes loadRecords(const double* from) {
                       twoRecords(from + 8, from + 24), twoRecords(from + 12, from + 28));
 }
 TALUS_KERNEL void storeRecords(double* to, std::ptrdiff_t stride, const FourLanes& values) {
-    const FourLanes rows = transposed(values.number[0].v, values.number[1].v, values.number[2].v,
-                                      values.number[3].v);
+    const FourLanes rows =
+        transposed(values.number[0].v, values.number[1].v, values.number[2].v, values.number[3].v);
     for (int k = 0; k < 4; ++k) {
         _mm256_storeu_pd(to + stride * k, _mm512_castpd512_pd256(rows.number[k].v));
         _mm256_storeu_pd(to + stride * (4 + k), _mm512_extractf64x4_pd(rows.number[k].v, 1));
@@ -166,8 +166,8 @@ TALUS_KERNEL FourLanes loadRecords(const double* from) {
                       _mm256_loadu_pd(from + 12));
 }
 TALUS_KERNEL void storeRecords(double* to, std::ptrdiff_t stride, const FourLanes& values) {
-    const FourLanes rows = transposed(values.number[0].v, values.number[1].v, values.number[2].v,
-                                      values.number[3].v);
+    const FourLanes rows =
+        transposed(values.number[0].v, values.number[1].v, values.number[2].v, values.number[3].v);
     for (int k = 0; k < 4; ++k) _mm256_storeu_pd(to + stride * k, rows.number[k].v);
 }
 #else

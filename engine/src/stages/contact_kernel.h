@@ -192,7 +192,8 @@ TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& gr
     } else {
         const auto corners = static_cast<std::size_t>(group.corners);
         constexpr std::size_t step = kCornerQuantities * kRow;
-        const double* patch_xi = view.corners + static_cast<std::size_t>(group.first_corner) * kCornerQuantities;
+        const double* patch_xi =
+            view.corners + static_cast<std::size_t>(group.first_corner) * kCornerQuantities;
         const double* patch_eta = patch_xi + kRow;
         if (Places == PointPlaces::corner || corners == 1) {
             const V share = members.take(view.patch_area) * (1.0 / static_cast<double>(corners));

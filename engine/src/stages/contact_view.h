@@ -22,7 +22,7 @@ struct ContactView {
     // read, per interface
     const InterfaceGroup* groups;
     const std::int32_t *block_a, *block_b, *joint;
-    const double* frames;   ///< slot by slot (state/interface_frame.h), as all that follow
+    const double* frames;  ///< slot by slot (state/interface_frame.h), as all that follow
     const double* corners;
     const double* patch_area;  ///< by interface
     // read, per joint

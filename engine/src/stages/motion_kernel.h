@@ -79,7 +79,7 @@ TALUS_KERNEL void spinAbout(V t, V& m_j, V& m_k, V& q_w, V& q_a, V& q_j, V& q_k)
 /// Free rotation over dt: the angular momentum in the model frame stays, the orientation turns under it.
 template <class V>
 TALUS_KERNEL QuaternionOf<V> turned(QuaternionOf<V> q, const Triple<V>& inverse_inertia,
-                                  const Triple<V>& momentum, double dt) {
+                                    const Triple<V>& momentum, double dt) {
     Triple<V> m = simd::rotationOf(q.w, q.x, q.y, q.z).back(momentum);
     const double quarter = 0.25 * dt, half = 0.5 * dt;
     spinAbout(quarter * inverse_inertia.x * m.x, m.y, m.z, q.w, q.x, q.y, q.z);

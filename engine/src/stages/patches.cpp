@@ -24,8 +24,9 @@ namespace {
 
 constexpr double kSearchMargin = 0.05;  // of the median block size: pairs nearer than this are interfaces
 constexpr double kTravelLimit = 0.01;   // of a block's own size: then neighbours are searched again
-constexpr double kSlideLimit = 0.01;    // of the root of the patch area or the smaller block's size, the larger of the
-                                        // two: then the patch is clipped again
+constexpr double kSlideLimit =
+    0.01;  // of the root of the patch area or the smaller block's size, the larger of the
+           // two: then the patch is clipped again
 constexpr double kTurnLimit = 0.01;     // [rad], likewise
 constexpr double kMostFaceAngle = 0.8;  // [rad] however deep: then a box always has one such face
 

@@ -358,7 +358,8 @@ void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
             const InterfaceGroup& group = f.groups[g];
             if (group.corners != 1) continue;
             const auto begin = static_cast<std::size_t>(group.begin);
-            for (std::size_t i = begin; i < begin + static_cast<std::size_t>(group.size); i += kSlots) each(i);
+            for (std::size_t i = begin; i < begin + static_cast<std::size_t>(group.size); i += kSlots)
+                each(i);
         }
     });
 }

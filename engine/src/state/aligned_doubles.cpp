@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kLine = 64;        // bytes
+constexpr std::size_t kLine = 64;         // bytes
 constexpr std::size_t kHuge = 1UL << 21;  // bytes; from here on whole pages
 
 std::size_t roundedUp(std::size_t bytes) {
@@ -31,8 +31,7 @@ double* mapped(void* at) {
 double* allocate(std::size_t bytes) {
 #ifdef __linux__
     if (bytes >= kHuge) {
-        double* at =
-            mapped(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+        double* at = mapped(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
         madvise(at, bytes, MADV_HUGEPAGE);  // a wish only
         return at;
     }

@@ -77,7 +77,7 @@ struct Interfaces {
     std::vector<InterfaceGroup> groups;  ///< in the order of the interfaces
     std::vector<std::int32_t> slot;      ///< of each interface: its group times kLanes, plus its place there
     LaneArray frames{kFrameQuantities};
-    LaneArray corners{kCornerQuantities};  ///< of patches, counter-clockwise, as cornerSlot says
+    LaneArray corners{kCornerQuantities};   ///< of patches, counter-clockwise, as cornerSlot says
     std::vector<InterfaceWrench> wrenches;  ///< by slot: blocks read them one by one
 
     std::size_t size() const { return block_a.size(); }
@@ -88,13 +88,17 @@ struct Interfaces {
     std::size_t cornerCount(std::size_t i) const { return static_cast<std::size_t>(groupOf(i).corners); }
     std::size_t pointCount(std::size_t i) const { return static_cast<std::size_t>(groupOf(i).points); }
     /// Slot of the k-th corner, and of the k-th Lp.
-    std::size_t cornerSlot(std::size_t i, std::size_t k) const { return slotOf(i, k, groupOf(i).first_corner); }
+    std::size_t cornerSlot(std::size_t i, std::size_t k) const {
+        return slotOf(i, k, groupOf(i).first_corner);
+    }
     std::size_t pointSlot(std::size_t i, std::size_t k) const { return slotOf(i, k, groupOf(i).first_point); }
 
     InterfaceFrame frame(std::size_t i) const { return frameAt(frames, slotOf(i)); }
     void setFrame(std::size_t i, const InterfaceFrame& frame) { setFrameAt(frames, slotOf(i), frame); }
     /// The reference gap [m] (0) and its slopes (1, 2).
-    double& referenceGap(std::size_t i, std::size_t part) { return frames.at(slotOf(i), kReferenceGap + part); }
+    double& referenceGap(std::size_t i, std::size_t part) {
+        return frames.at(slotOf(i), kReferenceGap + part);
+    }
     double referenceGap(std::size_t i, std::size_t part) const {
         return frames.get(slotOf(i), kReferenceGap + part);
     }
@@ -116,7 +120,8 @@ struct Interfaces {
 /// What contact points (Lps) remember; where they lie follows from the patch (contact/points.h), and the forces they
 /// carry from the poses (stages::pointStates).
 struct ContactPoints {
-    LaneArray memory{kSlideQuantities};  ///< as Interfaces::pointSlot says; with bond and dilation where a joint has those
+    LaneArray memory{
+        kSlideQuantities};  ///< as Interfaces::pointSlot says; with bond and dilation where a joint has those
     LaneArray places{kPlaceQuantities};  ///< `quarter` and `grid`; empty where the kernel derives them itself
     std::size_t count = 0;               ///< without the unused slots
 
@@ -143,8 +148,8 @@ struct WetPatches {
     VectorArray origin, e1, e2;              ///< plane of the polygon in the block's own frame; e3 outward
     std::vector<std::int64_t> vertex_begin;  ///< one more at the end
     std::vector<double> vertex_x, vertex_y;  ///< [m]
-    VectorArray head;               ///< [m]: at the origin and its gradient; for water given by two heads
-    VectorArray force, moment;      ///< on the block about its centroid, in its own frame, as last computed
+    VectorArray head;                 ///< [m]: at the origin and its gradient; for water given by two heads
+    VectorArray force, moment;        ///< on the block about its centroid, in its own frame, as last computed
     PositionArray computed_position;  ///< pose of the block when they were computed
     QuaternionArray computed_orientation;
 

@@ -15,14 +15,16 @@ namespace talus {
 struct InterfaceFrame {
     Vec3 origin_a = Vec3::Zero();  ///< in a's own frame [m]
     Vec3 e1_a = Vec3::Zero(), e2_a = Vec3::Zero();
-    Vec3 origin_b = Vec3::Zero();  ///< in b's own frame: b's face plane, e1 and e2 as they lay at the clipping
+    Vec3 origin_b =
+        Vec3::Zero();  ///< in b's own frame: b's face plane, e1 and e2 as they lay at the clipping
     Vec3 e1_b = Vec3::Zero(), e2_b = Vec3::Zero();
     Vec3 reference_gap =
         Vec3::Zero();  ///< gap [m] and its two slopes along e1, e2 that count as closed and unstressed
 };
 inline constexpr std::array<Vec3 InterfaceFrame::*, 7> kFrameVectors{
-    &InterfaceFrame::origin_a, &InterfaceFrame::e1_a, &InterfaceFrame::e2_a,         &InterfaceFrame::origin_b,
-    &InterfaceFrame::e1_b,     &InterfaceFrame::e2_b, &InterfaceFrame::reference_gap};
+    &InterfaceFrame::origin_a,     &InterfaceFrame::e1_a, &InterfaceFrame::e2_a,
+    &InterfaceFrame::origin_b,     &InterfaceFrame::e1_b, &InterfaceFrame::e2_b,
+    &InterfaceFrame::reference_gap};
 
 /// What springs and dashpots do.
 struct InterfaceWrench {
@@ -47,10 +49,12 @@ inline void setVectorAt(LaneArray& values, std::size_t slot, std::size_t vector,
 
 inline InterfaceFrame frameAt(const LaneArray& frames, std::size_t slot) {
     InterfaceFrame frame;
-    for (std::size_t k = 0; k < kFrameVectors.size(); ++k) frame.*kFrameVectors[k] = vectorAt(frames, slot, k);
+    for (std::size_t k = 0; k < kFrameVectors.size(); ++k)
+        frame.*kFrameVectors[k] = vectorAt(frames, slot, k);
     return frame;
 }
 inline void setFrameAt(LaneArray& frames, std::size_t slot, const InterfaceFrame& frame) {
-    for (std::size_t k = 0; k < kFrameVectors.size(); ++k) setVectorAt(frames, slot, k, frame.*kFrameVectors[k]);
+    for (std::size_t k = 0; k < kFrameVectors.size(); ++k)
+        setVectorAt(frames, slot, k, frame.*kFrameVectors[k]);
 }
 }  // namespace talus

@@ -21,7 +21,8 @@ void addToGroups(Interfaces& f, std::size_t corners, std::size_t points) {
         f.frames.grow(slots);
         f.wrenches.resize(slots);
     }
-    f.slot.push_back((static_cast<std::int32_t>(f.groups.size()) - 1) * simd::kLanes + f.groups.back().size++);
+    f.slot.push_back((static_cast<std::int32_t>(f.groups.size()) - 1) * simd::kLanes +
+                     f.groups.back().size++);
 }
 
 void placeCorners(Interfaces& f, std::size_t i, const std::vector<Eigen::Vector2d>& outline) {
