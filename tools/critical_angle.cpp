@@ -13,6 +13,7 @@ struct CriticalAngleOptions {
     Common common;
     std::string scenario;
     bool verbose = false;
+    KeepRunOptions keep;
 };
 
 std::optional<TheoryFigure> theoryOf(const Model& model) {
@@ -32,21 +33,24 @@ Json toJson(const SearchReport& report) {
 
 int findCriticalAngle(const CriticalAngleOptions& options) {
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    FailureKeeper keeper(options.keep, options.common, scenario);
     ProgressPrinter progress(options.common);
-    const SearchResult result =
-        valueOf(criticalAngle(scenario.model, controlOf(options.common, progress)), scenario);
+    Control control = controlOf(options.common, progress);
+    control.keep_failing_state = keeper.wanted();
+    const SearchResult result = valueOf(criticalAngle(scenario.model, control), scenario);
+    SearchReport report{options.common,
+                        scenario,
+                        result,
+                        {"critical angle", "tilt_deg", " deg", kDegree, 3},
+                        theoryOf(scenario.model)};
+    if (keeper.wanted()) report.kept = keeper.keep(result, SearchKind::critical_angle, control);
     progress.finish();
-    const SearchReport report{options.common,
-                              scenario,
-                              result,
-                              {"critical angle", "tilt_deg", " deg", kDegree, 3},
-                              theoryOf(scenario.model)};
     if (options.common.json) {
         printJson(toJson(report));
     } else {
         printText(searchText(report, options.verbose));
     }
-    return exitCode(result);
+    return exitCode(report);
 }
 
 }  // namespace
@@ -56,11 +60,14 @@ Command addCriticalAngle(CLI::App& root) {
     CLI::App* app = root.add_subcommand("critical-angle", "The tilt at which the assembly first fails");
     app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
     app->add_flag("--verbose", options->verbose, "Also print every probe and every block's motion");
+    addKeepRun(*app, options->keep);
     addCommon(*app, options->common);
     app->footer(
         "Example:\n  talus critical-angle slope.toml --verbose\n  talus critical-angle slope.toml --json | "
         "jq "
-        ".critical_angle_deg\n\nThe search runs from analysis.start_deg to analysis.stop_deg until the "
+        ".critical_angle_deg\n  talus critical-angle slope.toml --keep-run failing.mcap && talus replay "
+        "failing.mcap "
+        "-o failing.html\n\nThe search runs from analysis.start_deg to analysis.stop_deg until the "
         "bracket "
         "is analysis.tolerance_deg wide.\nA slope that fails at the start or stands to the end is a result "
         "(exit code 0), an undecided one is not (3).");

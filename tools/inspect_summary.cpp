@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "block_names.h"
 #include "inspect_views.h"
 
 namespace talus::tools {
@@ -71,6 +72,22 @@ Json buildJson(const BuildInfo& build) {
             {"build_type", build.build_type}};
 }
 
+/// What the search says that kept this run.
+Json failureJson(const formats::SnapshotHeader& header) {
+    const formats::SnapshotFailure& failure = *header.failure;
+    std::vector<std::string> slides, topples;
+    for (std::size_t b = 0; b < failure.roles.size(); ++b) {
+        if (failure.roles[b] == FailureMode::sliding) slides.push_back(header.names[b]);
+        if (failure.roles[b] == FailureMode::toppling) topples.push_back(header.names[b]);
+    }
+    const bool tilt = failure.analysis == "critical-angle";
+    return {{"analysis", failure.analysis},
+            {tilt ? "tilt_deg" : "factor", number(tilt ? degrees(failure.load) : failure.load)},
+            {"mode", toString(failure.mode)},
+            {"slides", compactNames(slides)},
+            {"topples", compactNames(topples)}};
+}
+
 std::size_t count(const formats::SnapshotHeader& header, Motion motion) {
     return static_cast<std::size_t>(std::count(header.motions.begin(), header.motions.end(), motion));
 }
@@ -118,6 +135,7 @@ View viewSummary(formats::SnapshotReader& reader, const std::string& path) {
     facts["build"] = buildJson(header.build);
     facts["command_line"] = header.command_line;
     facts["format"] = header.format;
+    facts["failure"] = header.failure ? failureJson(header) : Json(nullptr);
     view.table_name = "course";
     view.table = courseOf(reader);
     return view;

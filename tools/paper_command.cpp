@@ -5,6 +5,7 @@
 #include "command.h"
 #include "paper_cases.h"
 #include "paper_data.h"
+#include "paper_kept.h"
 #include "paper_page.h"
 #include "paper_plots.h"
 #include "paper_run.h"
@@ -18,6 +19,8 @@ struct PaperOptions {
     Common common;
     std::string out = "talus-paper";
     std::string points = "vertex";
+    bool keep = false;
+    std::string keep_folder;        ///< empty: OUT/failing
     std::uint64_t monte_carlo = 0;  ///< samples of the laboratory's scatter; 0: none
 };
 
@@ -85,14 +88,19 @@ int execute(const PaperOptions& options) {
     std::vector<PaperCase> cases = paperCases(options.points);
     // A folder that cannot be made is told before minutes of computing, not after.
     makeFolder(options.out);
-    PaperResults results = computeAll(options, std::move(cases));
-    if (options.monte_carlo > 0 && !results.interrupted) {
-        const auto begin = std::chrono::steady_clock::now();
-        results.scatter = computeScatter(options.monte_carlo, options.out + "/scatter", options.common);
-        results.interrupted = stopRequested();
-        results.wall_seconds +=
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const std::string keep_folder =
+        options.keep_folder.empty() ? options.out + "/failing" : options.keep_folder;
+    if (options.keep) {
+        makeFolder(keep_folder);
+        markKept(cases);
     }
+    PaperResults results = computeAll(options, std::move(cases));
+    const auto begin = std::chrono::steady_clock::now();
+    if (options.keep && !results.interrupted) keepFailures(results, keep_folder, options.out, options.common);
+    if (options.monte_carlo > 0 && !results.interrupted)
+        results.scatter = computeScatter(options.monte_carlo, options.out + "/scatter", options.common);
+    results.interrupted = stopRequested();
+    results.wall_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     writeAll(results, options.out);
     if (options.common.json) {
         printJson(paperJson(results));
@@ -111,17 +119,28 @@ Command addPaper(CLI::App& root) {
     app->add_option("--points", options->points,
                     "Contact points of Table 1 and section 5: quarter, corner, vertex or \"grid N\"")
         ->capture_default_str();
+    const auto* keep =
+        app->add_option("--keep-run", options->keep_folder,
+                        "Also keep the failing runs of the slope dry and with water in fissure 5, with their "
+                        "replays, in "
+                        "this folder (OUT/failing without one; files of that name are replaced)")
+            ->type_name("[DIR]")
+            ->expected(0, 1);
     app->add_option(
            "--monte-carlo", options->monte_carlo,
            "Also compute the laboratory's scatter from N samples, each interface with its own friction angle "
            "(about 5 s of processor time a sample)")
         ->check(CLI::Range(1, 1000000));
     app->footer(
-        "Example:\n  talus paper --out reproduction\n  talus paper --out reproduction --monte-carlo "
+        "Example:\n  talus paper --out reproduction\n  talus paper --out reproduction --keep-run\n  talus "
+        "paper --out reproduction --monte-carlo "
         "100\n\nThe Monte "
         "Carlo's rows are in OUT/scatter and are kept: the same command goes on where it was stopped.");
     addCommon(*app, options->common);
-    return {app, [options] { return execute(*options); }};
+    return {app, [options, keep] {
+                options->keep = keep->count() > 0;
+                return execute(*options);
+            }};
 }
 
 }  // namespace talus::tools

@@ -114,6 +114,14 @@ std::vector<std::string> csvRow(const PaperRun& run) {
 }  // namespace
 
 Json paperJson(const PaperResults& results) {
+    Json kept_runs = Json::array();
+    for (const PaperKept& kept : results.kept) {
+        Json one = keptRunJson(kept.run);
+        one["name"] = results.runs[kept.of].what.name;
+        one["file"] = kept.run.file.empty() ? Json(nullptr) : Json(kept.file);
+        one["page"] = kept.run.file.empty() ? Json(nullptr) : Json(kept.page);
+        kept_runs.push_back(std::move(one));
+    }
     Json cases = Json::array();
     std::int64_t steps = 0;
     double cpu = 0;
@@ -124,6 +132,7 @@ Json paperJson(const PaperResults& results) {
     }
     return Json{{"cases", cases},
                 {"monte_carlo", results.scatter ? scatterJson(*results.scatter) : Json(nullptr)},
+                {"kept_runs", kept_runs},
                 {"interrupted", results.interrupted},
                 {"steps", steps},
                 {"cpu_seconds", cpu},

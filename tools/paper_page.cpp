@@ -1,6 +1,7 @@
 #include "paper_page.h"
 
 #include "paper_html.h"
+#include "paper_kept.h"
 #include "paper_laboratory.h"
 #include "paper_notes.h"
 #include "paper_page_parameters.h"
@@ -168,6 +169,7 @@ std::string styleSheet() {
 std::string contents(bool has_scatter) {
     std::string links;
     for (const auto& [id, name] : {std::pair{"slopes", "Slopes"},
+                                   {"replays", "Replays"},
                                    {"table", "Table 1"},
                                    {"fig6", "Fig. 6"},
                                    {"section5", "Section 5"},
@@ -205,7 +207,7 @@ std::string paperPage(const PaperResults& results) {
            "name=\"color-scheme\" content=\"light dark\">\n<title>Talus: fissure water and the critical "
            "angle</title>\n" +
            styleSheet() + "</head>\n<body>\n" + tagged("header", opening(results)) + "<main>\n" +
-           slopes(results) + tableSection(results) + plots(results) + section5(results) +
+           slopes(results) + htmlKept(results) + tableSection(results) + plots(results) + section5(results) +
            (results.scatter ? htmlScatter(*results.scatter) : "") + points(results) +
            heading("differences", "Where laboratory, paper and model differ") +
            notes(differenceNotes(results)) + heading("errata", "Slips in the paper\u2019s print") +

@@ -113,19 +113,21 @@ std::string failureText(const PaperRun& run) {
 }
 
 std::string movingText(const PaperRun& run) {
-    if (!criticalDeg(run)) return "";
+    return criticalDeg(run) ? columnsText(run.search.moving_blocks, run.what.scenario.model.stack) : "";
+}
+
+std::string columnsText(const std::vector<std::string>& blocks, const std::optional<StackShape>& stack) {
     std::set<int> columns, rows;
-    for (const std::string& block : run.search.moving_blocks) {
+    for (const std::string& block : blocks) {
         if (const auto place = placeOf(block)) {
             columns.insert(place->first);
             rows.insert(place->second);
         }
     }
     if (columns.empty()) return "none";
-    const auto& stack = run.what.scenario.model.stack;
     const bool all_rows = stack && rows.size() == static_cast<std::size_t>(stack->rows);
     return plural("column", columns) + (all_rows ? "" : ", " + plural("row", rows)) + " (" +
-           std::to_string(run.search.moving_blocks.size()) + " blocks)";
+           std::to_string(blocks.size()) + (blocks.size() == 1 ? " block)" : " blocks)");
 }
 
 std::string answerText(const PaperRun& run) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command.h"
+#include "keep_run.h"
 #include "paper_scatter.h"
 #include "talus/analysis.h"
 #include "talus/formats/scenario.h"
@@ -32,6 +33,7 @@ struct PaperCase {
     std::optional<double> paper_deg;  ///< laboratory average (Table 1) or the paper's DEM (section 5)
     formats::Scenario scenario;
     std::optional<theory::Prediction> theory;
+    bool keep_failing = false;  ///< its failing run is kept (--keep-run)
 };
 
 /// What came out of it.
@@ -43,6 +45,14 @@ struct PaperRun {
     double cpu_seconds = 0;
 };
 
+/// A failing run that was kept for the page. Paths are relative to the page's folder.
+struct PaperKept {
+    std::size_t of = 0;  ///< index into PaperResults::runs
+    std::string figure;  ///< of the paper, which shows the same slope: "Fig. 4"
+    std::string file, page;
+    KeptRun run;
+};
+
 struct PaperResults {
     std::vector<PaperRun> runs;  ///< in the order of paperCases(), whatever the order of computing
     double wall_seconds = 0;
@@ -52,6 +62,7 @@ struct PaperResults {
     Json provenance = Json::object();
     std::string provenance_comments;   ///< the same as "# key: value" lines
     std::optional<Scatter> scatter{};  ///< with --monte-carlo
+    std::vector<PaperKept> kept{};     ///< with --keep-run
 };
 
 const char* groupName(PaperGroup group);                 ///< "table-1", "section-5", ...
@@ -65,6 +76,9 @@ std::optional<double> lessTheory(const PaperRun& run);  ///< DEM - theory [deg]
 std::optional<double> lessPaper(const PaperRun& run);   ///< DEM - the paper's value [deg]
 std::string failureText(const PaperRun& run);           ///< "sliding", ... or "" without an answer
 std::string movingText(const PaperRun& run);            ///< "columns 1-3 (45 blocks)"
+
+/// Blocks of a stack for people: "columns 1-3 (45 blocks)", with the rows when it is not all of them.
+std::string columnsText(const std::vector<std::string>& blocks, const std::optional<StackShape>& stack);
 
 /// "fissure 3 phi 19.5: 15.56", or the status in place of the angle.
 std::string answerText(const PaperRun& run);

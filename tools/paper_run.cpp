@@ -95,6 +95,7 @@ std::vector<PaperRun> runCases(std::vector<PaperCase> cases, const Search& searc
             const std::size_t index = order[i];
             Control control;
             control.stop = &stop;
+            control.keep_failing_state = runs[index].what.keep_failing;
             control.progress = [&ledger, index](const Progress& p) { ledger.advanced(index, p.fraction); };
             compute(runs[index], search, control);
             ledger.completed(index, runs[index]);

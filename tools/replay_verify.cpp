@@ -31,12 +31,13 @@ Task::Goal goalOf(formats::SnapshotReader& reader, std::size_t frame) {
     return {light.step, light.state_hash, light.time};
 }
 
-/// Cuts the run at its full states. The first frame is computed from the scenario alone.
+/// Cuts the run at its full states. The first frame is computed from the scenario alone; not so in a run that a search
+/// has kept, which begins in a state of that search.
 std::vector<Task> tasksOf(formats::SnapshotReader& reader) {
     std::vector<Task> tasks;
     const auto& frames = reader.frames();
     if (frames.empty()) return tasks;
-    if (frames[0].time == 0) tasks.push_back({std::nullopt, {goalOf(reader, 0)}, 0});
+    if (frames[0].time == 0 && !reader.header().failure) tasks.push_back({std::nullopt, {goalOf(reader, 0)}, 0});
     for (std::size_t k = 0; k < frames.size(); ++k) {
         if (k > 0 && !tasks.empty()) tasks.back().goals.push_back(goalOf(reader, k));
         if (frames[k].full) tasks.push_back({frames[k].full, {}, frames[k].time});

@@ -22,7 +22,8 @@ bool isHistory(const std::string& path) { return path.ends_with(".csv"); }
 void refuseToOverwrite(const RunOptions& options) {
     std::error_code absent;
     if (!options.scenario.empty() && std::filesystem::equivalent(options.output, options.scenario, absent))
-        throw BadInput(Error{"--output", "is the scenario itself; choose another file", options.output});
+        throw BadInput(
+            Error{options.output_option, "is the scenario itself; choose another file", options.output});
     if (options.force) return;
     bool finished = false, foreign = false;
     const char* kind = isHistory(options.output) ? "history" : "snapshot file";
@@ -36,9 +37,11 @@ void refuseToOverwrite(const RunOptions& options) {
     }
     const std::string remedy = "; --force replaces it, or choose another file";
     if (finished)
-        throw BadInput(Error{"--output", "holds a finished " + std::string(kind) + remedy, options.output});
+        throw BadInput(
+            Error{options.output_option, "holds a finished " + std::string(kind) + remedy, options.output});
     if (foreign)
-        throw BadInput(Error{"--output", "exists and is no " + std::string(kind) + remedy, options.output});
+        throw BadInput(
+            Error{options.output_option, "exists and is no " + std::string(kind) + remedy, options.output});
 }
 
 void noteOtherBuild(const RunOptions& options, const BuildInfo& then) {
@@ -125,14 +128,16 @@ void RunRecorder::recordRow(const HistoryRecord& row) {
     if (!refused_.empty()) requestStop();
 }
 
-RunOutput RunRecorder::output() {
+RunOutput RunRecorder::output(std::optional<formats::SnapshotFailure> failure) {
     RunOutput output;
     if (history_) output.record = [this](const HistoryRecord& row) { recordRow(row); };
     if (!snapshots_) return output;
     output.frames_per_full = frames_per_full_;
     if (!resumed_)
-        output.begin = [this](const RunGeometry& geometry) {
-            snapshots_->write(formats::headerOf(scenario_, geometry, commandLine(), frames_per_full_));
+        output.begin = [this, failure = std::move(failure)](const RunGeometry& geometry) {
+            auto header = formats::headerOf(scenario_, geometry, commandLine(), frames_per_full_);
+            header.failure = failure;
+            snapshots_->write(std::move(header));
         };
     const auto write = [this](auto&& frame, std::size_t& count) {
         snapshots_->write(std::move(frame));
@@ -165,6 +170,8 @@ void RunRecorder::finish(const Result<RunResult>& result) {
         note(options_.common, "note: the disk was slower than the run, which waited " +
                                   text(snapshots_->secondsWaited(), 2) + " s for it");
 }
+
+std::uint64_t RunRecorder::bytes() const { return snapshots_ ? snapshots_->bytesWritten() : 0; }
 
 Json RunRecorder::facts() const {
     if (!snapshots_) return nullptr;

@@ -17,6 +17,7 @@ struct RunOptions {
     std::string scenario, output, resume;
     bool force = false;
     int frames_per_full = 10;
+    const char* output_option = "--output";  ///< what it is called in messages
 };
 
 /// An earlier run that goes on: its scenario, and the last of its full states that can be read.
@@ -36,11 +37,13 @@ class RunRecorder {
  public:
     RunRecorder(const RunOptions& options, const formats::Scenario& scenario, const Resumed* resumed);
 
-    RunOutput output();  ///< for run(); the recorder must outlive it
+    /// For run(); the recorder must outlive it. `failure` goes into the header of a run that a search keeps.
+    RunOutput output(std::optional<formats::SnapshotFailure> failure = std::nullopt);
     void finish(const Result<RunResult>& result);
 
-    Json facts() const;         ///< of the snapshots, null without any
-    std::string lines() const;  ///< the same for people
+    std::uint64_t bytes() const;  ///< of snapshots, once finished
+    Json facts() const;           ///< of the snapshots, null without any
+    std::string lines() const;    ///< the same for people
 
  private:
     void openHistory();

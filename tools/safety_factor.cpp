@@ -14,6 +14,7 @@ struct SafetyFactorOptions {
     Common common;
     std::string scenario;
     bool verbose = false;
+    KeepRunOptions keep;
 };
 
 /// tan(phi) and C of every joint, peak and residual, over `factor`.
@@ -84,18 +85,21 @@ Json toJson(const SearchReport& report) {
 
 int findSafetyFactor(const SafetyFactorOptions& options) {
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    FailureKeeper keeper(options.keep, options.common, scenario);
     ProgressPrinter progress(options.common);
-    const SearchResult result =
-        valueOf(safetyFactor(scenario.model, controlOf(options.common, progress)), scenario);
-    progress.finish();
-    const SearchReport report{
+    Control control = controlOf(options.common, progress);
+    control.keep_failing_state = keeper.wanted();
+    const SearchResult result = valueOf(safetyFactor(scenario.model, control), scenario);
+    SearchReport report{
         options.common, scenario, result, {"safety factor", "factor", "", 1, 4}, theoryOf(scenario.model)};
+    if (keeper.wanted()) report.kept = keeper.keep(result, SearchKind::safety_factor, control);
+    progress.finish();
     if (options.common.json) {
         printJson(toJson(report));
     } else {
         printText(searchText(report, options.verbose));
     }
-    return exitCode(result);
+    return exitCode(report);
 }
 
 }  // namespace
@@ -106,10 +110,13 @@ Command addSafetyFactor(CLI::App& root) {
                                         "Factor of safety by strength reduction, at the scenario's tilt");
     app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
     app->add_flag("--verbose", options->verbose, "Also print every probe and every block's motion");
+    addKeepRun(*app, options->keep);
     addCommon(*app, options->common);
     app->footer(
         "Example:\n  talus safety-factor slope.toml\n  talus safety-factor slope.toml --json | jq "
-        ".safety_factor\n\ntan(phi) and C of all joints are divided by the factor; the answer is the factor "
+        ".safety_factor\n  talus safety-factor slope.toml --keep-run failing.mcap && talus replay "
+        "failing.mcap -o "
+        "failing.html\n\ntan(phi) and C of all joints are divided by the factor; the answer is the factor "
         "at "
         "which the assembly first fails.");
     return {app, [options] { return findSafetyFactor(*options); }};

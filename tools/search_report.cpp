@@ -156,9 +156,10 @@ bool wasInterrupted(const SearchResult& result) {
            (result.status == SearchStatus::undecided && stopRequested());
 }
 
-int exitCode(const SearchResult& result) {
-    if (wasInterrupted(result)) return kInterrupted;
-    return result.status == SearchStatus::undecided ? kUndecided : kDone;
+int exitCode(const SearchReport& report) {
+    if (wasInterrupted(report.result)) return kInterrupted;
+    if (report.kept && report.kept->exit_code != kDone) return report.kept->exit_code;
+    return report.result.status == SearchStatus::undecided ? kUndecided : kDone;
 }
 
 Json answerJson(const SearchReport& report) {
@@ -199,6 +200,7 @@ void addSearchJson(Json& json, const SearchReport& report) {
     json["continuation_seconds"] = number(result.continuation_seconds);
     json["probe_list"] = list(result.probes, [&](const Probe& probe) { return probeJson(report, probe); });
     json["evidence"] = list(result.motions, motionJson);
+    if (report.kept) json["kept_run"] = keptRunJson(*report.kept);
     json["provenance"] = provenance(report.common, report.scenario.path);
 }
 
@@ -210,6 +212,8 @@ std::string searchText(const SearchReport& report, bool verbose) {
                         row("method", methodText(result)) + row("cost", costText(result)) +
                         row("state hash", hashText(result.state_hash));
     for (const std::string& warning : result.warnings) table += row("warning", warning);
+    if (report.kept)
+        for (const auto& [label, content] : keptRunLines(*report.kept)) table += row(label, content);
     if (verbose) table += probeTable(report) + motionTable(result);
     return table;
 }

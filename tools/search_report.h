@@ -5,6 +5,7 @@
 #include <string>
 
 #include "command.h"
+#include "keep_run.h"
 #include "talus/analysis.h"
 #include "talus/theory.h"
 
@@ -32,11 +33,12 @@ struct SearchReport {
     const SearchResult& result;
     LoadName load;
     std::optional<TheoryFigure> theory;
+    std::optional<KeptRun> kept{};  ///< with --keep-run
 };
 
 std::string statusText(SearchStatus status);  ///< as in JSON; "undecided" when interrupted
 bool wasInterrupted(const SearchResult& result);
-int exitCode(const SearchResult& result);
+int exitCode(const SearchReport& report);
 
 Json answerJson(const SearchReport& report);   ///< the answer, null unless found
 Json bracketJson(const SearchReport& report);  ///< [low, high], null at an open end

@@ -4,9 +4,11 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "talus/frame.h"
 #include "talus/model.h"
 #include "talus/result.h"
 
@@ -24,6 +26,7 @@ struct Control {
     std::function<void(const Progress&)> progress{};
     const std::atomic<bool>* stop = nullptr;  ///< set it to end early; what was found so far is returned
     int threads = 1;
+    bool keep_failing_state = false;  ///< a search also hands out SearchResult::failing
 };
 
 enum class SearchStatus { found, unstable_at_start, stable_to_stop, undecided, interrupted };
@@ -56,6 +59,14 @@ struct BlockMotion {
     bool moving = false;
 };
 
+/// The assembly as it is let go at the end of a search; `runFailing` plays it on.
+struct FailingState {
+    FullFrame state;
+    double load = 0;             ///< tilt [rad] or factor of safety, a few cells beyond the first failing one
+    double contact_damping = 0;  ///< dashpots of the continuation, as `Damping::contact` [s]
+    double block_size = 0;       ///< median of the blocks' smallest extents [m]
+};
+
 struct SearchResult {
     SearchStatus status = SearchStatus::undecided;
     double answer = 0;  ///< midpoint of the bracket: tilt [rad] or factor of safety; valid when found
@@ -75,6 +86,7 @@ struct SearchResult {
     double time_step = 0;      ///< true-inertia step of the continuation [s]
     std::size_t blocks = 0, interfaces = 0, contact_points = 0;
     std::vector<std::string> warnings;
+    std::shared_ptr<const FailingState> failing;  ///< of a confirmed failure, when `Control` asks for it
 };
 
 /// Knobs of the quasi-static machinery; the answers do not depend on them by more than the bracket.

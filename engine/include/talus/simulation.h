@@ -83,7 +83,14 @@ struct RunOutput {
 Result<RunResult> run(const Model& model, const Control& control, const RunOutput& output,
                       const FullFrame* resume = nullptr);
 
-/// The same for a history alone: `record` is called at the start, at every frame interval and at the end.
+/// Time history of a failure that a search has found: from the state in which it was let go, at rest at time 0, to
+/// `run.duration`, or to the first frame at which some block has gone `far_enough` [m]. Poses, contacts and the shares of
+/// weight and water are the state's; tilt, strengths and damping are the model's, so they should be those it fails at.
+/// Inertia is the true one. Frames as of `run`; any full one resumes to the same bits there. Errors: as of `run`.
+Result<RunResult> runFailing(const Model& model, const Control& control, const RunOutput& output,
+                             const FullFrame& failing, double far_enough);
+
+/// `run` for a history alone: `record` is called at the start, at every frame interval and at the end.
 template <class Record>
 requires std::is_invocable_v<const Record&, const HistoryRecord&> Result<RunResult> run(
     const Model& model, const Control& control, const Record& record) {

@@ -14,7 +14,6 @@
 namespace talus::analysis {
 namespace {
 
-constexpr double kStepSafety = 0.85;
 constexpr double kDashpot = 0.5;  // damping ratio of the fastest mode: takes out the rattle only
 // The motion is looked at when it has gone these many times the deflection at rest, doubling, until two looks agree on a
 // pure mode: close to toppling, elastic rocking takes part in a slide at first and is left behind by it.
@@ -61,7 +60,7 @@ double makeDynamic(State& state, bool parallel) {
     state.damping = {.contact = 2.0 * kDashpot / std::sqrt(omega_squared)};
     state.release = 1.0;
     stages::updateForces(state, parallel);
-    return kStepSafety * stages::stableTimeStep(omega_squared, state.damping.contact);
+    return kContinuationStepSafety * stages::stableTimeStep(omega_squared, state.damping.contact);
 }
 
 /// Shares of open area and of mobilised friction over a block's Lps.

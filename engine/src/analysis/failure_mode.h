@@ -10,6 +10,9 @@
 
 namespace talus::analysis {
 
+/// Share of the stability bound that motion with true inertia takes here: dashpots eat what a long step stirs up.
+inline constexpr double kContinuationStepSafety = 0.85;
+
 struct Failure {
     FailureMode mode = FailureMode::none;
     std::vector<std::string> moving_blocks;  ///< sorted

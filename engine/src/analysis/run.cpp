@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "analysis/failure_mode.h"
 #include "analysis/initial_state.h"
 #include "analysis/threads.h"
 #include "stages/contacts.h"
@@ -90,10 +91,7 @@ class TimeHistory {
         if (control_.progress) control_.progress({"start", 0.0, "weight and water are put on"});
         start_ = analysis::bringToStart(state_, control_, parallel_);
         chooseTimeStep();
-        stages::updateForces(state_, parallel_);
-        progress_.next_frame = settings_.frame_interval;
-        progress_.frames = 1;
-        handOut(true);
+        beginFrames();
     }
 
     /// Goes on from a frame that was handed out after a whole step: nothing is computed anew.
@@ -106,8 +104,33 @@ class TimeHistory {
         return restoreFrame(frame, state_);
     }
 
+    /// From rest in a state of a search, which may have had inertia and damping of its own.
+    std::vector<Error> startFailing(const FullFrame& failing, double far_enough) {
+        if (std::vector<Error> errors = restoreFrame(failing, state_); !errors.empty()) return errors;
+        const Model& model = state_.geometry->model;
+        state_.time = state_.load.time = 0;
+        state_.step = 0;
+        state_.load.tilt = model.gravity.tilt;
+        state_.laws = jointLaws(model.joints);
+        state_.damping = model.damping;
+        state_.release = 1.0;
+        setInertia(state_, std::vector<double>(state_.blocks.size(), 1.0));
+        for (std::size_t b = 0; b < state_.blocks.size(); ++b) {
+            if (state_.blocks.motion[b] != Motion::free) continue;
+            state_.blocks.velocity.set(b, Vec3::Zero());
+            state_.blocks.angular_momentum.set(b, Vec3::Zero());
+        }
+        progress_.step_safety = analysis::kContinuationStepSafety;
+        chooseTimeStep();
+        beginFrames();
+        let_go_ = state_.blocks.position;
+        far_enough_ = far_enough;
+        return {};
+    }
+
     Result<RunResult> run() {
-        while (state_.time < settings_.duration - 0.5 * progress_.time_step && !interrupted() && finite_) {
+        while (state_.time < settings_.duration - 0.5 * progress_.time_step && !interrupted() && finite_ &&
+               !went_far_) {
             oneStep();
             if (finite_ && state_.time >= progress_.next_frame - 0.5 * progress_.time_step) frameIsDue();
         }
@@ -123,6 +146,22 @@ class TimeHistory {
     }
 
  private:
+    void beginFrames() {
+        stages::updateForces(state_, parallel_);
+        progress_.next_frame = settings_.frame_interval;
+        progress_.frames = 1;
+        handOut(true);
+    }
+
+    bool wentFar() const {
+        if (!(far_enough_ < kInfinity)) return false;
+        for (std::size_t b = 0; b < state_.blocks.size(); ++b)
+            if (state_.blocks.motion[b] == Motion::free &&
+                (state_.blocks.position.get(b) - let_go_.get(b)).norm() >= far_enough_)
+                return true;
+        return false;
+    }
+
     bool interrupted() {
         if (state_.step % kStepsPerLook == 0 && control_.stop != nullptr &&
             control_.stop->load(std::memory_order_relaxed))
@@ -135,7 +174,8 @@ class TimeHistory {
             progress_.next_frame += settings_.frame_interval;
         const bool full = progress_.frames % std::max(1, output_.frames_per_full) == 0;
         ++progress_.frames;
-        handOut(full);
+        went_far_ = wentFar();
+        handOut(full || went_far_);
     }
 
     /// Nothing is handed out twice. The last frame of an interrupted run comes beside the regular ones and does not
@@ -222,31 +262,47 @@ class TimeHistory {
     RunProgress progress_;
     InitialState start_ = InitialState::unstressed;
     std::int64_t last_light_ = -1, last_full_ = -1;  // steps at which they were handed out
+    VectorArray let_go_;                             // positions at the start of a failure
+    double far_enough_ = kInfinity;
+    bool went_far_ = false;
     bool interrupted_ = false;
     bool finite_ = true;
 };
+
+/// Builds the model, lets `begin` put its history at its start, and runs it.
+template <class Begin>
+Result<RunResult> history(const Model& model, const Control& control, const RunOutput& output,
+                          const Begin& begin) {
+    return analysis::inArena(control.threads, [&]() -> Result<RunResult> {
+        const auto started = std::chrono::steady_clock::now();
+        Result<State> built = buildState(model, control.threads != 1);
+        if (!built) return built.errors();
+        const bool parallel = analysis::worthThreads(*built, control.threads);
+        TimeHistory history(std::move(*built), control, output, parallel);
+        if (std::vector<Error> errors = begin(history); !errors.empty()) return errors;
+        Result<RunResult> result = history.run();
+        if (result)
+            result->wall_seconds =
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+        return result;
+    });
+}
 
 }  // namespace
 
 Result<RunResult> run(const Model& model, const Control& control, const RunOutput& output,
                       const FullFrame* resume) {
-    return analysis::inArena(control.threads, [&]() -> Result<RunResult> {
-        const auto begin = std::chrono::steady_clock::now();
-        Result<State> built = buildState(model, control.threads != 1);
-        if (!built) return built.errors();
-        const bool parallel = analysis::worthThreads(*built, control.threads);
-        TimeHistory history(std::move(*built), control, output, parallel);
-        if (resume == nullptr) {
-            history.start();
-        } else if (std::vector<Error> errors = history.resume(*resume); !errors.empty()) {
-            return errors;
-        }
-        Result<RunResult> result = history.run();
-        if (result)
-            result->wall_seconds =
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        return result;
+    return history(model, control, output, [&](TimeHistory& history) {
+        if (resume != nullptr) return history.resume(*resume);
+        history.start();
+        return std::vector<Error>{};
     });
+}
+
+Result<RunResult> runFailing(const Model& model, const Control& control, const RunOutput& output,
+                             const FullFrame& failing, double far_enough) {
+    return history(model, control, output,
+                   [&](TimeHistory& history) { return history.startFailing(failing, far_enough); });
 }
 
 const char* toString(InitialState start) {

@@ -13,6 +13,7 @@
 #include "analysis/threads.h"
 #include "stages/measure.h"
 #include "state/build.h"
+#include "state/frame.h"
 #include "talus/analysis.h"
 
 namespace talus {
@@ -181,6 +182,7 @@ class Search {
         const bool fails =
             result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start;
         const State& last = fails ? last_moving_ : last_stable_;
+        if (!fails) result_.failing = nullptr;
         result_.steps = work_.steps + continuation_steps_;
         result_.state_hash = stages::stateHash(last);
         result_.inertia_scaled = work_.inertia_scaled;
@@ -220,8 +222,17 @@ class Search {
         // A few cells beyond the failing load, because at it the motion would start as slowly as the bracket is fine.
         const double load = bracket_.high() ? axis_.load(*bracket_.high()) : axis_.start;
         axis_.apply(last_moving_, load + kOverload * axis_.cell);
+        std::shared_ptr<FailingState> failing;
+        if (control_.keep_failing_state)
+            failing =
+                std::make_shared<FailingState>(fullFrameOf(last_moving_), load + kOverload * axis_.cell);
         analysis::Failure failure =
             analysis::continueFailure(last_moving_, deflectionAtRest(), control_, parallel_);
+        if (failing) {
+            failing->contact_damping = last_moving_.damping.contact;
+            failing->block_size = last_moving_.geometry->length_scale;
+        }
+        result_.failing = failure.confirmed ? std::move(failing) : nullptr;
         result_.mode = failure.mode;
         result_.moving_blocks = std::move(failure.moving_blocks);
         result_.motions = std::move(failure.motions);

@@ -30,7 +30,9 @@ double area(const Face& face) {
 
 /// The chord between one normal and the other's opposite: exact for the small angles where a cosine is not.
 bool isOpposite(const Vec3& a, const Vec3& b, double max_angle) {
-    return (a + b).norm() <= 2 * std::sin(0.5 * max_angle);
+    const double chord = (a + b).norm();
+    return chord <= max_angle &&
+           chord <= 2 * std::sin(0.5 * max_angle);  // the chord is never longer than the arc
 }
 
 /// Whether the gap of a patch between the two planes can be within the limits: it lies between the heights of

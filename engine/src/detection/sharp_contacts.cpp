@@ -145,11 +145,12 @@ Faces meetingFaces(const Pair& pair, const Axis& axis) {
 }
 
 bool meetsFaceToFace(const Pair& pair, const Axis& axis, const SharpLimits& limits) {
-    const double face_angle = limits.face_angle + limits.angle_per_depth * std::max(0.0, -axis.distance);
     const Faces faces = meetingFaces(pair, axis);
-    const Vec3 sum = pair.first.normals[static_cast<std::size_t>(faces.first)] +
-                     pair.second.normals[static_cast<std::size_t>(faces.second)];
-    return sum.norm() <= 2.0 * std::sin(0.5 * face_angle);
+    const Vec3 &first = pair.first.normals[static_cast<std::size_t>(faces.first)],
+               &second = pair.second.normals[static_cast<std::size_t>(faces.second)];
+    const double angle = limits.face_angle + limits.angle_per_depth * std::max(0.0, -axis.distance);
+    const double chord = (first + second).norm();
+    return chord <= angle && chord <= 2.0 * std::sin(0.5 * angle);  // the chord is never longer than the arc
 }
 
 /// Calls each(axis) for all axes until it returns false.
@@ -332,9 +333,18 @@ bool areParallelSided(const WorldShape& first, const WorldShape& second, double 
 
 }  // namespace
 
-bool mayMeetSharply(const WorldShape& first, const WorldShape& second, const SharpLimits& limits,
+bool areApart(const WorldShape& first, const WorldShape& second, double distance) {
+    const Pair pair{first, second};
+    for (std::size_t face = 0; face < first.faces.size(); ++face)
+        if (faceAxis(pair, false, face).distance > distance) return true;
+    for (std::size_t face = 0; face < second.faces.size(); ++face)
+        if (faceAxis(pair, true, face).distance > distance) return true;
+    return false;
+}
+
+Approach approachOf(const WorldShape& first, const WorldShape& second, const SharpLimits& limits,
                     double travel, double turn) {
-    if (areParallelSided(first, second, limits.face_angle - turn)) return false;
+    if (areParallelSided(first, second, limits.face_angle - turn)) return Approach::faces;
     Pair pair{first, second};
     SharpLimits narrow = limits;
     narrow.face_angle -= turn;
@@ -348,7 +358,8 @@ bool mayMeetSharply(const WorldShape& first, const WorldShape& second, const Sha
         if (axis.distance > sharpest && !meetsFaceToFace(pair, axis, narrow)) sharpest = axis.distance;
         return true;
     });
-    return !apart && sharpest > most - travel;
+    if (apart) return Approach::apart;
+    return sharpest > most - travel ? Approach::sharp : Approach::faces;
 }
 
 }  // namespace talus

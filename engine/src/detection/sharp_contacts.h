@@ -48,8 +48,16 @@ struct SharpLimits {
 /// On a face up to four of the other block's vertices, and of the places where its edges cross the face's outline.
 SharpPoints findSharpPoints(const WorldShape& first, const WorldShape& second, const SharpLimits& limits);
 
-/// Whether findSharpPoints may find something after moves of up to `travel` [m] and turns of up to `turn` [rad].
-bool mayMeetSharply(const WorldShape& first, const WorldShape& second, const SharpLimits& limits,
+/// What two blocks may come to within moves of up to `travel` [m] and turns of up to `turn` [rad].
+enum class Approach : std::uint8_t {
+    apart,  ///< farther from each other than the limits' reach
+    faces,  ///< face to face at most
+    sharp   ///< findSharpPoints may find something
+};
+Approach approachOf(const WorldShape& first, const WorldShape& second, const SharpLimits& limits,
                     double travel, double turn);
+
+/// Whether they are certainly farther apart than `distance` [m], by the normals of their faces alone.
+bool areApart(const WorldShape& first, const WorldShape& second, double distance);
 
 }  // namespace talus

@@ -124,8 +124,24 @@ void dropTilted(const PlacedShapes& placed, std::size_t a, std::size_t b, double
     });
 }
 
+/// Pairs of blocks with slots for vertices and edges, sorted.
+using SlotPairs = std::vector<BoxPair>;
+
+bool hadSlots(const SlotPairs& pairs, BoxPair pair) {
+    return std::binary_search(pairs.begin(), pairs.end(), pair);
+}
+
+SlotPairs pairsWithSlots(const Interfaces& f) {
+    SlotPairs pairs;
+    for (std::size_t i = 0; i < f.size(); ++i)
+        if (isSharp(f, i)) pairs.push_back(std::minmax(f.block_a[i], f.block_b[i]));
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
 PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair pair, double margin,
-                        bool initial) {
+                        const SlotPairs& with_slots, bool initial) {
     PairFinding finding;
     const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
     if (state.blocks.motion[first] != Motion::free && state.blocks.motion[second] != Motion::free)
@@ -136,15 +152,18 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     finding.block_b = static_cast<std::int32_t>(b);
     const double size = std::min(state.geometry->size[a], state.geometry->size[b]);
     const double closed = kClosedGap * size;
-    finding.faces = findFacePairs(placed.world(a), placed.world(b),
+    const WorldShape placed_a = placed.world(a), placed_b = placed.world(b);
+    const SharpLimits sharp = sharpLimits(*state.geometry, a, b, margin);
+    const double travel = 2.0 * (kTravelLimit + kTurnLimit) * size;
+    if (!initial && areApart(placed_a, placed_b, sharp.reach + travel)) return finding;
+    finding.faces = findFacePairs(placed_a, placed_b,
                                   {.max_gap = margin, .max_overlap = 0.5 * size, .max_angle = kMostFaceAngle},
                                   Reference::face_a);
     dropTilted(placed, a, b, size, finding);
     dropFalsePairs(placed, a, b, closed, finding);
-    const double travel = 2.0 * (kTravelLimit * size + kTurnLimit * size);
-    finding.may_meet_sharply =
-        mayMeetSharply(placed.world(a), placed.world(b), sharpLimits(*state.geometry, a, b, margin), travel,
-                       2.0 * kTurnLimit);
+    // A pair that has slots keeps them as long as it is near.
+    finding.may_meet_sharply = hadSlots(with_slots, pair) || approachOf(placed_a, placed_b, sharp, travel,
+                                                                        2.0 * kTurnLimit) == Approach::sharp;
     if (!initial) return finding;
     for (const FacePair& face :
          finding.faces)  // parallel faces that do not overlap: a plane between the blocks
@@ -166,7 +185,8 @@ std::vector<BoxPair> nearPairs(const PlacedShapes& placed, double margin, bool p
 /// Examines all pairs and hands what it finds to `take`, pair by pair in order. In pieces: of a million blocks' thirteen
 /// million pairs all findings at once would take more memory than the state.
 template <class Take>
-void examinePairs(const State& state, double margin, bool initial, bool parallel, const Take& take) {
+void examinePairs(const State& state, double margin, const SlotPairs& with_slots, bool initial, bool parallel,
+                  const Take& take) {
     constexpr std::size_t kPiece = 16384;
     const PlacedShapes placed = placeShapes(state, parallel);
     const std::vector<BoxPair> pairs = nearPairs(placed, margin, parallel);
@@ -175,7 +195,7 @@ void examinePairs(const State& state, double margin, bool initial, bool parallel
         findings.assign(std::min(kPiece, pairs.size() - begin), {});
         forRange(findings.size(), 64, parallel, [&](Range range) {
             for (std::size_t k = range.begin; k < range.end; ++k)
-                findings[k] = examinePair(state, placed, pairs[begin + k], margin, initial);
+                findings[k] = examinePair(state, placed, pairs[begin + k], margin, with_slots, initial);
         });
         for (const PairFinding& finding : findings) take(finding);
     }
@@ -352,10 +372,11 @@ struct SearchRemarks {
     std::vector<Error> grid{};          ///< the first patch that is no rectangle where the rule asks for one
 };
 
-SearchRemarks appendInterfaces(State& state, double margin, bool initial, bool parallel) {
+SearchRemarks appendInterfaces(State& state, double margin, const SlotPairs& with_slots, bool initial,
+                               bool parallel) {
     SearchRemarks remarks;
     InterfaceWindow window;
-    examinePairs(state, margin, initial, parallel, [&](const PairFinding& finding) {
+    examinePairs(state, margin, with_slots, initial, parallel, [&](const PairFinding& finding) {
         if (finding.overlaps)
             remarks.overlaps.push_back({{}, finding.block_a, finding.block_b, false, true, finding.depth});
         for (const FacePair& pair : finding.faces) {
@@ -385,8 +406,9 @@ std::vector<Error> touchErrors(const State& state) {
 
 std::vector<Error> findInterfacesWithin(State& state, double margin, double ahead, bool initial,
                                         bool parallel) {
+    const SlotPairs with_slots = pairsWithSlots(state.interfaces);
     const OldInterfaces old = takeInterfaces(state);
-    const SearchRemarks remarks = appendInterfaces(state, margin, initial, parallel);
+    const SearchRemarks remarks = appendInterfaces(state, margin, with_slots, initial, parallel);
     if (initial) {
         std::vector<Error> errors = overlapErrors(state, remarks.overlaps);
         if (errors.empty()) errors = remarks.grid;

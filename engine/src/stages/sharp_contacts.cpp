@@ -27,7 +27,6 @@ constexpr double kNearPlace =
     0.1;  // of the smaller block's size: what an Lp carried goes to a new one this near
 constexpr double kSameNormal = 0.9;  // cosine, likewise
 constexpr std::size_t kSlots = SharpPoints::kMost;
-static_assert(simd::kLanes % kSlots == 0);  // a pair of blocks has all its slots in one group
 
 /// A block where it is, with its face normals.
 struct Placed {
@@ -350,16 +349,16 @@ void appendSharpSlots(State& state, std::int32_t block_1, std::int32_t block_2) 
 
 namespace {
 
-/// Calls each(first slot) for the pairs of blocks that have slots. A group may hold the slots of several pairs.
+/// Calls each(begin) for the first slot of every pair, in any order when `parallel`.
 template <class Each>
 void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
+    static_assert(simd::kLanes % kSlots == 0, "a group holds whole pairs");
     forRange(f.groups.size(), 16, parallel, [&](Range range) {
         for (std::size_t g = range.begin; g < range.end; ++g) {
             const InterfaceGroup& group = f.groups[g];
             if (group.corners != 1) continue;
-            const auto begin = static_cast<std::size_t>(group.begin);
-            for (std::size_t i = begin; i < begin + static_cast<std::size_t>(group.size); i += kSlots)
-                each(i);
+            for (std::int32_t i = 0; i < group.size; i += static_cast<std::int32_t>(kSlots))
+                each(static_cast<std::size_t>(group.begin + i));
         }
     });
 }
@@ -368,8 +367,8 @@ void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
 
 bool updateSharpContacts(State& state, double ahead, bool parallel) {
     std::atomic<bool> changes = false;
-    Interfaces& f = state.interfaces;
-    forEachPair(f, parallel, [&](std::size_t begin) {
+    forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
+        Interfaces& f = state.interfaces;
         double& left = travelLeft(f, begin);
         const double speed = speedBound(state, static_cast<std::size_t>(f.block_a[begin])) +
                              speedBound(state, static_cast<std::size_t>(f.block_b[begin]));
@@ -387,13 +386,13 @@ bool updateSharpContacts(State& state, double ahead, bool parallel) {
 }
 
 void renewSharpContacts(State& state, double ahead, bool parallel, const CarriedPoints& carried) {
-    Interfaces& f = state.interfaces;
-    forEachPair(f, parallel, [&](std::size_t begin) {
+    forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
         const Look look = lookAtPair(state, begin, ahead);
-        const auto of_pair = carried.find(std::minmax(f.block_a[begin], f.block_b[begin]));
+        const auto of_pair =
+            carried.find(std::minmax(state.interfaces.block_a[begin], state.interfaces.block_b[begin]));
         writeSlots(state, begin, look.found,
                    of_pair == carried.end() ? std::vector<CarriedPoint>{} : of_pair->second, look.size);
-        travelLeft(f, begin) = look.travel;
+        travelLeft(state.interfaces, begin) = look.travel;
     });
 }
 

@@ -26,6 +26,7 @@ double radiusOf(const RunGeometry& geometry, std::size_t b) {
 }  // namespace
 
 std::vector<FailureMode> failureRoles(const SnapshotHeader& header, const LightFrame& frame) {
+    if (header.failure) return header.failure->roles;
     const RunGeometry& g = header.geometry;
     const std::size_t n = header.names.size();
     std::vector<double> motion(n, 0.0), radius(n, 0.0);

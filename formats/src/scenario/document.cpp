@@ -55,6 +55,10 @@ class Step {
         }
     }
 
+    void erase() const {
+        if (const auto* key = std::get_if<std::string>(&part_)) parent_.as_table()->erase(*key);
+    }
+
  private:
     toml::node& parent_;
     const PathPart& part_;
@@ -190,6 +194,17 @@ std::optional<std::string> Document::set(const std::vector<PathPart>& path, cons
         node = step.find();
     }
     return "the path is empty";
+}
+
+void Document::erase(const std::vector<PathPart>& path) {
+    toml::node* node = static_cast<toml::node*>(root_.get());
+    for (const PathPart& part : path) {
+        const Step step(*node, part);
+        if (step.fault(false)) return;
+        if (&part == &path.back()) return step.erase();
+        node = step.find();
+        if (node == nullptr) return;
+    }
 }
 
 }  // namespace talus::formats::scenario

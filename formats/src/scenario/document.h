@@ -77,6 +77,9 @@ class Document {
     std::optional<std::string> set(const std::vector<PathPart>& path, const Scalar& value,
                                    bool may_append = false);
 
+    /// Takes a key out of its table; nothing happens where there is none.
+    void erase(const std::vector<PathPart>& path);
+
  private:
     explicit Document(std::shared_ptr<void> root) : root_(std::move(root)) {}
     std::shared_ptr<void> root_;  ///< a toml::node, namely a table

@@ -25,12 +25,13 @@ constexpr Place kFileStart{1, 1};
 class ScenarioReader {
  public:
     /// \param folder  where mesh files are looked for: "" or with a slash at its end
-    ScenarioReader(Report& report, Node root, std::string folder)
+    ScenarioReader(Report& report, Node root, std::string folder, std::int64_t most_blocks)
         : report_(report),
           root_(report, root, "",
                 {"format", "analysis", "run", "damping", "gravity", "contact", "material", "joint", "stack",
                  "block", "rock_mass", "joint_set", "single_joint", "water", "interface"}),
-          folder_(std::move(folder)) {}
+          folder_(std::move(folder)),
+          most_blocks_(most_blocks) {}
 
     /// \post the model is complete when the report is clean
     Model read() {
@@ -61,7 +62,7 @@ class ScenarioReader {
     void readBlocks() {
         std::int64_t count = 0;
         for (const FieldNode& entry : root_.tables("stack")) {
-            stacks_.push_back(readStack(report_, entry, materials_, joints_));
+            stacks_.push_back(readStack(report_, entry, materials_, joints_, most_blocks_));
             Stack& stack = stacks_.back();
             stack.first_block = static_cast<std::int32_t>(count);
             if (stack.shape_known) count += stack.blockCount();
@@ -79,6 +80,7 @@ class ScenarioReader {
     void readRock(BlockDirectory& directory) {
         rock_ = readRockMass(report_, root_, materials_, joints_, folder_);
         if (!rock_) return;
+        rock_->description.max_blocks = static_cast<std::size_t>(most_blocks_);
         if (report_.clean()) rock_blocks_ = cutBlocks(report_, *rock_);
         if (!rock_blocks_) return directory.setIncomplete();
         warnings_ = rock_blocks_->cut.warnings;
@@ -102,10 +104,10 @@ class ScenarioReader {
     }
 
     bool checkCount(Place place, const std::string& field, std::int64_t count) {
-        if (count <= kMaxBlocks) return true;
-        report_.add(
-            place, field,
-            "found " + std::to_string(count) + " blocks up to here, allowed: " + std::to_string(kMaxBlocks));
+        if (count <= most_blocks_) return true;
+        report_.add(place, field,
+                    "found " + std::to_string(count) +
+                        " blocks up to here, allowed: " + std::to_string(most_blocks_));
         return false;
     }
 
@@ -164,6 +166,7 @@ class ScenarioReader {
     std::vector<Stack> stacks_;
     std::vector<PlacedBlock> placed_;
     std::string folder_;
+    std::int64_t most_blocks_;
     std::optional<RockMassInput> rock_;
     std::optional<RockMassBlocks> rock_blocks_;
     std::vector<std::string> warnings_;
@@ -172,20 +175,21 @@ class ScenarioReader {
 }  // namespace
 }  // namespace scenario
 
-Result<Scenario> scenario::readDocument(const Document& document, std::string text, const std::string& path) {
+Result<Scenario> scenario::readDocument(const Document& document, std::string text, const std::string& path,
+                                        std::int64_t most_blocks) {
     Report report(path);
     const auto slash = path.rfind('/');
     const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
-    ScenarioReader reader(report, document.root(), folder);
+    ScenarioReader reader(report, document.root(), folder, most_blocks);
     Model model = reader.read();
     if (!report.clean()) return report.errors();
     return Scenario{std::move(model), path, std::move(text), report.takePlaces(), reader.takeWarnings()};
 }
 
-Result<Scenario> parseScenario(const std::string& text, const std::string& path) {
+Result<Scenario> parseScenario(const std::string& text, const std::string& path, std::int64_t most_blocks) {
     const auto document = scenario::Document::parse(text, path);
     if (!document) return document.errors();
-    return scenario::readDocument(*document, text, path);
+    return scenario::readDocument(*document, text, path, most_blocks);
 }
 
 Result<Scenario> readScenario(const std::string& path) {

@@ -12,9 +12,6 @@
 
 namespace talus::formats::scenario {
 
-/// Blocks of a model. Two million take about 1.6 GB before the engine adds its arrays.
-inline constexpr std::int64_t kMaxBlocks = 2'000'000;
-
 /// What a [[stack]] table says. Columns, rows and slices are 1-based in names and 0-based in code.
 struct Stack {
     std::string name;   ///< prefix of its blocks' names
@@ -57,7 +54,8 @@ struct Stack {
     double planeZ(int blocks) const { return origin.z() + blocks * block.z(); }
 };
 
-Stack readStack(Report& report, const FieldNode& entry, const Materials& materials, const Joints& joints);
+Stack readStack(Report& report, const FieldNode& entry, const Materials& materials, const Joints& joints,
+                std::int64_t most_blocks);
 
 /// Appends the stack's blocks and the joints of pairs that faces alone cannot tell. \pre the stack has no
 /// errors

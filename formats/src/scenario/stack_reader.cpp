@@ -28,20 +28,20 @@ void readHeights(Report& report, TableReader& table, Stack& stack) {
 }
 
 /// Before anything of that size is allocated.
-bool checkBlockCount(TableReader& table, std::int64_t count) {
-    if (count <= kMaxBlocks) return true;
+bool checkBlockCount(TableReader& table, std::int64_t count, std::int64_t most) {
+    if (count <= most) return true;
     table.error("columns", "found " + std::to_string(count) +
-                               " blocks (columns x rows x slices), allowed: at most " +
-                               std::to_string(kMaxBlocks));
+                               " blocks (columns x rows x slices), allowed: at most " + std::to_string(most));
     return false;
 }
 
-void readCounts(Report& report, TableReader& table, Stack& stack) {
+void readCounts(Report& report, TableReader& table, Stack& stack, std::int64_t most_blocks) {
     const auto columns = table.integer("columns", {1, kMaxCount});
     const auto rows = table.integer("rows", {1, kMaxCount});
     const auto slices = table.integer("slices", {1, kMaxCount});
     stack.running = table.choice("bond", {"stack", "running"}).value_or(0) == 1;
-    stack.shape_known = columns && rows && slices && checkBlockCount(table, *columns * *rows * *slices);
+    stack.shape_known =
+        columns && rows && slices && checkBlockCount(table, *columns * *rows * *slices, most_blocks);
     if (!stack.shape_known) return;
     stack.columns = static_cast<int>(*columns);
     stack.rows = static_cast<int>(*rows);
@@ -114,7 +114,8 @@ void readBedFriction(Report& report, TableReader& table, Stack& stack) {
 
 }  // namespace
 
-Stack readStack(Report& report, const FieldNode& entry, const Materials& materials, const Joints& joints) {
+Stack readStack(Report& report, const FieldNode& entry, const Materials& materials, const Joints& joints,
+                std::int64_t most_blocks) {
     TableReader table(report, entry.node, entry.field,
                       {"name", "origin", "columns", "rows", "slices", "block", "material", "bond", "heights",
                        "joint", "bed_joint", "side_joint", "bed_friction_deg", "row_material"});
@@ -123,7 +124,7 @@ Stack readStack(Report& report, const FieldNode& entry, const Materials& materia
     stack.field = entry.field;
     stack.place = table.place();
     stack.name_place = table.placeOf("name");
-    readCounts(report, table, stack);
+    readCounts(report, table, stack, most_blocks);
     const auto name = table.name("name", true);
     stack.name = name.value_or("");
     stack.name_known = name || !table.has("name");

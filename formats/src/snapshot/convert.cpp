@@ -4,6 +4,7 @@
 #include <memory>
 #include <type_traits>
 
+#include "snapshot/alignment.h"
 #include "snapshot/fields.h"
 
 namespace talus::formats {
@@ -82,11 +83,21 @@ mcap::Bytes pack(const Message& message) {
     return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
+template <class Table>
+constexpr const char* kTypeName = nullptr;
+template <>
+constexpr const char* kTypeName<fb::Header> = "talus.snapshot.Header";
+template <>
+constexpr const char* kTypeName<fb::Frame> = "talus.snapshot.Frame";
+template <>
+constexpr const char* kTypeName<fb::Full> = "talus.snapshot.Full";
+
 /// The message as plain data; false when its bytes are not one.
 template <class Table, class Message>
 bool unpack(const mcap::Bytes& bytes, Message& message) {
     flatbuffers::Verifier verifier(bytes.data(), bytes.size());
-    if (!verifier.VerifyBuffer<Table>(fb::FrameIdentifier())) return false;
+    if (!verifier.VerifyBuffer<Table>(fb::FrameIdentifier()) || !vectorsAreAligned(bytes, kTypeName<Table>))
+        return false;
     flatbuffers::GetRoot<Table>(bytes.data())->UnPackTo(&message);
     return true;
 }
@@ -157,6 +168,27 @@ bool fromMessage(const fb::JointsT& m, std::vector<Joint>& joints) {
     return true;
 }
 
+fb::FailureT toMessage(const SnapshotFailure& failure) {
+    fb::FailureT m;
+    m.analysis = failure.analysis;
+    m.load = failure.load;
+    m.mode = static_cast<std::uint8_t>(failure.mode);
+    for (const FailureMode role : failure.roles) m.role.push_back(static_cast<std::uint8_t>(role));
+    return m;
+}
+
+bool fromMessage(const fb::FailureT& m, SnapshotFailure& failure) {
+    const auto isMode = [](std::uint8_t value) {
+        return value <= static_cast<std::uint8_t>(FailureMode::mixed);
+    };
+    if (!isMode(m.mode) || !std::all_of(m.role.begin(), m.role.end(), isMode)) return false;
+    failure.analysis = m.analysis;
+    failure.load = m.load;
+    failure.mode = static_cast<FailureMode>(m.mode);
+    for (const std::uint8_t role : m.role) failure.roles.push_back(static_cast<FailureMode>(role));
+    return true;
+}
+
 /// Upper bound of a full frame's message [bytes], generously.
 std::size_t messageBytes(const FullFrame& frame) {
     return 240 * frame.blocks.inverse_mass.size() + 284 * frame.interfaces.size() +
@@ -170,6 +202,7 @@ mcap::Bytes encode(SnapshotHeader header) {
     fb::HeaderT message;
     message.joints = std::make_unique<fb::JointsT>(toMessage(header.joints));
     for (const Water& water : header.waters) message.waters.push_back(toMessage(water));
+    if (header.failure) message.failure = std::make_unique<fb::FailureT>(toMessage(*header.failure));
     eachField(header, message, IntoMessage{});
     return pack<fb::Header>(message);
 }
@@ -199,6 +232,7 @@ bool decode(const mcap::Bytes& bytes, SnapshotHeader& header, std::string& why) 
     if (!message.joints || !fromMessage(*message.joints, header.joints)) return false;
     for (const auto& water : message.waters)
         if (!fromMessage(*water, header.waters.emplace_back())) return false;
+    if (message.failure && !fromMessage(*message.failure, header.failure.emplace())) return false;
     eachField(header, message, FromMessage{});
     return true;
 }

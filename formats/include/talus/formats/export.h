@@ -11,7 +11,7 @@
 
 namespace talus::formats {
 
-/// How each block moves up to a frame: `none` when it went less than a tenth of the farthest block's way, `toppling` when
+/// How each block moves, as the search saw it in a run that it kept; else up to this frame: `none` when it went less than a tenth of the farthest block's way, `toppling` when
 /// it turns about a pivot within reach of the moving group, else `sliding` (the rule of the failure analysis).
 std::vector<FailureMode> failureRoles(const SnapshotHeader& header, const LightFrame& frame);
 

@@ -11,6 +11,7 @@
 // analysis.factor_tolerance, and water[].stack, the name of the stack meant where there are several.
 // Limits: 64 MiB of text, two million blocks, 1000 vertices of a block placed by hand.
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -33,8 +34,13 @@ struct Scenario {
 /// Reads and checks a scenario file. All faults found are reported, not just the first.
 Result<Scenario> readScenario(const std::string& path);
 
-/// The same for text already in memory; `path` is used in messages only.
-Result<Scenario> parseScenario(const std::string& text, const std::string& path);
+/// Blocks of a model. Two million take about 1.6 GB before the engine adds its arrays.
+inline constexpr std::int64_t kMostBlocks = 2'000'000;
+
+/// The same for text already in memory; `path` is used in messages, and its folder is where mesh files are looked for.
+/// More than `most_blocks` blocks are an error, found before anything of that size is made.
+Result<Scenario> parseScenario(const std::string& text, const std::string& path,
+                               std::int64_t most_blocks = kMostBlocks);
 
 /// Adds file, line and column to errors of the engine (overlaps, water on no face, ...), by their field: the
 /// place of the field itself, else of the nearest enclosing table ("water[1].walls" falls back to

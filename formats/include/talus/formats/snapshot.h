@@ -23,6 +23,14 @@ namespace talus::formats {
 
 inline constexpr int kSnapshotFormat = 1;
 
+/// What a search says of the failing run that it keeps.
+struct SnapshotFailure {
+    std::string analysis;  ///< "critical-angle" or "safety-factor"
+    double load = 0;       ///< tilt [rad] or factor of safety of this run
+    FailureMode mode = FailureMode::none;
+    std::vector<FailureMode> roles;  ///< per block: how the search saw it move
+};
+
 /// What a file says of its run before the first frame.
 struct SnapshotHeader {
     int format = kSnapshotFormat;
@@ -39,6 +47,8 @@ struct SnapshotHeader {
     RunGeometry geometry;
     std::vector<Joint> joints;
     std::vector<Water> waters;
+    std::optional<SnapshotFailure>
+        failure;  ///< of a run kept by a search, which begins in a state of that search
 };
 
 /// The header of a run of this scenario by this build.

@@ -45,6 +45,18 @@ export function decodeHeader(buffer) {
       residualCohesion: j.residualCohesion(k),
     })),
     waters: listOf(h.watersLength(), (k) => decodeWater(h.waters(k))),
+    failure: decodeFailure(h.failure()),
+  };
+}
+
+/** What the search says that kept this run; null for others. */
+function decodeFailure(f) {
+  if (!f) return null;
+  return {
+    analysis: f.analysis() ?? "",
+    load: f.load(),
+    mode: ["none", "sliding", "toppling", "mixed"][f.mode()] ?? "none",
+    role: f.roleArray() ?? none.u8,
   };
 }
 

@@ -31,8 +31,13 @@ function movingExtent(header, frame, radius, moving) {
   return norm([high[0] - low[0], high[1] - low[1], high[2] - low[2]]);
 }
 
-/** Role of every block by its motion up to this frame, as a Uint8Array. */
+const rolesOfSearch = [Role.stands, Role.slides, Role.topples, Role.topples]; // in the order of the schema
+
+/** Role of every block as the search saw it that kept this run, else by its motion up to this frame, as a Uint8Array. */
 export function rolesAt(header, frame, radius) {
+  if (header.failure)
+    return Uint8Array.from(header.motion, (motion, b) =>
+      motion === 1 ? Role.fixed : motion === 2 ? Role.driven : rolesOfSearch[header.failure.role[b]] ?? Role.stands);
   const motion = header.names.map((_, b) => (header.motion[b] === 0 ? motionOf(frame, b, radius) : 0));
   const largest = motion.reduce((most, value) => Math.max(most, value), 0);
   const fails = largest > kStandingShare * smallestFree(header);
@@ -48,6 +53,7 @@ export function rolesAt(header, frame, radius) {
 
 /** "sliding", "toppling", "mixed" or "none", by moving mass as in the engine. */
 export function overallMode(header, roles) {
+  if (header.failure) return header.failure.mode;
   let sliding = 0, toppling = 0;
   roles.forEach((role, b) => {
     if (role === Role.slides) sliding += header.mass[b];

@@ -6,7 +6,7 @@ import { roleNames } from "../data/roles.js";
 import { whyBlock, whyInterface } from "../data/why.js";
 import { patchPoint } from "../view/sheets.js";
 import { roleColours } from "../view/colours.js";
-import { angle, area, degrees, percent, quantity } from "../units.js";
+import { angle, area, degrees, percent, quantity, ratio } from "../units.js";
 
 const escape = (text) => String(text).replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
 const facts = (rows) => `<dl>${rows.map(([name, value]) => `<dt>${name}</dt><dd>${value}</dd>`).join("")}</dl>`;
@@ -79,6 +79,9 @@ export function interfaceText({ header, full, frames, i }) {
     `<th>P</th><th>area</th><th>state</th><th>used</th></tr></thead><tbody>${points.join("")}</tbody></table></div>`;
 }
 
+const loadText = ({ analysis, load }) =>
+  analysis === "safety-factor" ? `strengths divided by ${ratio(load)}` : `failing at ${angle(load, 4)}`;
+
 /** What the file says of the run: for the panel's last section. */
 export function runText(file, mode) {
   const { header, end, frames } = file;
@@ -90,6 +93,7 @@ export function runText(file, mode) {
     ["Reached", `${quantity(frames.at(-1).time, "s")} of ${quantity(header.duration, "s")}`],
     ["Tilt at the end", angle(frames.at(-1).tilt, 4)],
     ["Motion", mode],
+    ...(header.failure ? [["Kept by", escape(`talus ${header.failure.analysis}, ${loadText(header.failure)}`)]] : []),
     ["Run ended", escape(ended)],
     ["State hash", `<code>${frames.at(-1).stateHash}</code>`],
     ["Written by", escape(`talus ${header.build.version} ${header.build.gitHash}`)],

@@ -1,0 +1,28 @@
+#pragma once
+// A scenario as it fails: the tilt or the reduced strengths that a search has found, written out, so that the text of a
+// kept run says by itself what moves there.
+
+#include <optional>
+#include <string>
+
+#include "talus/formats/scenario.h"
+#include "talus/result.h"
+
+namespace talus::formats {
+
+/// What a search changes in a scenario, and how its failure is played on.
+struct FailingLoad {
+    std::optional<double> tilt;  ///< [rad]; else the scenario's own
+    double factor = 1;  ///< of safety: tan(friction) and cohesion, peak and residual, are divided by it
+    double contact_damping = 0;  ///< Damping::contact [s]; all other damping is off
+    double duration = 1;         ///< [s]
+    double frame_interval = 0;   ///< [s]
+};
+
+/// The scenario at that load, read from its own new text, which starts with `remark` as comment lines. Water levels
+/// over time stay at their value at time 0, as in a search. What the scenario says of searches stays true of it.
+/// Errors: those of reading the text, should the load be outside of what a scenario may say.
+Result<Scenario> failingScenario(const Scenario& scenario, const FailingLoad& load,
+                                 const std::string& remark);
+
+}  // namespace talus::formats
