@@ -6,6 +6,7 @@
 
 #include "stages/contact_kernel.h"
 #include "stages/motion_kernel.h"
+#include "state/interface_frame.h"
 
 namespace talus::bench {
 namespace {
@@ -80,18 +81,29 @@ struct Members<Counting> {
     static constexpr int kWidth = 1;
 
     Members(const InterfaceGroup&, int) {}
-    Counting load(const double* values) const { return bench::read(values[0]); }
-    void store(double* values, Counting v) const { bench::write(values[0], v); }
+    Counting load(const double* row) const { return bench::read(row[0]); }
+    void store(double* row, Counting v) const { bench::write(row[0], v); }
+    void storeWrench(double* to, const simd::Triple<Counting>& force, const simd::Triple<Counting>& moment_a,
+                     const simd::Triple<Counting>& moment_b) const {
+        for (const auto& v : {force, moment_a, moment_b})
+            for (const Counting number : {v.x, v.y, v.z}) bench::write(*to++, number);
+    }
+    Counting take(const double* values) const { return bench::read(values[0]); }
     Counting gather(const double* values, const std::int32_t* index) const { return {values[index[0]]}; }
-    template <class Record>
-    Counting gather(const Record* records, double Record::*field, const std::int32_t* index) const {
-        return {records[index[0]].*field};
+    Counting gather(const contact::JointLaw* laws, double contact::JointLaw::*field,
+                    const std::int32_t* index) const {
+        return {laws[index[0]].*field};
     }
     bool gatherFlag(const contact::JointLaw* laws, const std::int32_t* index) const {
         return laws[index[0]].bonded;
     }
-    Counting slot(const double* slots) const { return bench::read(slots[0]); }
-    void storeSlot(double* slots, Counting v) const { bench::write(slots[0], v); }
+    PoseOf<Counting> gatherPose(const double* position, const double* orientation,
+                                const std::int32_t*) const {
+        const auto number = [](double v) { return Counting{v}; };
+        return {{number(position[0]), number(position[1]), number(position[2])},
+                simd::rotationOf(number(orientation[0]), number(orientation[1]), number(orientation[2]),
+                                 number(orientation[3]))};
+    }
 };
 
 template <>
@@ -103,6 +115,12 @@ struct Consecutive<Counting> {
         bench::tally.read += 1;
         return values[block] != 0;
     }
+    Four<Counting> loadFour(const double* r) const {
+        return {bench::read(r[0]), bench::read(r[1]), bench::read(r[2]), bench::read(r[3])};
+    }
+    void storeFour(double* r, const Four<Counting>& v) const {
+        bench::write(r[0], v.a), bench::write(r[1], v.b), bench::write(r[2], v.c), bench::write(r[3], v.d);
+    }
 };
 
 }  // namespace
@@ -113,59 +131,53 @@ namespace {
 
 using simd::ConstVectors, simd::Vectors;
 
-constexpr std::size_t kSlots = 256;  // more than any patch here has
+constexpr std::size_t kSlots = 512;  // more than any patch here has
 
-/// Corners of a rectangle, as they lie interleaved with those of the other members of a group.
-std::vector<double> corners(const std::array<double, 4>& values) {
-    std::vector<double> slots(kSlots, 0.0);
-    for (std::size_t k = 0; k < values.size(); ++k) slots[k * simd::kLanes] = values[k];
-    return slots;
-}
+constexpr auto kRow = static_cast<std::size_t>(simd::kLanes);
 
-/// Arrays of one interface between two blocks that press on each other, the upper one slid far or not at all.
+/// One interface between two blocks that press on each other, the upper one slid far or not at all; a square patch.
 struct OneInterface {
     std::vector<double> zero = std::vector<double>(kSlots, 0.0), one = std::vector<double>(kSlots, 1.0);
-    std::vector<double> depth = std::vector<double>(kSlots, -1e-6);
-    std::vector<double> slide = std::vector<double>(kSlots, 1e-3);
-    std::vector<double> corner_xi = corners({-1, 1, 1, -1}), corner_eta = corners({-1, -1, 1, 1});
-    std::vector<double> offset_1 = zero, offset_2 = zero, out = zero;
+    std::vector<double> orientation{1, 0, 0, 0};
+    std::vector<double> memory = zero, wrenches = zero;
+    LaneArray frames{kFrameQuantities}, corners{kCornerQuantities};
     std::array<std::int32_t, 1> index{0};
     contact::JointLaw law{.normal_stiffness = 1, .shear_stiffness = 1, .tan_friction = 0.3};
     InterfaceGroup group;
 
     stages::ContactView view(PointRule rule, bool slips) {
+        constexpr double kDepth = -1e-6, kSlide = 1e-3;
+        constexpr std::array<double, 4> kXi{-1, 1, 1, -1}, kEta{-1, -1, 1, 1};
         const double *z = zero.data(), *o = one.data();
         const ConstVectors none{z, z, z};
-        const Vectors to{out.data(), out.data(), out.data()};
-        return {.position = none,
-                .orientation = {o, z, z, z},
+        frames.grow(kRow);
+        setFrameAt(frames, 0,
+                   {.e1_a = Vec3::UnitX(),
+                    .e2_a = Vec3::UnitY(),
+                    .origin_b = {slips ? kSlide : 0.0, 0, kDepth},
+                    .e1_b = Vec3::UnitX(),
+                    .e2_b = Vec3::UnitY()});
+        corners.grow(kXi.size() * kRow);
+        for (std::size_t k = 0; k < kXi.size(); ++k) {
+            corners.set(k * kRow, 0, kXi[k]);
+            corners.set(k * kRow, 1, kEta[k]);
+        }
+        return {.position = z,
+                .orientation = orientation.data(),
                 .velocity = none,
                 .angular_velocity = none,
                 .groups = &group,
                 .block_a = index.data(),
                 .block_b = index.data(),
                 .joint = index.data(),
-                .origin_a = none,
-                .e1_a = {o, z, z},
-                .e2_a = {z, o, z},
-                .origin_b = {slips ? slide.data() : z, z, depth.data()},
-                .e1_b = {o, z, z},
-                .e2_b = {z, o, z},
-                .reference_gap = none,
+                .frames = frames.data(),
+                .corners = corners.data(),
                 .patch_area = o,
-                .patch_xi = corner_xi.data(),
-                .patch_eta = corner_eta.data(),
                 .laws = &law,
-                .xi = z,
-                .eta = z,
-                .area = o,
-                .offset_1 = offset_1.data(),
-                .offset_2 = offset_2.data(),
-                .bond = nullptr,
-                .dilation = nullptr,
-                .force = to,
-                .moment_a = to,
-                .moment_b = to,
+                .point_places = o,
+                .memory = memory.data(),
+                .wrenches = wrenches.data(),
+                .remembers = false,
                 .release = 1,
                 .contact_damping = 0,
                 .places = rule.kind == PointRule::Kind::vertex   ? stages::PointPlaces::vertex
@@ -203,8 +215,8 @@ std::string nameOf(PointRule rule) {
     return {};
 }
 
-// A rectangle with `vertex`, all stick: 664 flops, 63 choices; read 412 bytes, written 216. engine/README.md has the table.
-// Beside what the kernel loads member by member: two blocks and a joint (3 x 4 bytes), and the interface's quarter of its
+// A rectangle with `vertex`, all stick: 664 flops, 63 choices; read 408 bytes, written 216. engine/README.md has the table.
+// Beside what the kernel loads member by member: two blocks and a joint (3 x 4 bytes), and the interface's eighth of its
 // group (32 bytes).
 Counts countInterface(PointRule rule, bool slips) {
     OneInterface data;
@@ -212,12 +224,12 @@ Counts countInterface(PointRule rule, bool slips) {
     const stages::ContactView view = data.view(rule, slips);
     tally = {};
     stages::updateGroups<Counting>(view, 0, 1);
-    tally.read += 3 * sizeof(std::int32_t) + sizeof(InterfaceGroup) / 4.0;
+    tally.read += 3 * sizeof(std::int32_t) + sizeof(InterfaceGroup) / static_cast<double>(simd::kLanes);
     return tally;
 }
 
 Counts countDrift() {
-    std::vector<double> zero(1, 0.0), one(1, 1.0), out(1, 0.0);
+    std::vector<double> zero(1, 0.0), out(1, 0.0), position(4, 0.0), orientation{1, 0, 0, 0};
     const std::uint8_t free = 1;
     const ConstVectors none{zero.data(), zero.data(), zero.data()};
     const Vectors to{out.data(), out.data(), out.data()};
@@ -226,10 +238,10 @@ Counts countDrift() {
                                   .inverse_inertia = none,
                                   .inverse_mass = zero.data(),
                                   .free = &free,
-                                  .position = to,
+                                  .position = position.data(),
+                                  .orientation = orientation.data(),
                                   .velocity = to,
                                   .angular_momentum = to,
-                                  .orientation = {one.data(), zero.data(), zero.data(), zero.data()},
                                   .angular_velocity = to,
                                   .time_step = 1e-3,
                                   .decay = 1,
@@ -239,14 +251,14 @@ Counts countDrift() {
     return tally;
 }
 
-// motion.cpp's gather, by hand. Per side of an interface: index 4, side 1; force and moment are three additions each.
+// motion.cpp's gather, by hand. Per side of an interface: place of its wrench 4; force and moment are three additions each.
 // Per interface: force, moment_a, moment_b, 9 doubles. Per block: its rows in the two incidence lists 2 x 8, motion 1,
 // mass, inverse mass, velocity, angular momentum, angular velocity 11 doubles; written: force, torque, velocity, angular
 // momentum 12 doubles. Flops per block: weight 3, local damping 12, kick 3 x 3 + 3 x 3 + 2.
 Counts countGather() {
     constexpr double kSides = 6, kInterfaces = 3;
     Counts counts;
-    counts.read = kSides * 5 + kInterfaces * 72 + 2 * 8 + 1 + 11 * 8;
+    counts.read = kSides * 4 + kInterfaces * 72 + 2 * 8 + 1 + 11 * 8;
     counts.written = 12 * 8;
     counts.flops = kSides * 6 + 3 + 12 + 20;
     counts.choices = 6 * 2;

@@ -15,10 +15,11 @@ namespace {
 constexpr double kAlive = 1e-300;
 
 const Rates& rates() {
-    static const Rates best =
-        simd::bestInstructionSet() == simd::InstructionSet::avx2 && __builtin_cpu_supports("fma")
-            ? avx2Rates()
-            : plainRates();
+    using simd::InstructionSet, simd::isAvailable;
+    static const Rates best = isAvailable(InstructionSet::avx512) ? avx512Rates()
+                              : isAvailable(InstructionSet::avx2) && __builtin_cpu_supports("fma")
+                                  ? avx2Rates()
+                                  : plainRates();
     return best;
 }
 
@@ -74,10 +75,12 @@ void addStream(const Extent& extent, const std::string& level, double bytes) {
 
 void addMachine(const Extent& extent) {
     constexpr std::size_t kRounds = 20000;
-    addRate(extent, "fma", kRounds * kFlopsPerRound, [] { return rates().fma(kRounds); });
-    addRate(extent, "add and multiply", kRounds * kFlopsPerRound, [] { return rates().add_mul(kRounds); });
-    addRate(extent, "sqrt", kRounds * kRootsPerRound, [] { return rates().root(kRounds); });
-    addRate(extent, "division", kRounds * kRootsPerRound, [] { return rates().division(kRounds); });
+    const double flops = static_cast<double>(kRounds) * rates().flops_per_round;
+    const double roots = static_cast<double>(kRounds) * rates().roots_per_round;
+    addRate(extent, "fma", flops, [] { return rates().fma(kRounds); });
+    addRate(extent, "add and multiply", flops, [] { return rates().add_mul(kRounds); });
+    addRate(extent, "sqrt", roots, [] { return rates().root(kRounds); });
+    addRate(extent, "division", roots, [] { return rates().division(kRounds); });
     const Caches cache = caches();
     addStream(extent, "L2", 0.5 * cache.level2);
     addStream(extent, "L3", std::min(0.25 * cache.level3, 8.0 * cache.level2));

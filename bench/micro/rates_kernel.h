@@ -12,26 +12,37 @@
 namespace talus::bench {
 namespace {
 
-typedef double Four __attribute__((vector_size(32)));
+#ifdef __AVX512F__
+constexpr int kLanes = 8;
+#else
+constexpr int kLanes = 4;
+#endif
+constexpr int kChains = 12, kRootChains = 8;
 
-Four fourOf(double v) { return Four{v, v, v, v}; }
-Four load(const double* from) {
-    Four v;
+typedef double Register __attribute__((vector_size(sizeof(double) * kLanes)));
+
+Register registerOf(double v) { return v - Register{}; }
+Register load(const double* from) {
+    Register v;
     std::memcpy(&v, from, sizeof v);
     return v;
 }
-void store(double* to, Four v) { std::memcpy(to, &v, sizeof v); }
+void store(double* to, Register v) { std::memcpy(to, &v, sizeof v); }
 
-Four squareRoot(Four v) {
-#ifdef __AVX__
-    return (Four)_mm256_sqrt_pd((__m256d)v);
+Register squareRoot(Register v) {
+#if defined(__AVX512F__)
+    return (Register)_mm512_sqrt_pd((__m512d)v);
+#elif defined(__AVX__)
+    return (Register)_mm256_sqrt_pd((__m256d)v);
 #else
-    return Four{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
+    return Register{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
 #endif
 }
-Four multiplyAdd(Four a, Four b, Four c) {
-#ifdef __FMA__
-    return (Four)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+Register multiplyAdd(Register a, Register b, Register c) {
+#if defined(__AVX512F__)
+    return (Register)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
+#elif defined(__FMA__)
+    return (Register)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
 #else
     return a * b + c;
 #endif
@@ -39,30 +50,32 @@ Four multiplyAdd(Four a, Four b, Four c) {
 
 // A loop over one vector would be turned into a call of memcpy, which goes past the caches when it is long.
 void copy(double* to, const double* from, std::size_t n) {
-    for (std::size_t i = 0; i + 8 <= n; i += 8) {
-        const Four a = load(from + i), b = load(from + i + 4);
+    for (std::size_t i = 0; i + 2 * kLanes <= n; i += 2 * kLanes) {
+        const Register a = load(from + i), b = load(from + i + kLanes);
         asm volatile("" ::: "memory");
         store(to + i, a);
-        store(to + i + 4, b);
+        store(to + i + kLanes, b);
     }
 }
 
 void triad(double* a, const double* b, const double* c, std::size_t n, double s) {
-    const Four factor = fourOf(s);
-    for (std::size_t i = 0; i + 4 <= n; i += 4) store(a + i, load(b + i) + factor * load(c + i));
+    const Register factor = registerOf(s);
+    for (std::size_t i = 0; i + kLanes <= n; i += kLanes) store(a + i, load(b + i) + factor * load(c + i));
 }
 
-double total(const Four* values, int n) {
-    Four sum{};
+double total(const Register* values, int n) {
+    Register sum{};
     for (int k = 0; k < n; ++k) sum += values[k];
-    return sum[0] + sum[1] + sum[2] + sum[3];
+    double all = 0;
+    for (int l = 0; l < kLanes; ++l) all += sum[l];
+    return all;
 }
 
 /// Independent chains, enough of them to hide the latency; `next` is one operation of each.
 template <int Chains, class Next>
 double chains(std::size_t rounds, const Next& next) {
-    Four value[Chains];
-    for (int k = 0; k < Chains; ++k) value[k] = fourOf(1.0 + 1e-3 * k);
+    Register value[Chains];
+    for (int k = 0; k < Chains; ++k) value[k] = registerOf(1.0 + 1e-3 * k);
     for (std::size_t r = 0; r < rounds; ++r) {
 #pragma GCC unroll 16
         for (int k = 0; k < Chains; ++k) value[k] = next(value[k], k);
@@ -71,23 +84,25 @@ double chains(std::size_t rounds, const Next& next) {
 }
 
 double fma(std::size_t rounds) {
-    const Four factor = fourOf(0.999), term = fourOf(1e-3);
-    return chains<kChains>(rounds, [&](Four v, int) { return multiplyAdd(v, factor, term); });
+    const Register factor = registerOf(0.999), term = registerOf(1e-3);
+    return chains<kChains>(rounds, [&](Register v, int) { return multiplyAdd(v, factor, term); });
 }
 // Every other chain adds, the others multiply: nothing to fuse. Two operations each, so that a round counts the same.
 double addMul(std::size_t rounds) {
-    const Four factor = fourOf(0.9999999), term = fourOf(1e-9);
-    return chains<kChains>(2 * rounds, [&](Four v, int k) { return k % 2 == 0 ? v * factor : v + term; });
+    const Register factor = registerOf(0.9999999), term = registerOf(1e-9);
+    return chains<kChains>(2 * rounds, [&](Register v, int k) { return k % 2 == 0 ? v * factor : v + term; });
 }
 double root(std::size_t rounds) {
-    return chains<kRootChains>(rounds, [](Four v, int) { return squareRoot(v); });
+    return chains<kRootChains>(rounds, [](Register v, int) { return squareRoot(v); });
 }
 double division(std::size_t rounds) {
-    const Four numerator = fourOf(1.7);
-    return chains<kRootChains>(rounds, [&](Four v, int) { return numerator / v; });
+    const Register numerator = registerOf(1.7);
+    return chains<kRootChains>(rounds, [&](Register v, int) { return numerator / v; });
 }
 
-Rates theseRates() { return {copy, triad, fma, addMul, root, division}; }
+Rates theseRates() {
+    return {copy, triad, fma, addMul, root, division, 2 * kLanes * kChains, kLanes * kRootChains};
+}
 
 }  // namespace
 }  // namespace talus::bench

@@ -138,9 +138,9 @@ Slope buildSlope(const SlopeKind& kind) {
     const double before = residentBytes();
     {
         const double start = wallSeconds();
-        const Model model = makeSlope(kind);
+        Model model = makeSlope(kind);
         const double made = wallSeconds(), cpu = processSeconds();
-        slope.state = *buildState(model, true);
+        slope.state = *buildState(std::move(model), true);
         slope.model_seconds = made - start;
         slope.build_seconds = wallSeconds() - made;
         slope.build_cpu = processSeconds() - cpu;

@@ -93,11 +93,11 @@ void slippingBenchmark(benchmark::State& run, const SlopeKind& kind) {
     constexpr double kShift = 1e-6;  // [m] ten times what the weight presses a joint together
     constexpr std::size_t kRows = 5, kSlices = 3;
     State& state = slopeFor(kind).state;
-    std::vector<double> other = state.blocks.position.y;
+    PositionArray other = state.blocks.position;
     for (std::size_t b = 1; b < other.size(); ++b)
-        if ((b - 1) / kSlices % kRows % 2 == 0) other[b] += kShift;
+        if ((b - 1) / kSlices % kRows % 2 == 0) other[b].y += kShift;
     for (auto _ : run) {
-        state.blocks.position.y.swap(other);
+        state.blocks.position.swap(other);
         stages::updateContacts(state, {0, state.interfaces.groups.size()});
     }
     tell(run, contactFacts(slopeFor(kind), true));
@@ -205,6 +205,9 @@ void addSlope(const Extent& extent, const SlopeKind& kind) {
     if (plain)
         add(extent, "contacts, scalar/" + kind.name(), 1,
             [=](benchmark::State& run) { contactBenchmark(run, kind, 1, simd::InstructionSet::scalar); });
+    if (plain && kind.blocks == 105 && simd::bestInstructionSet() == simd::InstructionSet::avx512)
+        add(extent, "contacts, AVX2/" + kind.name(), 1,
+            [=](benchmark::State& run) { contactBenchmark(run, kind, 1, simd::InstructionSet::avx2); });
     addStage(extent, "contacts", kind, [](benchmark::State& run, const SlopeKind& slope, int threads) {
         contactBenchmark(run, slope, threads, simd::bestInstructionSet());
     });

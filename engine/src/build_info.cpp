@@ -16,9 +16,7 @@ const char* compiler() {
 #endif
 }
 
-const char* instructionSet() {
-    return simd::bestInstructionSet() == simd::InstructionSet::avx2 ? "avx2" : "x86-64";
-}
+const char* instructionSet() { return simd::toString(simd::bestInstructionSet()); }
 
 }  // namespace
 

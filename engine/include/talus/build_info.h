@@ -9,7 +9,7 @@ struct BuildInfo {
     std::string version;   ///< "0.1.0"
     std::string git_hash;  ///< 12 digits, "-dirty" behind them with uncommitted changes; else "unknown"
     std::string compiler;  ///< "g++ 12.2.0"
-    std::string instruction_set;  ///< that the kernels use on this processor: "avx2" or "x86-64"
+    std::string instruction_set;  ///< that the kernels use on this processor: "avx512", "avx2" or "x86-64"
     std::string build_type;       ///< "Release"
 };
 

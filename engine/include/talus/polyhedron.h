@@ -4,6 +4,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>  // cross products
 #include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "talus/result.h"
@@ -13,11 +16,39 @@ namespace talus {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
+/// Which vertices bound each face. Copies share one list, since blocks of one shape are many and their lists equal.
+/// A list does not change; a shape with other faces gets another one.
+class FaceList {
+ public:
+    using Outline = std::vector<std::int32_t>;  ///< vertex indices
+
+    FaceList() = default;
+    FaceList(std::vector<Outline> faces) : faces_(std::make_shared<std::vector<Outline>>(std::move(faces))) {}
+    FaceList(std::initializer_list<Outline> faces) : FaceList(std::vector<Outline>(faces)) {}
+
+    std::size_t size() const { return list().size(); }
+    bool empty() const { return list().empty(); }
+    const Outline& operator[](std::size_t face) const { return list()[face]; }
+    const Outline* begin() const { return list().data(); }
+    const Outline* end() const { return list().data() + list().size(); }
+    const Outline* data() const { return list().data(); }
+
+    friend bool operator==(const FaceList& a, const FaceList& b) { return a.list() == b.list(); }
+
+ private:
+    const std::vector<Outline>& list() const {
+        static const std::vector<Outline> kNone;
+        return faces_ ? *faces_ : kNone;
+    }
+
+    std::shared_ptr<const std::vector<Outline>> faces_;
+};
+
 /// A convex polyhedron. Faces are planar convex polygons (coplanar triangles of a hull are merged), their vertices
 /// listed counter-clockwise seen from outside. Lengths in m.
 struct Polyhedron {
     std::vector<Vec3> vertices;
-    std::vector<std::vector<std::int32_t>> faces;  ///< vertex indices per face
+    FaceList faces;
 
     /// Outward unit normal (Newell's formula) and centroid of the face's area.
     Vec3 faceNormal(std::size_t face) const;

@@ -30,7 +30,7 @@ constexpr double kTopplingShare = 0.25;  // rotation times the moving group's ex
 constexpr double kPureShare = 0.9;       // share of the moving mass that gives the whole its mode
 
 struct Poses {
-    VectorArray position;
+    PositionArray position;
     QuaternionArray orientation;
 };
 

@@ -42,7 +42,7 @@ bool findHeld(State& state, const Control& control, bool parallel) {
     Model model = state.geometry->model;
     for (Joint& joint : model.joints)
         joint.cohesion = joint.tensile_strength = joint.residual_cohesion = kHeldStrength;
-    Result<State> held = buildState(model, parallel);
+    Result<State> held = buildState(std::move(model), parallel);
     if (!held || !comesToRest(*held, control, parallel)) return false;
     state.blocks.position = held->blocks.position;
     state.blocks.orientation = held->blocks.orientation;

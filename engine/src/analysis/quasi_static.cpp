@@ -28,7 +28,7 @@ constexpr double kSlowPeriodGrowth = 8.0;  // slip makes the observed period lon
 constexpr double kSlowestMotion = 32.0;    // slowest motion the drag is tuned to, in slowest periods
 
 /// Displacement of the farthest-moved point of any block between two sets of poses [m].
-double largestMotion(const State& state, const VectorArray& position, const QuaternionArray& orientation) {
+double largestMotion(const State& state, const PositionArray& position, const QuaternionArray& orientation) {
     double largest = 0;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
@@ -75,7 +75,7 @@ ExternalLoad externalLoad(const State& state) {
 
 /// Rayleigh's quotient of the displacement that a change of load has caused: omega^2 = (f . u) / (u . M u). Returns the
 /// period [s], 0 when the change of load did no work.
-double observedPeriod(const State& state, const VectorArray& position_before, const ExternalLoad& before) {
+double observedPeriod(const State& state, const PositionArray& position_before, const ExternalLoad& before) {
     const ExternalLoad now = externalLoad(state);
     double work = 0, inertia = 0;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
@@ -174,7 +174,7 @@ class Watch {
     int quiet_steps_ = 0, windows_ = 0, level_windows_ = 0;
     Window window_, last_window_, span_, last_span_;
     double last_motion_ = 0, last_span_motion_ = 0;
-    VectorArray position_;
+    PositionArray position_;
     QuaternionArray orientation_;
 };
 
@@ -214,7 +214,7 @@ class DragTuner {
         for (std::size_t b = 0; b < force_.size(); ++b) force_[b] = stages::outOfBalance(state, b, g).force;
     }
 
-    VectorArray position_;
+    PositionArray position_;
     std::vector<Vec3> force_{};
 };
 
@@ -316,7 +316,7 @@ void takeBack(State& state, const QuasiStaticWork& work) {
 Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     Probe probe;
     DragTuner::setDrag(state, work, work.slow_period);
-    const VectorArray position = state.blocks.position;
+    const PositionArray position = state.blocks.position;
     const QuaternionArray orientation = state.blocks.orientation;
     const ExternalLoad before = externalLoad(state);
     const auto ramp_steps = std::max<std::int64_t>(

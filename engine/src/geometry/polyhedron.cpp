@@ -67,12 +67,14 @@ Vec3 Polyhedron::faceCentroid(std::size_t face) const {
 Result<Polyhedron> makeBox(const Vec3& min, const Vec3& max) {
     if (auto errors = checkBox(min, max); !errors.empty()) return errors;
     Polyhedron box;
+    box.vertices.reserve(8);
     for (int corner = 0; corner < 8; ++corner)
         box.vertices.emplace_back(corner & 4 ? max.x() : min.x(), corner & 2 ? max.y() : min.y(),
                                   corner & 1 ? max.z() : min.z());
-    box.faces = {{0, 1, 3, 2}, {4, 6, 7, 5},   // -x, +x
-                 {0, 4, 5, 1}, {2, 3, 7, 6},   // -y, +y
-                 {0, 2, 6, 4}, {1, 5, 7, 3}};  // -z, +z
+    static const FaceList kFaces{{0, 1, 3, 2}, {4, 6, 7, 5},   // -x, +x
+                                 {0, 4, 5, 1}, {2, 3, 7, 6},   // -y, +y
+                                 {0, 2, 6, 4}, {1, 5, 7, 3}};  // -z, +z
+    box.faces = kFaces;
     return box;
 }
 

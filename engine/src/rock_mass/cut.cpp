@@ -235,15 +235,17 @@ class Cutter {
         std::sort(used.begin(), used.end());
         used.erase(std::unique(used.begin(), used.end()), used.end());
         for (const std::int32_t v : used) part.shape.vertices.push_back(vertices[v]);
+        std::vector<FaceList::Outline> faces;
         for (const CellFace& face : cell.faces) {
-            std::vector<std::int32_t> outline;
+            FaceList::Outline outline;
             for (const std::int32_t v : face.outline)
                 outline.push_back(
                     static_cast<std::int32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin()));
-            part.shape.faces.push_back(std::move(outline));
+            faces.push_back(std::move(outline));
             const Plane& plane = planes_[static_cast<std::size_t>(face.plane)];
             part.origin.push_back({plane.source, plane.number});
         }
+        part.shape.faces = std::move(faces);
         part.volume = massProperties(part.shape).volume;
         return part;
     }

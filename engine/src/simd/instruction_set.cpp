@@ -1,13 +1,32 @@
 #include "simd/instruction_set.h"
 
+#include <array>
+
 namespace talus::simd {
 
-InstructionSet bestInstructionSet() {
+bool isAvailable(InstructionSet set) {
 #if defined(__x86_64__)
-    return __builtin_cpu_supports("avx2") ? InstructionSet::avx2 : InstructionSet::scalar;
-#else
-    return InstructionSet::scalar;
+    switch (set) {
+        case InstructionSet::avx512:
+            return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                   __builtin_cpu_supports("avx512vl");
+        case InstructionSet::avx2:
+            return __builtin_cpu_supports("avx2");
+        case InstructionSet::scalar:
+            break;
+    }
 #endif
+    return set == InstructionSet::scalar;
+}
+
+InstructionSet bestInstructionSet() {
+    if (isAvailable(InstructionSet::avx512)) return InstructionSet::avx512;
+    return isAvailable(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::scalar;
+}
+
+const char* toString(InstructionSet set) {
+    constexpr std::array<const char*, 3> kNames{"x86-64", "avx2", "avx512"};
+    return kNames[static_cast<std::size_t>(set)];
 }
 
 }  // namespace talus::simd

@@ -7,10 +7,17 @@ namespace talus::simd {
 
 enum class InstructionSet : std::uint8_t {
     scalar,  ///< one interface at a time, for any processor
-    avx2     ///< four at a time
+    avx2,    ///< four at a time
+    avx512   ///< eight at a time
 };
 
 /// The fastest one this processor has.
 InstructionSet bestInstructionSet();
+
+/// Whether this processor has it.
+bool isAvailable(InstructionSet set);
+
+/// "x86-64", "avx2", "avx512".
+const char* toString(InstructionSet set);
 
 }  // namespace talus::simd

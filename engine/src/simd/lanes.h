@@ -1,6 +1,6 @@
 #pragma once
-// Four doubles at a time: the operations of scalar.h for kLanes lanes. Only kernels' own source files include this, and
-// everything is local to them, because it is compiled for the instruction set of the file.
+// Four or eight doubles at a time, as many as the instruction set of the file that includes this has in a register: the
+// operations of scalar.h for kWidth lanes. Only kernels' own source files include this, and everything is local to them.
 
 #include <cstring>
 
@@ -12,12 +12,13 @@
 namespace talus::simd {
 namespace {
 
-typedef double LaneValues __attribute__((vector_size(sizeof(double) * kLanes)));
-typedef std::int64_t LaneBits __attribute__((vector_size(sizeof(double) * kLanes)));
+#ifdef __AVX512F__
+inline constexpr int kWidth = 8;
+#else
+inline constexpr int kWidth = 4;
+#endif
 
-struct LaneMask {
-    LaneBits bits;
-};
+typedef double LaneValues __attribute__((vector_size(sizeof(double) * kWidth)));
 
 struct Lanes {
     LaneValues v;
@@ -32,6 +33,47 @@ TALUS_KERNEL Lanes operator+(Lanes a, double b) { return {a.v + b}; }
 TALUS_KERNEL Lanes operator-(Lanes a, double b) { return {a.v - b}; }
 TALUS_KERNEL Lanes operator*(double a, Lanes b) { return {a * b.v}; }
 TALUS_KERNEL Lanes operator*(Lanes a, double b) { return {a.v * b}; }
+TALUS_KERNEL Lanes loadLanes(const double* from) {
+    Lanes a;
+    std::memcpy(&a.v, from, sizeof a.v);
+    return a;
+}
+TALUS_KERNEL void storeLanes(double* to, Lanes a) { std::memcpy(to, &a.v, sizeof a.v); }
+
+#ifdef __AVX512F__
+
+struct LaneMask {
+    __mmask8 bits;
+};
+
+TALUS_KERNEL LaneMask operator<(Lanes a, Lanes b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)}; }
+TALUS_KERNEL LaneMask operator>(Lanes a, Lanes b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ)}; }
+TALUS_KERNEL LaneMask operator==(Lanes a, Lanes b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_EQ_OQ)}; }
+TALUS_KERNEL LaneMask operator<(Lanes a, double b) { return a < Lanes{_mm512_set1_pd(b)}; }
+TALUS_KERNEL LaneMask operator>(Lanes a, double b) { return a > Lanes{_mm512_set1_pd(b)}; }
+TALUS_KERNEL LaneMask operator==(Lanes a, double b) { return a == Lanes{_mm512_set1_pd(b)}; }
+TALUS_KERNEL LaneMask operator!(LaneMask a) { return {static_cast<__mmask8>(~a.bits)}; }
+TALUS_KERNEL LaneMask both(LaneMask a, LaneMask b) { return {static_cast<__mmask8>(a.bits & b.bits)}; }
+TALUS_KERNEL LaneMask either(LaneMask a, LaneMask b) { return {static_cast<__mmask8>(a.bits | b.bits)}; }
+TALUS_KERNEL void setLane(LaneMask& mask, int lane, bool yes) {
+    mask.bits = static_cast<__mmask8>((mask.bits & ~(1U << lane)) | (static_cast<unsigned>(yes) << lane));
+}
+TALUS_KERNEL Lanes select(LaneMask mask, Lanes yes, Lanes no) {
+    return {_mm512_mask_blend_pd(mask.bits, no.v, yes.v)};
+}
+TALUS_KERNEL bool any(LaneMask mask) { return mask.bits != 0; }
+TALUS_KERNEL Lanes larger(Lanes a, Lanes b) { return {_mm512_max_pd(a.v, b.v)}; }
+TALUS_KERNEL Lanes smaller(Lanes a, Lanes b) { return {_mm512_min_pd(a.v, b.v)}; }
+TALUS_KERNEL Lanes squareRoot(Lanes a) { return {_mm512_sqrt_pd(a.v)}; }
+
+#else
+
+typedef std::int64_t LaneBits __attribute__((vector_size(sizeof(double) * kWidth)));
+
+struct LaneMask {
+    LaneBits bits;
+};
+
 TALUS_KERNEL LaneMask operator<(Lanes a, Lanes b) { return {a.v < b.v}; }
 TALUS_KERNEL LaneMask operator>(Lanes a, Lanes b) { return {a.v > b.v}; }
 TALUS_KERNEL LaneMask operator<(Lanes a, double b) { return {a.v < b}; }
@@ -41,6 +83,7 @@ TALUS_KERNEL LaneMask operator==(Lanes a, double b) { return {a.v == b}; }
 TALUS_KERNEL LaneMask operator!(LaneMask a) { return {~a.bits}; }
 TALUS_KERNEL LaneMask both(LaneMask a, LaneMask b) { return {a.bits & b.bits}; }
 TALUS_KERNEL LaneMask either(LaneMask a, LaneMask b) { return {a.bits | b.bits}; }
+TALUS_KERNEL void setLane(LaneMask& mask, int lane, bool yes) { mask.bits[lane] = yes ? -1 : 0; }
 
 #ifdef __AVX__
 TALUS_KERNEL Lanes select(LaneMask mask, Lanes yes, Lanes no) {
@@ -63,14 +106,89 @@ TALUS_KERNEL Lanes squareRoot(Lanes a) {
     return {LaneValues{std::sqrt(a.v[0]), std::sqrt(a.v[1]), std::sqrt(a.v[2]), std::sqrt(a.v[3])}};
 }
 #endif
+#endif  // __AVX512F__
 
-TALUS_KERNEL Lanes lanesOf(double a, double b, double c, double d) { return {LaneValues{a, b, c, d}}; }
-TALUS_KERNEL Lanes loadLanes(const double* from) {
-    Lanes a;
-    std::memcpy(&a.v, from, sizeof a.v);
-    return a;
+/// Records of four doubles, one per lane, turned into one register per number, and back (`stride` doubles apart).
+struct FourLanes {
+    Lanes number[4];
+};
+#if defined(__AVX512F__)
+/// Halves of rows 0, 2 and of rows 1, 3 side by side: the place of each record's numbers in a register of two records.
+TALUS_KERNEL FourLanes transposed(__m512d a, __m512d b, __m512d c, __m512d d) {
+    const __m512d ab_even = _mm512_unpacklo_pd(a, b), ab_odd = _mm512_unpackhi_pd(a, b);
+    const __m512d cd_even = _mm512_unpacklo_pd(c, d), cd_odd = _mm512_unpackhi_pd(c, d);
+    const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+    const __m512i high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+    return {{{_mm512_permutex2var_pd(ab_even, low, cd_even)},
+             {_mm512_permutex2var_pd(ab_odd, low, cd_odd)},
+             {_mm512_permutex2var_pd(ab_even, high, cd_even)},
+             {_mm512_permutex2var_pd(ab_odd, high, cd_odd)}}};
 }
-TALUS_KERNEL void storeLanes(double* to, Lanes a) { std::memcpy(to, &a.v, sizeof a.v); }
+TALUS_KERNEL __m512d twoRecords(const double* first, const double* second) {
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(first)), _mm256_loadu_pd(second), 1);
+}
+TALUS_KERNEL FourLanes loadRecords(const double* records, const std::int32_t* item) {
+    const auto at = [&](int l) { return records + 4 * static_cast<std::ptrdiff_t>(item[l]); };
+    return transposed(twoRecords(at(0), at(4)), twoRecords(at(1), at(5)), twoRecords(at(2), at(6)),
+                      twoRecords(at(3), at(7)));
+}
+/// Consecutive records.
+TALUS_KERNEL FourLanes loadRecords(const double* from) {
+    return transposed(twoRecords(from, from + 16), twoRecords(from + 4, from + 20),
+                      twoRecords(from + 8, from + 24), twoRecords(from + 12, from + 28));
+}
+TALUS_KERNEL void storeRecords(double* to, std::ptrdiff_t stride, const FourLanes& values) {
+    const FourLanes rows =
+        transposed(values.number[0].v, values.number[1].v, values.number[2].v, values.number[3].v);
+    for (int k = 0; k < 4; ++k) {
+        _mm256_storeu_pd(to + stride * k, _mm512_castpd512_pd256(rows.number[k].v));
+        _mm256_storeu_pd(to + stride * (4 + k), _mm512_extractf64x4_pd(rows.number[k].v, 1));
+    }
+}
+#elif defined(__AVX__)
+TALUS_KERNEL FourLanes transposed(__m256d a, __m256d b, __m256d c, __m256d d) {
+    const __m256d ab_even = _mm256_unpacklo_pd(a, b), ab_odd = _mm256_unpackhi_pd(a, b);
+    const __m256d cd_even = _mm256_unpacklo_pd(c, d), cd_odd = _mm256_unpackhi_pd(c, d);
+    return {{{_mm256_permute2f128_pd(ab_even, cd_even, 0x20)},
+             {_mm256_permute2f128_pd(ab_odd, cd_odd, 0x20)},
+             {_mm256_permute2f128_pd(ab_even, cd_even, 0x31)},
+             {_mm256_permute2f128_pd(ab_odd, cd_odd, 0x31)}}};
+}
+TALUS_KERNEL FourLanes loadRecords(const double* records, const std::int32_t* item) {
+    const auto at = [&](int l) {
+        return _mm256_loadu_pd(records + 4 * static_cast<std::ptrdiff_t>(item[l]));
+    };
+    return transposed(at(0), at(1), at(2), at(3));
+}
+/// Consecutive records.
+TALUS_KERNEL FourLanes loadRecords(const double* from) {
+    return transposed(_mm256_loadu_pd(from), _mm256_loadu_pd(from + 4), _mm256_loadu_pd(from + 8),
+                      _mm256_loadu_pd(from + 12));
+}
+TALUS_KERNEL void storeRecords(double* to, std::ptrdiff_t stride, const FourLanes& values) {
+    const FourLanes rows =
+        transposed(values.number[0].v, values.number[1].v, values.number[2].v, values.number[3].v);
+    for (int k = 0; k < 4; ++k) _mm256_storeu_pd(to + stride * k, rows.number[k].v);
+}
+#else
+TALUS_KERNEL FourLanes loadRecords(const double* records, const std::int32_t* item) {
+    FourLanes values;
+    for (int k = 0; k < 4; ++k)
+        for (int l = 0; l < kWidth; ++l)
+            values.number[k].v[l] = records[4 * static_cast<std::ptrdiff_t>(item[l]) + k];
+    return values;
+}
+TALUS_KERNEL FourLanes loadRecords(const double* from) {
+    FourLanes values;
+    for (int k = 0; k < 4; ++k)
+        for (int l = 0; l < kWidth; ++l) values.number[k].v[l] = from[4 * l + k];
+    return values;
+}
+TALUS_KERNEL void storeRecords(double* to, std::ptrdiff_t stride, const FourLanes& values) {
+    for (int k = 0; k < 4; ++k)
+        for (int l = 0; l < kWidth; ++l) to[stride * l + k] = values.number[k].v[l];
+}
+#endif
 
 }  // namespace
 }  // namespace talus::simd

@@ -11,8 +11,8 @@
 
 namespace talus::simd {
 
-/// Interfaces that lie side by side in the arrays of contact points: the doubles of an AVX2 register.
-inline constexpr int kLanes = 4;
+/// Interfaces that lie side by side in memory: the doubles of an AVX-512 register, and of a cache line.
+inline constexpr int kLanes = 8;
 
 template <class V>
 using MaskOf = decltype(V{} < V{});

@@ -19,9 +19,9 @@ Key keyOf(const Interfaces& f, std::size_t i) {
 }
 
 /// Where the new origin lies in the old interface's plane: both origins and tangents belong to the same face of a.
-Eigen::Vector2d originShift(const Interfaces& old, std::size_t o, const Interfaces& now, std::size_t n) {
-    const Vec3 d = now.origin_a.get(n) - old.origin_a.get(o);
-    return {d.dot(old.e1_a.get(o)), d.dot(old.e2_a.get(o))};
+Eigen::Vector2d originShift(const InterfaceFrame& old, const InterfaceFrame& now) {
+    const Vec3 d = now.origin_a - old.origin_a;
+    return {d.dot(old.e1_a), d.dot(old.e2_a)};
 }
 
 const PointState& nearestPoint(const std::vector<PointState>& points, const Eigen::Vector2d& place) {
@@ -50,9 +50,10 @@ bool isSlipping(const contact::JointLaw& law, const PointState& point) {
 double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std::size_t n) {
     Interfaces& f = state.interfaces;
     ContactPoints& points = state.points;
-    const Eigen::Vector2d shift = originShift(old.interfaces, o, f, n);
-    const Vec3 gap = old.interfaces.reference_gap.get(o);
-    f.reference_gap.set(n, {gap.x() + shift.x() * gap.y() + shift.y() * gap.z(), gap.y(), gap.z()});
+    const InterfaceFrame then = old.interfaces.frame(o);
+    const Eigen::Vector2d shift = originShift(then, f.frame(n));
+    const Vec3& gap = then.reference_gap;
+    f.setReferenceGap(n, {gap.x() + shift.x() * gap.y() + shift.y() * gap.z(), gap.y(), gap.z()});
 
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[n])];
     const auto places = contact::patchPoints(patchOutline(f, n), state.geometry->model.points);
@@ -63,10 +64,7 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
     for (std::size_t k = 0; k < places.size(); ++k) {
         const PointState& q = nearestPoint(old.points[o], places[k].position + shift);
         const std::size_t slot = f.pointSlot(n, k);
-        if (!points.bond.empty()) {
-            points.bond[slot] = q.memory.bond;
-            points.dilation[slot] = q.memory.dilation;
-        }
+        points.setMemory(slot, q.memory);
         shear[k] = places[k].area / q.area * Eigen::Vector2d(q.force.shear_1, q.force.shear_2);
         slips[k] = isSlipping(law, q);
         closed[k] = q.force.normal != 0.0;
@@ -78,8 +76,10 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
         if (slips[k]) shear[k] *= kStillSlipping;
         // The slide is zero at the clipping, so the offset alone holds the shear force: F_s = k_s A offset.
         const Eigen::Vector2d offset = shear[k] / (law.shear_stiffness * places[k].area);
-        points.offset_1[f.pointSlot(n, k)] = offset.x();
-        points.offset_2[f.pointSlot(n, k)] = offset.y();
+        contact::PointMemory memory = points.memoryAt(f.pointSlot(n, k));
+        memory.offset_1 = offset.x();
+        memory.offset_2 = offset.y();
+        points.setMemory(f.pointSlot(n, k), memory);
     }
     return closed_area > 0 ? 0.0 : missing.norm();
 }
@@ -120,7 +120,7 @@ void setBackGap(const OldInterfaces& old, State& state, std::size_t i) {
     const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
     const double allowed = kDeeper * std::max(old.depth[a], old.depth[b]) +
                            kDeepest * std::min(state.geometry->size[a], state.geometry->size[b]);
-    double& reference = f.reference_gap.x[i];
+    double& reference = f.referenceGap(i, 0);
     if (least < -allowed)
         reference += least + allowed;
     else if (least > 0 && reference < 0)
@@ -134,17 +134,9 @@ void carrySlot(const OldInterfaces& old, std::size_t o, State& state, std::size_
     for (auto index : {&Interfaces::block_a, &Interfaces::block_b, &Interfaces::face_a, &Interfaces::face_b,
                        &Interfaces::joint})
         (f.*index)[n] = (from.*index)[o];
-    for (auto vector : {&Interfaces::origin_a, &Interfaces::e1_a, &Interfaces::e2_a, &Interfaces::origin_b,
-                        &Interfaces::e1_b, &Interfaces::e2_b, &Interfaces::reference_gap, &Interfaces::force,
-                        &Interfaces::moment_a, &Interfaces::moment_b})
-        (f.*vector).set(n, (from.*vector).get(o));
-    const contact::PointMemory& memory = old.points[o][0].memory;
-    const std::size_t slot = f.pointSlot(n, 0);
-    state.points.offset_1[slot] = memory.offset_1;
-    state.points.offset_2[slot] = memory.offset_2;
-    if (state.points.bond.empty()) return;
-    state.points.bond[slot] = memory.bond;
-    state.points.dilation[slot] = memory.dilation;
+    f.setFrame(n, from.frame(o));
+    f.setWrench(n, from.wrench(o));
+    state.points.setMemory(f.pointSlot(n, 0), old.points[o][0].memory);
 }
 
 /// Shear force of other contacts of the same blocks goes to the nearest closed Lps of a new pair of faces.
@@ -166,8 +158,10 @@ void takeShear(const std::vector<CarriedPoint>& carried, State& state, std::size
         }
         if (nearest == points.size()) continue;
         const double stiffness = law.shear_stiffness * points[nearest].area;
-        state.points.offset_1[f.pointSlot(i, nearest)] += sign * from.shear.dot(pose.e1) / stiffness;
-        state.points.offset_2[f.pointSlot(i, nearest)] += sign * from.shear.dot(pose.e2) / stiffness;
+        const std::size_t slot = f.pointSlot(i, nearest);
+        const contact::PointMemory memory = state.points.memoryAt(slot);
+        state.points.setOffset(slot, memory.offset_1 + sign * from.shear.dot(pose.e1) / stiffness,
+                               memory.offset_2 + sign * from.shear.dot(pose.e2) / stiffness);
     }
 }
 
@@ -181,10 +175,8 @@ void startSliding(State& state, std::size_t i, double ahead) {
                angularVelocity(state.blocks, b).cross(pose.origin - state.blocks.position.get(b));
     };
     const Vec3 slide = ahead * (velocityOf(f.block_b[i]) - velocityOf(f.block_a[i]));
-    for (std::size_t k = 0; k < f.pointCount(i); ++k) {
-        state.points.offset_1[f.pointSlot(i, k)] = -slide.dot(pose.e1);
-        state.points.offset_2[f.pointSlot(i, k)] = -slide.dot(pose.e2);
-    }
+    for (std::size_t k = 0; k < f.pointCount(i); ++k)
+        state.points.setOffset(f.pointSlot(i, k), -slide.dot(pose.e1), -slide.dot(pose.e2));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 // The hot kernel: gap, slide, law and sums for one interface (V = double) or several in a register (V = Lanes). One
-// source, two builds (contact_kernel.cpp, contact_kernel_avx2.cpp), the same bits.
+// source, a build per instruction set (contact_kernel*.cpp), the same bits.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include "contact/law.h"
 #include "stages/contact_view.h"
 #include "stages/relative_pose.h"
+#include "state/slot_sizes.h"
 
 namespace talus::stages {
 namespace {
@@ -48,7 +49,7 @@ TALUS_KERNEL RelativeVelocity<V> relativeVelocity(const RelativePoseOf<V>& pose,
             {dot(v, pose.e2), dot(v_xi, pose.e2), dot(v_eta, pose.e2)}};
 }
 
-/// The members of a group that one register takes: all of them, or one for V = double.
+/// The members of a group that one register takes: as many as it has room for, or one for V = double.
 template <class V>
 struct Members;
 
@@ -60,33 +61,43 @@ struct Members<double> {
 
     TALUS_KERNEL Members(const InterfaceGroup& group, int lane_)
         : interface(static_cast<std::size_t>(group.begin + lane_)), lane(static_cast<std::size_t>(lane_)) {}
-    TALUS_KERNEL double load(const double* values) const { return values[interface]; }
-    TALUS_KERNEL void store(double* values, double v) const { values[interface] = v; }
-    /// values[index[interface]], values possibly part of a larger record
+    /// One quantity of consecutive slots, the first of the group at `row`.
+    TALUS_KERNEL double load(const double* row) const { return row[lane]; }
+    TALUS_KERNEL void store(double* row, double v) const { row[lane] = v; }
+    /// Into the records of the group's interfaces, the first of them at `to`.
+    TALUS_KERNEL void storeWrench(double* to, const Triple<double>& force, const Triple<double>& moment_a,
+                                  const Triple<double>& moment_b) const {
+        to += kWrenchQuantities * lane;
+        to[0] = force.x, to[1] = force.y, to[2] = force.z;
+        to[3] = moment_a.x, to[4] = moment_a.y, to[5] = moment_a.z;
+        to[6] = moment_b.x, to[7] = moment_b.y, to[8] = moment_b.z;
+    }
+    /// By interface.
+    TALUS_KERNEL double take(const double* values) const { return values[interface]; }
+    /// values[index[interface]]
     TALUS_KERNEL double gather(const double* values, const std::int32_t* index) const {
         return values[index[interface]];
     }
-    template <class Record>
-    TALUS_KERNEL double gather(const Record* records, double Record::*field,
+    TALUS_KERNEL double gather(const contact::JointLaw* laws, double contact::JointLaw::*field,
                                const std::int32_t* index) const {
-        return records[index[interface]].*field;
+        return laws[index[interface]].*field;
     }
     TALUS_KERNEL bool gatherFlag(const contact::JointLaw* laws, const std::int32_t* index) const {
         return laws[index[interface]].bonded;
     }
-    TALUS_KERNEL double slot(const double* slots) const { return slots[lane]; }
-    TALUS_KERNEL void storeSlot(double* slots, double v) const { slots[lane] = v; }
+    TALUS_KERNEL PoseOf<double> gatherPose(const double* position, const double* orientation,
+                                           const std::int32_t* block) const {
+        const double* x = position + 4 * static_cast<std::ptrdiff_t>(block[interface]);
+        const double* q = orientation + 4 * static_cast<std::ptrdiff_t>(block[interface]);
+        return {{x[0], x[1], x[2]}, simd::rotationOf(q[0], q[1], q[2], q[3])};
+    }
 };
 
+constexpr auto kRow = static_cast<std::size_t>(simd::kLanes);  // doubles from one quantity to the next
+
 template <class V>
-TALUS_KERNEL Triple<V> load(const Members<V>& members, const ConstVectors& from) {
-    return {members.load(from.x), members.load(from.y), members.load(from.z)};
-}
-template <class V>
-TALUS_KERNEL void store(const Members<V>& members, const Vectors& to, const Triple<V>& value) {
-    members.store(to.x, value.x);
-    members.store(to.y, value.y);
-    members.store(to.z, value.z);
+TALUS_KERNEL Triple<V> loadTriple(const Members<V>& members, const double* row) {
+    return {members.load(row), members.load(row + kRow), members.load(row + 2 * kRow)};
 }
 template <class V>
 TALUS_KERNEL Triple<V> gather(const Members<V>& members, const ConstVectors& from,
@@ -94,13 +105,16 @@ TALUS_KERNEL Triple<V> gather(const Members<V>& members, const ConstVectors& fro
     return {members.gather(from.x, index), members.gather(from.y, index), members.gather(from.z, index)};
 }
 
+/// In the order of kFrameVectors (state/interface_frame.h).
 template <class V>
-TALUS_KERNEL PoseOf<V> gatherPose(const Members<V>& members, const ContactView& view,
-                                  const std::int32_t* block) {
-    return {gather(members, view.position, block),
-            simd::rotationOf(
-                members.gather(view.orientation.w, block), members.gather(view.orientation.x, block),
-                members.gather(view.orientation.y, block), members.gather(view.orientation.z, block))};
+TALUS_KERNEL FramesOf<V> loadFrames(const Members<V>& members, const double* row) {
+    return {loadTriple(members, row),
+            loadTriple(members, row + 3 * kRow),
+            loadTriple(members, row + 6 * kRow),
+            loadTriple(members, row + 9 * kRow),
+            loadTriple(members, row + 12 * kRow),
+            loadTriple(members, row + 15 * kRow),
+            loadTriple(members, row + 18 * kRow)};
 }
 
 template <class V>
@@ -142,21 +156,22 @@ struct PointLoop {
     }
 
     TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot) {
+        double* row = view.memory + slot * (Remembers ? kMemoryQuantities : kSlideQuantities);
         contact::MemoryOf<V> memory;
-        memory.offset_1 = members.slot(view.offset_1 + slot);
-        memory.offset_2 = members.slot(view.offset_2 + slot);
+        memory.offset_1 = members.load(row);
+        memory.offset_2 = members.load(row + kRow);
         if constexpr (Remembers) {
-            memory.bond = members.slot(view.bond + slot);
-            memory.dilation = members.slot(view.dilation + slot);
+            memory.bond = members.load(row + 2 * kRow);
+            memory.dilation = members.load(row + 3 * kRow);
         }
         const V slide_1 = affine(pose.slide_1, xi, eta), slide_2 = affine(pose.slide_2, xi, eta);
         contact::ForceOf<V> force = contact::contactLaw<Remembers>(law, area, affine(pose.gap, xi, eta),
                                                                    slide_1, slide_2, release, memory);
-        members.storeSlot(view.offset_1 + slot, memory.offset_1);
-        members.storeSlot(view.offset_2 + slot, memory.offset_2);
+        members.store(row, memory.offset_1);
+        members.store(row + kRow, memory.offset_2);
         if constexpr (Remembers) {
-            members.storeSlot(view.bond + slot, memory.bond);
-            members.storeSlot(view.dilation + slot, memory.dilation);
+            members.store(row + 2 * kRow, memory.bond);
+            members.store(row + 3 * kRow, memory.dilation);
         }
         if constexpr (Damped) addDashpot(xi, eta, area, memory.bond, force);
         sum.add(xi + slide_1, eta + slide_2, force.shear_1, force.shear_2, force.normal);
@@ -169,54 +184,54 @@ template <PointPlaces Places, class V, class Each>
 TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& group,
                                const Members<V>& members, Each& each) {
     const auto first = static_cast<std::size_t>(group.first_point);
-    const auto step = static_cast<std::size_t>(simd::kLanes);
     if constexpr (Places == PointPlaces::stored) {
-        for (std::size_t k = 0, slot = first; k < static_cast<std::size_t>(group.points); ++k, slot += step)
-            each(members.slot(view.xi + slot), members.slot(view.eta + slot), members.slot(view.area + slot),
-                 slot);
+        for (std::size_t k = 0, slot = first; k < static_cast<std::size_t>(group.points); ++k, slot += kRow) {
+            const double* row = view.point_places + slot * kPlaceQuantities;
+            each(members.load(row), members.load(row + kRow), members.load(row + 2 * kRow), slot);
+        }
     } else {
         const auto corners = static_cast<std::size_t>(group.corners);
-        const double* patch_xi = view.patch_xi + group.first_corner;
-        const double* patch_eta = view.patch_eta + group.first_corner;
+        constexpr std::size_t step = kCornerQuantities * kRow;
+        const double* patch_xi =
+            view.corners + static_cast<std::size_t>(group.first_corner) * kCornerQuantities;
+        const double* patch_eta = patch_xi + kRow;
         if (Places == PointPlaces::corner || corners == 1) {
-            const V share = members.load(view.patch_area) * (1.0 / static_cast<double>(corners));
+            const V share = members.take(view.patch_area) * (1.0 / static_cast<double>(corners));
             for (std::size_t k = 0; k < corners; ++k)
-                each(members.slot(patch_xi + k * step), members.slot(patch_eta + k * step), share,
-                     first + k * step);
+                each(members.load(patch_xi + k * step), members.load(patch_eta + k * step), share,
+                     first + k * kRow);
         } else {
             const auto half_cross = [](V ax, V ay, V bx, V by) { return 0.5 * (ax * by - ay * bx); };
             const std::size_t last = (corners - 1) * step;
-            const V first_xi = members.slot(patch_xi), first_eta = members.slot(patch_eta);
+            const V first_xi = members.load(patch_xi), first_eta = members.load(patch_eta);
             V xi = first_xi, eta = first_eta;
-            V before = half_cross(members.slot(patch_xi + last), members.slot(patch_eta + last), xi, eta);
+            V before = half_cross(members.load(patch_xi + last), members.load(patch_eta + last), xi, eta);
             V whole{};
             for (std::size_t k = 0; k < corners; ++k) {
                 const bool closes = k + 1 == corners;
-                const V next_xi = closes ? first_xi : members.slot(patch_xi + (k + 1) * step);
-                const V next_eta = closes ? first_eta : members.slot(patch_eta + (k + 1) * step);
+                const V next_xi = closes ? first_xi : members.load(patch_xi + (k + 1) * step);
+                const V next_eta = closes ? first_eta : members.load(patch_eta + (k + 1) * step);
                 const V triangle = half_cross(xi, eta, next_xi, next_eta);
-                each(xi, eta, (1.0 / 12) * (before + triangle), first + k * step);
+                each(xi, eta, (1.0 / 12) * (before + triangle), first + k * kRow);
                 each((1.0 / 3) * (xi + next_xi), (1.0 / 3) * (eta + next_eta), 0.75 * triangle,
-                     first + (corners + 1 + k) * step);
+                     first + (corners + 1 + k) * kRow);
                 whole = whole + triangle;
                 before = triangle;
                 xi = next_xi;
                 eta = next_eta;
             }
-            each(V{}, V{}, (1.0 / 12) * whole, first + corners * step);
+            each(V{}, V{}, (1.0 / 12) * whole, first + corners * kRow);
         }
     }
 }
 
 template <class V, PointPlaces Places, bool Damped, bool Remembers>
-TALUS_KERNEL void updateMembers(const ContactView& view, const InterfaceGroup& group,
-                                const Members<V>& members) {
-    const FramesOf<V> frames{load(members, view.origin_a),     load(members, view.e1_a),
-                             load(members, view.e2_a),         load(members, view.origin_b),
-                             load(members, view.e1_b),         load(members, view.e2_b),
-                             load(members, view.reference_gap)};
-    const RelativePoseOf<V> pose = relativePoseOf(frames, gatherPose(members, view, view.block_a),
-                                                  gatherPose(members, view, view.block_b));
+TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index, const Members<V>& members) {
+    const InterfaceGroup& group = view.groups[group_index];
+    const FramesOf<V> frames = loadFrames(members, view.frames + group_index * kFrameQuantities * kRow);
+    const RelativePoseOf<V> pose =
+        relativePoseOf(frames, members.gatherPose(view.position, view.orientation, view.block_a),
+                       members.gatherPose(view.position, view.orientation, view.block_b));
     const contact::JointParameters<V> law = gatherLaw(members, view);
     RelativeVelocity<V> velocity;
     V damping_normal{}, damping_shear{};
@@ -235,22 +250,20 @@ TALUS_KERNEL void updateMembers(const ContactView& view, const InterfaceGroup& g
     const Triple<V> force = sum.force.x * pose.e1 + sum.force.y * pose.e2 + sum.force.z * pose.e3;
     const Triple<V> moment = sum.moment.x * pose.e1 + sum.moment.y * pose.e2 + sum.moment.z * pose.e3;
     const Triple<V> about_a = simd::cross(pose.arm_a, force) + moment;
-    store(members, view.force, force);
-    store(members, view.moment_a, Triple<V>{-about_a.x, -about_a.y, -about_a.z});
-    store(members, view.moment_b, simd::cross(pose.arm_b, force) + moment);
+    members.storeWrench(view.wrenches + group_index * kWrenchQuantities * kRow, force,
+                        {-about_a.x, -about_a.y, -about_a.z}, simd::cross(pose.arm_b, force) + moment);
 }
 
 template <class V, PointPlaces Places, bool Damped, bool Remembers>
 void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g)
         for (int lane = 0; lane < view.groups[g].size; lane += Members<V>::kWidth)
-            updateMembers<V, Places, Damped, Remembers>(view, view.groups[g],
-                                                        Members<V>(view.groups[g], lane));
+            updateMembers<V, Places, Damped, Remembers>(view, g, Members<V>(view.groups[g], lane));
 }
 
 template <class V, PointPlaces Places>
 void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
-    const bool damped = view.contact_damping > 0, remembers = view.bond != nullptr;
+    const bool damped = view.contact_damping > 0, remembers = view.remembers;
     if (damped && remembers) return updateGroups<V, Places, true, true>(view, begin, end);
     if (damped) return updateGroups<V, Places, true, false>(view, begin, end);
     if (remembers) return updateGroups<V, Places, false, true>(view, begin, end);

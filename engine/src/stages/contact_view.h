@@ -10,39 +10,39 @@
 
 namespace talus::stages {
 
-using simd::ConstQuaternions, simd::ConstVectors, simd::Vectors;
+using simd::ConstVectors;
 
 /// Where the kernel has the Lps' positions and areas from.
 enum class PointPlaces : std::uint8_t { vertex, corner, stored };
 
 struct ContactView {
     // read, per block
-    ConstVectors position;
-    ConstQuaternions orientation;
+    const double *position, *orientation;     ///< four numbers a block (state/pose_arrays.h)
     ConstVectors velocity, angular_velocity;  ///< with contact damping only
     // read, per interface
     const InterfaceGroup* groups;
     const std::int32_t *block_a, *block_b, *joint;
-    ConstVectors origin_a, e1_a, e2_a, origin_b, e1_b, e2_b, reference_gap;
-    const double* patch_area;
-    const double *patch_xi, *patch_eta;
+    const double* frames;  ///< slot by slot (state/interface_frame.h), as all that follow
+    const double* corners;
+    const double* patch_area;  ///< by interface
     // read, per joint
     const contact::JointLaw* laws;
     // read, per Lp
-    const double *xi, *eta, *area;  ///< `stored` only
+    const double* point_places;  ///< `stored` only
     // read and written, per Lp
-    double *offset_1, *offset_2;
-    double *bond, *dilation;  ///< null when no joint has memory
+    double* memory;
     // written, per interface
-    Vectors force, moment_a, moment_b;
+    double* wrenches;  ///< slot by slot, each nine numbers side by side
 
+    bool remembers;  ///< whether Lps have bond and dilation in their memory
     double release;
     double contact_damping;
     PointPlaces places;
 };
 
-/// Groups [begin, end). Same bits from both.
+/// Groups [begin, end). Same bits from each.
 void updateContactsScalar(const ContactView& view, std::size_t begin, std::size_t end);
 void updateContactsAvx2(const ContactView& view, std::size_t begin, std::size_t end);
+void updateContactsAvx512(const ContactView& view, std::size_t begin, std::size_t end);
 
 }  // namespace talus::stages

@@ -9,8 +9,6 @@ namespace {
 
 using simd::Triple;
 
-double* pointerOrNull(std::vector<double>& values) { return values.empty() ? nullptr : values.data(); }
-
 PointPlaces placesOf(PointRule::Kind kind) {
     switch (kind) {
         case PointRule::Kind::vertex:
@@ -28,48 +26,34 @@ ContactView contactView(State& state) {
     Blocks& blocks = state.blocks;
     Interfaces& f = state.interfaces;
     ContactPoints& points = state.points;
-    const QuaternionArray& q = blocks.orientation;
-    return {.position = constPointers(blocks.position),
-            .orientation = {q.w.data(), q.x.data(), q.y.data(), q.z.data()},
+    return {.position = numbers(blocks.position),
+            .orientation = numbers(blocks.orientation),
             .velocity = constPointers(blocks.velocity),
             .angular_velocity = constPointers(blocks.angular_velocity),
             .groups = f.groups.data(),
             .block_a = f.block_a.data(),
             .block_b = f.block_b.data(),
             .joint = f.joint.data(),
-            .origin_a = constPointers(f.origin_a),
-            .e1_a = constPointers(f.e1_a),
-            .e2_a = constPointers(f.e2_a),
-            .origin_b = constPointers(f.origin_b),
-            .e1_b = constPointers(f.e1_b),
-            .e2_b = constPointers(f.e2_b),
-            .reference_gap = constPointers(f.reference_gap),
+            .frames = f.frames.data(),
+            .corners = f.corners.data(),
             .patch_area = f.area.data(),
-            .patch_xi = f.patch_xi.data(),
-            .patch_eta = f.patch_eta.data(),
             .laws = state.laws.data(),
-            .xi = points.xi.data(),
-            .eta = points.eta.data(),
-            .area = points.area.data(),
-            .offset_1 = points.offset_1.data(),
-            .offset_2 = points.offset_2.data(),
-            .bond = pointerOrNull(points.bond),
-            .dilation = pointerOrNull(points.dilation),
-            .force = pointers(f.force),
-            .moment_a = pointers(f.moment_a),
-            .moment_b = pointers(f.moment_b),
+            .point_places = points.places.data(),
+            .memory = points.memory.data(),
+            .wrenches = f.wrenches.empty() ? nullptr : f.wrenches.front().force.data(),
+            .remembers = points.remembers(),
             .release = state.release,
             .contact_damping = state.damping.contact,
             .places = placesOf(state.geometry->model.points.kind)};
 }
 
-Triple<double> triple(const VectorArray& v, std::size_t i) { return {v.x[i], v.y[i], v.z[i]}; }
+Triple<double> triple(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 Vec3 vec3(const Triple<double>& v) { return {v.x, v.y, v.z}; }
 
 PoseOf<double> poseOf(const Blocks& blocks, std::int32_t block) {
     const auto b = static_cast<std::size_t>(block);
-    const QuaternionArray& q = blocks.orientation;
-    return {triple(blocks.position, b), simd::rotationOf(q.w[b], q.x[b], q.y[b], q.z[b])};
+    const auto& [w, x, y, z] = blocks.orientation[b];
+    return {triple(blocks.position.get(b)), simd::rotationOf(w, x, y, z)};
 }
 
 double affineAt(const Vec3& f, const Eigen::Vector2d& place) {
@@ -86,9 +70,10 @@ Vec3 angularVelocity(const Blocks& blocks, std::size_t block) {
 
 RelativePose relativePose(const State& state, std::size_t i) {
     const Interfaces& f = state.interfaces;
-    const FramesOf<double> frames{triple(f.origin_a, i),     triple(f.e1_a, i), triple(f.e2_a, i),
-                                  triple(f.origin_b, i),     triple(f.e1_b, i), triple(f.e2_b, i),
-                                  triple(f.reference_gap, i)};
+    const InterfaceFrame frame = f.frame(i);
+    const FramesOf<double> frames{triple(frame.origin_a),     triple(frame.e1_a), triple(frame.e2_a),
+                                  triple(frame.origin_b),     triple(frame.e1_b), triple(frame.e2_b),
+                                  triple(frame.reference_gap)};
     const PoseOf<double> a = poseOf(state.blocks, f.block_a[i]);
     const auto pose = relativePoseOf(frames, a, poseOf(state.blocks, f.block_b[i]));
     return {vec3(pose.gap), vec3(pose.slide_1), vec3(pose.slide_2), vec3(a.position + pose.arm_a),
@@ -97,10 +82,14 @@ RelativePose relativePose(const State& state, std::size_t i) {
 
 void updateContacts(State& state, Range groups) {
     const ContactView view = contactView(state);
-    if (state.instructions == simd::InstructionSet::avx2)
-        updateContactsAvx2(view, groups.begin, groups.end);
-    else
-        updateContactsScalar(view, groups.begin, groups.end);
+    switch (state.instructions) {
+        case simd::InstructionSet::avx512:
+            return updateContactsAvx512(view, groups.begin, groups.end);
+        case simd::InstructionSet::avx2:
+            return updateContactsAvx2(view, groups.begin, groups.end);
+        case simd::InstructionSet::scalar:
+            return updateContactsScalar(view, groups.begin, groups.end);
+    }
 }
 
 std::vector<PointState> pointStates(const State& state, std::size_t i) {
@@ -112,13 +101,8 @@ std::vector<PointState> pointStates(const State& state, std::size_t i) {
     for (const contact::PatchPoint& place :
          interfacePoints(state.interfaces, i, state.geometry->model.points)) {
         const std::size_t slot = state.interfaces.pointSlot(i, result.size());
-        PointState point{.position = place.position, .area = place.area, .force = {}, .memory = {}};
-        point.memory.offset_1 = points.offset_1[slot];
-        point.memory.offset_2 = points.offset_2[slot];
-        if (!points.bond.empty()) {
-            point.memory.bond = points.bond[slot];
-            point.memory.dilation = points.dilation[slot];
-        }
+        PointState point{
+            .position = place.position, .area = place.area, .force = {}, .memory = points.memoryAt(slot)};
         contact::PointMemory scratch = point.memory;
         point.force = contact::contactLaw(law, place.area, affineAt(pose.gap, place.position),
                                           affineAt(pose.slide_1, place.position),

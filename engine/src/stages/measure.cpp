@@ -76,9 +76,15 @@ std::uint64_t stateHash(const Blocks& blocks, const std::vector<double>& points)
         XXH3_64bits_update(hash.get(), values.data(), values.size() * sizeof(double));
     };
     const auto addVector = [&](const VectorArray& v) { add(v.x), add(v.y), add(v.z); };
-    addVector(blocks.position);
-    add(blocks.orientation.w), add(blocks.orientation.x), add(blocks.orientation.y),
-        add(blocks.orientation.z);
+    std::vector<double> column;
+    const auto addColumn = [&](const auto& records, auto number) {
+        column.clear();
+        for (const auto& record : records) column.push_back(record.*number);
+        add(column);
+    };
+    for (const auto number : {&Position::x, &Position::y, &Position::z}) addColumn(blocks.position, number);
+    for (const auto number : {&Quaternion::w, &Quaternion::x, &Quaternion::y, &Quaternion::z})
+        addColumn(blocks.orientation, number);
     addVector(blocks.velocity);
     addVector(blocks.angular_momentum);
     add(points);
@@ -95,12 +101,13 @@ std::uint64_t stateHash(const State& state) {
     return stateHash(state.blocks, points);
 }
 
-double rotationFrom(const QuaternionArray& from, const QuaternionArray& to, std::size_t b) {
+double rotationFrom(const QuaternionArray& froms, const QuaternionArray& tos, std::size_t b) {
+    const Quaternion &from = froms[b], &to = tos[b];
     // The vector part of conj(from) * to keeps small angles exact where acos of the scalar part would not.
-    const double w = from.w[b] * to.w[b] + from.x[b] * to.x[b] + from.y[b] * to.y[b] + from.z[b] * to.z[b];
-    const double x = from.w[b] * to.x[b] - from.x[b] * to.w[b] - from.y[b] * to.z[b] + from.z[b] * to.y[b];
-    const double y = from.w[b] * to.y[b] - from.y[b] * to.w[b] - from.z[b] * to.x[b] + from.x[b] * to.z[b];
-    const double z = from.w[b] * to.z[b] - from.z[b] * to.w[b] - from.x[b] * to.y[b] + from.y[b] * to.x[b];
+    const double w = from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z;
+    const double x = from.w * to.x - from.x * to.w - from.y * to.z + from.z * to.y;
+    const double y = from.w * to.y - from.y * to.w - from.z * to.x + from.x * to.z;
+    const double z = from.w * to.z - from.z * to.w - from.x * to.y + from.y * to.x;
     return 2.0 * std::atan2(std::sqrt(x * x + y * y + z * z), std::abs(w));
 }
 

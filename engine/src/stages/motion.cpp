@@ -30,11 +30,11 @@ Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity) 
     const Incidence& incidence = state.incidence;
     Wrench sum{state.blocks.mass[block] * gravity, Vec3::Zero()};
     for (auto k = incidence.interface_begin[block]; k < incidence.interface_begin[block + 1]; ++k) {
-        const auto i = static_cast<std::size_t>(incidence.interface[static_cast<std::size_t>(k)]);
-        const bool is_b = incidence.side[static_cast<std::size_t>(k)] != 0;
-        const Vec3 force = state.interfaces.force.get(i);
-        sum.force += is_b ? force : Vec3(-force);
-        sum.torque += is_b ? state.interfaces.moment_b.get(i) : state.interfaces.moment_a.get(i);
+        // Without branches: which side a block is on follows no pattern.
+        const InterfaceWrench& wrench = state.interfaces.wrenches[incidence.slotOf(k)];
+        const bool is_b = incidence.isB(k);
+        sum.force += (is_b ? 1.0 : -1.0) * wrench.force;
+        sum.torque += is_b ? wrench.moment_b : wrench.moment_a;
     }
     const auto wet_begin = incidence.wet_begin[block], wet_end = incidence.wet_begin[block + 1];
     if (wet_begin == wet_end) return sum;
@@ -49,24 +49,27 @@ Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity) 
 
 void drift(State& state, Range range, double dt) {
     Blocks& blocks = state.blocks;
-    QuaternionArray& q = blocks.orientation;
     const MotionView view{.force = constPointers(blocks.force),
                           .torque = constPointers(blocks.torque),
                           .inverse_inertia = constPointers(blocks.inverse_inertia),
                           .inverse_mass = blocks.inverse_mass.data(),
                           .free = blocks.free.data(),
-                          .position = pointers(blocks.position),
+                          .position = numbers(blocks.position),
+                          .orientation = numbers(blocks.orientation),
                           .velocity = pointers(blocks.velocity),
                           .angular_momentum = pointers(blocks.angular_momentum),
-                          .orientation = {q.w.data(), q.x.data(), q.y.data(), q.z.data()},
                           .angular_velocity = pointers(blocks.angular_velocity),
                           .time_step = dt,
                           .decay = std::exp(-0.5 * dt * state.damping.mass),
                           .spin_decay = std::exp(-0.5 * dt * state.damping.rotation)};
-    if (state.instructions == simd::InstructionSet::avx2)
-        driftAvx2(view, range.begin, range.end);
-    else
-        driftScalar(view, range.begin, range.end);
+    switch (state.instructions) {
+        case simd::InstructionSet::avx512:
+            return driftAvx512(view, range.begin, range.end);
+        case simd::InstructionSet::avx2:
+            return driftAvx2(view, range.begin, range.end);
+        case simd::InstructionSet::scalar:
+            return driftScalar(view, range.begin, range.end);
+    }
 }
 
 void updateSpin(State& state, Range range) {

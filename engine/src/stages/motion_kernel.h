@@ -1,5 +1,5 @@
 #pragma once
-// Half kick and drift, for one block (V = double) or several in a register (V = Lanes); one source, two builds.
+// Half kick and drift, for one block (V = double) or several in a register (V = Lanes); one source, a build per instruction set.
 
 #include "simd/scalar.h"
 #include "stages/motion_view.h"
@@ -9,8 +9,13 @@ namespace {
 
 using simd::Triple;
 
+/// The four numbers of a block's record: w, x, y, z of a quaternion; x, y, z of a position and one unused.
 template <class V>
-struct Quaternion {
+struct Four {
+    V a, b, c, d;
+};
+template <class V>
+struct QuaternionOf {
     V w, x, y, z;
 };
 
@@ -25,6 +30,14 @@ struct Consecutive<double> {
     TALUS_KERNEL double load(const double* values) const { return values[block]; }
     TALUS_KERNEL void store(double* values, double v) const { values[block] = v; }
     TALUS_KERNEL bool flags(const std::uint8_t* values) const { return values[block] != 0; }
+    TALUS_KERNEL Four<double> loadFour(const double* records) const {
+        const double* r = records + 4 * block;
+        return {r[0], r[1], r[2], r[3]};
+    }
+    TALUS_KERNEL void storeFour(double* records, const Four<double>& v) const {
+        double* r = records + 4 * block;
+        r[0] = v.a, r[1] = v.b, r[2] = v.c, r[3] = v.d;
+    }
 };
 
 template <class C, class Pointers>
@@ -65,8 +78,8 @@ TALUS_KERNEL void spinAbout(V t, V& m_j, V& m_k, V& q_w, V& q_a, V& q_j, V& q_k)
 
 /// Free rotation over dt: the angular momentum in the model frame stays, the orientation turns under it.
 template <class V>
-TALUS_KERNEL Quaternion<V> turned(Quaternion<V> q, const Triple<V>& inverse_inertia,
-                                  const Triple<V>& momentum, double dt) {
+TALUS_KERNEL QuaternionOf<V> turned(QuaternionOf<V> q, const Triple<V>& inverse_inertia,
+                                    const Triple<V>& momentum, double dt) {
     Triple<V> m = simd::rotationOf(q.w, q.x, q.y, q.z).back(momentum);
     const double quarter = 0.25 * dt, half = 0.5 * dt;
     spinAbout(quarter * inverse_inertia.x * m.x, m.y, m.z, q.w, q.x, q.y, q.z);
@@ -93,17 +106,16 @@ TALUS_KERNEL void driftBlocks(const MotionView& view, const C& at) {
                             momentum);
     store(at, view.velocity, velocity);
     store(at, view.angular_momentum, momentum);
-    store(at, view.position, load(at, view.position) + (V{} + view.time_step) * velocity);
+    const Four<V> x = at.loadFour(view.position);
+    const Triple<V> place = Triple<V>{x.a, x.b, x.c} + (V{} + view.time_step) * velocity;
+    at.storeFour(view.position, {place.x, place.y, place.z, x.d});
 
-    const Quaternion<V> q{at.load(view.orientation.w), at.load(view.orientation.x),
-                          at.load(view.orientation.y), at.load(view.orientation.z)};
-    const Quaternion<V> next = turned(q, inverse_inertia, momentum, view.time_step);
-    const Quaternion<V> now{select(free, next.w, q.w), select(free, next.x, q.x), select(free, next.y, q.y),
-                            select(free, next.z, q.z)};
-    at.store(view.orientation.w, now.w);
-    at.store(view.orientation.x, now.x);
-    at.store(view.orientation.y, now.y);
-    at.store(view.orientation.z, now.z);
+    const Four<V> r = at.loadFour(view.orientation);
+    const QuaternionOf<V> q{r.a, r.b, r.c, r.d};
+    const QuaternionOf<V> next = turned(q, inverse_inertia, momentum, view.time_step);
+    const QuaternionOf<V> now{select(free, next.w, q.w), select(free, next.x, q.x), select(free, next.y, q.y),
+                              select(free, next.z, q.z)};
+    at.storeFour(view.orientation, {now.w, now.x, now.y, now.z});
 
     const simd::Rotation<V> turn = simd::rotationOf(now.w, now.x, now.y, now.z);
     const Triple<V> own = turn.back(momentum);

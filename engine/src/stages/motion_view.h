@@ -14,8 +14,8 @@ struct MotionView {
     const double* inverse_mass;
     const std::uint8_t* free;  ///< 1: moves by its forces; 0: fixed, or driven at its velocity
     // read and written
-    simd::Vectors position, velocity, angular_momentum;
-    simd::Quaternions orientation;
+    double *position, *orientation;  ///< four numbers a block (state/pose_arrays.h)
+    simd::Vectors velocity, angular_momentum;
     // written
     simd::Vectors angular_velocity;
 
@@ -23,8 +23,9 @@ struct MotionView {
     double decay, spin_decay;  ///< of velocity and angular momentum by drag, over half a step
 };
 
-/// Half kick and drift of blocks [begin, end). Same bits from both.
+/// Half kick and drift of blocks [begin, end). Same bits from each.
 void driftScalar(const MotionView& view, std::size_t begin, std::size_t end);
 void driftAvx2(const MotionView& view, std::size_t begin, std::size_t end);
+void driftAvx512(const MotionView& view, std::size_t begin, std::size_t end);
 
 }  // namespace talus::stages

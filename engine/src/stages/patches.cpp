@@ -82,6 +82,8 @@ struct PlacedShapes {
 PlacedShapes placeShapes(const State& state, bool parallel) {
     const std::size_t n = state.blocks.size();
     PlacedShapes placed{state.geometry->shape, {0}, {0}, {}, {}};
+    placed.first_vertex.reserve(n + 1);
+    placed.first_normal.reserve(n + 1);
     for (const Polyhedron& shape : placed.own) {
         placed.first_vertex.push_back(placed.first_vertex.back() + shape.vertices.size());
         placed.first_normal.push_back(placed.first_normal.back() + shape.faces.size());
@@ -89,8 +91,9 @@ PlacedShapes placeShapes(const State& state, bool parallel) {
     placed.vertices.resize(placed.first_vertex.back());
     placed.normals.resize(placed.first_normal.back());
     forRange(n, 256, parallel, [&](Range range) {
+        Polyhedron shape;
         for (std::size_t b = range.begin; b < range.end; ++b) {
-            const Polyhedron shape = placedShape(state, b);
+            placeShape(state, b, shape);
             std::copy(shape.vertices.begin(), shape.vertices.end(), &placed.vertices[placed.first_vertex[b]]);
             for (std::size_t f = 0; f < shape.faces.size(); ++f)
                 placed.normals[placed.first_normal[b] + f] = shape.faceNormal(f);
@@ -242,23 +245,19 @@ void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePai
     f.face_b.push_back(pair.face_b);
     f.joint.push_back(interfaceJoint(*state.geometry, ia, face_a, ib, face_b));
     f.area.push_back(patch_area);
-    f.origin_a.add(origin_a);
-    f.e1_a.add(own.e1);
-    f.e2_a.add(own.e2);
-    f.origin_b.add(turn_b.transpose() * (origin + gap * e3 - x_b));
-    f.e1_b.add(turn_b.transpose() * b1);
-    f.e2_b.add(turn_b.transpose() * b2);
-    f.reference_gap.add(Vec3::Zero());
-    f.force.add(Vec3::Zero());
-    f.moment_a.add(Vec3::Zero());
-    f.moment_b.add(Vec3::Zero());
+    f.setFrame(f.size() - 1, {.origin_a = origin_a,
+                              .e1_a = own.e1,
+                              .e2_a = own.e2,
+                              .origin_b = turn_b.transpose() * (origin + gap * e3 - x_b),
+                              .e1_b = turn_b.transpose() * b1,
+                              .e2_b = turn_b.transpose() * b2});
     placeCorners(f, f.size() - 1, outline);
 }
 
 void setBond(State& state, std::size_t i, double bond) {
-    if (state.points.bond.empty()) return;
+    if (!state.points.remembers()) return;
     for (std::size_t k = 0; k < state.interfaces.pointCount(i); ++k)
-        state.points.bond[state.interfaces.pointSlot(i, k)] = bond;
+        state.points.setBond(state.interfaces.pointSlot(i, k), bond);
 }
 
 /// Contacts that come about later have no bond to lose; without a bond they have their peak friction.
@@ -283,7 +282,7 @@ void closeInitialInterfaces(State& state) {
         }
         if (widest > closed && least >= 0) continue;
         // Planes that are not parallel: only what overlaps is taken off.
-        f.reference_gap.set(i, widest > closed ? Vec3(least, 0, 0) : pose.gap);
+        f.setReferenceGap(i, widest > closed ? Vec3(least, 0, 0) : pose.gap);
         setBond(state, i, 1.0);
     }
 }
@@ -340,14 +339,14 @@ void buildIncidence(State& state) {
     }
     for (std::size_t b = 0; b < n; ++b) incidence.interface_begin[b + 1] += incidence.interface_begin[b];
     incidence.interface.resize(2 * f.size());
-    incidence.side.resize(2 * f.size());
+    incidence.wrench.resize(2 * f.size());
     std::vector<std::int64_t> next(incidence.interface_begin.begin(), incidence.interface_begin.end() - 1);
     for (std::size_t i = 0; i < f.size(); ++i)
-        for (const std::int8_t side : {std::int8_t{0}, std::int8_t{1}}) {
+        for (const std::int32_t side : {0, 1}) {
             const auto block = static_cast<std::size_t>(side == 0 ? f.block_a[i] : f.block_b[i]);
             const auto slot = static_cast<std::size_t>(next[block]++);
             incidence.interface[slot] = static_cast<std::int32_t>(i);
-            incidence.side[slot] = side;
+            incidence.wrench[slot] = 2 * f.slot[i] + side;
         }
     if (incidence.wet_begin.size() != n + 1) incidence.wet_begin.assign(n + 1, 0);
 }

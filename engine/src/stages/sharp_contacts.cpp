@@ -51,7 +51,7 @@ double speedBound(const State& state, std::size_t b) {
            angularVelocity(state.blocks, b).norm() * state.geometry->radius[b];
 }
 
-void setIdle(Interfaces& f, std::size_t i) { f.reference_gap.x[i] = kIdle; }
+void setIdle(Interfaces& f, std::size_t i) { f.referenceGap(i, 0) = kIdle; }
 
 /// Hands an interface over to the other block as its reference.
 void swapSides(State& state, std::size_t i) {
@@ -61,7 +61,7 @@ void swapSides(State& state, std::size_t i) {
         const auto b = static_cast<std::size_t>(block);
         for (auto k = incidence.interface_begin[b]; k < incidence.interface_begin[b + 1]; ++k)
             if (incidence.interface[static_cast<std::size_t>(k)] == static_cast<std::int32_t>(i))
-                incidence.side[static_cast<std::size_t>(k)] ^= 1;
+                incidence.wrench[static_cast<std::size_t>(k)] ^= 1;  // the other side
     }
     std::swap(f.block_a[i], f.block_b[i]);
     std::swap(f.face_a[i], f.face_b[i]);
@@ -76,15 +76,15 @@ Vec3 toOwn(const Blocks& blocks, std::int32_t block, const Vec3& x) {
 bool isSamePlace(const State& state, std::size_t i, const SharpPoint& point, double tolerance) {
     const Interfaces& f = state.interfaces;
     return !isIdle(f, i) && f.face_a[i] == point.reference_face && f.face_b[i] == point.other_face &&
-           (f.origin_b.get(i) - toOwn(state.blocks, f.block_b[i], point.on_other)).norm() <= tolerance &&
+           (f.frame(i).origin_b - toOwn(state.blocks, f.block_b[i], point.on_other)).norm() <= tolerance &&
            relativePose(state, i).e3.dot(point.e1.cross(point.e2)) > 1.0 - kSamePlace;
 }
 
 /// A contact that was found late and has opened closes again where the blocks are.
 void releaseGap(State& state, std::size_t i) {
-    VectorArray& reference = state.interfaces.reference_gap;
+    double& reference = state.interfaces.referenceGap(i, 0);
     const double opening = relativePose(state, i).gap.x();
-    if (reference.x[i] < 0 && opening > 0) reference.x[i] = std::min(0.0, reference.x[i] + opening);
+    if (reference < 0 && opening > 0) reference = std::min(0.0, reference + opening);
 }
 
 /// Puts a slot where two blocks meet, with what `from` leaves it.
@@ -98,24 +98,24 @@ void placeSlot(State& state, std::size_t i, const SharpPoint& point, const Carri
     f.face_b[i] = point.other_face;
     f.joint[i] = interfaceJoint(*state.geometry, a, static_cast<std::size_t>(point.reference_face), b,
                                 static_cast<std::size_t>(point.other_face));
-    f.origin_a.set(i, toOwn(blocks, f.block_a[i], point.on_reference));
-    f.origin_b.set(i, toOwn(blocks, f.block_b[i], point.on_other));
-    f.e1_a.set(i, to_a * point.e1);
-    f.e2_a.set(i, to_a * point.e2);
-    f.e1_b.set(i, to_b * point.e1);
-    f.e2_b.set(i, to_b * point.e2);
+    InterfaceFrame frame = f.frame(i);
+    frame.origin_a = toOwn(blocks, f.block_a[i], point.on_reference);
+    frame.origin_b = toOwn(blocks, f.block_b[i], point.on_other);
+    frame.e1_a = to_a * point.e1;
+    frame.e2_a = to_a * point.e2;
+    frame.e1_b = to_b * point.e1;
+    frame.e2_b = to_b * point.e2;
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
     const double depth = std::sqrt(2.0 * from.energy / (law.normal_stiffness * f.area[i]));
-    f.reference_gap.x[i] = std::min(0.0, point.gap + depth);
-    ContactPoints& points = state.points;
-    const std::size_t slot = f.pointSlot(i, 0);
+    frame.reference_gap.x() = std::min(0.0, point.gap + depth);
+    f.setFrame(i, frame);
     const double sign =
         f.block_a[i] < f.block_b[i] ? 1.0 : -1.0;  // F_s = k_s A (offset - slide), the slide now zero
-    points.offset_1[slot] = sign * from.shear.dot(point.e1) / (law.shear_stiffness * f.area[i]);
-    points.offset_2[slot] = sign * from.shear.dot(point.e2) / (law.shear_stiffness * f.area[i]);
-    if (points.bond.empty()) return;
-    points.bond[slot] = law.bonded ? 0.0 : 1.0;
-    points.dilation[slot] = 0.0;
+    state.points.setMemory(f.pointSlot(i, 0),
+                           {.offset_1 = sign * from.shear.dot(point.e1) / (law.shear_stiffness * f.area[i]),
+                            .offset_2 = sign * from.shear.dot(point.e2) / (law.shear_stiffness * f.area[i]),
+                            .bond = law.bonded ? 0.0 : 1.0,
+                            .dilation = 0.0});
 }
 
 /// Shares the Lps that are gone out among the new ones, each to the nearest.
@@ -218,7 +218,7 @@ bool isClosed(const State& state, std::size_t i) {
 
 /// How far the two blocks of a group of slots may still go towards each other before they have to be looked at again [m].
 /// The kernel has no use for the slopes of a slot's reference gap, so the first slot's holds it: a full frame has it too.
-double& travelLeft(Interfaces& f, std::size_t begin) { return f.reference_gap.y[begin]; }
+double& travelLeft(Interfaces& f, std::size_t begin) { return f.referenceGap(begin, 1); }
 
 /// A pair of blocks with slots, and what was found where it is now.
 struct Look {
@@ -263,7 +263,7 @@ Look lookAtPair(const State& state, std::size_t begin, double ahead) {
 bool isSharp(const Interfaces& f, std::size_t i) { return f.groupOf(i).corners == 1; }
 
 bool isIdle(const Interfaces& f, std::size_t i) {
-    return isSharp(f, i) && f.reference_gap.x[i] < FrameInterfaces::kIdleGap;
+    return isSharp(f, i) && f.referenceGap(i, 0) < FrameInterfaces::kIdleGap;
 }
 
 ContactCount countContacts(const Interfaces& f) {
@@ -338,11 +338,11 @@ void appendSharpSlots(State& state, std::int32_t block_1, std::int32_t block_2) 
         f.face_b.push_back(0);
         f.joint.push_back(0);
         f.area.push_back(area);
-        for (VectorArray* origin : {&f.origin_a, &f.origin_b, &f.force, &f.moment_a, &f.moment_b})
-            origin->add(Vec3::Zero());
-        for (VectorArray* e1 : {&f.e1_a, &f.e1_b}) e1->add(Vec3::UnitX());
-        for (VectorArray* e2 : {&f.e2_a, &f.e2_b}) e2->add(Vec3::UnitY());
-        f.reference_gap.add({kIdle, 0, 0});
+        f.setFrame(f.size() - 1, {.e1_a = Vec3::UnitX(),
+                                  .e2_a = Vec3::UnitY(),
+                                  .e1_b = Vec3::UnitX(),
+                                  .e2_b = Vec3::UnitY(),
+                                  .reference_gap = {kIdle, 0, 0}});
         placeCorners(f, f.size() - 1, {Eigen::Vector2d::Zero()});
     }
 }

@@ -69,7 +69,7 @@ double frequencyBound(const State& state, std::size_t block) {
             continue;
         }
         touches_nothing = false;
-        const bool is_b = incidence.side[static_cast<std::size_t>(k)] != 0;
+        const bool is_b = incidence.isB(k);
         const auto other =
             static_cast<std::size_t>(is_b ? state.interfaces.block_a[i] : state.interfaces.block_b[i]);
         const double share = blocks.motion[other] == Motion::free ? 2.0 : 1.0;

@@ -89,7 +89,8 @@ void addInterfaceWalls(State& state, std::size_t water, std::size_t i) {
     for (const Vec2& v : patchOutline(f, i)) outward.push(v);
     for (std::size_t v = outward.size(); v-- > 0;) inward.push({outward[v].y(), outward[v].x()});
     const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
-    const FaceFrame plane_a{f.origin_a.get(i), f.e1_a.get(i), f.e2_a.get(i), {}};
+    const InterfaceFrame frame = f.frame(i);
+    const FaceFrame plane_a{frame.origin_a, frame.e1_a, frame.e2_a, {}};
     // b's wall in a's plane, tangents exchanged so that its normal looks back at a.
     const Mat3 turn_b = state.blocks.orientation.matrix(b);
     const FaceFrame plane_b{turn_b.transpose() * (pose.origin - state.blocks.position.get(b)),
@@ -173,10 +174,7 @@ void computeWrench(State& state, std::size_t w, const PressureField& field) {
     wet.moment.set(w, -first_moment.cross(e3));
     const auto b = static_cast<std::size_t>(wet.block[w]);
     wet.computed_position.set(w, state.blocks.position.get(b));
-    wet.computed_orientation.w[w] = state.blocks.orientation.w[b];
-    wet.computed_orientation.x[w] = state.blocks.orientation.x[b];
-    wet.computed_orientation.y[w] = state.blocks.orientation.y[b];
-    wet.computed_orientation.z[w] = state.blocks.orientation.z[b];
+    wet.computed_orientation[w] = state.blocks.orientation[b];
 }
 
 bool poseIsStale(const State& state, std::size_t w) {
@@ -184,9 +182,8 @@ bool poseIsStale(const State& state, std::size_t w) {
     const double radius = state.geometry->radius[b], limit = kStalePose * radius;
     const Vec3 shift = state.blocks.position.get(b) - state.wet.computed_position.get(w);
     if (shift.squaredNorm() > limit * limit) return true;
-    const QuaternionArray& q = state.wet.computed_orientation;
-    const QuaternionArray& o = state.blocks.orientation;
-    const double dw = q.w[w] - o.w[b], dx = q.x[w] - o.x[b], dy = q.y[w] - o.y[b], dz = q.z[w] - o.z[b];
+    const Quaternion &q = state.wet.computed_orientation[w], &o = state.blocks.orientation[b];
+    const double dw = q.w - o.w, dx = q.x - o.x, dy = q.y - o.y, dz = q.z - o.z;
     return 4.0 * (dw * dw + dx * dx + dy * dy + dz * dz) > kStalePose * kStalePose;
 }
 

@@ -13,7 +13,10 @@
 #include "simd/instruction_set.h"
 #include "simd/pointers.h"
 #include "simd/scalar.h"
+#include "state/interface_frame.h"
 #include "state/interface_group.h"
+#include "state/lane_array.h"
+#include "state/pose_arrays.h"
 #include "talus/model.h"
 
 namespace talus {
@@ -44,29 +47,9 @@ struct VectorArray {
 inline simd::Vectors pointers(VectorArray& v) { return {v.x.data(), v.y.data(), v.z.data()}; }
 inline simd::ConstVectors constPointers(const VectorArray& v) { return {v.x.data(), v.y.data(), v.z.data()}; }
 
-/// Unit quaternions, block's own frame to model frame.
-struct QuaternionArray {
-    std::vector<double> w, x, y, z;
-
-    void resize(std::size_t n) {
-        w.resize(n, 1.0);
-        x.resize(n, 0.0);
-        y.resize(n, 0.0);
-        z.resize(n, 0.0);
-    }
-    Mat3 matrix(std::size_t i) const {
-        const double a = w[i], b = x[i], c = y[i], d = z[i];
-        Mat3 r;
-        r << 1 - 2 * (c * c + d * d), 2 * (b * c - a * d), 2 * (b * d + a * c),  //
-            2 * (b * c + a * d), 1 - 2 * (b * b + d * d), 2 * (c * d - a * b),   //
-            2 * (b * d - a * c), 2 * (c * d + a * b), 1 - 2 * (b * b + c * c);
-        return r;
-    }
-};
-
 /// Blocks. A block's own frame sits at its centroid along its principal axes.
 struct Blocks {
-    VectorArray position;  ///< of the centroid [m]
+    PositionArray position;  ///< of the centroid [m]
     QuaternionArray orientation;
     VectorArray velocity;  ///< of the centroid [m/s]
     VectorArray
@@ -84,53 +67,76 @@ struct Blocks {
     std::size_t size() const { return mass.size(); }
 };
 
-/// Interfaces: two faces that lie against each other. The reference face belongs to block `a`; `e1`, `e2` span it and
-/// e3 = e1 x e2 points from a to b. The origin is the patch's centroid at its last clipping, as a material point of
-/// each of the two blocks.
+/// Interfaces: two faces that lie against each other; state/interface_frame.h says how. What the kernel reads lies in
+/// groups (state/interface_group.h): `slot` tells where.
 struct Interfaces {
     std::vector<std::int32_t> block_a, block_b;
     std::vector<std::int32_t> face_a, face_b;
     std::vector<std::int32_t> joint;
-    std::vector<double> area;          ///< of the patch [m^2]
-    VectorArray origin_a, e1_a, e2_a;  ///< in a's own frame
-    VectorArray origin_b, e1_b,
-        e2_b;  ///< in b's own frame: b's face plane, e1 and e2 as they lay at the clipping
-    VectorArray
-        reference_gap;  ///< gap [m] and its two slopes along e1, e2 that count as closed and unstressed
-    std::vector<InterfaceGroup> groups;       ///< in the order of the interfaces
-    std::vector<std::int32_t> group;          ///< of each interface
-    std::vector<double> patch_xi, patch_eta;  ///< corners along e1, e2 from the origin, counter-clockwise [m]
-    VectorArray force;                        ///< on b, by the springs and dashpots [N]
-    VectorArray moment_a;                     ///< on a about a's centroid [N m]
-    VectorArray moment_b;                     ///< on b about b's centroid [N m]
+    std::vector<double> area;            ///< of the patch [m^2]
+    std::vector<InterfaceGroup> groups;  ///< in the order of the interfaces
+    std::vector<std::int32_t> slot;      ///< of each interface: its group times kLanes, plus its place there
+    LaneArray frames{kFrameQuantities};
+    LaneArray corners{kCornerQuantities};   ///< of patches, counter-clockwise, as cornerSlot says
+    std::vector<InterfaceWrench> wrenches;  ///< by slot: blocks read them one by one
 
     std::size_t size() const { return block_a.size(); }
 
-    const InterfaceGroup& groupOf(std::size_t i) const { return groups[static_cast<std::size_t>(group[i])]; }
+    const InterfaceGroup& groupOf(std::size_t i) const {
+        return groups[static_cast<std::size_t>(slot[i] / simd::kLanes)];
+    }
     std::size_t cornerCount(std::size_t i) const { return static_cast<std::size_t>(groupOf(i).corners); }
     std::size_t pointCount(std::size_t i) const { return static_cast<std::size_t>(groupOf(i).points); }
     /// Slot of the k-th corner, and of the k-th Lp.
-    std::size_t cornerSlot(std::size_t i, std::size_t k) const { return slot(i, k, groupOf(i).first_corner); }
-    std::size_t pointSlot(std::size_t i, std::size_t k) const { return slot(i, k, groupOf(i).first_point); }
+    std::size_t cornerSlot(std::size_t i, std::size_t k) const {
+        return slotOf(i, k, groupOf(i).first_corner);
+    }
+    std::size_t pointSlot(std::size_t i, std::size_t k) const { return slotOf(i, k, groupOf(i).first_point); }
+
+    InterfaceFrame frame(std::size_t i) const { return frameAt(frames, slotOf(i)); }
+    void setFrame(std::size_t i, const InterfaceFrame& frame) { setFrameAt(frames, slotOf(i), frame); }
+    /// The reference gap [m] (0) and its slopes (1, 2).
+    double& referenceGap(std::size_t i, std::size_t part) {
+        return frames.at(slotOf(i), kReferenceGap + part);
+    }
+    double referenceGap(std::size_t i, std::size_t part) const {
+        return frames.get(slotOf(i), kReferenceGap + part);
+    }
+    void setReferenceGap(std::size_t i, const Vec3& gap) {
+        for (std::size_t part = 0; part < 3; ++part)
+            referenceGap(i, part) = gap[static_cast<Eigen::Index>(part)];
+    }
+    const InterfaceWrench& wrench(std::size_t i) const { return wrenches[slotOf(i)]; }
+    void setWrench(std::size_t i, const InterfaceWrench& wrench) { wrenches[slotOf(i)] = wrench; }
 
  private:
-    std::size_t slot(std::size_t i, std::size_t k, std::int64_t first) const {
-        return static_cast<std::size_t>(first) + i - static_cast<std::size_t>(groupOf(i).begin) +
-               k * static_cast<std::size_t>(simd::kLanes);
+    std::size_t slotOf(std::size_t i) const { return static_cast<std::size_t>(slot[i]); }
+    std::size_t slotOf(std::size_t i, std::size_t k, std::int64_t first) const {
+        constexpr auto width = static_cast<std::size_t>(simd::kLanes);
+        return static_cast<std::size_t>(first) + slotOf(i) % width + k * width;
     }
 };
 
 /// What contact points (Lps) remember; where they lie follows from the patch (contact/points.h), and the forces they
-/// carry from the poses (stages::pointStates). `bond` and `dilation` are there when a joint has such memory, the
-/// positions when the kernel does not derive them itself.
+/// carry from the poses (stages::pointStates).
 struct ContactPoints {
-    std::vector<double> offset_1, offset_2;  ///< plastic slide [m]
-    std::vector<double> bond;                ///< share of the peak strength left, 1 intact, 0 broken
-    std::vector<double> dilation;            ///< [m]
-    std::vector<double> xi, eta, area;  ///< `quarter` and `grid`: from the interface's origin [m], A_s [m^2]
-    std::size_t count = 0;              ///< without the unused slots
+    LaneArray memory{
+        kSlideQuantities};  ///< as Interfaces::pointSlot says; with bond and dilation where a joint has those
+    LaneArray places{kPlaceQuantities};  ///< `quarter` and `grid`; empty where the kernel derives them itself
+    std::size_t count = 0;               ///< without the unused slots
 
     std::size_t size() const { return count; }
+    /// Whether bond and dilation are remembered.
+    bool remembers() const { return memory.quantities() == kMemoryQuantities; }
+
+    contact::PointMemory memoryAt(std::size_t slot) const;
+    void setMemory(std::size_t slot, const contact::PointMemory& memory);
+    void setOffset(std::size_t slot, double along_1, double along_2) {
+        memory.set(slot, 0, along_1);
+        memory.set(slot, 1, along_2);
+    }
+    /// \pre remembers()
+    void setBond(std::size_t slot, double bond) { memory.set(slot, 2, bond); }
 };
 
 /// Walls that water pushes on: polygons fixed to a block.
@@ -142,9 +148,9 @@ struct WetPatches {
     VectorArray origin, e1, e2;              ///< plane of the polygon in the block's own frame; e3 outward
     std::vector<std::int64_t> vertex_begin;  ///< one more at the end
     std::vector<double> vertex_x, vertex_y;  ///< [m]
-    VectorArray head;               ///< [m]: at the origin and its gradient; for water given by two heads
-    VectorArray force, moment;      ///< on the block about its centroid, in its own frame, as last computed
-    VectorArray computed_position;  ///< pose of the block when they were computed
+    VectorArray head;                 ///< [m]: at the origin and its gradient; for water given by two heads
+    VectorArray force, moment;        ///< on the block about its centroid, in its own frame, as last computed
+    PositionArray computed_position;  ///< pose of the block when they were computed
     QuaternionArray computed_orientation;
 
     std::size_t size() const { return block.size(); }
@@ -171,7 +177,12 @@ struct WaterLoad {
 struct Incidence {
     std::vector<std::int64_t> interface_begin;
     std::vector<std::int32_t> interface;  ///< interface index
-    std::vector<std::int8_t> side;        ///< 0: the block is the interface's a, 1: its b
+    std::vector<std::int32_t> wrench;     ///< twice the interface's slot, plus one where the block is its b
+
+    bool isB(std::int64_t k) const { return wrench[static_cast<std::size_t>(k)] % 2 != 0; }
+    std::size_t slotOf(std::int64_t k) const {
+        return static_cast<std::size_t>(wrench[static_cast<std::size_t>(k)] / 2);
+    }
     std::vector<std::int64_t> wet_begin;
     std::vector<std::int32_t> wet;
 };
@@ -187,7 +198,7 @@ struct Geometry {
     std::vector<double> size;            ///< smallest extent of each block [m]
     std::vector<double> radius;          ///< farthest vertex from the centroid [m]
     std::vector<PairJoint> pair_joints;  ///< sorted by pair of blocks
-    VectorArray initial_position;
+    PositionArray initial_position;
     QuaternionArray initial_orientation;
     double length_scale = 0;     ///< median block size [m]
     Vec3 origin = Vec3::Zero();  ///< of the state's positions, in the model frame [m]
@@ -218,7 +229,7 @@ struct State {
     std::vector<std::uint8_t> drained;    ///< per water: 1 once it has run out through an open joint
     std::vector<PressureField> pressure;  ///< per water, for `water_load`
     std::vector<WaterLoad> water_load;    ///< per water: what its wrenches were computed for
-    VectorArray search_position;          ///< poses at the last neighbour search
+    PositionArray search_position;        ///< poses at the last neighbour search
     QuaternionArray search_orientation;
     double search_margin = 0;  ///< gap up to which that search made interfaces [m]
     double invalid_since =

@@ -76,10 +76,7 @@ void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<
 
     const bool free = block.motion == Motion::free;
     blocks.position.add(mass.centroid);
-    blocks.orientation.w.push_back(turn.w());
-    blocks.orientation.x.push_back(turn.x());
-    blocks.orientation.y.push_back(turn.y());
-    blocks.orientation.z.push_back(turn.z());
+    blocks.orientation.push_back({turn.w(), turn.x(), turn.y(), turn.z()});
     blocks.velocity.add(block.motion == Motion::fixed ? Vec3(Vec3::Zero()) : block.velocity);
     blocks.mass.push_back(block.density * mass.volume);
     const Vec3 inertia = block.density * moments;
@@ -113,11 +110,16 @@ std::vector<contact::JointLaw> jointLaws(const std::vector<Joint>& joints, doubl
     return laws;
 }
 
-Polyhedron placedShape(const State& state, std::size_t block) {
-    Polyhedron shape = state.geometry->shape[block];
+void placeShape(const State& state, std::size_t block, Polyhedron& shape) {
+    shape = state.geometry->shape[block];
     const Mat3 turn = state.blocks.orientation.matrix(block);
     const Vec3 position = state.blocks.position.get(block);
     for (Vec3& v : shape.vertices) v = position + turn * v;
+}
+
+Polyhedron placedShape(const State& state, std::size_t block) {
+    Polyhedron shape;
+    placeShape(state, block, shape);
     return shape;
 }
 
@@ -133,9 +135,11 @@ void setInertia(State& state, const std::vector<double>& scale) {
     }
 }
 
-Result<State> buildState(const Model& model, bool parallel) {
+Result<State> buildState(Model description, bool parallel) {
     State state;
     auto geometry = std::make_shared<Geometry>();
+    geometry->model = std::move(description);
+    const Model& model = geometry->model;
     std::vector<Error> errors;
     if (model.blocks.empty()) return Error{"", "there are no blocks"};
     geometry->origin = originFor(model);
@@ -147,14 +151,13 @@ Result<State> buildState(const Model& model, bool parallel) {
     state.blocks.angular_velocity.resize(n);
     state.blocks.force.resize(n);
     state.blocks.torque.resize(n);
-    geometry->model = model;
     geometry->pair_joints = model.pair_joints;
     std::stable_sort(geometry->pair_joints.begin(), geometry->pair_joints.end(),
                      [](const PairJoint& a, const PairJoint& b) { return pairOf(a) < pairOf(b); });
     geometry->length_scale = medianOf(geometry->size);
     geometry->initial_position = state.blocks.position;
     geometry->initial_orientation = state.blocks.orientation;
-    state.geometry = std::move(geometry);
+    state.geometry = geometry;
     state.laws = jointLaws(model.joints);
     state.load.tilt = model.gravity.tilt;
     state.damping = model.damping;

@@ -10,13 +10,17 @@ namespace talus {
 /// and unstressed, with the model's own tilt and damping and full loads.
 /// Errors (fields of the model): shapes without volume, blocks that overlap, pairs that do not touch, water without a
 /// wall, two waters on one place, `grid N` on patches that are not rectangles.
-Result<State> buildState(const Model& model, bool parallel);
+/// The state keeps the model: move it in where it is not needed any more.
+Result<State> buildState(Model model, bool parallel);
 
 /// Joint strengths as the kernel wants them; tan(phi) and C, peak and residual, divided by `factor`.
 std::vector<contact::JointLaw> jointLaws(const std::vector<Joint>& joints, double factor = 1.0);
 
 /// A block's shape in the model frame, where it is now.
 Polyhedron placedShape(const State& state, std::size_t block);
+
+/// The same into a shape there is already: blocks one after the other need no new memory.
+void placeShape(const State& state, std::size_t block, Polyhedron& shape);
 
 /// The inertia used in the motion: the true one times `scale` (one number per block). Velocities stay.
 void setInertia(State& state, const std::vector<double>& scale);

@@ -16,11 +16,27 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+void add(VectorList<double>& list, const Vec3& v) {
+    list.x.push_back(v.x()), list.y.push_back(v.y()), list.z.push_back(v.z());
+}
+
+void add(VectorList<float>& list, const Vec3& v) {
+    list.x.push_back(static_cast<float>(v.x()));
+    list.y.push_back(static_cast<float>(v.y()));
+    list.z.push_back(static_cast<float>(v.z()));
+}
+
 /// Copies an array of the state into the frame, whatever the two are called.
 struct ToFrame {
     void operator()(const VectorArray& s, VectorList<double>& f) const { f.x = s.x, f.y = s.y, f.z = s.z; }
+    void operator()(const PositionArray& s, VectorList<double>& f) const {
+        for (auto* values : {&f.x, &f.y, &f.z}) values->clear();
+        for (std::size_t i = 0; i < s.size(); ++i) add(f, s.get(i));
+    }
     void operator()(const QuaternionArray& s, QuaternionList& f) const {
-        f.w = s.w, f.x = s.x, f.y = s.y, f.z = s.z;
+        for (auto* values : {&f.w, &f.x, &f.y, &f.z}) values->clear();
+        for (const auto& [w, x, y, z] : s)
+            f.w.push_back(w), f.x.push_back(x), f.y.push_back(y), f.z.push_back(z);
     }
     template <class A, class B>
     void operator()(const std::vector<A>& s, std::vector<B>& f) const {
@@ -32,22 +48,12 @@ struct ToFrame {
     }
 };
 
-void add(VectorList<double>& list, const Vec3& v) {
-    list.x.push_back(v.x()), list.y.push_back(v.y()), list.z.push_back(v.z());
-}
-
-void add(VectorList<float>& list, const Vec3& v) {
-    list.x.push_back(static_cast<float>(v.x()));
-    list.y.push_back(static_cast<float>(v.y()));
-    list.z.push_back(static_cast<float>(v.z()));
-}
-
 /// Axis times angle of the turn from one orientation to another, in the model frame [rad]. The vector part keeps small
 /// angles exact; of the two quaternions of a turn the one with the angle below pi counts.
-Vec3 rotationVector(const QuaternionArray& from, const QuaternionArray& to, std::size_t b) {
-    const double w = from.w[b] * to.w[b] + from.x[b] * to.x[b] + from.y[b] * to.y[b] + from.z[b] * to.z[b];
-    const Vec3 u(from.x[b], from.y[b], from.z[b]), v(to.x[b], to.y[b], to.z[b]);
-    const Vec3 part = from.w[b] * v - to.w[b] * u - v.cross(u);  // of to * conj(from)
+Vec3 rotationVector(const Quaternion& from, const Quaternion& to) {
+    const double w = from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z;
+    const Vec3 u(from.x, from.y, from.z), v(to.x, to.y, to.z);
+    const Vec3 part = from.w * v - to.w * u - v.cross(u);  // of to * conj(from)
     const double sine = part.norm();
     if (sine == 0) return Vec3::Zero();
     const Vec3 axis = part / (w < 0 ? -sine : sine);
@@ -88,12 +94,16 @@ void addLaws(const State& state, FrameLaws& laws) {
     for (std::size_t joint = 0; joint < n; ++joint) eachLawField(state.laws[joint], laws, joint, ToFrame{});
 }
 
-/// Corners and Lps interface by interface, with what the Lps carry.
+/// Frames, corners and Lps interface by interface, with what the Lps carry.
 void addPatches(const State& state, FrameInterfaces& f, FramePoints& points) {
     const bool dilates = std::any_of(state.laws.begin(), state.laws.end(),
                                      [](const contact::JointLaw& law) { return law.tan_dilation != 0; });
     f.patch_begin = f.point_begin = {0};
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
+        const InterfaceFrame frame = state.interfaces.frame(i);
+        eachFrameVector(f, [&](auto vector, VectorList<double>& list) { add(list, frame.*vector); });
+        const InterfaceWrench wrench = state.interfaces.wrench(i);
+        eachWrenchVector(f, [&](auto vector, VectorList<double>& list) { add(list, wrench.*vector); });
         for (const Eigen::Vector2d& corner : patchOutline(state.interfaces, i)) {
             f.patch_xi.push_back(corner.x());
             f.patch_eta.push_back(corner.y());
@@ -154,7 +164,7 @@ LightFrame lightFrameOf(const State& state) {
     const Geometry& geometry = *state.geometry;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         add(frame.displacement, state.blocks.position.get(b) - geometry.initial_position.get(b));
-        add(frame.rotation, rotationVector(geometry.initial_orientation, state.blocks.orientation, b));
+        add(frame.rotation, rotationVector(geometry.initial_orientation[b], state.blocks.orientation[b]));
         add(frame.velocity, state.blocks.velocity.get(b));
     }
     addWaterLevels(state, frame.water);

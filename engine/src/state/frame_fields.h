@@ -29,16 +29,26 @@ void eachInterfaceField(Interfaces& s, FrameInterfaces& f, const Pair& pair) {
     pair(s.face_b, f.face_b);
     pair(s.joint, f.joint);
     pair(s.area, f.area);
-    pair(s.origin_a, f.origin_a);
-    pair(s.e1_a, f.e1_a);
-    pair(s.e2_a, f.e2_a);
-    pair(s.origin_b, f.origin_b);
-    pair(s.e1_b, f.e1_b);
-    pair(s.e2_b, f.e2_b);
-    pair(s.reference_gap, f.reference_gap);
-    pair(s.force, f.force);
-    pair(s.moment_a, f.moment_a);
-    pair(s.moment_b, f.moment_b);
+}
+
+/// What lies slot by slot in the state: calls each(member of InterfaceFrame, array of the frame).
+template <class FrameInterfaces, class Each>
+void eachFrameVector(FrameInterfaces& f, const Each& each) {
+    each(&InterfaceFrame::origin_a, f.origin_a);
+    each(&InterfaceFrame::e1_a, f.e1_a);
+    each(&InterfaceFrame::e2_a, f.e2_a);
+    each(&InterfaceFrame::origin_b, f.origin_b);
+    each(&InterfaceFrame::e1_b, f.e1_b);
+    each(&InterfaceFrame::e2_b, f.e2_b);
+    each(&InterfaceFrame::reference_gap, f.reference_gap);
+}
+
+/// Likewise of InterfaceWrench.
+template <class FrameInterfaces, class Each>
+void eachWrenchVector(FrameInterfaces& f, const Each& each) {
+    each(&InterfaceWrench::force, f.force);
+    each(&InterfaceWrench::moment_a, f.moment_a);
+    each(&InterfaceWrench::moment_b, f.moment_b);
 }
 
 template <class Wet, class FrameWet, class Pair>

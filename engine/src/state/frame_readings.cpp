@@ -28,10 +28,10 @@ struct Side {
 };
 
 Side sideOf(const Interfaces& f, std::size_t i, bool second) {
+    const InterfaceFrame frame = f.frame(i);
     if (!second)
-        return {static_cast<std::size_t>(f.block_a[i]), f.origin_a.get(i), f.e1_a.get(i), f.e2_a.get(i),
-                true};
-    return {static_cast<std::size_t>(f.block_b[i]), f.origin_b.get(i), f.e1_b.get(i), f.e2_b.get(i), false};
+        return {static_cast<std::size_t>(f.block_a[i]), frame.origin_a, frame.e1_a, frame.e2_a, true};
+    return {static_cast<std::size_t>(f.block_b[i]), frame.origin_b, frame.e1_b, frame.e2_b, false};
 }
 
 /// Coordinates in the plane of a wet patch.

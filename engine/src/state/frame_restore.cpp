@@ -20,8 +20,13 @@ namespace {
 /// Copies an array of the frame into the state.
 struct FromFrame {
     void operator()(VectorArray& s, const VectorList<double>& f) const { s.x = f.x, s.y = f.y, s.z = f.z; }
+    void operator()(PositionArray& s, const VectorList<double>& f) const {
+        s.clear();
+        for (std::size_t i = 0; i < f.x.size(); ++i) s.push_back({f.x[i], f.y[i], f.z[i]});
+    }
     void operator()(QuaternionArray& s, const QuaternionList& f) const {
-        s.w = f.w, s.x = f.x, s.y = f.y, s.z = f.z;
+        s.clear();
+        for (std::size_t i = 0; i < f.w.size(); ++i) s.push_back({f.w[i], f.x[i], f.y[i], f.z[i]});
     }
     template <class A, class B>
     void operator()(std::vector<A>& s, const std::vector<B>& f) const {
@@ -209,26 +214,33 @@ void restorePatches(const FullFrame& frame, State& state) {
     const FrameInterfaces& f = frame.interfaces;
     Interfaces& interfaces = state.interfaces;
     interfaces.groups.clear();
-    interfaces.group.clear();
-    interfaces.patch_xi.clear();
-    interfaces.patch_eta.clear();
+    interfaces.slot.clear();
     for (std::size_t i = 0; i < f.size(); ++i) {
         const std::vector<Eigen::Vector2d> outline = outlineOf(f, i);
         addToGroups(interfaces, outline.size(),
                     static_cast<std::size_t>(f.point_begin[i + 1] - f.point_begin[i]));
         placeCorners(interfaces, i, outline);
+        InterfaceFrame kept;
+        eachFrameVector(f, [&](auto vector, const VectorList<double>& list) {
+            kept.*vector = {list.x[i], list.y[i], list.z[i]};
+        });
+        interfaces.setFrame(i, kept);
+        InterfaceWrench wrench;
+        eachWrenchVector(f, [&](auto vector, const VectorList<double>& list) {
+            wrench.*vector = {list.x[i], list.y[i], list.z[i]};
+        });
+        interfaces.setWrench(i, wrench);
     }
     makePoints(state);
     ContactPoints& points = state.points;
     for (std::size_t i = 0; i < f.size(); ++i)
         for (std::size_t k = 0; k < interfaces.pointCount(i); ++k) {
-            const std::size_t slot = interfaces.pointSlot(i, k);
             const std::size_t p = static_cast<std::size_t>(f.point_begin[i]) + k;
-            points.offset_1[slot] = frame.points.offset_1[p];
-            points.offset_2[slot] = frame.points.offset_2[p];
-            if (points.bond.empty()) continue;
-            points.bond[slot] = frame.points.bond[p];
-            if (!frame.points.dilation.empty()) points.dilation[slot] = frame.points.dilation[p];
+            contact::PointMemory memory{.offset_1 = frame.points.offset_1[p],
+                                        .offset_2 = frame.points.offset_2[p],
+                                        .bond = frame.points.bond[p]};
+            if (!frame.points.dilation.empty()) memory.dilation = frame.points.dilation[p];
+            points.setMemory(interfaces.pointSlot(i, k), memory);
         }
 }
 
@@ -277,6 +289,9 @@ std::vector<Error> restoreFrame(const FullFrame& frame, State& state) {
     if (!watersFit(frame.waters, state.geometry->model.waters.size())) return {misfit("full.waters")};
     bool finite = true;
     eachField(state, frame, AllFinite{&finite});
+    const auto checkList = [&](auto, const VectorList<double>& list) { AllFinite{&finite}(0, list); };
+    eachFrameVector(frame.interfaces, checkList);
+    eachWrenchVector(frame.interfaces, checkList);
     if (!finite || !(frame.loads.release > 0) || !(frame.search_margin > 0)) return {misfit("full")};
 
     eachField(state, frame, FromFrame{});

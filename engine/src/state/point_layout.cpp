@@ -10,26 +10,28 @@ void addToGroups(Interfaces& f, std::size_t corners, std::size_t points) {
     const auto m = static_cast<std::int32_t>(corners), n = static_cast<std::int32_t>(points);
     if (f.groups.empty() || f.groups.back().size == simd::kLanes || f.groups.back().corners != m ||
         f.groups.back().points != n) {
-        InterfaceGroup next{.begin = static_cast<std::int32_t>(f.group.size()), .corners = m, .points = n};
+        InterfaceGroup next{.begin = static_cast<std::int32_t>(f.slot.size()), .corners = m, .points = n};
         if (!f.groups.empty()) {
             const InterfaceGroup& last = f.groups.back();
             next.first_corner = last.first_corner + std::int64_t{last.corners} * simd::kLanes;
             next.first_point = last.first_point + std::int64_t{last.points} * simd::kLanes;
         }
         f.groups.push_back(next);
+        const std::size_t slots = f.groups.size() * static_cast<std::size_t>(simd::kLanes);
+        f.frames.grow(slots);
+        f.wrenches.resize(slots);
     }
-    ++f.groups.back().size;
-    f.group.push_back(static_cast<std::int32_t>(f.groups.size()) - 1);
+    f.slot.push_back((static_cast<std::int32_t>(f.groups.size()) - 1) * simd::kLanes +
+                     f.groups.back().size++);
 }
 
 void placeCorners(Interfaces& f, std::size_t i, const std::vector<Eigen::Vector2d>& outline) {
     const std::size_t slots = static_cast<std::size_t>(f.groupOf(i).first_corner) +
                               outline.size() * static_cast<std::size_t>(simd::kLanes);
-    f.patch_xi.resize(slots, 0.0);
-    f.patch_eta.resize(slots, 0.0);
+    if (f.corners.slots() < slots) f.corners.grow(slots);
     for (std::size_t k = 0; k < outline.size(); ++k) {
-        f.patch_xi[f.cornerSlot(i, k)] = outline[k].x();
-        f.patch_eta[f.cornerSlot(i, k)] = outline[k].y();
+        f.corners.set(f.cornerSlot(i, k), 0, outline[k].x());
+        f.corners.set(f.cornerSlot(i, k), 1, outline[k].y());
     }
 }
 
@@ -37,9 +39,26 @@ std::vector<Eigen::Vector2d> patchOutline(const Interfaces& f, std::size_t i) {
     std::vector<Eigen::Vector2d> outline(f.cornerCount(i));
     for (std::size_t k = 0; k < outline.size(); ++k) {
         const std::size_t slot = f.cornerSlot(i, k);
-        outline[k] = {f.patch_xi[slot], f.patch_eta[slot]};
+        outline[k] = {f.corners.get(slot, 0), f.corners.get(slot, 1)};
     }
     return outline;
+}
+
+contact::PointMemory ContactPoints::memoryAt(std::size_t slot) const {
+    contact::PointMemory result{.offset_1 = memory.get(slot, 0), .offset_2 = memory.get(slot, 1)};
+    if (remembers()) {
+        result.bond = memory.get(slot, 2);
+        result.dilation = memory.get(slot, 3);
+    }
+    return result;
+}
+
+void ContactPoints::setMemory(std::size_t slot, const contact::PointMemory& value) {
+    memory.set(slot, 0, value.offset_1);
+    memory.set(slot, 1, value.offset_2);
+    if (!remembers()) return;
+    memory.set(slot, 2, value.bond);
+    memory.set(slot, 3, value.dilation);
 }
 
 std::vector<contact::PatchPoint> interfacePoints(const Interfaces& f, std::size_t i, const PointRule& rule) {
@@ -57,22 +76,21 @@ void makePoints(State& state) {
         slots += static_cast<std::size_t>(group.points * simd::kLanes);
         points.count += static_cast<std::size_t>(group.points * group.size);
     }
-    points.offset_1.assign(slots, 0.0);
-    points.offset_2.assign(slots, 0.0);
-    if (std::any_of(state.laws.begin(), state.laws.end(), contact::hasMemory)) {
-        points.bond.assign(slots, 1.0);
-        points.dilation.assign(slots, 0.0);
-    }
+    const bool remembers = std::any_of(state.laws.begin(), state.laws.end(), contact::hasMemory);
+    points.memory = LaneArray(remembers ? kMemoryQuantities : kSlideQuantities);
+    points.memory.grow(slots);
+    if (remembers)
+        for (std::size_t slot = 0; slot < slots; ++slot) points.setBond(slot, 1.0);
     const PointRule& rule = state.geometry->model.points;
     if (rule.kind == PointRule::Kind::vertex || rule.kind == PointRule::Kind::corner) return;
-    for (auto* values : {&points.xi, &points.eta, &points.area}) values->assign(slots, 0.0);
+    points.places.grow(slots);
     for (std::size_t i = 0; i < f.size(); ++i) {
         std::size_t k = 0;
         for (const contact::PatchPoint& point : interfacePoints(f, i, rule)) {
             const std::size_t slot = f.pointSlot(i, k++);
-            points.xi[slot] = point.position.x();
-            points.eta[slot] = point.position.y();
-            points.area[slot] = point.area;
+            points.places.set(slot, 0, point.position.x());
+            points.places.set(slot, 1, point.position.y());
+            points.places.set(slot, 2, point.area);
         }
     }
 }

@@ -80,11 +80,11 @@ void jolt(State& state, std::mt19937& random) {
         state.blocks.position.set(b, state.geometry->initial_position.get(b) + any(2e-7));
         const QuaternionArray& start = state.geometry->initial_orientation;
         const Eigen::Quaterniond turn(Eigen::AngleAxisd(2e-7 * gauss(random), any(1).normalized()) *
-                                      Eigen::Quaterniond(start.w[b], start.x[b], start.y[b], start.z[b]));
-        state.blocks.orientation.w[b] = turn.w();
-        state.blocks.orientation.x[b] = turn.x();
-        state.blocks.orientation.y[b] = turn.y();
-        state.blocks.orientation.z[b] = turn.z();
+                                      Eigen::Quaterniond(start[b].w, start[b].x, start[b].y, start[b].z));
+        state.blocks.orientation[b].w = turn.w();
+        state.blocks.orientation[b].x = turn.x();
+        state.blocks.orientation[b].y = turn.y();
+        state.blocks.orientation[b].z = turn.z();
         state.blocks.velocity.set(b, any(1e-3));
         state.blocks.angular_momentum.set(b, any(1e-3));
     }
@@ -131,10 +131,9 @@ void count(const State& last, const State& before, const State& after, Seen& see
 /// Wrenches and memories; unused slots do not count.
 bool sameBits(const State& a, const State& b) {
     for (std::size_t i = 0; i < a.interfaces.size(); ++i) {
-        if (a.interfaces.force.get(i) != b.interfaces.force.get(i) ||
-            a.interfaces.moment_a.get(i) != b.interfaces.moment_a.get(i) ||
-            a.interfaces.moment_b.get(i) != b.interfaces.moment_b.get(i))
-            return false;
+        const InterfaceWrench of_a = a.interfaces.wrench(i), of_b = b.interfaces.wrench(i);
+        for (const auto vector : kWrenchVectors)
+            if (of_a.*vector != of_b.*vector) return false;
         const auto in_a = stages::pointStates(a, i), in_b = stages::pointStates(b, i);
         for (std::size_t k = 0; k < in_a.size(); ++k) {
             const contact::PointMemory &m = in_a[k].memory, &n = in_b[k].memory;
@@ -156,19 +155,22 @@ Seen compare(const PointRule& rule, const Joint& strength, double contact_dampin
         const State last = scalar;
         jolt(scalar, random);
         const State before = scalar;
-        State lanes = scalar;
-        lanes.instructions = simd::bestInstructionSet();
         stages::updateForces(scalar, false);
-        stages::updateForces(lanes, false);
-        CHECK(sameBits(scalar, lanes));
+        for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+            if (!simd::isAvailable(set)) continue;
+            State lanes = before;
+            lanes.instructions = set;
+            stages::updateForces(lanes, false);
+            CHECK(sameBits(scalar, lanes));
+        }
         count(last, before, scalar, seen);
         if (contact_damping > 0) continue;
         double error = 0;
         for (std::size_t i = 0; i < scalar.interfaces.size(); ++i) {
             const stages::Wrench sum = plainSum(before, i);
-            error =
-                std::max({error, (sum.force - scalar.interfaces.force.get(i)).norm() / (1 + sum.force.norm()),
-                          (sum.torque - scalar.interfaces.moment_b.get(i)).norm() / (1 + sum.torque.norm())});
+            const InterfaceWrench kernel = scalar.interfaces.wrench(i);
+            error = std::max({error, (sum.force - kernel.force).norm() / (1 + sum.force.norm()),
+                              (sum.torque - kernel.moment_b).norm() / (1 + sum.torque.norm())});
         }
         CHECK(error < 1e-10);
     }
@@ -201,7 +203,7 @@ TEST_SUITE("stages") {
     TEST_CASE("interfaces of one shape lie side by side, and each slot belongs to one corner or Lp") {
         const State state = *buildState(prisms(kVertex, frictional()), false);
         const Interfaces& f = state.interfaces;
-        std::vector<int> owners(state.points.offset_1.size(), 0);
+        std::vector<int> owners(state.points.memory.slots(), 0);
         for (std::size_t i = 0; i < f.size(); ++i) {
             CHECK(f.pointCount(i) == 2 * f.cornerCount(i) + 1);
             CHECK(patchOutline(f, i).size() == f.cornerCount(i));
@@ -227,20 +229,25 @@ TEST_SUITE("stages") {
         jolt(scalar, random);
         scalar.damping = {.mass = 3.0, .rotation = 2.0};
         scalar.instructions = InstructionSet::scalar;
-        State lanes = scalar;
-        lanes.instructions = simd::bestInstructionSet();
-        for (int step = 0; step < 100; ++step) {
-            stages::advance(scalar, {1e-4, false});
-            stages::advance(lanes, {1e-4, false});
+        const State start = scalar;
+        for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+            if (!simd::isAvailable(set)) continue;
+            State lanes = start;
+            lanes.instructions = set;
+            scalar = start;
+            for (int step = 0; step < 100; ++step) {
+                stages::advance(scalar, {1e-4, false});
+                stages::advance(lanes, {1e-4, false});
+            }
+            REQUIRE(stages::isFinite(scalar));
+            CHECK(scalar.blocks.position == lanes.blocks.position);
+            CHECK(scalar.blocks.orientation == lanes.blocks.orientation);
+            CHECK(scalar.blocks.angular_momentum.z == lanes.blocks.angular_momentum.z);
+            CHECK(scalar.blocks.angular_velocity.z == lanes.blocks.angular_velocity.z);
+            CHECK(lanes.blocks.position.get(0) == lanes.geometry->initial_position.get(0));
+            CHECK(lanes.blocks.position[3].x ==
+                  doctest::Approx(lanes.geometry->initial_position[3].x + 0.1 * 100 * 1e-4));
+            CHECK(lanes.blocks.orientation[3].w == lanes.geometry->initial_orientation[3].w);
         }
-        REQUIRE(stages::isFinite(scalar));
-        CHECK(scalar.blocks.position.x == lanes.blocks.position.x);
-        CHECK(scalar.blocks.orientation.y == lanes.blocks.orientation.y);
-        CHECK(scalar.blocks.angular_momentum.z == lanes.blocks.angular_momentum.z);
-        CHECK(scalar.blocks.angular_velocity.z == lanes.blocks.angular_velocity.z);
-        CHECK(lanes.blocks.position.get(0) == lanes.geometry->initial_position.get(0));
-        CHECK(lanes.blocks.position.x[3] ==
-              doctest::Approx(lanes.geometry->initial_position.x[3] + 0.1 * 100 * 1e-4));
-        CHECK(lanes.blocks.orientation.w[3] == lanes.geometry->initial_orientation.w[3]);
     }
 }

@@ -71,7 +71,7 @@ TEST_SUITE("stages") {
             model.gravity.magnitude = 0;
             addBox(model, "cube", {0, 0, 0}, {1, 1, 1}, 1000);
             State state = *buildState(model, false);
-            state.blocks.position.z[1] += 1e-4;
+            state.blocks.position[1].z += 1e-4;
             stages::updateForces(state, false);
             const double energy = stages::elasticEnergy(state);
             const double duration = 0.02;  // omega = sqrt(1e8 / 1000) = 316 rad/s, one turn
@@ -81,7 +81,7 @@ TEST_SUITE("stages") {
                 const double now = stages::elasticEnergy(state) + stages::kineticEnergy(state);
                 energy_error = std::max(energy_error, std::abs(now / energy - 1));
             }
-            return state.blocks.position.z[1] - 0.5 - 1e-4 * std::cos(std::sqrt(1e5) * duration);
+            return state.blocks.position[1].z - 0.5 - 1e-4 * std::cos(std::sqrt(1e5) * duration);
         };
         double coarse_energy = 0, fine_energy = 0;
         const double coarse = swing(100, coarse_energy), fine = swing(200, fine_energy);
@@ -144,7 +144,7 @@ TEST_SUITE("stages") {
         State state = *buildState(model, false);
         stages::updateForces(state, false);
         fly(state, 1e-3, 100);
-        CHECK(state.blocks.position.x[1] == doctest::Approx(0.5 + 0.01));
+        CHECK(state.blocks.position[1].x == doctest::Approx(0.5 + 0.01));
         CHECK(state.blocks.velocity.x[1] == 0.1);
         CHECK(state.blocks.position.get(0) == state.geometry->initial_position.get(0));
     }

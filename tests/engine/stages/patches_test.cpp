@@ -68,7 +68,7 @@ TEST_SUITE("stages") {
             stages::updateForces(state, false);
             CHECK(stages::pointStates(state, 0)[0].memory.bond == 1);
             CHECK(stages::pointStates(state, 0)[0].force.normal == doctest::Approx(0));
-            state.blocks.position.z[1] -= 1e-6;
+            state.blocks.position[1].z -= 1e-6;
             stages::updateForces(state, false);
             CHECK(stages::outOfBalance(state, 1, Vec3::Zero()).force.z() ==
                   doctest::Approx(1e4).epsilon(1e-6));
@@ -126,10 +126,10 @@ TEST_SUITE("stages") {
         Model model = floorModel(30, 1e9);
         addBox(model, "box", {0, 0, 0}, {1, 1, 1});
         State state = *buildState(model, false);
-        state.blocks.position.z[1] -= 1e-5;  // 10 kN
+        state.blocks.position[1].z -= 1e-5;  // 10 kN
         stages::updateForces(state, false);
         for (int k = 0; k < 200; ++k) {  // slides 20 mm with full friction, under a steady load
-            state.blocks.position.x[1] -= 1e-4;
+            state.blocks.position[1].x -= 1e-4;
             stages::updateForces(state, false);
         }
         const Vec3 before = stages::outOfBalance(state, 1, Vec3::Zero()).force;
@@ -144,7 +144,7 @@ TEST_SUITE("stages") {
     TEST_CASE("nothing is searched again while nothing moves") {
         State state = *buildState(stackModel(3, 3, 1, 30), false);
         CHECK_FALSE(stages::refreshInterfaces(state, false, 0));
-        state.blocks.position.x[1] += 1e-6;
+        state.blocks.position[1].x += 1e-6;
         CHECK_FALSE(stages::refreshInterfaces(state, false, 0));
     }
 
@@ -161,7 +161,7 @@ TEST_SUITE("stages") {
             for (int k = 0; state.blocks.velocity.z[1] < 0 && k < 2'000'000; ++k) {
                 stages::advance(state, {dt, false});
                 if (k % 10 == 0) stages::refreshInterfaces(state, false, 10 * dt);
-                lowest = std::min(lowest, state.blocks.position.z[1] - 0.1);
+                lowest = std::min(lowest, state.blocks.position[1].z - 0.1);
             }
             CHECK(state.interfaces.size() == 1);
             // Stopped within v sqrt(m / (k A)).

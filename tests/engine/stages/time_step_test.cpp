@@ -33,9 +33,9 @@ double highestByBruteForce(const State& state) {
                 x[axis] += sign * h;
                 moved.blocks.position.set(b, x);
             } else {  // boxes: own axes are the model's, so a small quaternion does
-                moved.blocks.orientation.x[b] = axis == 3 ? sign * h / 2 : 0;
-                moved.blocks.orientation.y[b] = axis == 4 ? sign * h / 2 : 0;
-                moved.blocks.orientation.z[b] = axis == 5 ? sign * h / 2 : 0;
+                moved.blocks.orientation[b].x = axis == 3 ? sign * h / 2 : 0;
+                moved.blocks.orientation[b].y = axis == 4 ? sign * h / 2 : 0;
+                moved.blocks.orientation[b].z = axis == 5 ? sign * h / 2 : 0;
             }
             stages::updateForces(moved, false);
             for (std::size_t k = 0; k < n; ++k) {

@@ -174,7 +174,7 @@ TEST_SUITE("stages") {
         model.waters = {waterOn(model, 1, Vec3::UnitX(), 0.5)};
         State state = *buildState(model, false);
         const double thrust = waterOnBlock(state, 1).force.x();
-        state.blocks.position.z[1] += 0.1;  // lifted out by 0.1 m: 0.4 m remain wet
+        state.blocks.position[1].z += 0.1;  // lifted out by 0.1 m: 0.4 m remain wet
         CHECK(waterOnBlock(state, 1).force.x() == doctest::Approx(thrust * 0.16 / 0.25));
     }
 
@@ -184,13 +184,13 @@ TEST_SUITE("stages") {
         water.drains_at_aperture = 1e-3;
         model.waters = {water};
         State state = *buildState(model, false);
-        state.blocks.position.x[1] -= 0.5e-3;
+        state.blocks.position[1].x -= 0.5e-3;
         stages::drainWater(state);
         CHECK(waterOnBlock(state, 1).force.x() < 0);
-        state.blocks.position.x[1] -= 1e-3;
+        state.blocks.position[1].x -= 1e-3;
         stages::drainWater(state);
         CHECK(waterOnBlock(state, 1).force.x() == 0);
-        state.blocks.position.x[1] += 1.5e-3;
+        state.blocks.position[1].x += 1.5e-3;
         stages::drainWater(state);
         CHECK(waterOnBlock(state, 1).force.x() == 0);
     }

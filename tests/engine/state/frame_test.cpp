@@ -47,9 +47,9 @@ TEST_CASE("rotation vectors give back the turn, small or large") {
         const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, axis));
         const QuaternionArray& start = state.geometry->initial_orientation;
         const Eigen::Quaterniond now =
-            turn * Eigen::Quaterniond(start.w[1], start.x[1], start.y[1], start.z[1]);
-        state.blocks.orientation.w[1] = now.w(), state.blocks.orientation.x[1] = now.x();
-        state.blocks.orientation.y[1] = now.y(), state.blocks.orientation.z[1] = now.z();
+            turn * Eigen::Quaterniond(start[1].w, start[1].x, start[1].y, start[1].z);
+        state.blocks.orientation[1].w = now.w(), state.blocks.orientation[1].x = now.x();
+        state.blocks.orientation[1].y = now.y(), state.blocks.orientation[1].z = now.z();
         const LightFrame frame = lightFrameOf(state);
         const Vec3 read(frame.rotation.x[1], frame.rotation.y[1], frame.rotation.z[1]);
         CHECK((read - angle * axis).norm() < 1e-6 * std::abs(angle));

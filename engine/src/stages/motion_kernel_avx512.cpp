@@ -1,0 +1,9 @@
+#include "stages/motion_lanes.h"
+
+namespace talus::stages {
+
+void driftAvx512(const MotionView& view, std::size_t begin, std::size_t end) {
+    driftRange<double>(view, driftRange<Lanes>(view, begin, end), end);
+}
+
+}  // namespace talus::stages

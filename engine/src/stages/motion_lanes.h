@@ -1,0 +1,35 @@
+#pragma once
+// The drift on registers of several doubles; included by one source file per instruction set.
+
+#include "simd/lanes.h"
+#include "stages/motion_kernel.h"
+
+namespace talus::stages {
+namespace {
+
+using simd::Lanes;
+
+template <>
+struct Consecutive<Lanes> {
+    static constexpr std::size_t kWidth = simd::kWidth;
+    std::size_t block;
+
+    TALUS_KERNEL Lanes load(const double* values) const { return simd::loadLanes(values + block); }
+    TALUS_KERNEL void store(double* values, Lanes v) const { simd::storeLanes(values + block, v); }
+    TALUS_KERNEL simd::LaneMask flags(const std::uint8_t* values) const {
+        simd::LaneMask mask{};
+        for (int l = 0; l < simd::kWidth; ++l)
+            simd::setLane(mask, l, values[block + static_cast<std::size_t>(l)] != 0);
+        return mask;
+    }
+    TALUS_KERNEL Four<Lanes> loadFour(const double* records) const {
+        const simd::FourLanes r = simd::loadRecords(records + 4 * block);
+        return {r.number[0], r.number[1], r.number[2], r.number[3]};
+    }
+    TALUS_KERNEL void storeFour(double* records, const Four<Lanes>& v) const {
+        simd::storeRecords(records + 4 * block, 4, {{v.a, v.b, v.c, v.d}});
+    }
+};
+
+}  // namespace
+}  // namespace talus::stages
