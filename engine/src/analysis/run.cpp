@@ -262,7 +262,7 @@ class TimeHistory {
     RunProgress progress_;
     InitialState start_ = InitialState::unstressed;
     std::int64_t last_light_ = -1, last_full_ = -1;  // steps at which they were handed out
-    PositionArray let_go_;                            // positions at the start of a failure
+    PositionArray let_go_;                           // positions at the start of a failure
     double far_enough_ = kInfinity;
     bool went_far_ = false;
     bool interrupted_ = false;

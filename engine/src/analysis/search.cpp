@@ -121,7 +121,8 @@ class Search {
         last_stable_ = unloaded;
         last_stable_.load.tilt = 0;
         if (probe("gravity, level", axis_.start, weight) != Verdict::stable) return at_once;
-        return probe("tilting", axis_.start, [&](State& state, double share) { state.load.tilt = share * tilt; });
+        return probe("tilting", axis_.start,
+                     [&](State& state, double share) { state.load.tilt = share * tilt; });
     }
 
     /// Gravity at the start, then water. True when the assembly stands.
