@@ -110,8 +110,8 @@ class Search {
     }
 
     /// Weight at the start's tilt. Close below the angle at which a column topples, weight that is laid on at that tilt
-    /// sets off a rocking so slow that it looks like failure; so what fails is tried once more in two steps, weight on
-    /// level ground and then the tilt, on which the slowest period is known.
+    /// sets off a rocking so slow that it looks like failure; so what fails is tried once more from level ground, the
+    /// tilt coming in parts from which the slowest period is learnt.
     Verdict loadGravity() {
         const auto weight = [](State& state, double share) { state.load.gravity_share = share; };
         const State unloaded = last_stable_;
@@ -120,9 +120,16 @@ class Search {
         if (at_once != Verdict::failing || tilt == 0) return at_once;
         last_stable_ = unloaded;
         last_stable_.load.tilt = 0;
-        if (probe("gravity, level", axis_.start, weight) != Verdict::stable) return at_once;
-        return probe("tilting", axis_.start,
-                     [&](State& state, double share) { state.load.tilt = share * tilt; });
+        Verdict verdict = probe("gravity, level", axis_.start, weight);
+        double from = 0;
+        for (const double to : {0.125, 0.25, 0.5, 0.75, 1.0}) {
+            if (verdict != Verdict::stable || interrupted()) break;
+            verdict = probe("tilting", axis_.start, [&](State& state, double share) {
+                state.load.tilt = (from + share * (to - from)) * tilt;
+            });
+            from = to;
+        }
+        return verdict;
     }
 
     /// Gravity at the start, then water. True when the assembly stands.
