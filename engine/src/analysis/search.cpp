@@ -246,8 +246,8 @@ class Search {
         axis_.apply(last_moving_, load + kOverload * axis_.cell);
         std::shared_ptr<FailingState> failing;
         if (control_.keep_failing_state)
-            failing =
-                std::make_shared<FailingState>(fullFrameOf(last_moving_), load + kOverload * axis_.cell);
+            failing = std::make_shared<FailingState>(
+                FailingState{fullFrameOf(last_moving_), load + kOverload * axis_.cell});
         analysis::Failure failure =
             analysis::continueFailure(last_moving_, deflectionAtRest(), control_, parallel_);
         if (failing) {
