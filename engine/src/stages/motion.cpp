@@ -8,15 +8,62 @@
 namespace talus::stages {
 namespace {
 
-double opposing(double force, double velocity) {
-    return velocity > 0 ? -std::abs(force) : velocity < 0 ? std::abs(force) : 0.0;
+bool isWet(const Incidence& incidence, std::size_t block) {
+    return incidence.wet_begin[block] != incidence.wet_begin[block + 1];
 }
 
-/// Cundall's local damping: a share of the out-of-balance force that opposes the motion, component by component.
-Vec3 locallyDamped(const Vec3& force, const Vec3& velocity, double share) {
-    Vec3 damped;
-    for (int i = 0; i < 3; ++i) damped[i] = force[i] + share * opposing(force[i], velocity[i]);
-    return damped;
+/// Adds what the water does to a block.
+void addWater(const State& state, std::size_t block, Wrench& sum) {
+    const Incidence& incidence = state.incidence;
+    const Mat3 turn = state.blocks.orientation.matrix(block);
+    for (auto k = incidence.wet_begin[block]; k < incidence.wet_begin[block + 1]; ++k) {
+        const auto w = static_cast<std::size_t>(incidence.wet[static_cast<std::size_t>(k)]);
+        sum.force += turn * state.wet.force.get(w);
+        sum.torque += turn * state.wet.moment.get(w);
+    }
+}
+
+GatherView gatherView(State& state, double dt) {
+    Blocks& blocks = state.blocks;
+    const Vec3 g = gravity(state);
+    return {.interface_begin = state.incidence.interface_begin.data(),
+            .mass = blocks.mass.data(),
+            .inverse_mass = blocks.inverse_mass.data(),
+            .free = blocks.free.data(),
+            .angular_velocity = constPointers(blocks.angular_velocity),
+            .wrench = state.incidence.wrench.data(),
+            .wrenches = reinterpret_cast<const double*>(state.interfaces.wrenches.data()),
+            .velocity = pointers(blocks.velocity),
+            .angular_momentum = pointers(blocks.angular_momentum),
+            .force = pointers(blocks.force),
+            .torque = pointers(blocks.torque),
+            .gravity = {g.x(), g.y(), g.z()},
+            .time_step = dt,
+            .decay = std::exp(-0.5 * dt * state.damping.mass),
+            .spin_decay = std::exp(-0.5 * dt * state.damping.rotation),
+            .local_damping = state.damping.local};
+}
+
+void sumWrenches(const State& state, const GatherView& view, Range range) {
+    switch (state.instructions) {
+        case simd::InstructionSet::avx512:
+            return sumWrenchesAvx512(view, range.begin, range.end);
+        case simd::InstructionSet::avx2:
+            return sumWrenchesAvx2(view, range.begin, range.end);
+        case simd::InstructionSet::scalar:
+            return sumWrenchesScalar(view, range.begin, range.end);
+    }
+}
+
+void kick(const State& state, const GatherView& view, Range range) {
+    switch (state.instructions) {
+        case simd::InstructionSet::avx512:
+            return kickAvx512(view, range.begin, range.end);
+        case simd::InstructionSet::avx2:
+            return kickAvx2(view, range.begin, range.end);
+        case simd::InstructionSet::scalar:
+            return kickScalar(view, range.begin, range.end);
+    }
 }
 
 }  // namespace
@@ -36,14 +83,7 @@ Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity) 
         sum.force += (is_b ? 1.0 : -1.0) * wrench.force;
         sum.torque += is_b ? wrench.moment_b : wrench.moment_a;
     }
-    const auto wet_begin = incidence.wet_begin[block], wet_end = incidence.wet_begin[block + 1];
-    if (wet_begin == wet_end) return sum;
-    const Mat3 turn = state.blocks.orientation.matrix(block);
-    for (auto k = wet_begin; k < wet_end; ++k) {
-        const auto w = static_cast<std::size_t>(incidence.wet[static_cast<std::size_t>(k)]);
-        sum.force += turn * state.wet.force.get(w);
-        sum.torque += turn * state.wet.moment.get(w);
-    }
+    if (isWet(incidence, block)) addWater(state, block, sum);
     return sum;
 }
 
@@ -79,22 +119,16 @@ void updateSpin(State& state, Range range) {
 
 void gather(State& state, Range range, double dt) {
     Blocks& blocks = state.blocks;
-    const double decay = std::exp(-0.5 * dt * state.damping.mass);
-    const double spin_decay = std::exp(-0.5 * dt * state.damping.rotation);
-    const Vec3 g = gravity(state);
+    const GatherView view = gatherView(state, dt);
+    sumWrenches(state, view, range);
     for (std::size_t b = range.begin; b < range.end; ++b) {
-        if (blocks.motion[b] != Motion::free) continue;
-        Wrench sum = outOfBalance(state, b, g);
-        if (state.damping.local > 0) {
-            sum.force = locallyDamped(sum.force, blocks.velocity.get(b), state.damping.local);
-            sum.torque = locallyDamped(sum.torque, blocks.angular_velocity.get(b), state.damping.local);
-        }
+        if (!isWet(state.incidence, b) || blocks.motion[b] != Motion::free) continue;
+        Wrench sum{blocks.force.get(b), blocks.torque.get(b)};
+        addWater(state, b, sum);
         blocks.force.set(b, sum.force);
         blocks.torque.set(b, sum.torque);
-        blocks.velocity.set(
-            b, decay * (blocks.velocity.get(b) + (0.5 * dt * blocks.inverse_mass[b]) * sum.force));
-        blocks.angular_momentum.set(b, spin_decay * (blocks.angular_momentum.get(b) + 0.5 * dt * sum.torque));
     }
+    kick(state, view, range);
 }
 
 }  // namespace talus::stages

@@ -1,5 +1,8 @@
 #pragma once
-// Half kick and drift, for one block (V = double) or several in a register (V = Lanes); one source, a build per instruction set.
+// Half kick and drift, gather and half kick, for one block (V = double) or several in a register (V = Lanes); one source, a
+// build per instruction set.
+
+#include <cstring>
 
 #include "simd/scalar.h"
 #include "stages/motion_view.h"
@@ -123,11 +126,74 @@ TALUS_KERNEL void driftBlocks(const MotionView& view, const C& at) {
           turn * Triple<V>{inverse_inertia.x * own.x, inverse_inertia.y * own.y, inverse_inertia.z * own.z});
 }
 
+/// Cundall's local damping: a share of the out-of-balance force that opposes the motion, component by component.
+template <class V>
+TALUS_KERNEL V locallyDamped(const V& force, const V& velocity, double share) {
+    using simd::larger, simd::select;
+    const V zero{}, magnitude = larger(force, zero - force);
+    const V opposing = select(velocity > 0.0, zero - magnitude, select(velocity < 0.0, magnitude, zero));
+    return force + share * opposing;
+}
+template <class V>
+TALUS_KERNEL Triple<V> locallyDamped(const Triple<V>& force, const Triple<V>& velocity, double share) {
+    return {locallyDamped(force.x, velocity.x, share), locallyDamped(force.y, velocity.y, share),
+            locallyDamped(force.z, velocity.z, share)};
+}
+
+template <class V, class C>
+TALUS_KERNEL void kickBlocks(const GatherView& view, const C& at) {
+    const auto free = at.flags(view.free);
+    const double half = 0.5 * view.time_step;
+    const Triple<V> velocity = load(at, view.velocity), momentum = load(at, view.angular_momentum);
+    Triple<V> force = load(at, view.force), torque = load(at, view.torque);
+    if (view.local_damping > 0) {
+        force = selectTriple(free, locallyDamped(force, velocity, view.local_damping), force);
+        torque = selectTriple(
+            free, locallyDamped(torque, load(at, view.angular_velocity), view.local_damping), torque);
+        store(at, view.force, force);
+        store(at, view.torque, torque);
+    }
+    const V kick = half * at.load(view.inverse_mass), decay = V{} + view.decay, spin = V{} + view.spin_decay;
+    store(at, view.velocity, selectTriple(free, decay * (velocity + kick * force), velocity));
+    store(at, view.angular_momentum, selectTriple(free, spin * (momentum + (V{} + half) * torque), momentum));
+}
+
+/// Three numbers side by side and one that is not used, so that one load and one addition do for the three.
+typedef double ThreeOfFour __attribute__((vector_size(4 * sizeof(double))));
+
+TALUS_KERNEL void sumWrench(const GatherView& view, std::size_t b) {
+    const double mass = view.mass[b];
+    ThreeOfFour force{mass * view.gravity[0], mass * view.gravity[1], mass * view.gravity[2], 0.0}, torque{};
+    for (std::int64_t k = view.interface_begin[b]; k < view.interface_begin[b + 1]; ++k) {
+        // Without branches: which side a block is on follows no pattern.
+        const std::int32_t wrench = view.wrench[k], is_b = wrench % 2;
+        const double* record = view.wrenches + 9 * static_cast<std::ptrdiff_t>(wrench / 2);
+        ThreeOfFour on_b, moment;
+        std::memcpy(&on_b, record, sizeof on_b);
+        std::memcpy(&moment, record + 2 + 3 * is_b, sizeof moment);  // the three are its last
+        force += static_cast<double>(2 * is_b - 1) * on_b;
+        torque += moment;
+    }
+    view.force.x[b] = force[0], view.force.y[b] = force[1], view.force.z[b] = force[2];
+    view.torque.x[b] = torque[1], view.torque.y[b] = torque[2], view.torque.z[b] = torque[3];
+}
+
+TALUS_KERNEL void sumWrenches(const GatherView& view, std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b)
+        if (view.free[b] != 0) sumWrench(view, b);
+}
+
 /// As many at a time as fit into V, from `begin` on; returns the first block that was left over.
 template <class V>
 std::size_t driftRange(const MotionView& view, std::size_t begin, std::size_t end) {
     constexpr std::size_t width = Consecutive<V>::kWidth;
     for (; begin + width <= end; begin += width) driftBlocks<V>(view, Consecutive<V>{begin});
+    return begin;
+}
+template <class V>
+std::size_t kickRange(const GatherView& view, std::size_t begin, std::size_t end) {
+    constexpr std::size_t width = Consecutive<V>::kWidth;
+    for (; begin + width <= end; begin += width) kickBlocks<V>(view, Consecutive<V>{begin});
     return begin;
 }
 

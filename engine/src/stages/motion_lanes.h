@@ -1,5 +1,5 @@
 #pragma once
-// The drift on registers of several doubles; included by one source file per instruction set.
+// Drift and kick on registers of several doubles; included by one source file per instruction set.
 
 #include "simd/lanes.h"
 #include "stages/motion_kernel.h"
