@@ -17,6 +17,7 @@ namespace {
 constexpr int kStepsPerSample = 10;  // out-of-balance force is looked at this often
 constexpr int kLeastStepsPerWindow = 100;
 constexpr double kFlat = 0.03;     // spread of the out-of-balance force over its mean, within a window
+constexpr double kEven = 0.01;     // change of the motion from window to window: it goes on at the same speed
 constexpr double kLevel = 0.05;    // change of the mean from window to window on a plateau with some noise
 constexpr int kLevelWindows = 3;   // as many such windows in a row
 constexpr int kWindowsInSpan = 4;  // where it is not flat: windows per span, and spans are compared
@@ -139,13 +140,17 @@ class Watch {
                             window_.motion > kSteady * last_window_.motion;
         const bool flat = steady && window_.most - window_.least < kFlat * window_.mean() &&
                           window_.mean() > (1.0 - kFlat) * last_window_.mean();
+        // The speed tells what the noise of the force hides: where a spring acts it falls, however slow the mode.
+        const bool even = steady && last_window_.motion > 0 &&
+                          std::abs(window_.motion - last_window_.motion) < kEven * last_window_.motion &&
+                          window_.mean() > (1.0 - kLevel) * last_window_.mean();
         const bool level =
             steady && std::abs(window_.mean() - last_window_.mean()) < kLevel * last_window_.mean();
         level_windows_ = level ? level_windows_ + 1 : 0;
         last_window_ = window_;
         last_motion_ = motion;
         window_ = {};
-        if (flat || level_windows_ == kLevelWindows) return fails(probe, last_window_);
+        if (flat || even || level_windows_ == kLevelWindows) return fails(probe, last_window_);
         return ++windows_ % kWindowsInSpan == 0 && closeSpan(probe, motion);
     }
 
