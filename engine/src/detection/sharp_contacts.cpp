@@ -304,7 +304,7 @@ SharpPoints findSharpPoints(const WorldShape& first, const WorldShape& second, c
     const Meeting meeting = findMeeting(pair, limits);
     SharpPoints found;
     if (meeting.apart) {
-        found.apart_by = meeting.apart_by;
+        found.distance = meeting.apart_by;
         return found;
     }
     const bool sharp = meeting.sharp.distance > meeting.faces.distance + limits.tie;
@@ -312,6 +312,7 @@ SharpPoints findSharpPoints(const WorldShape& first, const WorldShape& second, c
     if (sharp) found = axis.is_edges ? pointBetweenEdges(pair, axis) : pointsOnFace(pair, axis, limits.reach);
     const Faces faces = meetingFaces(pair, axis);
     found.near = true;
+    found.distance = axis.distance;
     found.first_face = faces.first;
     found.second_face = faces.second;
     return found;

@@ -25,8 +25,9 @@ struct SharpPoints {
     static constexpr std::size_t kMost = 4;
     std::size_t count = 0;
     std::array<SharpPoint, kMost> points{};
-    bool near = false;    ///< within reach, sharply or face to face
-    double apart_by = 0;  ///< otherwise: at least [m]
+    bool near = false;  ///< within reach, sharply or face to face
+    double distance =
+        0;  ///< when near: along the axis they meet along, negative for overlap; otherwise: at least [m]
     std::int32_t first_face = -1,
                  second_face = -1;  ///< the faces that look at each other most where they meet
 

@@ -12,6 +12,7 @@
 #include "geometry/separation.h"
 #include "stages/carry_over.h"
 #include "stages/contacts.h"
+#include "stages/late_contacts.h"
 #include "stages/measure.h"
 #include "stages/sharp_contacts.h"
 #include "stages/water.h"
@@ -491,7 +492,10 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel) {
 
 bool refreshInterfaces(State& state, bool parallel, double ahead) {
     const double margin = searchMargin(state, ahead);
-    if (!movedTooFar(state, margin) && !updateSharpContacts(state, ahead, parallel)) return false;
+    if (!movedTooFar(state, margin) && !updateSharpContacts(state, ahead, parallel)) {
+        pressLateContacts(state);
+        return false;
+    }
     findInterfacesWithin(state, margin, ahead, false, parallel);
     // Forces are there again before anything looks at them.
     updateContacts(state, {0, state.interfaces.groups.size()});

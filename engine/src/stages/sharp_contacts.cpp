@@ -124,19 +124,19 @@ std::array<CarriedPoint, kSlots> shareOut(const std::vector<CarriedPoint>& old, 
     std::array<CarriedPoint, kSlots> shares{};
     for (const CarriedPoint& point : old) {
         std::optional<std::size_t> nearest;
-        double least = near;
+        double least = kInfinity;
         for (std::size_t k = 0; k < found.count; ++k) {
-            const SharpPoint& to = found.points[k];
-            const double turned = to.second_is_reference ? -sign : sign;
-            const double distance = (to.on_other - point.place).norm();
-            if (!is_new[k] || distance > least || turned * to.e1.cross(to.e2).dot(point.normal) < kSameNormal)
-                continue;
+            const double distance = (found.points[k].on_other - point.place).norm();
+            if (!is_new[k] || distance >= least) continue;
             least = distance;
             nearest = k;
         }
         if (!nearest) continue;
-        shares[*nearest].shear += point.shear;
+        const SharpPoint& to = found.points[*nearest];
+        const double turned = to.second_is_reference ? -sign : sign;
         shares[*nearest].energy += point.energy;
+        if (least <= near && turned * to.e1.cross(to.e2).dot(point.normal) >= kSameNormal)
+            shares[*nearest].shear += point.shear;
     }
     return shares;
 }
@@ -212,23 +212,38 @@ bool meetAsFaces(const State& state, std::int32_t block_1, std::int32_t face_1, 
     return false;
 }
 
-bool isClosed(const State& state, std::size_t i) {
-    return !isIdle(state.interfaces, i) && relativePose(state, i).gap.x() < 0;
+bool anyClosed(const State& state, std::size_t begin) {
+    for (std::size_t s = begin; s < begin + kSlots; ++s)
+        if (!isIdle(state.interfaces, s) && relativePose(state, s).gap.x() < 0) return true;
+    return false;
 }
 
 /// How far the two blocks of a group of slots may still go towards each other before they have to be looked at again [m].
 /// The kernel has no use for the slopes of a slot's reference gap, so the first slot's holds it: a full frame has it too.
 double& travelLeft(Interfaces& f, std::size_t begin) { return f.referenceGap(begin, 1); }
 
+/// Whether the last search made no interface of the two faces that meet, as the next would not: then their vertices and
+/// edges carry. The second slot's reference gap holds it: 1 or 0.
+double& noFaces(Interfaces& f, std::size_t begin) { return f.referenceGap(begin + 1, 1); }
+
 /// A pair of blocks with slots, and what was found where it is now.
 struct Look {
     SharpPoints found;
-    bool changes = false;  ///< from faces to a vertex or edge, or the other way round
-    double size = 0;       ///< of the smaller block [m]
-    double travel = 0;     ///< until the next look [m]
+    bool changes = false;   ///< from faces to a vertex or edge, or the other way round
+    bool no_faces = false;  ///< they are pressed together by two faces without an interface
+    double size = 0;        ///< of the smaller block [m]
+    double travel = 0;      ///< until the next look [m]
 };
 
-Look lookAtPair(const State& state, std::size_t begin, double ahead) {
+/// Where the two meet when not even parallel faces are one.
+SharpPoints withoutFaces(const Placed& first, const Placed& second, SharpLimits limits) {
+    limits.face_angle = -1.0;
+    limits.angle_per_depth = 0.0;
+    return findSharpPoints(first.world(), second.world(), limits);
+}
+
+/// \param searched whether faces that have no interface now will have none
+Look lookAtPair(const State& state, std::size_t begin, double ahead, bool searched) {
     const Interfaces& f = state.interfaces;
     const auto a = static_cast<std::size_t>(f.block_a[begin]), b = static_cast<std::size_t>(f.block_b[begin]);
     const Geometry& geometry = *state.geometry;
@@ -243,7 +258,7 @@ Look lookAtPair(const State& state, std::size_t begin, double ahead) {
     const Placed first(state, a), second(state, b);
     look.found = findSharpPoints(first.world(), second.world(), limits);
     if (!look.found.near) {
-        look.travel = std::max(look.found.apart_by - 0.5 * limits.reach, kTravel * look.size);
+        look.travel = std::max(look.found.distance - 0.5 * limits.reach, kTravel * look.size);
         return look;
     }
     look.travel = kTravel * look.size;
@@ -251,9 +266,10 @@ Look lookAtPair(const State& state, std::size_t begin, double ahead) {
         meetAsFaces(state, f.block_a[begin], look.found.first_face, f.block_b[begin], look.found.second_face);
     if (look.found.count > 0) {
         look.changes = as_faces;
-    } else if (!as_faces) {
-        for (std::size_t s = begin; s < begin + kSlots; ++s)
-            look.changes = look.changes || isClosed(state, s);
+    } else if (!as_faces && (look.found.distance < -look.travel || anyClosed(state, begin))) {
+        look.no_faces = true;
+        look.changes = !searched;
+        if (searched) look.found = withoutFaces(first, second, limits);
     }
     return look;
 }
@@ -374,7 +390,7 @@ bool updateSharpContacts(State& state, double ahead, bool parallel) {
                              speedBound(state, static_cast<std::size_t>(f.block_b[begin]));
         left -= kFaster * speed * ahead;
         if (left > 0) return;
-        const Look look = lookAtPair(state, begin, ahead);
+        const Look look = lookAtPair(state, begin, ahead, noFaces(f, begin) > 0);
         if (look.changes) {
             changes = true;
             return;
@@ -387,7 +403,8 @@ bool updateSharpContacts(State& state, double ahead, bool parallel) {
 
 void renewSharpContacts(State& state, double ahead, bool parallel, const CarriedPoints& carried) {
     forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
-        const Look look = lookAtPair(state, begin, ahead);
+        const Look look = lookAtPair(state, begin, ahead, true);
+        noFaces(state.interfaces, begin) = look.no_faces ? 1.0 : 0.0;
         const auto of_pair =
             carried.find(std::minmax(state.interfaces.block_a[begin], state.interfaces.block_b[begin]));
         writeSlots(state, begin, look.found,
