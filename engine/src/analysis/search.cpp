@@ -78,10 +78,12 @@ class Search {
 
     void report(const std::string& stage, double load, Verdict verdict) const {
         if (!control_.progress) return;
-        const double expected = 10.0 + std::log2(static_cast<double>(axis_.stop)) / 2;
+        // Longer than most, and never down to nothing: what comes after the last probe takes as long as some of them.
+        constexpr double kAfterwards = 4.0;
         const double probes = static_cast<double>(result_.probes.size());
+        const double expected = std::max(6.0 + std::log2(static_cast<double>(axis_.stop)) / 2, probes + 1);
         control_.progress(
-            {stage, std::min(0.99, probes / expected), axis_.say(load) + ", " + toString(verdict)});
+            {stage, probes / (expected + kAfterwards), axis_.say(load) + ", " + toString(verdict)});
     }
 
     /// One probe from the last stable state; keeps the state it ends in.
