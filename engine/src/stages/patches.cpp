@@ -125,6 +125,14 @@ void dropTilted(const PlacedShapes& placed, std::size_t a, std::size_t b, double
     });
 }
 
+/// Leaves out patches that are too small for the depth they are pressed to. \return whether there was one
+bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, PairFinding& finding) {
+    return std::erase_if(finding.faces, [&](const FacePair& face) {
+               return -face.least_gap > kSliverDepth * size &&
+                      area(face.patch) < sharpArea(*state.geometry, a, b);
+           }) > 0;
+}
+
 /// Pairs of blocks with slots for vertices and edges, sorted.
 using SlotPairs = std::vector<BoxPair>;
 
@@ -162,9 +170,11 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
                                   Reference::face_a);
     dropTilted(placed, a, b, size, finding);
     dropFalsePairs(placed, a, b, closed, finding);
+    const bool slivers = !initial && dropSlivers(state, a, b, size, finding);
     // A pair that has slots keeps them as long as it is near.
-    finding.may_meet_sharply = hadSlots(with_slots, pair) || approachOf(placed_a, placed_b, sharp, travel,
-                                                                        2.0 * kTurnLimit) == Approach::sharp;
+    finding.may_meet_sharply =
+        slivers || hadSlots(with_slots, pair) ||
+        approachOf(placed_a, placed_b, sharp, travel, 2.0 * kTurnLimit) == Approach::sharp;
     if (!initial) return finding;
     for (const FacePair& face :
          finding.faces)  // parallel faces that do not overlap: a plane between the blocks

@@ -189,9 +189,9 @@ void writeSlots(State& state, std::size_t begin, const SharpPoints& found, std::
     }
 }
 
-/// Whether two faces have an interface.
-bool meetAsFaces(const State& state, std::int32_t block_1, std::int32_t face_1, std::int32_t block_2,
-                 std::int32_t face_2) {
+/// The interface of two faces; -1: they have none.
+std::int32_t interfaceOf(const State& state, std::int32_t block_1, std::int32_t face_1, std::int32_t block_2,
+                         std::int32_t face_2) {
     const Incidence& incidence = state.incidence;
     const Interfaces& f = state.interfaces;
     const auto rowBegin = [&](std::int32_t b) {
@@ -200,16 +200,17 @@ bool meetAsFaces(const State& state, std::int32_t block_1, std::int32_t face_1, 
     const auto count = [&](std::int32_t b) { return rowBegin(b + 1) - rowBegin(b); };
     const std::int32_t block = count(block_1) <= count(block_2) ? block_1 : block_2;
     for (auto k = rowBegin(block); k < rowBegin(block + 1); ++k) {
-        const auto i = static_cast<std::size_t>(incidence.interface[static_cast<std::size_t>(k)]);
+        const std::int32_t index = incidence.interface[static_cast<std::size_t>(k)];
+        const auto i = static_cast<std::size_t>(index);
         if (isSharp(f, i)) continue;
         if (f.block_a[i] == block_1 && f.block_b[i] == block_2 && f.face_a[i] == face_1 &&
             f.face_b[i] == face_2)
-            return true;
+            return index;
         if (f.block_a[i] == block_2 && f.block_b[i] == block_1 && f.face_a[i] == face_2 &&
             f.face_b[i] == face_1)
-            return true;
+            return index;
     }
-    return false;
+    return -1;
 }
 
 bool anyClosed(const State& state, std::size_t begin) {
@@ -262,11 +263,15 @@ Look lookAtPair(const State& state, std::size_t begin, double ahead, bool search
         return look;
     }
     look.travel = kTravel * look.size;
-    const bool as_faces =
-        meetAsFaces(state, f.block_a[begin], look.found.first_face, f.block_b[begin], look.found.second_face);
+    const std::int32_t faces =
+        interfaceOf(state, f.block_a[begin], look.found.first_face, f.block_b[begin], look.found.second_face);
     if (look.found.count > 0) {
-        look.changes = as_faces;
-    } else if (!as_faces && (look.found.distance < -look.travel || anyClosed(state, begin))) {
+        look.changes = faces >= 0;
+    } else if (faces >= 0) {
+        // Twice the depth at which the search leaves it out, so that it does.
+        look.changes = look.found.distance < -2.0 * kSliverDepth * look.size &&
+                       f.area[static_cast<std::size_t>(faces)] < sharpArea(geometry, a, b);
+    } else if ((look.found.distance < -look.travel || anyClosed(state, begin))) {
         look.no_faces = true;
         look.changes = !searched;
         if (searched) look.found = withoutFaces(first, second, limits);

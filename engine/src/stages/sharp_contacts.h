@@ -18,6 +18,10 @@ namespace talus::stages {
 inline constexpr double kFaceAngle = 0.05;
 inline constexpr double kFaceAnglePerDepth = 10.0;
 
+/// A patch with less area than one Lp at a vertex is too soft to carry for long: pressed deeper than this (share of the
+/// smaller block's size) it leaves that to the vertices and edges.
+inline constexpr double kSliverDepth = 1e-4;
+
 /// What an Lp that is gone carried, for the pair's next contact there.
 struct CarriedPoint {
     Vec3 place = Vec3::Zero();   ///< [m]
