@@ -99,7 +99,8 @@ InitialState bringToStart(State& state, const Control& control, bool parallel) {
     }
     // Built anew rather than kept as a copy, and one state at a time: of a million blocks each takes two gigabytes.
     state = {};
-    std::optional<Poses> held = findHeld(*model, control, parallel);
+    const bool interrupted = control.stop != nullptr && *control.stop;
+    std::optional<Poses> held = interrupted ? std::nullopt : findHeld(*model, control, parallel);
     state = *buildState(model, parallel);
     if (!held) return InitialState::unstressed;
     state.blocks.position = std::move(held->position);
