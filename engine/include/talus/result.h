@@ -28,8 +28,10 @@ class Result {
 
     bool ok() const { return value_.has_value(); }
     explicit operator bool() const { return ok(); }
-    T& operator*() { return *value_; }
-    const T& operator*() const { return *value_; }
+    T& operator*() & { return *value_; }
+    const T& operator*() const& { return *value_; }
+    /// Of a result that nobody keeps (`*buildState(model, true)`): moved out, since a copy may be gigabytes.
+    T operator*() && { return std::move(*value_); }
     T* operator->() { return &*value_; }
     const T* operator->() const { return &*value_; }
     const std::vector<Error>& errors() const { return errors_; }

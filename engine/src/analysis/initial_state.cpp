@@ -1,6 +1,10 @@
 #include "analysis/initial_state.h"
 
+#include <memory>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "analysis/quasi_static.h"
 #include "stages/contacts.h"
@@ -24,29 +28,50 @@ bool comesToRest(State& state, const Control& control, bool parallel) {
     return state.geometry->model.waters.empty() || bringOn(state, work, water).verdict == Verdict::stable;
 }
 
-/// The start of the history from a state that has come to rest: true inertia, the model's own damping and velocities.
-void takeOver(State& state, State&& at_rest) {
-    at_rest.damping = state.damping;
-    at_rest.release = state.release;
-    at_rest.warnings = state.warnings;
-    at_rest.time = state.time;
-    at_rest.step = state.step;
-    setInertia(at_rest, std::vector<double>(at_rest.blocks.size(), 1.0));
-    at_rest.blocks.velocity = state.blocks.velocity;
-    at_rest.blocks.angular_momentum = state.blocks.angular_momentum;
-    state = std::move(at_rest);
+/// What the history has of its own, whatever loads brought the state to its start.
+struct AsBuilt {
+    Damping damping;
+    double release;
+    std::vector<std::string> warnings;
+    double time;
+    std::int64_t step;
+    VectorArray velocity, angular_momentum;
+};
+
+AsBuilt asBuilt(const State& state) {
+    return {state.damping,
+            state.release,
+            state.warnings,
+            state.time,
+            state.step,
+            state.blocks.velocity,
+            state.blocks.angular_momentum};
 }
 
-/// The same model with joints that hold, where it has come to rest.
-bool findHeld(State& state, const Control& control, bool parallel) {
-    Model model = state.geometry->model;
+/// The start of the history from a state that has come to rest: true inertia, the model's own damping and velocities.
+void giveBack(AsBuilt built, State& state) {
+    state.damping = built.damping;
+    state.release = built.release;
+    state.warnings = std::move(built.warnings);
+    state.time = built.time;
+    state.step = built.step;
+    setInertia(state, std::vector<double>(state.blocks.size(), 1.0));
+    state.blocks.velocity = std::move(built.velocity);
+    state.blocks.angular_momentum = std::move(built.angular_momentum);
+}
+
+struct Poses {
+    PositionArray position;
+    QuaternionArray orientation;
+};
+
+/// Where the same model comes to rest with joints that hold.
+std::optional<Poses> findHeld(Model model, const Control& control, bool parallel) {
     for (Joint& joint : model.joints)
         joint.cohesion = joint.tensile_strength = joint.residual_cohesion = kHeldStrength;
     Result<State> held = buildState(std::move(model), parallel);
-    if (!held || !comesToRest(*held, control, parallel)) return false;
-    state.blocks.position = held->blocks.position;
-    state.blocks.orientation = held->blocks.orientation;
-    return true;
+    if (!held || !comesToRest(*held, control, parallel)) return std::nullopt;
+    return Poses{std::move(held->blocks.position), std::move(held->blocks.orientation)};
 }
 
 }  // namespace
@@ -61,18 +86,26 @@ bool touchesSomething(const State& state, std::size_t b) {
 }
 
 InitialState bringToStart(State& state, const Control& control, bool parallel) {
-    const Model& model = state.geometry->model;
-    if (model.run.start == RunSettings::Start::unstressed || !(model.gravity.magnitude > 0))
+    const std::shared_ptr<const Model> model = state.geometry->description;
+    if (model->run.start == RunSettings::Start::unstressed || !(model->gravity.magnitude > 0))
         return InitialState::unstressed;
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
         if (state.blocks.motion[b] == Motion::free && !touchesSomething(state, b))
             return InitialState::unstressed;
-    State at_rest = state;
-    if (comesToRest(at_rest, control, parallel)) {
-        takeOver(state, std::move(at_rest));
+    AsBuilt built = asBuilt(state);
+    if (comesToRest(state, control, parallel)) {
+        giveBack(std::move(built), state);
         return InitialState::equilibrium;
     }
-    return findHeld(state, control, parallel) ? InitialState::held : InitialState::unstressed;
+    // Built anew rather than kept as a copy, and one state at a time: of a million blocks each takes two gigabytes.
+    state = {};
+    const bool interrupted = control.stop != nullptr && *control.stop;
+    std::optional<Poses> held = interrupted ? std::nullopt : findHeld(*model, control, parallel);
+    state = *buildState(model, parallel);
+    if (!held) return InitialState::unstressed;
+    state.blocks.position = std::move(held->position);
+    state.blocks.orientation = std::move(held->orientation);
+    return InitialState::held;
 }
 
 }  // namespace talus::analysis

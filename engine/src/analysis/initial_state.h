@@ -17,6 +17,7 @@ bool touchesSomething(const State& state, std::size_t block);
 ///  - held: there is no such equilibrium; at rest with joints that do not give way, and let go at time 0;
 ///  - unstressed: as built, when asked for, without gravity, or when a free block touches nothing.
 /// Velocities and time are those of the start afterwards. May be interrupted: then the state is as built.
+/// \pre the state is as `buildState` gives it
 InitialState bringToStart(State& state, const Control& control, bool parallel);
 
 }  // namespace talus::analysis

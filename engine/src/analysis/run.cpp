@@ -275,7 +275,7 @@ Result<RunResult> history(const Model& model, const Control& control, const RunO
                           const Begin& begin) {
     return analysis::inArena(control.threads, [&]() -> Result<RunResult> {
         const auto started = std::chrono::steady_clock::now();
-        Result<State> built = buildState(model, control.threads != 1);
+        Result<State> built = buildState(keptByCaller(model), control.threads != 1);
         if (!built) return built.errors();
         const bool parallel = analysis::worthThreads(*built, control.threads);
         TimeHistory history(std::move(*built), control, output, parallel);
@@ -318,7 +318,8 @@ const char* toString(InitialState start) {
 }
 
 std::vector<Error> checkModel(const Model& model, int threads) {
-    return analysis::inArena(threads, [&]() { return buildState(model, threads != 1).errors(); });
+    return analysis::inArena(threads,
+                             [&]() { return buildState(keptByCaller(model), threads != 1).errors(); });
 }
 
 }  // namespace talus

@@ -324,7 +324,7 @@ Result<SearchResult> search(const Model& model, const Axis& axis, const Control&
                             const QuasiStatic& settings) {
     return analysis::inArena(control.threads, [&]() -> Result<SearchResult> {
         const auto begin = std::chrono::steady_clock::now();
-        Result<State> built = buildState(model, control.threads != 1);
+        Result<State> built = buildState(keptByCaller(model), control.threads != 1);
         if (!built) return built.errors();
         const bool parallel = analysis::worthThreads(*built, control.threads);
         warnOfFreeBlocks(*built);

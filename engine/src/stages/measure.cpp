@@ -69,7 +69,7 @@ bool isFinite(const State& state) {
     return std::isfinite(sum);
 }
 
-std::uint64_t stateHash(const Blocks& blocks, const std::vector<double>& points) {
+std::uint64_t stateHash(const Blocks& blocks, const EachPoint& points) {
     const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), XXH3_freeState);
     XXH3_64bits_reset(hash.get());
     const auto add = [&](const std::vector<double>& values) {
@@ -87,18 +87,17 @@ std::uint64_t stateHash(const Blocks& blocks, const std::vector<double>& points)
         addColumn(blocks.orientation, number);
     addVector(blocks.velocity);
     addVector(blocks.angular_momentum);
-    add(points);
+    points([&](const PointNumbers& numbers) { XXH3_64bits_update(hash.get(), &numbers, sizeof numbers); });
     return XXH3_64bits_digest(hash.get());
 }
 
 std::uint64_t stateHash(const State& state) {
-    std::vector<double> points;
-    for (std::size_t i = 0; i < state.interfaces.size(); ++i)
-        for (const PointState& point : pointStates(state, i))
-            for (const double value : {point.force.normal, point.force.shear_1, point.force.shear_2,
-                                       point.memory.offset_1, point.memory.offset_2, point.memory.bond})
-                points.push_back(value);
-    return stateHash(state.blocks, points);
+    return stateHash(state.blocks, [&](const auto& add) {
+        for (std::size_t i = 0; i < state.interfaces.size(); ++i)
+            for (const PointState& point : pointStates(state, i))
+                add({point.force.normal, point.force.shear_1, point.force.shear_2, point.memory.offset_1,
+                     point.memory.offset_2, point.memory.bond});
+    });
 }
 
 double rotationFrom(const QuaternionArray& froms, const QuaternionArray& tos, std::size_t b) {

@@ -1,7 +1,9 @@
 #pragma once
 // What can be measured on a state: energies, out-of-balance force, displacements, the state hash.
 
+#include <array>
 #include <cstdint>
+#include <functional>
 
 #include "state/arrays.h"
 
@@ -20,8 +22,13 @@ bool isFinite(const State& state);
 /// xxh3-64 over poses, velocities, and Lp forces and states.
 std::uint64_t stateHash(const State& state);
 
-/// The same from what it is made of: per Lp, in stored order, F_n, F_s along both tangents, plastic slide along both, bond.
-std::uint64_t stateHash(const Blocks& blocks, const std::vector<double>& points);
+/// What the hash takes of an Lp: F_n, F_s along both tangents, plastic slide along both, bond.
+using PointNumbers = std::array<double, 6>;
+/// Calls a function with each Lp in stored order; at once, those of a million blocks would take more than a gigabyte.
+using EachPoint = std::function<void(const std::function<void(const PointNumbers&)>&)>;
+
+/// The same from what it is made of.
+std::uint64_t stateHash(const Blocks& blocks, const EachPoint& points);
 
 /// Angle a block has turned from a given orientation [rad].
 double rotationFrom(const QuaternionArray& from, const QuaternionArray& to, std::size_t block);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "contact/law.h"
@@ -193,7 +194,10 @@ inline std::pair<std::int32_t, std::int32_t> pairOf(const PairJoint& pair) {
 
 /// What does not change while blocks move: shapes, names, the description itself.
 struct Geometry {
-    Model model;
+    explicit Geometry(std::shared_ptr<const Model> of) : description(std::move(of)), model(*description) {}
+
+    std::shared_ptr<const Model> description;  ///< or the caller's own, see `keptByCaller`
+    const Model& model;
     std::vector<Polyhedron> shape;       ///< in each block's own frame
     std::vector<double> size;            ///< smallest extent of each block [m]
     std::vector<double> radius;          ///< farthest vertex from the centroid [m]

@@ -135,10 +135,17 @@ void setInertia(State& state, const std::vector<double>& scale) {
     }
 }
 
-Result<State> buildState(Model description, bool parallel) {
+std::shared_ptr<const Model> keptByCaller(const Model& model) {
+    return {std::shared_ptr<const Model>(), &model};
+}
+
+Result<State> buildState(Model model, bool parallel) {
+    return buildState(std::make_shared<const Model>(std::move(model)), parallel);
+}
+
+Result<State> buildState(std::shared_ptr<const Model> description, bool parallel) {
     State state;
-    auto geometry = std::make_shared<Geometry>();
-    geometry->model = std::move(description);
+    auto geometry = std::make_shared<Geometry>(std::move(description));
     const Model& model = geometry->model;
     std::vector<Error> errors;
     if (model.blocks.empty()) return Error{"", "there are no blocks"};

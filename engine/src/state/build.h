@@ -1,6 +1,8 @@
 #pragma once
 // From the description of a slope to the state that moves.
 
+#include <memory>
+
 #include "state/arrays.h"
 #include "talus/result.h"
 
@@ -10,8 +12,11 @@ namespace talus {
 /// and unstressed, with the model's own tilt and damping and full loads.
 /// Errors (fields of the model): shapes without volume, blocks that overlap, pairs that do not touch, water without a
 /// wall, two waters on one place, `grid N` on patches that are not rectangles.
-/// The state keeps the model: move it in where it is not needed any more.
+Result<State> buildState(std::shared_ptr<const Model> model, bool parallel);
 Result<State> buildState(Model model, bool parallel);
+
+/// For a model that the caller keeps as long as the state lives: of a million blocks a copy takes 400 MB.
+std::shared_ptr<const Model> keptByCaller(const Model& model);
 
 /// Joint strengths as the kernel wants them; tan(phi) and C, peak and residual, divided by `factor`.
 std::vector<contact::JointLaw> jointLaws(const std::vector<Joint>& joints, double factor = 1.0);

@@ -260,11 +260,14 @@ std::uint64_t hashOf(const FullFrame& frame) {
     State state;
     eachBlockField(state.blocks, frame.blocks, FromFrame{});
     const FramePoints& f = frame.points;
-    std::vector<double> values;
-    for (std::size_t p = 0; p < f.size(); ++p)
-        for (const auto* of : {&f.normal, &f.shear_1, &f.shear_2, &f.offset_1, &f.offset_2, &f.bond})
-            values.push_back(p < of->size() ? (*of)[p] : 0.0);
-    return stages::stateHash(state.blocks, values);
+    const auto valueAt = [](const std::vector<double>& values, std::size_t point) {
+        return point < values.size() ? values[point] : 0.0;
+    };
+    return stages::stateHash(state.blocks, [&](const auto& add) {
+        for (std::size_t p = 0; p < f.size(); ++p)
+            add({valueAt(f.normal, p), valueAt(f.shear_1, p), valueAt(f.shear_2, p), valueAt(f.offset_1, p),
+                 valueAt(f.offset_2, p), valueAt(f.bond, p)});
+    });
 }
 
 namespace {

@@ -8,7 +8,7 @@
 namespace talus {
 
 Result<std::vector<TouchingPair>> touchingPairs(const Model& model) {
-    const auto state = buildState(model, false);
+    const auto state = buildState(keptByCaller(model), false);
     if (!state) return state.errors();
     const Interfaces& interfaces = state->interfaces;
     std::vector<TouchingPair> pairs;

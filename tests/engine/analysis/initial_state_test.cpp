@@ -4,6 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <atomic>
+
+#include "stages/measure.h"
 #include "state/build.h"
 #include "support/models.h"
 #include "talus/simulation.h"
@@ -26,6 +29,17 @@ Model boxAt(double tilt_deg) {
     addBox(model, "box", {0, 0, 0}, {1, 0.5, 0.6}, 2000);
     model.gravity.tilt = radians(tilt_deg);
     return model;
+}
+
+void checkSame(const State& a, const State& b) {
+    CHECK(stages::stateHash(a) == stages::stateHash(b));
+    CHECK(a.blocks.inverse_mass == b.blocks.inverse_mass);
+    CHECK(a.interfaces.frames == b.interfaces.frames);
+    CHECK(a.points.memory == b.points.memory);
+    CHECK(a.laws[0].cohesion == b.laws[0].cohesion);
+    CHECK(a.load.gravity_share == b.load.gravity_share);
+    CHECK(a.damping.local == b.damping.local);
+    CHECK(a.step == b.step);
 }
 
 }  // namespace
@@ -80,5 +94,23 @@ TEST_SUITE("analysis") {
         CHECK(state.time == 0);
         CHECK(state.step == 0);
         CHECK(state.damping.mass == 0);
+    }
+
+    TEST_CASE("without an equilibrium all but the poses is as built") {
+        const State built = *buildState(boxAt(40), false);
+        State state = built;
+        CHECK((analysis::bringToStart(state, Control{}, false) == InitialState::held));
+        CHECK(state.blocks.position != built.blocks.position);
+        state.blocks.position = built.blocks.position;
+        state.blocks.orientation = built.blocks.orientation;
+        checkSame(state, built);
+    }
+
+    TEST_CASE("interrupted: as built") {
+        const std::atomic<bool> stop{true};
+        const State built = *buildState(boxAt(29), false);
+        State state = built;
+        CHECK((analysis::bringToStart(state, Control{.stop = &stop}, false) == InitialState::unstressed));
+        checkSame(state, built);
     }
 }
