@@ -55,14 +55,15 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
     const Vec3& gap = then.reference_gap;
     f.setReferenceGap(n, {gap.x() + shift.x() * gap.y() + shift.y() * gap.z(), gap.y(), gap.z()});
 
+    const std::vector<PointState> old_points = pointStates(old.contacts(state), o);
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[n])];
     const auto places = contact::patchPoints(patchOutline(f, n), state.geometry->model.points);
     std::vector<Eigen::Vector2d> shear(places.size());
     std::vector<bool> closed(places.size()), slips(places.size());
-    Eigen::Vector2d missing = shearForce(old.points[o]);
+    Eigen::Vector2d missing = shearForce(old_points);
     double closed_area = 0;
     for (std::size_t k = 0; k < places.size(); ++k) {
-        const PointState& q = nearestPoint(old.points[o], places[k].position + shift);
+        const PointState& q = nearestPoint(old_points, places[k].position + shift);
         const std::size_t slot = f.pointSlot(n, k);
         points.setMemory(slot, q.memory);
         shear[k] = places[k].area / q.area * Eigen::Vector2d(q.force.shear_1, q.force.shear_2);
@@ -94,12 +95,12 @@ std::pair<std::int32_t, std::int32_t> pairOfBlocks(const Interfaces& f, std::siz
     return std::minmax(f.block_a[i], f.block_b[i]);
 }
 
-std::vector<double> deepestContacts(const State& state, const std::vector<std::vector<PointState>>& points) {
+std::vector<double> deepestContacts(const State& state) {
     const Interfaces& f = state.interfaces;
     std::vector<double> deepest(state.blocks.size(), 0.0);
     for (std::size_t i = 0; i < f.size(); ++i) {
         const double stiffness = state.laws[static_cast<std::size_t>(f.joint[i])].normal_stiffness;
-        for (const PointState& point : points[i])
+        for (const PointState& point : pointStates(state, i))
             for (const std::int32_t block : {f.block_a[i], f.block_b[i]}) {
                 const auto b = static_cast<std::size_t>(block);
                 if (state.blocks.motion[b] != Motion::fixed)
@@ -136,7 +137,7 @@ void carrySlot(const OldInterfaces& old, std::size_t o, State& state, std::size_
         (f.*index)[n] = (from.*index)[o];
     f.setFrame(n, from.frame(o));
     f.setWrench(n, from.wrench(o));
-    state.points.setMemory(f.pointSlot(n, 0), old.points[o][0].memory);
+    state.points.setMemory(f.pointSlot(n, 0), old.points.memoryAt(from.pointSlot(o, 0)));
 }
 
 /// Shear force of other contacts of the same blocks goes to the nearest closed Lps of a new pair of faces.
@@ -183,13 +184,9 @@ void startSliding(State& state, std::size_t i, double ahead) {
 
 OldInterfaces takeInterfaces(State& state) {
     OldInterfaces old;
-    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
-        old.points.push_back(pointStates(state, i));
-        old.carried.push_back(carriedPoints(state, i));
-    }
-    old.depth = deepestContacts(state, old.points);
+    old.depth = deepestContacts(state);
     old.interfaces = std::exchange(state.interfaces, {});
-    state.points = {};
+    old.points = std::exchange(state.points, {});
     return old;
 }
 
@@ -225,7 +222,8 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
     CarriedPoints carried;
     const auto carry = [&](std::size_t o) {
         auto& of_pair = carried[pairOfBlocks(old.interfaces, o)];
-        of_pair.insert(of_pair.end(), old.carried[o].begin(), old.carried[o].end());
+        const std::vector<CarriedPoint> points = carriedPoints(old.contacts(state), o);
+        of_pair.insert(of_pair.end(), points.begin(), points.end());
     };
     for (const auto& [key, o] : faces) carry(o);
     for (const auto& [pair, of_pair] : slots)
@@ -242,7 +240,8 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
         if (carried.count(pair) == 0 && slots.count(pair) == 0) startSliding(state, n, ahead);
         if (const auto found = carried.find(pair); found != carried.end()) takeShear(found->second, state, n);
         if (const auto found = slots.find(pair); found != slots.end())
-            for (const std::size_t o : found->second) takeShear(old.carried[o], state, n);
+            for (const std::size_t o : found->second)
+                takeShear(carriedPoints(old.contacts(state), o), state, n);
     }
     return carried;
 }

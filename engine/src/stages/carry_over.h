@@ -7,14 +7,18 @@
 
 namespace talus::stages {
 
+/// The poses are those they still belong to.
 struct OldInterfaces {
     Interfaces interfaces;
-    std::vector<std::vector<PointState>> points;     ///< per interface
-    std::vector<std::vector<CarriedPoint>> carried;  ///< per interface
+    ContactPoints points;
     std::vector<double> depth;  ///< per block: its deepest closed Lp; 0 for fixed ones [m]
+
+    Contacts contacts(const State& state) const {
+        return {state.blocks, interfaces, points, state.laws, state.geometry->model.points};
+    }
 };
 
-/// Takes the interfaces out of a state, with what their Lps carry.
+/// Takes the interfaces and their Lps out of a state.
 OldInterfaces takeInterfaces(State& state);
 
 /// For each new interface between the same two faces as an old one: the reference gap goes with the reference face;

@@ -68,16 +68,19 @@ Vec3 angularVelocity(const Blocks& blocks, std::size_t block) {
            blocks.inverse_inertia.get(block).cwiseProduct(r.transpose() * blocks.angular_momentum.get(block));
 }
 
-RelativePose relativePose(const State& state, std::size_t i) {
-    const Interfaces& f = state.interfaces;
+RelativePose relativePose(const Blocks& blocks, const Interfaces& f, std::size_t i) {
     const InterfaceFrame frame = f.frame(i);
     const FramesOf<double> frames{triple(frame.origin_a),     triple(frame.e1_a), triple(frame.e2_a),
                                   triple(frame.origin_b),     triple(frame.e1_b), triple(frame.e2_b),
                                   triple(frame.reference_gap)};
-    const PoseOf<double> a = poseOf(state.blocks, f.block_a[i]);
-    const auto pose = relativePoseOf(frames, a, poseOf(state.blocks, f.block_b[i]));
+    const PoseOf<double> a = poseOf(blocks, f.block_a[i]);
+    const auto pose = relativePoseOf(frames, a, poseOf(blocks, f.block_b[i]));
     return {vec3(pose.gap), vec3(pose.slide_1), vec3(pose.slide_2), vec3(a.position + pose.arm_a),
             vec3(pose.e1),  vec3(pose.e2),      vec3(pose.e3)};
+}
+
+RelativePose relativePose(const State& state, std::size_t i) {
+    return relativePose(state.blocks, state.interfaces, i);
 }
 
 void updateContacts(State& state, Range groups) {
@@ -92,17 +95,25 @@ void updateContacts(State& state, Range groups) {
     }
 }
 
+Contacts contactsOf(const State& state) {
+    return {state.blocks, state.interfaces, state.points, state.laws, state.geometry->model.points};
+}
+
 std::vector<PointState> pointStates(const State& state, std::size_t i) {
+    return pointStates(contactsOf(state), i);
+}
+
+std::vector<PointState> pointStates(const Contacts& contacts, std::size_t i) {
     constexpr double kNoRelease = 0.0;
-    const ContactPoints& points = state.points;
-    const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-    const RelativePose pose = relativePose(state, i);
+    const Interfaces& f = contacts.interfaces;
+    const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(f.joint[i])];
+    const RelativePose pose = relativePose(contacts.blocks, f, i);
     std::vector<PointState> result;
-    for (const contact::PatchPoint& place :
-         interfacePoints(state.interfaces, i, state.geometry->model.points)) {
-        const std::size_t slot = state.interfaces.pointSlot(i, result.size());
-        PointState point{
-            .position = place.position, .area = place.area, .force = {}, .memory = points.memoryAt(slot)};
+    for (const contact::PatchPoint& place : interfacePoints(f, i, contacts.rule)) {
+        PointState point{.position = place.position,
+                         .area = place.area,
+                         .force = {},
+                         .memory = contacts.points.memoryAt(f.pointSlot(i, result.size()))};
         contact::PointMemory scratch = point.memory;
         point.force = contact::contactLaw(law, place.area, affineAt(pose.gap, place.position),
                                           affineAt(pose.slide_1, place.position),

@@ -24,6 +24,7 @@ struct RelativePose {
     Vec3 origin;            ///< of the interface, model frame [m]
     Vec3 e1, e2, e3;        ///< model frame
 };
+RelativePose relativePose(const Blocks& blocks, const Interfaces& interfaces, std::size_t interface);
 RelativePose relativePose(const State& state, std::size_t interface);
 
 /// An Lp as it stands: where it lies on the patch, what it carries and remembers.
@@ -34,8 +35,19 @@ struct PointState {
     contact::PointMemory memory;
 };
 
+/// What the forces at Lps follow from: interfaces and Lps of a state, or those it had before a search.
+struct Contacts {
+    const Blocks& blocks;
+    const Interfaces& interfaces;
+    const ContactPoints& points;
+    const std::vector<contact::JointLaw>& laws;
+    const PointRule& rule;
+};
+Contacts contactsOf(const State& state);
+
 /// All Lps of an interface, in the order of contact::patchPoints. The law gives the same forces when it is asked once more
 /// at the same place (but for slip that dilates, which the next step feels).
+std::vector<PointState> pointStates(const Contacts& contacts, std::size_t interface);
 std::vector<PointState> pointStates(const State& state, std::size_t interface);
 
 /// Angular velocity of a block in the model frame [rad/s].

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "stages/contacts.h"
 #include "stages/patches.h"
 #include "state/build.h"
 #include "state/point_layout.h"
@@ -171,7 +170,7 @@ void writeSlots(State& state, std::size_t begin, const SharpPoints& found, std::
             continue;
         }
         if (isIdle(f, begin + s)) continue;
-        const std::vector<CarriedPoint> gone = carriedPoints(state, begin + s);
+        const std::vector<CarriedPoint> gone = carriedPoints(contactsOf(state), begin + s);
         old.insert(old.end(), gone.begin(), gone.end());
         setIdle(f, begin + s);
     }
@@ -326,13 +325,13 @@ double sharpArea(const Geometry& geometry, std::size_t block_1, std::size_t bloc
     return area / 24;
 }
 
-std::vector<CarriedPoint> carriedPoints(const State& state, std::size_t i) {
-    const Interfaces& f = state.interfaces;
-    const RelativePose pose = relativePose(state, i);
-    const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
+std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t i) {
+    const Interfaces& f = contacts.interfaces;
+    const RelativePose pose = relativePose(contacts.blocks, f, i);
+    const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(f.joint[i])];
     const double sign = f.block_a[i] < f.block_b[i] ? 1.0 : -1.0;
     std::vector<CarriedPoint> carried;
-    for (const PointState& point : pointStates(state, i)) {
+    for (const PointState& point : pointStates(contacts, i)) {
         if (point.force.normal <= 0) continue;
         const double slide_1 =
             pose.slide_1.x() + point.position.x() * pose.slide_1.y() + point.position.y() * pose.slide_1.z();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "detection/sharp_contacts.h"
+#include "stages/contacts.h"
 #include "state/arrays.h"
 
 namespace talus::stages {
@@ -32,7 +33,7 @@ struct CarriedPoint {
 using CarriedPoints = std::map<std::pair<std::int32_t, std::int32_t>, std::vector<CarriedPoint>>;
 
 /// What the closed Lps of an interface carry [N, J].
-std::vector<CarriedPoint> carriedPoints(const State& state, std::size_t interface);
+std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t interface);
 
 /// Whether an interface is a slot for a vertex or an edge, and whether that slot touches nothing.
 bool isSharp(const Interfaces& interfaces, std::size_t interface);
