@@ -275,9 +275,7 @@ TEST_SUITE("slow: physics") {
                            << on.last_kinetic << " J, mean speed " << std::sqrt(2 * on.last_kinetic / mass)
                            << " m/s");
         CHECK(lowest > 0);
-        // Meant to be 1e-3. Contacts that are found late keep their overlap, and a few of thousands are.
-        WARN(overlap < 1e-3);
-        CHECK(overlap < 0.05);
+        CHECK(overlap < 1e-3);
         CHECK(on.largest_gain < 1e-6 * fallen);
         CHECK(on.last_kinetic < 1e-5 * fallen);
     }

@@ -93,12 +93,19 @@ void dropTilted(const PlacedShapes& placed, std::size_t a, std::size_t b, double
     });
 }
 
-/// Leaves out patches that are too small for the depth they are pressed to. \return whether there was one
-bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, PairFinding& finding) {
-    return std::erase_if(finding.faces, [&](const FacePair& face) {
-               return -face.least_gap > kSliverDepth * size &&
-                      area(face.patch) < sharpArea(*state.geometry, a, b);
-           }) > 0;
+/// Leaves out patches that are too small for the depth they are pressed to. \return whether one may get there before the
+/// next search, or is left out: then the pair needs slots
+bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, PairFinding& finding,
+                 bool initial) {
+    const double least = sharpArea(*state.geometry, a, b);
+    const auto isSliver = [&](const FacePair& face) {
+        return area(face.patch) < least && !(initial && std::abs(face.least_gap) <= kClosedGap * size);
+    };
+    if (std::none_of(finding.faces.begin(), finding.faces.end(), isSliver)) return false;
+    std::erase_if(finding.faces, [&](const FacePair& face) {
+        return -face.least_gap > kSliverDepth * size && isSliver(face);
+    });
+    return true;
 }
 
 bool hadSlots(const SlotPairs& pairs, BoxPair pair) {
@@ -139,7 +146,7 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
                                   Reference::face_a);
     dropTilted(placed, a, b, size, finding);
     dropFalsePairs(placed, a, b, closed, finding);
-    const bool slivers = !initial && dropSlivers(state, a, b, size, finding);
+    const bool slivers = dropSlivers(state, a, b, size, finding, initial);
     // A pair that has slots keeps them as long as it is near.
     finding.may_meet_sharply =
         slivers || hadSlots(with_slots, pair) ||

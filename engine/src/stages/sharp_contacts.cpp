@@ -305,13 +305,7 @@ SharpLimits sharpLimits(const Geometry& geometry, std::size_t block_1, std::size
 }
 
 double sharpArea(const Geometry& geometry, std::size_t block_1, std::size_t block_2) {
-    const auto meanFaceArea = [&](std::size_t block) {
-        const Polyhedron& shape = geometry.shape[block];
-        double sum = 0;
-        for (std::size_t face = 0; face < shape.faces.size(); ++face) sum += shape.faceArea(face);
-        return sum / static_cast<double>(shape.faces.size());
-    };
-    const double area = std::min(meanFaceArea(block_1), meanFaceArea(block_2));
+    const double area = std::min(geometry.face_area[block_1], geometry.face_area[block_2]);
     const PointRule& rule = geometry.model.points;
     switch (rule.kind) {
         case PointRule::Kind::vertex:

@@ -201,6 +201,7 @@ struct Geometry {
     std::vector<Polyhedron> shape;       ///< in each block's own frame
     std::vector<double> size;            ///< smallest extent of each block [m]
     std::vector<double> radius;          ///< farthest vertex from the centroid [m]
+    std::vector<double> face_area;       ///< mean of each block's faces [m^2]
     std::vector<PairJoint> pair_joints;  ///< sorted by pair of blocks
     PositionArray initial_position;
     QuaternionArray initial_orientation;

@@ -72,6 +72,9 @@ void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<
     }
     geometry.size.push_back(smallestExtent(own));
     geometry.radius.push_back(radius);
+    double area = 0;
+    for (std::size_t face = 0; face < own.faces.size(); ++face) area += own.faceArea(face);
+    geometry.face_area.push_back(area / static_cast<double>(own.faces.size()));
     geometry.shape.push_back(std::move(own));
 
     const bool free = block.motion == Motion::free;
