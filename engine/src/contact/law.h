@@ -77,29 +77,29 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     // eq 5, total form; the opening rule, eqs 7-8.
     V trial_normal, bond = memory.bond;
     if constexpr (Remembers) {
-        trial_normal = -(joint.normal_stiffness * area * (gap - memory.dilation));
+        trial_normal = -joint.normal_stiffness * area * (gap - memory.dilation);
         const auto torn = both(joint.bonded, trial_normal < -(bond * joint.tensile_strength * area));
         bond = select(either(torn, bond < 1.0), larger(bond - release, zero), bond);
         const V tension_limit = bond * joint.tensile_strength * area;
         force.open = both(trial_normal < 0.0, tension_limit == 0.0);
         force.normal = select(force.open, zero, larger(trial_normal, -tension_limit));
     } else {
-        trial_normal = -(joint.normal_stiffness * area * gap);
+        trial_normal = -joint.normal_stiffness * area * gap;
         force.open = trial_normal < 0.0;
         force.normal = larger(trial_normal, zero);
     }
-    // eq 6, total form; the sliding rule, eq 9: beyond the peak the strength falls to its residual.
-    const V elastic_1 = slide_1 - memory.offset_1;
-    const V elastic_2 = slide_2 - memory.offset_2;
+    // eq 6, total form, nothing where open; the sliding rule, eq 9: beyond the peak the strength falls to its residual.
+    const V back_1 = memory.offset_1 - slide_1, back_2 = memory.offset_2 - slide_2;
     const V stiffness = joint.shear_stiffness * area;
-    const V trial_squared = stiffness * stiffness * (elastic_1 * elastic_1 + elastic_2 * elastic_2);
+    force.shear_1 = select(force.open, zero, stiffness * back_1);
+    force.shear_2 = select(force.open, zero, stiffness * back_2);
+    const V trial_squared = force.shear_1 * force.shear_1 + force.shear_2 * force.shear_2;
     V strength;
     if constexpr (Remembers)
         strength = shearStrength(joint, area, force.normal, bond);
     else
         strength = force.normal * joint.tan_friction;
-    force.slips = both(!force.open, trial_squared > strength * strength);
-    V stiffness_left = stiffness;
+    force.slips = trial_squared > strength * strength;
     if (any(force.slips)) {
         if constexpr (Remembers) {
             const auto breaks = both(force.slips, bond == 1.0);
@@ -109,9 +109,10 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
         }
         const V trial = squareRoot(trial_squared);
         const V keep = strength / trial;
-        stiffness_left = select(force.slips, keep * stiffness, stiffness);
-        memory.offset_1 = select(force.slips, slide_1 - keep * elastic_1, memory.offset_1);
-        memory.offset_2 = select(force.slips, slide_2 - keep * elastic_2, memory.offset_2);
+        force.shear_1 = select(force.slips, keep * force.shear_1, force.shear_1);
+        force.shear_2 = select(force.slips, keep * force.shear_2, force.shear_2);
+        memory.offset_1 = select(force.slips, slide_1 + keep * back_1, memory.offset_1);
+        memory.offset_2 = select(force.slips, slide_2 + keep * back_2, memory.offset_2);
         if constexpr (Remembers)
             memory.dilation =
                 select(force.slips, memory.dilation + joint.tan_dilation * (trial - strength) / stiffness,
@@ -121,8 +122,6 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     memory.offset_1 = select(force.open, slide_1, memory.offset_1);
     memory.offset_2 = select(force.open, slide_2, memory.offset_2);
     if constexpr (Remembers) memory.bond = bond;
-    force.shear_1 = select(force.open, zero, -(stiffness_left * elastic_1));
-    force.shear_2 = select(force.open, zero, -(stiffness_left * elastic_2));
     return force;
 }
 

@@ -67,12 +67,14 @@ TEST_SUITE("analysis") {
 
     TEST_CASE(
         "without an equilibrium the joints hold until time 0: the slide follows the closed form from there") {
-        const RunResult result = runFor(boxAt(40), 0.5, "box");
+        Model model = boxAt(40);
+        model.damping.contact =
+            1e-4;  // without dashpots a sliding block flutters by some millimetres a second
+        const RunResult result = runFor(model, 0.5, "box");
         CHECK((result.start == InitialState::held));
         const double a = 9.81 * (std::sin(radians(40)) - std::cos(radians(40)) * std::tan(radians(30)));
         CHECK(-result.watch[0].velocity.x() == doctest::Approx(a * 0.5).epsilon(1e-4));
         CHECK(-result.watch[0].displacement.x() == doctest::Approx(0.5 * a * 0.25).epsilon(1e-4));
-        // Letting go changes the moment in the base a little, which sets off a faint rocking.
         CHECK(std::abs(result.watch[0].velocity.z()) < 1e-3 * result.watch[0].velocity.norm());
     }
 
