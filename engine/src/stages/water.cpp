@@ -104,12 +104,19 @@ void addInterfaceWalls(State& state, std::size_t water, std::size_t i) {
 
 }  // namespace
 
-void buildWetIncidence(State& state) {
+void finishWalls(State& state) {
+    state.wet.moments.clear();
+    for (std::size_t w = 0; w < state.wet.size(); ++w)
+        state.wet.moments.push_back(momentsOf(polygonOf(state.wet, w)));
     const std::size_t n = state.blocks.size();
     Incidence& incidence = state.incidence;
     incidence.wet_begin.assign(n + 1, 0);
     for (const std::int32_t b : state.wet.block) ++incidence.wet_begin[static_cast<std::size_t>(b) + 1];
-    for (std::size_t b = 0; b < n; ++b) incidence.wet_begin[b + 1] += incidence.wet_begin[b];
+    incidence.wet_blocks.clear();
+    for (std::size_t b = 0; b < n; ++b) {
+        if (incidence.wet_begin[b + 1] > 0) incidence.wet_blocks.push_back(static_cast<std::int32_t>(b));
+        incidence.wet_begin[b + 1] += incidence.wet_begin[b];
+    }
     incidence.wet.resize(state.wet.size());
     std::vector<std::int64_t> next(incidence.wet_begin.begin(), incidence.wet_begin.end() - 1);
     for (std::size_t w = 0; w < state.wet.size(); ++w)
@@ -151,26 +158,39 @@ LinearPressure pressureOnPatch(const State& state, std::size_t w, const Pressure
     const Water& water = state.geometry->model.waters[static_cast<std::size_t>(wet.water[w])];
     if (water.kind == Water::Level::head)
         return {field.p0 * wet.head.x[w], field.p0 * Vec2(wet.head.y[w], wet.head.z[w])};
-    const Vec3 origin = position + turn * wet.origin.get(w);
-    return {field.p0 + field.gradient.dot(origin),
-            {field.gradient.dot(turn * wet.e1.get(w)), field.gradient.dot(turn * wet.e2.get(w))}};
+    const Vec3 gradient = turn.transpose() * field.gradient;  // in the block's own frame
+    return {field.p0 + field.gradient.dot(position) + gradient.dot(wet.origin.get(w)),
+            {gradient.dot(wet.e1.get(w)), gradient.dot(wet.e2.get(w))}};
 }
 
-PressureIntegral integralOf(const State& state, std::size_t w, const PressureField& field) {
+LinearPressure pressureNow(const State& state, std::size_t w, const PressureField& field) {
     const auto b = static_cast<std::size_t>(state.wet.block[w]);
-    return integratePressure(
-        polygonOf(state.wet, w),
-        pressureOnPatch(state, w, field, state.blocks.orientation.matrix(b), state.blocks.position.get(b)));
+    return pressureOnPatch(state, w, field, state.blocks.orientation.matrix(b), state.blocks.position.get(b));
+}
+
+/// Most walls are under water or dry all over; only one that the water line crosses has to be gone round.
+Thrust thrustOnWall(const WetPatches& wet, std::size_t w, const LinearPressure& pressure) {
+    const auto first = static_cast<std::size_t>(wet.vertex_begin[w]);
+    const auto corners = static_cast<std::size_t>(wet.vertex_begin[w + 1]) - first;
+    const auto corner = [&](std::size_t k) { return Vec2(wet.vertex_x[first + k], wet.vertex_y[first + k]); };
+    double least = kInfinity, most = -kInfinity;
+    for (std::size_t k = 0; k < corners; ++k) {
+        const double p = pressure.at(corner(k));
+        least = std::min(least, p);
+        most = std::max(most, p);
+    }
+    if (most <= 0) return {};
+    if (least >= 0) return thrustOnWhole(wet.moments[w], pressure);
+    return thrustOn(corners, corner, pressure);
 }
 
 /// Thrust against the outward normal, and its moment about the centroid: integral of r x (-e3 p) over the wet part.
 void computeWrench(State& state, std::size_t w, const PressureField& field) {
     WetPatches& wet = state.wet;
-    const PressureIntegral integral = integralOf(state, w, field);
+    const Thrust thrust = thrustOnWall(wet, w, pressureNow(state, w, field));
     const Vec3 e1 = wet.e1.get(w), e2 = wet.e2.get(w), e3 = e1.cross(e2);
-    const Vec3 first_moment =
-        integral.force * wet.origin.get(w) + integral.moment_x * e1 + integral.moment_y * e2;
-    wet.force.set(w, -integral.force * e3);
+    const Vec3 first_moment = thrust.force * wet.origin.get(w) + thrust.moment_x * e1 + thrust.moment_y * e2;
+    wet.force.set(w, -thrust.force * e3);
     wet.moment.set(w, -first_moment.cross(e3));
     const auto b = static_cast<std::size_t>(wet.block[w]);
     wet.computed_position.set(w, state.blocks.position.get(b));
@@ -206,8 +226,8 @@ Polygon inPlaneOf(const State& state, std::size_t i, std::size_t j, const Polygo
 
 std::vector<Error> sharedWetErrors(const State& state) {
     const Model& model = state.geometry->model;
-    const auto wetPart = [&](std::size_t w) {
-        return integralOf(state, w, state.pressure[static_cast<std::size_t>(state.wet.water[w])]).wet;
+    const auto wetPartOf = [&](std::size_t w) {
+        return wetPart(polygonOf(state.wet, w), pressureOnWall(state, w));
     };
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
         for (auto k = state.incidence.wet_begin[b]; k < state.incidence.wet_begin[b + 1]; ++k)
@@ -215,7 +235,7 @@ std::vector<Error> sharedWetErrors(const State& state) {
                 const auto i = static_cast<std::size_t>(state.incidence.wet[static_cast<std::size_t>(k)]);
                 const auto j = static_cast<std::size_t>(state.incidence.wet[static_cast<std::size_t>(l)]);
                 if (!samePlace(state.wet, i, j)) continue;
-                const Polygon wet_i = wetPart(i), wet_j = wetPart(j);
+                const Polygon wet_i = wetPartOf(i), wet_j = wetPartOf(j);
                 if (wet_i.empty() || wet_j.empty()) continue;
                 const Polygon common = intersect(wet_i, inPlaneOf(state, i, j, wet_j));
                 if (common.empty() || area(common) <= kSharedWet * std::min(area(wet_i), area(wet_j)))
@@ -249,7 +269,7 @@ void makeWalls(State& state) {
     state.wet.water_begin.push_back(state.wet.size());
     state.wet.computed_position.resize(state.wet.size());
     state.wet.computed_orientation.resize(state.wet.size());
-    buildWetIncidence(state);
+    finishWalls(state);
     state.pressure.assign(waters.size(), PressureField{});
     state.water_load.assign(waters.size(), WaterLoad{});
 }
@@ -296,9 +316,7 @@ bool bounds(const State& state, std::size_t water, std::size_t i) {
 Polygon wetPolygon(const State& state, std::size_t w) { return polygonOf(state.wet, w); }
 
 LinearPressure pressureOnWall(const State& state, std::size_t w) {
-    const auto b = static_cast<std::size_t>(state.wet.block[w]);
-    return pressureOnPatch(state, w, state.pressure[static_cast<std::size_t>(state.wet.water[w])],
-                           state.blocks.orientation.matrix(b), state.blocks.position.get(b));
+    return pressureNow(state, w, state.pressure[static_cast<std::size_t>(state.wet.water[w])]);
 }
 
 double levelAt(const Water& water, double time) {

@@ -28,8 +28,9 @@ void updateWater(State& state);
 /// Marks waters as drained whose interfaces have opened wider than they allow. Reads poses, writes drained.
 void drainWater(State& state);
 
-/// Finds which wet patches push on which block. Reads wet, writes its part of incidence.
-void buildWetIncidence(State& state);
+/// What follows from the walls: their moments, and which of them push on which block. Reads wet, writes that and its part
+/// of incidence.
+void finishWalls(State& state);
 
 /// A wet patch in its own plane, and the pressure there as last computed.
 Polygon wetPolygon(const State& state, std::size_t wet_patch);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "contact/law.h"
+#include "geometry/pressure.h"
 #include "simd/instruction_set.h"
 #include "simd/pointers.h"
 #include "simd/scalar.h"
@@ -149,6 +150,7 @@ struct WetPatches {
     VectorArray origin, e1, e2;              ///< plane of the polygon in the block's own frame; e3 outward
     std::vector<std::int64_t> vertex_begin;  ///< one more at the end
     std::vector<double> vertex_x, vertex_y;  ///< [m]
+    std::vector<PolygonMoments> moments;     ///< of the polygons
     VectorArray head;                 ///< [m]: at the origin and its gradient; for water given by two heads
     VectorArray force, moment;        ///< on the block about its centroid, in its own frame, as last computed
     PositionArray computed_position;  ///< pose of the block when they were computed
@@ -186,6 +188,7 @@ struct Incidence {
     }
     std::vector<std::int64_t> wet_begin;
     std::vector<std::int32_t> wet;
+    std::vector<std::int32_t> wet_blocks;  ///< those with any, ascending
 };
 
 inline std::pair<std::int32_t, std::int32_t> pairOf(const PairJoint& pair) {

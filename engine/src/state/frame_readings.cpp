@@ -80,7 +80,7 @@ bool addWaterOf(const State& state, std::size_t i, PointRange range, const Side&
         any = true;
         const Polygon common = intersect(patchOnWall(state, i, w, side), stages::wetPolygon(state, w));
         if (common.empty()) continue;
-        const double thrust = integratePressure(common, stages::pressureOnWall(state, w)).force;
+        const double thrust = thrustOn(common, stages::pressureOnWall(state, w)).force;
         if (thrust > 0) shareOut(state, range, w, side, thrust, points);
     }
     return any;

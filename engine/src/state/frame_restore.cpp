@@ -302,7 +302,7 @@ std::vector<Error> restoreFrame(const FullFrame& frame, State& state) {
     restoreWaters(frame.waters, state);
     stages::updateSpin(state, {0, state.blocks.size()});
     stages::buildIncidence(state);
-    stages::buildWetIncidence(state);
+    stages::finishWalls(state);
     if (stages::stateHash(state) != frame.state_hash)
         return {{"full.state_hash", "is not the hash of the frame's own values: the frame is damaged"}};
     return {};
