@@ -178,6 +178,7 @@ struct OneInterface {
                 .memory = memory.data(),
                 .wrenches = wrenches.data(),
                 .remembers = false,
+                .beyond_caches = false,
                 .release = 1,
                 .contact_damping = 0,
                 .places = rule.kind == PointRule::Kind::vertex   ? stages::PointPlaces::vertex
@@ -228,41 +229,59 @@ Counts countInterface(PointRule rule, bool slips) {
     return tally;
 }
 
-Counts countDrift() {
+namespace {
+
+/// What a kernel of motion_kernel.h does to one block.
+template <class Kernel>
+Counts countMotion() {
     std::vector<double> zero(1, 0.0), out(1, 0.0), position(4, 0.0), orientation{1, 0, 0, 0};
     const std::uint8_t free = 1;
-    const ConstVectors none{zero.data(), zero.data(), zero.data()};
     const Vectors to{out.data(), out.data(), out.data()};
-    const stages::MotionView view{.force = none,
-                                  .torque = none,
-                                  .inverse_inertia = none,
+    const stages::MotionView view{.interface_begin = nullptr,
+                                  .mass = zero.data(),
                                   .inverse_mass = zero.data(),
                                   .free = &free,
+                                  .inverse_inertia = {zero.data(), zero.data(), zero.data()},
+                                  .wrench = nullptr,
+                                  .wrenches = nullptr,
                                   .position = position.data(),
                                   .orientation = orientation.data(),
                                   .velocity = to,
                                   .angular_momentum = to,
+                                  .force = to,
+                                  .torque = to,
                                   .angular_velocity = to,
+                                  .gravity = {},
                                   .time_step = 1e-3,
                                   .decay = 1,
-                                  .spin_decay = 1};
+                                  .spin_decay = 1,
+                                  .local_damping = 0.1};
     tally = {};
-    stages::driftBlocks<Counting>(view, stages::Consecutive<Counting>{0});
+    Kernel::template on<Counting>(view, stages::Consecutive<Counting>{0});
     return tally;
 }
 
-// motion.cpp's gather, by hand. Per side of an interface: place of its wrench 4; force and moment are three additions each.
-// Per interface: force, moment_a, moment_b, 9 doubles. Per block: its rows in the two incidence lists 2 x 8, motion 1,
-// mass, inverse mass, velocity, angular momentum, angular velocity 11 doubles; written: force, torque, velocity, angular
-// momentum 12 doubles. Flops per block: weight 3, local damping 12, kick 3 x 3 + 3 x 3 + 2.
-Counts countGather() {
+/// motion.cpp's sum of wrenches, by hand, and a kernel on the blocks. Per side of an interface: place of its wrench 4;
+/// force and moment are three additions each. Per interface: force, moment_a, moment_b, 9 doubles. Per block: its row in
+/// the incidence list 2 x 8, and what the kernel reads and writes, where nothing that is still in the cache counts.
+template <class Kernel>
+Counts countGatherWith(double doubles_read, double doubles_written) {
     constexpr double kSides = 6, kInterfaces = 3;
-    Counts counts;
-    counts.read = kSides * 4 + kInterfaces * 72 + 2 * 8 + 1 + 11 * 8;
-    counts.written = 12 * 8;
-    counts.flops = kSides * 6 + 3 + 12 + 20;
-    counts.choices = 6 * 2;
+    Counts counts = countMotion<Kernel>();
+    counts.flops += kSides * 6 + 3;
+    counts.read = kSides * 4 + kInterfaces * 72 + 2 * 8 + 1 + doubles_read * 8;
+    counts.written = doubles_written * 8;
     return counts;
 }
+
+}  // namespace
+
+Counts countDrift() { return countMotion<stages::Drift>(); }
+
+// Read: mass, inverse mass, velocity, angular momentum, angular velocity. Written: force, torque, velocity, momentum.
+Counts countGather() { return countGatherWith<stages::Kick>(11, 12); }
+
+// Read: the same, inverse inertia, pose of eight. Written: the same, angular velocity, pose.
+Counts countGatherAndDrift() { return countGatherWith<stages::KickAndDrift>(22, 23); }
 
 }  // namespace talus::bench

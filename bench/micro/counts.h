@@ -28,6 +28,9 @@ Counts countDrift();
 /// Gather of one block in a big stack: three interfaces per block, six sides.
 Counts countGather();
 
+/// Gather of one block and its drift into the next step, in one pass.
+Counts countGatherAndDrift();
+
 int pointsPerRectangle(PointRule rule);
 std::string nameOf(PointRule rule);  ///< "vertex", "grid4", ...
 

@@ -90,7 +90,7 @@ void settle(Slope& slope) {
     stages::updateForces(state, true);
     const int steps =
         std::clamp(static_cast<int>(kPointSteps / static_cast<double>(slope.points())), 5, kMost);
-    for (int k = 0; k < steps; ++k) stages::advance(state, {slope.time_step, true});
+    stages::advance(state, {slope.time_step, true}, steps);
     state.damping.local = 0.3;
 }
 

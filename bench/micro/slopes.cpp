@@ -18,6 +18,7 @@ namespace talus::bench {
 namespace {
 
 constexpr std::size_t kGroups = 64, kBlocks = 512;  // pieces, as in stages/step.cpp
+constexpr int kSteps = 10;                          // taken at once, as in the analyses
 
 Facts times(double n, const Counts& counts) {
     return {.flops = n * counts.flops,
@@ -33,6 +34,7 @@ Facts operator+(Facts a, const Facts& b) {
     a.roots += b.roots;
     a.bytes += b.bytes;
     a.working_set += b.working_set;
+    a.points += b.points;
     return a;
 }
 
@@ -53,9 +55,11 @@ Facts blockFacts(const Slope& slope, const Counts& counts) {
 }
 
 Facts stepFacts(const Slope& slope) {
-    Facts facts =
-        contactFacts(slope, false) + blockFacts(slope, countDrift()) + blockFacts(slope, countGather());
-    facts.points = static_cast<double>(slope.points());
+    Facts once = contactFacts(slope, false) + blockFacts(slope, countGatherAndDrift());
+    once.points = static_cast<double>(slope.points());
+    Facts facts = once;
+    for (int k = 1; k < kSteps; ++k) facts = facts + once;
+    facts.working_set = once.working_set;
     return facts;
 }
 
@@ -123,12 +127,22 @@ void driftBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) {
     tell(run, blockFacts(slope, countDrift()));
 }
 
+void gatherAndDriftBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) {
+    Slope& slope = slopeFor(kind);
+    onThreads(threads, [&] {
+        for (auto _ : run)
+            forRange(slope.blocks(), kBlocks, threads > 1,
+                     [&](Range range) { stages::gatherAndDrift(slope.state, range, 1e-12); });
+    });
+    tell(run, blockFacts(slope, countGatherAndDrift()));
+}
+
 /// The same number of steps from the same state each time, so that the hash at the end is the same for any number of
 /// threads.
 void stepBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) {
     Slope& slope = slopeFor(kind);
     onThreads(threads, [&] {
-        for (auto _ : run) stages::advance(slope.state, {slope.time_step, threads > 1});
+        for (auto _ : run) stages::advance(slope.state, {slope.time_step, threads > 1}, kSteps);
     });
     char hash[17];
     std::snprintf(hash, sizeof hash, "%016llx",
@@ -179,7 +193,8 @@ void interfaceBenchmark(benchmark::State& run, const SlopeKind& kind, int thread
 /// Iterations for about as long as the other benchmarks take, the same ones for every number of threads.
 std::int64_t stepsFor(const Extent& extent, int blocks) {
     constexpr double kSecondsPerBlock = 1.5e-7;
-    return std::max<std::int64_t>(3, static_cast<std::int64_t>(extent.seconds / (kSecondsPerBlock * blocks)));
+    return std::max<std::int64_t>(
+        1, static_cast<std::int64_t>(extent.seconds / (kSecondsPerBlock * kSteps * blocks)));
 }
 
 /// Threads that a stage is measured with: below some thousand blocks the engine uses one.
@@ -217,6 +232,7 @@ void addSlope(const Extent& extent, const SlopeKind& kind) {
     if (whole) {
         addStage(extent, "gather", kind, gatherBenchmark);
         addStage(extent, "drift", kind, driftBenchmark);
+        addStage(extent, "gather and drift", kind, gatherAndDriftBenchmark);
     }
     addStage(extent, "step", kind, stepBenchmark, stepsFor(extent, kind.blocks));
     if (whole) {

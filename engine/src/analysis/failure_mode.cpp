@@ -159,7 +159,7 @@ Failure continueFailure(State& state, double deflection, const Control& control,
     for (double target = kFirstTarget; target <= kLastTarget && !clear && !failure.at_rest; target *= 2) {
         while (failure.motion < target * deflection && failure.steps < kMostSteps && !failure.at_rest) {
             if (control.stop != nullptr && control.stop->load(std::memory_order_relaxed)) break;
-            for (int k = 0; k < kStepsPerLook; ++k) stages::advance(state, {failure.time_step, parallel});
+            stages::advance(state, {failure.time_step, parallel}, kStepsPerLook);
             failure.steps += kStepsPerLook;
             stages::refreshInterfaces(state, parallel, kStepsPerLook * failure.time_step);
             failure.motion = largestMotion(state, start);

@@ -14,7 +14,8 @@
 namespace talus::analysis {
 namespace {
 
-constexpr int kStepsPerSample = 10;  // out-of-balance force is looked at this often
+constexpr int kStepsPerSample =
+    10;  // neighbours, patches and the out-of-balance force are looked at this often
 constexpr int kLeastStepsPerWindow = 100;
 constexpr double kFlat = 0.03;     // spread of the out-of-balance force over its mean, within a window
 constexpr double kEven = 0.01;     // change of the motion from window to window: it goes on at the same speed
@@ -272,11 +273,10 @@ double roundingLevel(const State& state, const std::vector<double>& bounds) {
     return level;
 }
 
-void takeStep(State& state, QuasiStaticWork& work, Probe& probe) {
-    stages::advance(state, {work.time_step, work.parallel});
-    ++probe.steps;
-    ++work.steps;
-    if (probe.steps % kStepsPerSample != 0) return;
+void takeSteps(State& state, QuasiStaticWork& work, Probe& probe, const stages::SetLoad& set_load = {}) {
+    stages::advance(state, {work.time_step, work.parallel}, kStepsPerSample, set_load);
+    probe.steps += kStepsPerSample;
+    work.steps += kStepsPerSample;
     if (stages::refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step))
         fitToContacts(state, work);
 }
@@ -324,12 +324,11 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     const PositionArray position = state.blocks.position;
     const QuaternionArray orientation = state.blocks.orientation;
     const ExternalLoad before = externalLoad(state);
-    const auto ramp_steps = std::max<std::int64_t>(
-        20, std::llround(work.settings.ramp_periods * work.slow_period / work.time_step));
-    for (std::int64_t k = 1; k <= ramp_steps && !interrupted(work); ++k) {
-        ramp(state, static_cast<double>(k) / static_cast<double>(ramp_steps));
-        takeStep(state, work, probe);
-    }
+    const double ramp_samples = std::max(
+        2.0, std::round(work.settings.ramp_periods * work.slow_period / (kStepsPerSample * work.time_step)));
+    for (double sample = 0; sample < ramp_samples && !interrupted(work); ++sample)
+        takeSteps(state, work, probe,
+                  [&](int k) { ramp(state, (sample + (k + 1.0) / kStepsPerSample) / ramp_samples); });
     Watch watch(state, work);
     DragTuner tuner(state);
     const auto steps_per_tuning =
@@ -337,7 +336,7 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     std::int64_t next_tuning = probe.steps + steps_per_tuning;
     bool decided = false;
     while (!decided && !interrupted(work) && probe.steps < work.settings.max_steps_per_probe) {
-        for (int k = 0; k < kStepsPerSample; ++k) takeStep(state, work, probe);
+        takeSteps(state, work, probe);
         decided = watch.look(probe);
         if (probe.steps < next_tuning) continue;
         tuner.tune(state, work);

@@ -131,7 +131,7 @@ class TimeHistory {
     Result<RunResult> run() {
         while (state_.time < settings_.duration - 0.5 * progress_.time_step && !interrupted() && finite_ &&
                !went_far_) {
-            oneStep();
+            goOn();
             if (finite_ && state_.time >= progress_.next_frame - 0.5 * progress_.time_step) frameIsDue();
         }
         if (!finite_ || !stages::isFinite(state_))
@@ -215,10 +215,18 @@ class TimeHistory {
             progress_.time_step = left / std::max(1.0, std::ceil(left / (progress_.step_safety * bound)));
     }
 
-    void oneStep() {
-        state_.load.time = state_.time + progress_.time_step;
-        stages::advance(state_, {progress_.time_step, parallel_});
-        state_.time += progress_.time_step;
+    /// Up to the next look, frame or the end, whichever comes first.
+    void goOn() {
+        const double dt = progress_.time_step;
+        const double until = std::min(progress_.next_frame, settings_.duration) - 0.5 * dt;
+        int steps = 1;
+        for (double time = state_.time + dt; time < until && (state_.step + steps) % kStepsPerLook != 0;
+             ++steps)
+            time += dt;
+        stages::advance(state_, {dt, parallel_}, steps, [&](int) {
+            state_.time += dt;
+            state_.load.time = state_.time;
+        });
         if (state_.step % kStepsPerLook == 0) {
             finite_ = stages::isFinite(state_);
             if (!finite_) return;

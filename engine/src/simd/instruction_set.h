@@ -17,6 +17,20 @@ InstructionSet bestInstructionSet();
 /// Whether this processor has it.
 bool isAvailable(InstructionSet set);
 
+/// The one of three builds that is for this instruction set.
+template <class Build>
+const Build& buildFor(InstructionSet set, const Build& scalar, const Build& avx2, const Build& avx512) {
+    switch (set) {
+        case InstructionSet::avx512:
+            return avx512;
+        case InstructionSet::avx2:
+            return avx2;
+        case InstructionSet::scalar:
+            break;
+    }
+    return scalar;
+}
+
 /// "x86-64", "avx2", "avx512".
 const char* toString(InstructionSet set);
 

@@ -35,6 +35,8 @@ struct ContactView {
     double* wrenches;  ///< slot by slot, each nine numbers side by side
 
     bool remembers;  ///< whether Lps have bond and dilation in their memory
+    bool
+        beyond_caches;  ///< whether the arrays come from main memory each time: groups are then fetched ahead
     double release;
     double contact_damping;
     PointPlaces places;

@@ -22,6 +22,15 @@ PointPlaces placesOf(PointRule::Kind kind) {
     return PointPlaces::stored;
 }
 
+/// Whether the biggest arrays are more than a core's own cache can hold from step to step.
+bool isBeyondCaches(const State& state) {
+    constexpr std::size_t kOwnCache = 1U << 22U;  // [bytes] what it has, and some
+    const auto bytes = [](const LaneArray& of) { return of.slots() * of.quantities() * sizeof(double); };
+    return bytes(state.interfaces.frames) + bytes(state.interfaces.corners) + bytes(state.points.memory) +
+               bytes(state.points.places) >
+           kOwnCache;
+}
+
 ContactView contactView(State& state) {
     Blocks& blocks = state.blocks;
     Interfaces& f = state.interfaces;
@@ -42,6 +51,7 @@ ContactView contactView(State& state) {
             .memory = points.memory.data(),
             .wrenches = f.wrenches.empty() ? nullptr : f.wrenches.front().force.data(),
             .remembers = points.remembers(),
+            .beyond_caches = isBeyondCaches(state),
             .release = state.release,
             .contact_damping = state.damping.contact,
             .places = placesOf(state.geometry->model.points.kind)};
@@ -84,15 +94,8 @@ RelativePose relativePose(const State& state, std::size_t i) {
 }
 
 void updateContacts(State& state, Range groups) {
-    const ContactView view = contactView(state);
-    switch (state.instructions) {
-        case simd::InstructionSet::avx512:
-            return updateContactsAvx512(view, groups.begin, groups.end);
-        case simd::InstructionSet::avx2:
-            return updateContactsAvx2(view, groups.begin, groups.end);
-        case simd::InstructionSet::scalar:
-            return updateContactsScalar(view, groups.begin, groups.end);
-    }
+    simd::buildFor(state.instructions, updateContactsScalar, updateContactsAvx2, updateContactsAvx512)(
+        contactView(state), groups.begin, groups.end);
 }
 
 Contacts contactsOf(const State& state) {

@@ -1,5 +1,6 @@
 #include "stages/motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "stages/contacts.h"
@@ -8,35 +9,40 @@
 namespace talus::stages {
 namespace {
 
-bool isWet(const Incidence& incidence, std::size_t block) {
-    return incidence.wet_begin[block] != incidence.wet_begin[block + 1];
-}
-
-/// Adds what the water does to a block.
+/// Adds what the water does to a block, if any stands at it.
 void addWater(const State& state, std::size_t block, Wrench& sum) {
     const Incidence& incidence = state.incidence;
-    const Mat3 turn = state.blocks.orientation.matrix(block);
-    for (auto k = incidence.wet_begin[block]; k < incidence.wet_begin[block + 1]; ++k) {
-        const auto w = static_cast<std::size_t>(incidence.wet[static_cast<std::size_t>(k)]);
-        sum.force += turn * state.wet.force.get(w);
-        sum.torque += turn * state.wet.moment.get(w);
+    const auto first = static_cast<std::size_t>(incidence.wet_begin[block]);
+    const auto end = static_cast<std::size_t>(incidence.wet_begin[block + 1]);
+    if (first == end) return;
+    Wrench own;  // in the block's own frame
+    for (std::size_t k = first; k < end; ++k) {
+        const auto w = static_cast<std::size_t>(incidence.wet[k]);
+        own.force += state.wet.force.get(w);
+        own.torque += state.wet.moment.get(w);
     }
+    const Mat3 turn = state.blocks.orientation.matrix(block);
+    sum.force += turn * own.force;
+    sum.torque += turn * own.torque;
 }
 
-GatherView gatherView(State& state, double dt) {
+MotionView motionView(State& state, double dt) {
     Blocks& blocks = state.blocks;
     const Vec3 g = gravity(state);
     return {.interface_begin = state.incidence.interface_begin.data(),
             .mass = blocks.mass.data(),
             .inverse_mass = blocks.inverse_mass.data(),
             .free = blocks.free.data(),
-            .angular_velocity = constPointers(blocks.angular_velocity),
+            .inverse_inertia = constPointers(blocks.inverse_inertia),
             .wrench = state.incidence.wrench.data(),
             .wrenches = reinterpret_cast<const double*>(state.interfaces.wrenches.data()),
+            .position = numbers(blocks.position),
+            .orientation = numbers(blocks.orientation),
             .velocity = pointers(blocks.velocity),
             .angular_momentum = pointers(blocks.angular_momentum),
             .force = pointers(blocks.force),
             .torque = pointers(blocks.torque),
+            .angular_velocity = pointers(blocks.angular_velocity),
             .gravity = {g.x(), g.y(), g.z()},
             .time_step = dt,
             .decay = std::exp(-0.5 * dt * state.damping.mass),
@@ -44,25 +50,23 @@ GatherView gatherView(State& state, double dt) {
             .local_damping = state.damping.local};
 }
 
-void sumWrenches(const State& state, const GatherView& view, Range range) {
-    switch (state.instructions) {
-        case simd::InstructionSet::avx512:
-            return sumWrenchesAvx512(view, range.begin, range.end);
-        case simd::InstructionSet::avx2:
-            return sumWrenchesAvx2(view, range.begin, range.end);
-        case simd::InstructionSet::scalar:
-            return sumWrenchesScalar(view, range.begin, range.end);
-    }
+const MotionKernels& kernels(const State& state) {
+    return simd::buildFor(state.instructions, kMotionScalar, kMotionAvx2, kMotionAvx512);
 }
 
-void kick(const State& state, const GatherView& view, Range range) {
-    switch (state.instructions) {
-        case simd::InstructionSet::avx512:
-            return kickAvx512(view, range.begin, range.end);
-        case simd::InstructionSet::avx2:
-            return kickAvx2(view, range.begin, range.end);
-        case simd::InstructionSet::scalar:
-            return kickScalar(view, range.begin, range.end);
+/// Weight, interfaces and water, into force and torque.
+void sumForces(State& state, const MotionView& view, Range range) {
+    Blocks& blocks = state.blocks;
+    kernels(state).sum_wrenches(view, range.begin, range.end);
+    const std::vector<std::int32_t>& wet = state.incidence.wet_blocks;
+    for (auto next = std::lower_bound(wet.begin(), wet.end(), static_cast<std::int32_t>(range.begin));
+         next != wet.end() && static_cast<std::size_t>(*next) < range.end; ++next) {
+        const auto b = static_cast<std::size_t>(*next);
+        if (blocks.motion[b] != Motion::free) continue;
+        Wrench sum{blocks.force.get(b), blocks.torque.get(b)};
+        addWater(state, b, sum);
+        blocks.force.set(b, sum.force);
+        blocks.torque.set(b, sum.torque);
     }
 }
 
@@ -83,33 +87,12 @@ Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity) 
         sum.force += (is_b ? 1.0 : -1.0) * wrench.force;
         sum.torque += is_b ? wrench.moment_b : wrench.moment_a;
     }
-    if (isWet(incidence, block)) addWater(state, block, sum);
+    addWater(state, block, sum);
     return sum;
 }
 
 void drift(State& state, Range range, double dt) {
-    Blocks& blocks = state.blocks;
-    const MotionView view{.force = constPointers(blocks.force),
-                          .torque = constPointers(blocks.torque),
-                          .inverse_inertia = constPointers(blocks.inverse_inertia),
-                          .inverse_mass = blocks.inverse_mass.data(),
-                          .free = blocks.free.data(),
-                          .position = numbers(blocks.position),
-                          .orientation = numbers(blocks.orientation),
-                          .velocity = pointers(blocks.velocity),
-                          .angular_momentum = pointers(blocks.angular_momentum),
-                          .angular_velocity = pointers(blocks.angular_velocity),
-                          .time_step = dt,
-                          .decay = std::exp(-0.5 * dt * state.damping.mass),
-                          .spin_decay = std::exp(-0.5 * dt * state.damping.rotation)};
-    switch (state.instructions) {
-        case simd::InstructionSet::avx512:
-            return driftAvx512(view, range.begin, range.end);
-        case simd::InstructionSet::avx2:
-            return driftAvx2(view, range.begin, range.end);
-        case simd::InstructionSet::scalar:
-            return driftScalar(view, range.begin, range.end);
-    }
+    kernels(state).drift(motionView(state, dt), range.begin, range.end);
 }
 
 void updateSpin(State& state, Range range) {
@@ -118,17 +101,20 @@ void updateSpin(State& state, Range range) {
 }
 
 void gather(State& state, Range range, double dt) {
-    Blocks& blocks = state.blocks;
-    const GatherView view = gatherView(state, dt);
-    sumWrenches(state, view, range);
-    for (std::size_t b = range.begin; b < range.end; ++b) {
-        if (!isWet(state.incidence, b) || blocks.motion[b] != Motion::free) continue;
-        Wrench sum{blocks.force.get(b), blocks.torque.get(b)};
-        addWater(state, b, sum);
-        blocks.force.set(b, sum.force);
-        blocks.torque.set(b, sum.torque);
+    const MotionView view = motionView(state, dt);
+    sumForces(state, view, range);
+    kernels(state).kick(view, range.begin, range.end);
+}
+
+void gatherAndDrift(State& state, Range range, double dt) {
+    constexpr std::size_t kPiece =
+        512;  // blocks: what the first pass brought in is still in the second cache
+    const MotionView view = motionView(state, dt);
+    for (std::size_t begin = range.begin; begin < range.end; begin += kPiece) {
+        const Range piece{begin, std::min(begin + kPiece, range.end)};
+        sumForces(state, view, piece);
+        kernels(state).kick_and_drift(view, piece.begin, piece.end);
     }
-    kick(state, view, range);
 }
 
 }  // namespace talus::stages

@@ -20,6 +20,10 @@ void updateSpin(State& state, Range blocks);
 /// Writes: force, torque, velocity, angular_momentum
 void gather(State& state, Range blocks, double time_step);
 
+/// A gather and the drift of the next step, in one pass over the blocks; the same bits. Blocks read nothing of each other.
+/// Reads and writes: as the two
+void gatherAndDrift(State& state, Range blocks, double time_step);
+
 /// Force and torque on a block without local damping: contacts, water, weight [N, N m].
 struct Wrench {
     Vec3 force = Vec3::Zero();

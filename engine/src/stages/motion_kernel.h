@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "simd/scalar.h"
+#include "simd/two.h"
 #include "stages/motion_view.h"
 
 namespace talus::stages {
@@ -40,6 +41,41 @@ struct Consecutive<double> {
     TALUS_KERNEL void storeFour(double* records, const Four<double>& v) const {
         double* r = records + 4 * block;
         r[0] = v.a, r[1] = v.b, r[2] = v.c, r[3] = v.d;
+    }
+};
+
+/// The last of them that V has room for, when those before `from` are done: of these it leaves everything as it is.
+/// \pre `block` and what follows belong to the caller's range
+template <class V>
+struct Last;
+
+template <>
+struct Last<double> : Consecutive<double> {
+    std::size_t from;
+};
+
+/// Two of the above, as one. A drift is one long chain of operations that wait for each other.
+template <class V, class A, class B>
+struct SideBySide {
+    using Two = simd::Two<V>;
+    A a;
+    B b;
+
+    TALUS_KERNEL Two load(const double* values) const { return {a.load(values), b.load(values)}; }
+    TALUS_KERNEL void store(double* values, const Two& v) const {
+        a.store(values, v.a);
+        b.store(values, v.b);
+    }
+    TALUS_KERNEL auto flags(const std::uint8_t* values) const {
+        return simd::TwoMasks<simd::MaskOf<V>>{a.flags(values), b.flags(values)};
+    }
+    TALUS_KERNEL Four<Two> loadFour(const double* records) const {
+        const Four<V> x = a.loadFour(records), y = b.loadFour(records);
+        return {{x.a, y.a}, {x.b, y.b}, {x.c, y.c}, {x.d, y.d}};
+    }
+    TALUS_KERNEL void storeFour(double* records, const Four<Two>& v) const {
+        a.storeFour(records, {v.a.a, v.b.a, v.c.a, v.d.a});
+        b.storeFour(records, {v.a.b, v.b.b, v.c.b, v.d.b});
     }
 };
 
@@ -95,20 +131,35 @@ TALUS_KERNEL QuaternionOf<V> turned(QuaternionOf<V> q, const Triple<V>& inverse_
     return {q.w / length, q.x / length, q.y / length, q.z / length};
 }
 
+/// What moves a block, while it is in registers.
+template <class V>
+struct MomentaOf {
+    Triple<V> velocity, angular_momentum, force, torque;
+};
 template <class V, class C>
-TALUS_KERNEL void driftBlocks(const MotionView& view, const C& at) {
+TALUS_KERNEL MomentaOf<V> loadMomenta(const MotionView& view, const C& at) {
+    return {load(at, view.velocity), load(at, view.angular_momentum), load(at, view.force),
+            load(at, view.torque)};
+}
+template <class V, class C>
+TALUS_KERNEL void storeMomenta(const MotionView& view, const C& at, const MomentaOf<V>& m) {
+    store(at, view.velocity, m.velocity);
+    store(at, view.angular_momentum, m.angular_momentum);
+}
+
+template <class V, class C>
+TALUS_KERNEL void driftBlocks(const MotionView& view, const C& at, const MomentaOf<V>& m) {
     using simd::select;
     const auto free = at.flags(view.free);
     const Triple<V> inverse_inertia = load(at, view.inverse_inertia);
     const double half = 0.5 * view.time_step;
 
-    Triple<V> velocity = load(at, view.velocity), momentum = load(at, view.angular_momentum);
     const V kick = half * at.load(view.inverse_mass);
-    velocity = selectTriple(free, (V{} + view.decay) * velocity + kick * load(at, view.force), velocity);
-    momentum = selectTriple(free, (V{} + view.spin_decay) * momentum + (V{} + half) * load(at, view.torque),
-                            momentum);
-    store(at, view.velocity, velocity);
-    store(at, view.angular_momentum, momentum);
+    const Triple<V> velocity =
+        selectTriple(free, (V{} + view.decay) * m.velocity + kick * m.force, m.velocity);
+    const Triple<V> momentum = selectTriple(
+        free, (V{} + view.spin_decay) * m.angular_momentum + (V{} + half) * m.torque, m.angular_momentum);
+    storeMomenta(view, at, MomentaOf<V>{velocity, momentum, m.force, m.torque});
     const Four<V> x = at.loadFour(view.position);
     const Triple<V> place = Triple<V>{x.a, x.b, x.c} + (V{} + view.time_step) * velocity;
     at.storeFour(view.position, {place.x, place.y, place.z, x.d});
@@ -140,62 +191,96 @@ TALUS_KERNEL Triple<V> locallyDamped(const Triple<V>& force, const Triple<V>& ve
             locallyDamped(force.z, velocity.z, share)};
 }
 
+/// Local damping, which goes into the stored force and torque, and the second half kick.
 template <class V, class C>
-TALUS_KERNEL void kickBlocks(const GatherView& view, const C& at) {
+TALUS_KERNEL MomentaOf<V> kicked(const MotionView& view, const C& at, MomentaOf<V> m) {
     const auto free = at.flags(view.free);
     const double half = 0.5 * view.time_step;
-    const Triple<V> velocity = load(at, view.velocity), momentum = load(at, view.angular_momentum);
-    Triple<V> force = load(at, view.force), torque = load(at, view.torque);
     if (view.local_damping > 0) {
-        force = selectTriple(free, locallyDamped(force, velocity, view.local_damping), force);
-        torque = selectTriple(
-            free, locallyDamped(torque, load(at, view.angular_velocity), view.local_damping), torque);
-        store(at, view.force, force);
-        store(at, view.torque, torque);
+        m.force = selectTriple(free, locallyDamped(m.force, m.velocity, view.local_damping), m.force);
+        m.torque = selectTriple(
+            free, locallyDamped(m.torque, load(at, view.angular_velocity), view.local_damping), m.torque);
+        store(at, view.force, m.force);
+        store(at, view.torque, m.torque);
     }
     const V kick = half * at.load(view.inverse_mass), decay = V{} + view.decay, spin = V{} + view.spin_decay;
-    store(at, view.velocity, selectTriple(free, decay * (velocity + kick * force), velocity));
-    store(at, view.angular_momentum, selectTriple(free, spin * (momentum + (V{} + half) * torque), momentum));
+    m.velocity = selectTriple(free, decay * (m.velocity + kick * m.force), m.velocity);
+    m.angular_momentum =
+        selectTriple(free, spin * (m.angular_momentum + (V{} + half) * m.torque), m.angular_momentum);
+    return m;
 }
 
 /// Three numbers side by side and one that is not used, so that one load and one addition do for the three.
 typedef double ThreeOfFour __attribute__((vector_size(4 * sizeof(double))));
 
-TALUS_KERNEL void sumWrench(const GatherView& view, std::size_t b) {
-    const double mass = view.mass[b];
-    ThreeOfFour force{mass * view.gravity[0], mass * view.gravity[1], mass * view.gravity[2], 0.0}, torque{};
-    for (std::int64_t k = view.interface_begin[b]; k < view.interface_begin[b + 1]; ++k) {
-        // Without branches: which side a block is on follows no pattern.
-        const std::int32_t wrench = view.wrench[k], is_b = wrench % 2;
-        const double* record = view.wrenches + 9 * static_cast<std::ptrdiff_t>(wrench / 2);
-        ThreeOfFour on_b, moment;
-        std::memcpy(&on_b, record, sizeof on_b);
-        std::memcpy(&moment, record + 2 + 3 * is_b, sizeof moment);  // the three are its last
-        force += static_cast<double>(2 * is_b - 1) * on_b;
-        torque += moment;
+/// Locals instead of the view's members: what is written might be the view, for all the compiler knows.
+inline void sumWrenches(const MotionView& view, std::size_t begin, std::size_t end) {
+    constexpr double kSign[2] = {-1.0, 1.0};  // of the force on b, as a's and as b's
+    const double *const mass = view.mass, *const wrenches = view.wrenches;
+    const std::int64_t* const interface_begin = view.interface_begin;
+    const std::int32_t* const places = view.wrench;
+    const std::uint8_t* const free = view.free;
+    const simd::Vectors force_out = view.force, torque_out = view.torque;
+    const ThreeOfFour gravity{view.gravity[0], view.gravity[1], view.gravity[2], 0.0};
+    for (std::size_t b = begin; b < end; ++b) {
+        if (free[b] == 0) continue;
+        ThreeOfFour force = mass[b] * gravity, torque{};
+        for (std::int64_t k = interface_begin[b]; k < interface_begin[b + 1]; ++k) {
+            // Without branches: which side a block is on follows no pattern.
+            const auto place = static_cast<std::uint32_t>(places[k]), is_b = place & 1U;
+            const double* record = wrenches + 9 * static_cast<std::size_t>(place >> 1U);
+            ThreeOfFour on_b, moment;
+            std::memcpy(&on_b, record, sizeof on_b);
+            std::memcpy(&moment, record + 2 + 3 * is_b, sizeof moment);  // the three are its last
+            force += kSign[is_b] * on_b;
+            torque += moment;
+        }
+        force_out.x[b] = force[0], force_out.y[b] = force[1], force_out.z[b] = force[2];
+        torque_out.x[b] = torque[1], torque_out.y[b] = torque[2], torque_out.z[b] = torque[3];
     }
-    view.force.x[b] = force[0], view.force.y[b] = force[1], view.force.z[b] = force[2];
-    view.torque.x[b] = torque[1], view.torque.y[b] = torque[2], view.torque.z[b] = torque[3];
 }
 
-TALUS_KERNEL void sumWrenches(const GatherView& view, std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b)
-        if (view.free[b] != 0) sumWrench(view, b);
+/// The kernels, for blocks one at a time and as many at a time as fit into V.
+struct Drift {
+    template <class V, class C>
+    TALUS_KERNEL static void on(const MotionView& view, const C& at) {
+        driftBlocks(view, at, loadMomenta<V>(view, at));
+    }
+};
+struct Kick {
+    template <class V, class C>
+    TALUS_KERNEL static void on(const MotionView& view, const C& at) {
+        storeMomenta(view, at, kicked(view, at, loadMomenta<V>(view, at)));
+    }
+};
+struct KickAndDrift {
+    template <class V, class C>
+    TALUS_KERNEL static void on(const MotionView& view, const C& at) {
+        driftBlocks(view, at, kicked(view, at, loadMomenta<V>(view, at)));
+    }
+};
+
+template <class Kernel, class V>
+void onBlocks(const MotionView& view, std::size_t begin, std::size_t end) {
+    using Two = simd::Two<V>;
+    constexpr std::size_t width = Consecutive<V>::kWidth;
+    const std::size_t first = begin;
+    for (; begin + 2 * width <= end; begin += 2 * width)
+        Kernel::template on<Two>(view,
+                                 SideBySide<V, Consecutive<V>, Consecutive<V>>{{begin}, {begin + width}});
+    if (first + width > end) {
+        for (; begin < end; ++begin) Kernel::template on<double>(view, Consecutive<double>{begin});
+    } else if (begin + width < end) {
+        const Last<V> last{{end - width}, begin + width};
+        Kernel::template on<Two>(view, SideBySide<V, Consecutive<V>, Last<V>>{{begin}, last});
+    } else if (begin < end) {
+        Kernel::template on<V>(view, Last<V>{{end - width}, begin});
+    }
 }
 
-/// As many at a time as fit into V, from `begin` on; returns the first block that was left over.
 template <class V>
-std::size_t driftRange(const MotionView& view, std::size_t begin, std::size_t end) {
-    constexpr std::size_t width = Consecutive<V>::kWidth;
-    for (; begin + width <= end; begin += width) driftBlocks<V>(view, Consecutive<V>{begin});
-    return begin;
-}
-template <class V>
-std::size_t kickRange(const GatherView& view, std::size_t begin, std::size_t end) {
-    constexpr std::size_t width = Consecutive<V>::kWidth;
-    for (; begin + width <= end; begin += width) kickBlocks<V>(view, Consecutive<V>{begin});
-    return begin;
-}
+constexpr MotionKernels kMotionKernels{sumWrenches, onBlocks<Kick, V>, onBlocks<Drift, V>,
+                                       onBlocks<KickAndDrift, V>};
 
 }  // namespace
 }  // namespace talus::stages

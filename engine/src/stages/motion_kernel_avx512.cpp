@@ -2,16 +2,6 @@
 
 namespace talus::stages {
 
-void driftAvx512(const MotionView& view, std::size_t begin, std::size_t end) {
-    driftRange<double>(view, driftRange<Lanes>(view, begin, end), end);
-}
-
-void sumWrenchesAvx512(const GatherView& view, std::size_t begin, std::size_t end) {
-    sumWrenches(view, begin, end);
-}
-
-void kickAvx512(const GatherView& view, std::size_t begin, std::size_t end) {
-    kickRange<double>(view, kickRange<Lanes>(view, begin, end), end);
-}
+const MotionKernels kMotionAvx512 = kMotionKernels<Lanes>;
 
 }  // namespace talus::stages

@@ -31,5 +31,25 @@ struct Consecutive<Lanes> {
     }
 };
 
+template <>
+struct Last<Lanes> : Consecutive<Lanes> {
+    std::size_t from;
+
+    TALUS_KERNEL simd::LaneMask isNew() const {
+        simd::LaneMask mask{};
+        for (std::size_t l = 0; l < kWidth; ++l) simd::setLane(mask, static_cast<int>(l), block + l >= from);
+        return mask;
+    }
+    TALUS_KERNEL void store(double* values, Lanes v) const {
+        Consecutive<Lanes>::store(values, select(isNew(), v, load(values)));
+    }
+    TALUS_KERNEL void storeFour(double* records, const Four<Lanes>& v) const {
+        const simd::LaneMask mask = isNew();
+        const Four<Lanes> old = loadFour(records);
+        Consecutive<Lanes>::storeFour(records, {select(mask, v.a, old.a), select(mask, v.b, old.b),
+                                                select(mask, v.c, old.c), select(mask, v.d, old.d)});
+    }
+};
+
 }  // namespace
 }  // namespace talus::stages

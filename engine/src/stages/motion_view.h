@@ -1,5 +1,5 @@
 #pragma once
-// What the drift and the gather of a step read and write.
+// What the drift and the gather of a step read and write, and their builds.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,52 +10,35 @@ namespace talus::stages {
 
 struct MotionView {
     // read, per block
-    simd::ConstVectors force, torque, inverse_inertia;
-    const double* inverse_mass;
-    const std::uint8_t* free;  ///< 1: moves by its forces; 0: fixed, or driven at its velocity
-    // read and written
-    double *position, *orientation;  ///< four numbers a block (state/pose_arrays.h)
-    simd::Vectors velocity, angular_momentum;
-    // written
-    simd::Vectors angular_velocity;
-
-    double time_step;          ///< [s]
-    double decay, spin_decay;  ///< of velocity and angular momentum by drag, over half a step
-};
-
-/// Half kick and drift of blocks [begin, end). Same bits from each.
-void driftScalar(const MotionView& view, std::size_t begin, std::size_t end);
-void driftAvx2(const MotionView& view, std::size_t begin, std::size_t end);
-void driftAvx512(const MotionView& view, std::size_t begin, std::size_t end);
-
-struct GatherView {
-    // read, per block
     const std::int64_t* interface_begin;  ///< into `wrench`
     const double *mass, *inverse_mass;
-    const std::uint8_t* free;
-    simd::ConstVectors angular_velocity;
+    const std::uint8_t* free;  ///< 1: moves by its forces; 0: fixed, or driven at its velocity
+    simd::ConstVectors inverse_inertia;
     // read
     const std::int32_t* wrench;  ///< Incidence::wrench
     const double* wrenches;      ///< nine numbers each, as InterfaceWrench
-    // read and written
-    simd::Vectors velocity, angular_momentum;
-    // written
-    simd::Vectors force, torque;
+    // read and written, per block
+    double *position, *orientation;  ///< four numbers a block (state/pose_arrays.h)
+    simd::Vectors velocity, angular_momentum, force, torque, angular_velocity;
 
     double gravity[3];         ///< [m/s^2]
     double time_step;          ///< [s]
-    double decay, spin_decay;  ///< as in MotionView
+    double decay, spin_decay;  ///< of velocity and angular momentum by drag, over half a step
     double local_damping;      ///< share of the out-of-balance force that opposes the motion
 };
 
-/// Weight and interfaces of free blocks [begin, end), added up in stored order, into force and torque. Same bits from each.
-void sumWrenchesScalar(const GatherView& view, std::size_t begin, std::size_t end);
-void sumWrenchesAvx2(const GatherView& view, std::size_t begin, std::size_t end);
-void sumWrenchesAvx512(const GatherView& view, std::size_t begin, std::size_t end);
+/// A stage's work on blocks [begin, end).
+using MotionKernel = void (*)(const MotionView& view, std::size_t begin, std::size_t end);
 
-/// Local damping and the second half kick of free blocks [begin, end). Same bits from each.
-void kickScalar(const GatherView& view, std::size_t begin, std::size_t end);
-void kickAvx2(const GatherView& view, std::size_t begin, std::size_t end);
-void kickAvx512(const GatherView& view, std::size_t begin, std::size_t end);
+struct MotionKernels {
+    MotionKernel
+        sum_wrenches;  ///< weight and interfaces of free blocks, added up in stored order, into force and torque
+    MotionKernel kick;            ///< local damping and the second half kick of free blocks
+    MotionKernel drift;           ///< the first half kick and the motion of poses
+    MotionKernel kick_and_drift;  ///< the two in one pass, from one step to the next
+};
+
+/// Same bits from each.
+extern const MotionKernels kMotionScalar, kMotionAvx2, kMotionAvx512;
 
 }  // namespace talus::stages

@@ -20,15 +20,21 @@ void updateForces(State& state, bool parallel) {
     forRange(state.blocks.size(), kBlocksPerTask, parallel, [&](Range range) { gather(state, range, 0.0); });
 }
 
-void advance(State& state, const StepOptions& options) {
+void advance(State& state, const StepOptions& options, int steps, const SetLoad& set_load) {
     const double dt = options.time_step;
-    const bool parallel = options.parallel;
-    forRange(state.blocks.size(), kBlocksPerTask, parallel, [&](Range range) { drift(state, range, dt); });
-    forRange(state.interfaces.groups.size(), kGroupsPerTask, parallel,
-             [&](Range range) { updateContacts(state, range); });
-    updateWater(state);
-    forRange(state.blocks.size(), kBlocksPerTask, parallel, [&](Range range) { gather(state, range, dt); });
-    ++state.step;
+    const auto onBlocks = [&](void (*stage)(State&, Range, double)) {
+        forRange(state.blocks.size(), kBlocksPerTask, options.parallel,
+                 [&](Range range) { stage(state, range, dt); });
+    };
+    if (steps > 0) onBlocks(drift);
+    for (int k = 0; k < steps; ++k) {
+        if (set_load) set_load(k);
+        forRange(state.interfaces.groups.size(), kGroupsPerTask, options.parallel,
+                 [&](Range range) { updateContacts(state, range); });
+        updateWater(state);
+        onBlocks(k + 1 < steps ? gatherAndDrift : gather);
+        ++state.step;
+    }
 }
 
 }  // namespace talus::stages

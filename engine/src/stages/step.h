@@ -1,27 +1,33 @@
 #pragma once
-// One time step, as a recipe.
+// Time steps, as a recipe.
 //
 //   velocities ──┐
 //   forces ──────┴─> drift ─> poses ─┬─> update contacts ─> interface wrenches ─┐
 //                                    └─> update water ────> wet wrenches ───────┴─> gather ─> forces, velocities
 //
 // Every stage writes slots of its own index only and reads what earlier stages wrote, so the cut of the ranges among
-// threads does not show in a single bit.
+// threads does not show in a single bit. Between two steps gather and drift are one pass over the blocks.
+
+#include <functional>
 
 #include "state/arrays.h"
 
 namespace talus::stages {
 
-/// How a step is to be computed; the result does not depend on `parallel`.
+/// How steps are to be computed; the result does not depend on `parallel`.
 struct StepOptions {
     double time_step = 0;  ///< [s]
     bool parallel = false;
 };
 
+/// Puts on the load of a step, the `k`-th of those asked for (from 0): tilt, level, strengths. Poses, velocities and forces
+/// are not its to read.
+using SetLoad = std::function<void(int k)>;
+
 /// Forces for the state as it stands (at the start, or after loads changed by hand); poses and velocities stay.
 void updateForces(State& state, bool parallel);
 
-/// One step of kick-drift-kick. No allocation.
-void advance(State& state, const StepOptions& options);
+/// Steps of kick-drift-kick; the same bits however many are taken at once. No allocation.
+void advance(State& state, const StepOptions& options, int steps = 1, const SetLoad& set_load = {});
 
 }  // namespace talus::stages
