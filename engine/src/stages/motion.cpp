@@ -9,21 +9,17 @@
 namespace talus::stages {
 namespace {
 
-/// Adds what the water does to a block, if any stands at it.
-void addWater(const State& state, std::size_t block, Wrench& sum) {
+/// What the water does to a block.
+Wrench waterOn(const State& state, std::size_t block) {
     const Incidence& incidence = state.incidence;
-    const auto first = static_cast<std::size_t>(incidence.wet_begin[block]);
-    const auto end = static_cast<std::size_t>(incidence.wet_begin[block + 1]);
-    if (first == end) return;
-    Wrench own;  // in the block's own frame
-    for (std::size_t k = first; k < end; ++k) {
-        const auto w = static_cast<std::size_t>(incidence.wet[k]);
-        own.force += state.wet.force.get(w);
-        own.torque += state.wet.moment.get(w);
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // in the block's own frame
+    for (auto k = incidence.wet_begin[block]; k < incidence.wet_begin[block + 1]; ++k) {
+        const auto w = static_cast<std::size_t>(incidence.wet[static_cast<std::size_t>(k)]);
+        force += state.wet.force.get(w);
+        moment += state.wet.moment.get(w);
     }
     const Mat3 turn = state.blocks.orientation.matrix(block);
-    sum.force += turn * own.force;
-    sum.torque += turn * own.torque;
+    return {turn * force, turn * moment};
 }
 
 MotionView motionView(State& state, double dt) {
@@ -63,10 +59,9 @@ void sumForces(State& state, const MotionView& view, Range range) {
          next != wet.end() && static_cast<std::size_t>(*next) < range.end; ++next) {
         const auto b = static_cast<std::size_t>(*next);
         if (blocks.motion[b] != Motion::free) continue;
-        Wrench sum{blocks.force.get(b), blocks.torque.get(b)};
-        addWater(state, b, sum);
-        blocks.force.set(b, sum.force);
-        blocks.torque.set(b, sum.torque);
+        const Wrench water = waterOn(state, b);
+        blocks.force.set(b, blocks.force.get(b) + water.force);
+        blocks.torque.set(b, blocks.torque.get(b) + water.torque);
     }
 }
 
@@ -87,7 +82,10 @@ Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity) 
         sum.force += (is_b ? 1.0 : -1.0) * wrench.force;
         sum.torque += is_b ? wrench.moment_b : wrench.moment_a;
     }
-    addWater(state, block, sum);
+    if (incidence.wet_begin[block] == incidence.wet_begin[block + 1]) return sum;
+    const Wrench water = waterOn(state, block);
+    sum.force += water.force;
+    sum.torque += water.torque;
     return sum;
 }
 
