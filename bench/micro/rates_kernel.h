@@ -18,6 +18,7 @@ constexpr int kLanes = 8;
 constexpr int kLanes = 4;
 #endif
 constexpr int kChains = 12, kRootChains = 8;
+constexpr int kPlainChains = kLanes == 8 ? 24 : 12;  // as many as there are registers for
 
 typedef double Register __attribute__((vector_size(sizeof(double) * kLanes)));
 
@@ -77,7 +78,7 @@ double chains(std::size_t rounds, const Next& next) {
     Register value[Chains];
     for (int k = 0; k < Chains; ++k) value[k] = registerOf(1.0 + 1e-3 * k);
     for (std::size_t r = 0; r < rounds; ++r) {
-#pragma GCC unroll 16
+#pragma GCC unroll 24
         for (int k = 0; k < Chains; ++k) value[k] = next(value[k], k);
     }
     return total(value, Chains);
@@ -87,10 +88,11 @@ double fma(std::size_t rounds) {
     const Register factor = registerOf(0.999), term = registerOf(1e-3);
     return chains<kChains>(rounds, [&](Register v, int) { return multiplyAdd(v, factor, term); });
 }
-// Every other chain adds, the others multiply: nothing to fuse. Two operations each, so that a round counts the same.
+// Every other chain adds, the others multiply: nothing to fuse. As many operations in all, so that a round counts the same.
 double addMul(std::size_t rounds) {
     const Register factor = registerOf(0.9999999), term = registerOf(1e-9);
-    return chains<kChains>(2 * rounds, [&](Register v, int k) { return k % 2 == 0 ? v * factor : v + term; });
+    return chains<kPlainChains>(2 * kChains * rounds / kPlainChains,
+                                [&](Register v, int k) { return k % 2 == 0 ? v * factor : v + term; });
 }
 double root(std::size_t rounds) {
     return chains<kRootChains>(rounds, [](Register v, int) { return squareRoot(v); });
