@@ -64,14 +64,8 @@ struct ExternalLoad {
 ExternalLoad externalLoad(const State& state) {
     ExternalLoad load;
     const Vec3 g = stages::gravity(state);
-    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
-        Vec3 force = state.blocks.mass[b] * g;
-        const Mat3 turn = state.blocks.orientation.matrix(b);
-        for (auto k = state.incidence.wet_begin[b]; k < state.incidence.wet_begin[b + 1]; ++k)
-            force += turn * state.wet.force.get(
-                                static_cast<std::size_t>(state.incidence.wet[static_cast<std::size_t>(k)]));
-        load.force.push_back(force);
-    }
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        load.force.push_back(state.blocks.mass[b] * g + stages::waterOn(state, b).force);
     return load;
 }
 
@@ -324,11 +318,14 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     const PositionArray position = state.blocks.position;
     const QuaternionArray orientation = state.blocks.orientation;
     const ExternalLoad before = externalLoad(state);
-    const double ramp_samples = std::max(
-        2.0, std::round(work.settings.ramp_periods * work.slow_period / (kStepsPerSample * work.time_step)));
-    for (double sample = 0; sample < ramp_samples && !interrupted(work); ++sample)
-        takeSteps(state, work, probe,
-                  [&](int k) { ramp(state, (sample + (k + 1.0) / kStepsPerSample) / ramp_samples); });
+    const auto ramp_samples = std::max<std::int64_t>(
+        2, std::llround(work.settings.ramp_periods * work.slow_period / (kStepsPerSample * work.time_step)));
+    const auto ramp_steps = static_cast<double>(ramp_samples * kStepsPerSample);
+    const stages::SetLoad set_load = [&](int k) {
+        ramp(state, static_cast<double>(probe.steps + k + 1) / ramp_steps);
+    };
+    for (std::int64_t sample = 0; sample < ramp_samples && !interrupted(work); ++sample)
+        takeSteps(state, work, probe, set_load);
     Watch watch(state, work);
     DragTuner tuner(state);
     const auto steps_per_tuning =

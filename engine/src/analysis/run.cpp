@@ -28,6 +28,7 @@ constexpr double kStepSafety = 0.4;
 constexpr double kImpactStepSafety = 0.03;
 constexpr int kStepsPerLook = 10;  // neighbours, patches, draining, interruption
 constexpr int kStepsPerReport = 2000;
+static_assert(kStepsPerReport % kStepsPerLook == 0);
 
 bool expectsImpacts(const State& state) {
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
@@ -215,15 +216,22 @@ class TimeHistory {
             progress_.time_step = left / std::max(1.0, std::ceil(left / (progress_.step_safety * bound)));
     }
 
-    /// Up to the next look, frame or the end, whichever comes first.
-    void goOn() {
+    /// Up to the next look, frame or the end, whichever comes first; at least one.
+    int stepsAhead() const {
         const double dt = progress_.time_step;
         const double until = std::min(progress_.next_frame, settings_.duration) - 0.5 * dt;
+        double time = state_.time + dt;
         int steps = 1;
-        for (double time = state_.time + dt; time < until && (state_.step + steps) % kStepsPerLook != 0;
-             ++steps)
+        while (time < until && (state_.step + steps) % kStepsPerLook != 0) {
             time += dt;
-        stages::advance(state_, {dt, parallel_}, steps, [&](int) {
+            ++steps;
+        }
+        return steps;
+    }
+
+    void goOn() {
+        const double dt = progress_.time_step;
+        stages::advance(state_, {dt, parallel_}, stepsAhead(), [&](int) {
             state_.time += dt;
             state_.load.time = state_.time;
         });

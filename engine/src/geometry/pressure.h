@@ -1,6 +1,8 @@
 #pragma once
 // Water pressure on a plane polygon, integrated exactly.
 
+#include <algorithm>
+
 #include "geometry/polygon.h"
 
 namespace talus {
@@ -20,13 +22,13 @@ struct Thrust {
     double moment_y = 0;  ///< integral of p y dA [N m]
 };
 
-/// A polygon as far as a pressure that is positive all over it goes.
+/// What the thrust of a pressure that is nowhere negative needs to know of a polygon.
 struct PolygonMoments {
     double area = 0;               ///< [m^2]
     Vec2 centroid = Vec2::Zero();  ///< [m]
     SecondMoments second{};        ///< about the centroid [m^4]
 };
-PolygonMoments momentsOf(const Polygon& polygon);
+PolygonMoments momentsOf(const Polygon& polygon);  ///< \pre area > 0
 
 /// Of a linear pressure that is nowhere negative: A p(c), and c times that plus the second moments times the gradient.
 inline Thrust thrustOnWhole(const PolygonMoments& polygon, const LinearPressure& pressure) {
@@ -35,6 +37,22 @@ inline Thrust thrustOnWhole(const PolygonMoments& polygon, const LinearPressure&
     const Vec2& g = pressure.gradient;
     return {force, force * polygon.centroid.x() + xx * g.x() + xy * g.y(),
             force * polygon.centroid.y() + xy * g.x() + yy * g.y()};
+}
+
+struct PressureRange {
+    double least = 0, most = 0;  ///< [Pa]
+};
+/// Over a polygon's corners, corner(k) the k-th. \pre corners > 0
+template <class Corner>
+PressureRange pressureOver(std::size_t corners, const Corner& corner, const LinearPressure& pressure) {
+    const double first = pressure.at(corner(0));
+    PressureRange range{first, first};
+    for (std::size_t k = 1; k < corners; ++k) {
+        const double p = pressure.at(corner(k));
+        range.least = std::min(range.least, p);
+        range.most = std::max(range.most, p);
+    }
+    return range;
 }
 
 /// Of max(0, p) over a convex polygon with `corners` corners, corner(k) the k-th, counter-clockwise. The part above the

@@ -257,14 +257,14 @@ TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index
 
 constexpr std::size_t kGroupsAhead = 2;
 
-/// Asks for `rows` of kLanes doubles, each a cache line.
+/// Asks for `rows` of kLanes doubles, as much as a cache line each.
 template <bool Written>
 TALUS_KERNEL void fetchRows(const double* row, std::size_t rows) {
     for (; rows > 0; --rows, row += kRow) __builtin_prefetch(row, Written ? 1 : 0);
 }
 
-/// Asks for what a group needs. The processor's own prefetchers lose the thread, because the streams come in pieces of
-/// some kilobytes in turn: of a million blocks a step takes twice as long without.
+/// Asks for what a group needs. The processor's own prefetchers lose the thread, because the streams come in short pieces
+/// in turn (engine/README.md has what that costs).
 template <PointPlaces Places, bool Remembers>
 TALUS_KERNEL void fetch(const ContactView& view, std::size_t group_index) {
     constexpr std::size_t memory = Remembers ? kMemoryQuantities : kSlideQuantities;

@@ -22,7 +22,7 @@ PointPlaces placesOf(PointRule::Kind kind) {
     return PointPlaces::stored;
 }
 
-/// Whether the biggest arrays are more than a core's own cache can hold from step to step.
+/// Whether the arrays by interface and Lp are more than a core's own cache holds from step to step, all of them on one core.
 bool isBeyondCaches(const State& state) {
     constexpr std::size_t kOwnCache = 1U << 22U;  // [bytes] what it has, and some
     const auto bytes = [](const LaneArray& of) { return of.slots() * of.quantities() * sizeof(double); };

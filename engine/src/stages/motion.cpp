@@ -9,19 +9,6 @@
 namespace talus::stages {
 namespace {
 
-/// What the water does to a block.
-Wrench waterOn(const State& state, std::size_t block) {
-    const Incidence& incidence = state.incidence;
-    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // in the block's own frame
-    for (auto k = incidence.wet_begin[block]; k < incidence.wet_begin[block + 1]; ++k) {
-        const auto w = static_cast<std::size_t>(incidence.wet[static_cast<std::size_t>(k)]);
-        force += state.wet.force.get(w);
-        moment += state.wet.moment.get(w);
-    }
-    const Mat3 turn = state.blocks.orientation.matrix(block);
-    return {turn * force, turn * moment};
-}
-
 MotionView motionView(State& state, double dt) {
     Blocks& blocks = state.blocks;
     const Vec3 g = gravity(state);
@@ -70,6 +57,18 @@ void sumForces(State& state, const MotionView& view, Range range) {
 Vec3 gravity(const State& state) {
     const double g = state.geometry->model.gravity.magnitude * state.load.gravity_share;
     return {-g * std::sin(state.load.tilt), 0.0, -g * std::cos(state.load.tilt)};
+}
+
+Wrench waterOn(const State& state, std::size_t block) {
+    const Incidence& incidence = state.incidence;
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // in the block's own frame
+    for (auto k = incidence.wet_begin[block]; k < incidence.wet_begin[block + 1]; ++k) {
+        const auto w = static_cast<std::size_t>(incidence.wet[static_cast<std::size_t>(k)]);
+        force += state.wet.force.get(w);
+        moment += state.wet.moment.get(w);
+    }
+    const Mat3 turn = state.blocks.orientation.matrix(block);
+    return {turn * force, turn * moment};
 }
 
 Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity) {

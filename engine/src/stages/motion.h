@@ -24,11 +24,14 @@ void gather(State& state, Range blocks, double time_step);
 /// Reads and writes: as the two
 void gatherAndDrift(State& state, Range blocks, double time_step);
 
-/// Force and torque on a block without local damping: contacts, water, weight [N, N m].
+/// Force and torque about a block's centroid, model frame [N, N m].
 struct Wrench {
     Vec3 force = Vec3::Zero();
     Vec3 torque = Vec3::Zero();
 };
+/// Of the water on a block, as last computed.
+Wrench waterOn(const State& state, std::size_t block);
+/// Of contacts, water and weight, without local damping.
 Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity);
 
 /// Gravity as the load has it now [m/s^2].

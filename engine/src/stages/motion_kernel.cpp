@@ -2,6 +2,6 @@
 
 namespace talus::stages {
 
-const MotionKernels kMotionScalar = kMotionKernels<double>;
+constinit const MotionKernels kMotionScalar = kMotionKernels<double>;
 
 }  // namespace talus::stages

@@ -49,11 +49,6 @@ struct Consecutive<double> {
 template <class V>
 struct Last;
 
-template <>
-struct Last<double> : Consecutive<double> {
-    std::size_t from;
-};
-
 /// Two of the above, as one. A drift is one long chain of operations that wait for each other.
 template <class V, class A, class B>
 struct SideBySide {
@@ -213,9 +208,10 @@ TALUS_KERNEL MomentaOf<V> kicked(const MotionView& view, const C& at, MomentaOf<
 /// Three numbers side by side and one that is not used, so that one load and one addition do for the three.
 typedef double ThreeOfFour __attribute__((vector_size(4 * sizeof(double))));
 
-/// Locals instead of the view's members: what is written might be the view, for all the compiler knows.
+/// Weight and interfaces of free blocks, added up in stored order, into force and torque.
 inline void sumWrenches(const MotionView& view, std::size_t begin, std::size_t end) {
     constexpr double kSign[2] = {-1.0, 1.0};  // of the force on b, as a's and as b's
+    // Locals: what is written might be the view's members, for all the compiler knows.
     const double *const mass = view.mass, *const wrenches = view.wrenches;
     const std::int64_t* const interface_begin = view.interface_begin;
     const std::int32_t* const places = view.wrench;
@@ -264,11 +260,13 @@ template <class Kernel, class V>
 void onBlocks(const MotionView& view, std::size_t begin, std::size_t end) {
     using Two = simd::Two<V>;
     constexpr std::size_t width = Consecutive<V>::kWidth;
-    const std::size_t first = begin;
+    [[maybe_unused]] const std::size_t first = begin;
     for (; begin + 2 * width <= end; begin += 2 * width)
         Kernel::template on<Two>(view,
                                  SideBySide<V, Consecutive<V>, Consecutive<V>>{{begin}, {begin + width}});
-    if (first + width > end) {
+    if constexpr (width == 1) {
+        if (begin < end) Kernel::template on<V>(view, Consecutive<V>{begin});
+    } else if (first + width > end) {
         for (; begin < end; ++begin) Kernel::template on<double>(view, Consecutive<double>{begin});
     } else if (begin + width < end) {
         const Last<V> last{{end - width}, begin + width};

@@ -2,6 +2,6 @@
 
 namespace talus::stages {
 
-const MotionKernels kMotionAvx2 = kMotionKernels<Lanes>;
+constinit const MotionKernels kMotionAvx2 = kMotionKernels<Lanes>;
 
 }  // namespace talus::stages

@@ -2,6 +2,6 @@
 
 namespace talus::stages {
 
-const MotionKernels kMotionAvx512 = kMotionKernels<Lanes>;
+constinit const MotionKernels kMotionAvx512 = kMotionKernels<Lanes>;
 
 }  // namespace talus::stages

@@ -78,7 +78,7 @@ Vec3 headField(const State& state, std::size_t i, const std::array<double, 2>& h
     return {head[1] - slope * low, slope * pose.e1[axis], slope * pose.e2[axis]};
 }
 
-/// Both walls of one interface: the same polygon and the same points, so that the two wrenches are exactly opposite.
+/// Both walls of one interface: the same polygon and the same points, so that the two wrenches are opposite to rounding.
 void addInterfaceWalls(State& state, std::size_t water, std::size_t i) {
     const Interfaces& f = state.interfaces;
     const RelativePose pose = relativePose(state, i);
@@ -173,14 +173,9 @@ Thrust thrustOnWall(const WetPatches& wet, std::size_t w, const LinearPressure& 
     const auto first = static_cast<std::size_t>(wet.vertex_begin[w]);
     const auto corners = static_cast<std::size_t>(wet.vertex_begin[w + 1]) - first;
     const auto corner = [&](std::size_t k) { return Vec2(wet.vertex_x[first + k], wet.vertex_y[first + k]); };
-    double least = kInfinity, most = -kInfinity;
-    for (std::size_t k = 0; k < corners; ++k) {
-        const double p = pressure.at(corner(k));
-        least = std::min(least, p);
-        most = std::max(most, p);
-    }
-    if (most <= 0) return {};
-    if (least >= 0) return thrustOnWhole(wet.moments[w], pressure);
+    const PressureRange range = pressureOver(corners, corner, pressure);
+    if (range.most <= 0) return {};
+    if (range.least >= 0) return thrustOnWhole(wet.moments[w], pressure);
     return thrustOn(corners, corner, pressure);
 }
 

@@ -182,6 +182,13 @@ bool wetFits(const FullFrame& frame, const State& state) {
         !areBegins(f.vertex_begin, f.block.size(), f.vertex_x.size(), 3) ||
         !areBegins(f.water_begin, waters, f.block.size(), 0))
         return false;
+    for (std::size_t w = 0; w < f.block.size(); ++w) {
+        Polygon wall;
+        for (auto v = static_cast<std::size_t>(f.vertex_begin[w]);
+             v < static_cast<std::size_t>(f.vertex_begin[w + 1]); ++v)
+            wall.push({f.vertex_x[v], f.vertex_y[v]});
+        if (!(area(wall) > 0)) return false;
+    }
     for (std::size_t water = 0; water < waters; ++water)
         for (auto w = f.water_begin[water]; w < f.water_begin[water + 1]; ++w)
             if (f.water[static_cast<std::size_t>(w)] != static_cast<std::int32_t>(water)) return false;

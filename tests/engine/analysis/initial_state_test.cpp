@@ -76,6 +76,10 @@ TEST_SUITE("analysis") {
         CHECK(-result.watch[0].velocity.x() == doctest::Approx(a * 0.5).epsilon(1e-4));
         CHECK(-result.watch[0].displacement.x() == doctest::Approx(0.5 * a * 0.25).epsilon(1e-4));
         CHECK(std::abs(result.watch[0].velocity.z()) < 1e-3 * result.watch[0].velocity.norm());
+        const RunResult undamped = runFor(boxAt(40), 0.5, "box");
+        CHECK((undamped.start == InitialState::held));
+        CHECK(-undamped.watch[0].velocity.x() == doctest::Approx(a * 0.5).epsilon(1e-2));
+        CHECK(-undamped.watch[0].displacement.x() == doctest::Approx(0.5 * a * 0.25).epsilon(1e-3));
     }
 
     TEST_CASE("unstressed: when asked for, and when a block touches nothing") {

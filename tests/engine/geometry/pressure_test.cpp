@@ -118,6 +118,20 @@ TEST_SUITE("geometry") {
         CHECK(thrustOn(Polygon{}, {100, Vec2::Zero()}).force == 0);
     }
 
+    TEST_CASE("corners and edges on the water line") {
+        const Polygon square{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+        const auto sumsOf = [&](const LinearPressure& p) { return sums(thrustOn(square, p)); };
+        CHECK((sumsOf({0, {0, 1}}) - Sums(0.5, 0.25, 1.0 / 3)).norm() < 1e-15);             // p = y
+        CHECK(sumsOf({0, {0, -1}}).norm() == 0);                                            // p = -y
+        CHECK((sumsOf({0, {1, -1}}) - Sums(1.0 / 6, 0.125, 1.0 / 24)).norm() < 1e-15);      // p = x - y
+        CHECK((sumsOf({1, {-1, -1}}) - Sums(1.0 / 6, 1.0 / 24, 1.0 / 24)).norm() < 1e-15);  // p = 1 - x - y
+        for (const double least : {0.0, 1e-15, -1e-15}) {
+            const LinearPressure p{least, {3, 5}};
+            const Thrust whole = thrustOnWhole(momentsOf(square), p);
+            CHECK((Sums(whole.force, whole.moment_x, whole.moment_y) - sumsOf(p)).norm() < 1e-14);
+        }
+    }
+
     TEST_CASE("the force grows smoothly with the water level, from the first drop on") {
         const Polygon tip{Vec2(0, 0), Vec2(1, 1), Vec2(-1, 1)};  // width 2 y: force = rho g H^3 / 3
         for (double depth = 1e-5; depth < 1; depth *= 3)

@@ -7,6 +7,7 @@
 #include "simd/instruction_set.h"
 #include "stages/measure.h"
 #include "stages/step.h"
+#include "stages/water.h"
 #include "state/build.h"
 #include "support/models.h"
 
@@ -37,7 +38,9 @@ double orientationError(const State& a, const State& b) {
 State restlessStack() {
     Model model = stackModel(5, 4, 2, 25);
     model.damping = {.mass = 2.0, .rotation = 3.0, .local = 0.3};
+    model.waters = {fissureAt(model, 0.4, 0.35)};
     State state = *buildState(model, false);
+    stages::updateWater(state);
     std::mt19937 random(5);
     std::normal_distribution<double> gauss(0, 1);
     const auto any = [&]() -> Vec3 { return {gauss(random), gauss(random), gauss(random)}; };

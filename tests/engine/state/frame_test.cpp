@@ -92,6 +92,8 @@ TEST_CASE("a frame that does not fit or is damaged is refused, and named") {
         [](FullFrame& f) { f.wet.water[0] = 1; },
         [](FullFrame& f) { f.wet.water_begin.back() = 77; },
         [](FullFrame& f) { f.wet.vertex_begin[1] = 1; },
+        [](FullFrame& f) { f.wet.vertex_x.assign(f.wet.vertex_x.size(), 1.0); },
+        [&](FullFrame& f) { f.wet.vertex_y[0] = nan; },
         [](FullFrame& f) { f.waters.p0.push_back(0); },
         [](FullFrame& f) { f.waters.drained.clear(); },
         [](FullFrame& f) { f.laws.cohesion.clear(); },
