@@ -88,18 +88,17 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
         force.open = trial_normal < 0.0;
         force.normal = larger(trial_normal, zero);
     }
-    // eq 6, total form, nothing where open; the sliding rule, eq 9: beyond the peak the strength falls to its residual.
+    // eq 6, total form; the sliding rule, eq 9: beyond the peak the strength falls to its residual.
     const V back_1 = memory.offset_1 - slide_1, back_2 = memory.offset_2 - slide_2;
     const V stiffness = joint.shear_stiffness * area;
-    force.shear_1 = select(force.open, zero, stiffness * back_1);
-    force.shear_2 = select(force.open, zero, stiffness * back_2);
-    const V trial_squared = force.shear_1 * force.shear_1 + force.shear_2 * force.shear_2;
+    const V trial_squared = stiffness * stiffness * (back_1 * back_1 + back_2 * back_2);
     V strength;
     if constexpr (Remembers)
         strength = shearStrength(joint, area, force.normal, bond);
     else
         strength = force.normal * joint.tan_friction;
-    force.slips = trial_squared > strength * strength;
+    force.slips = both(!force.open, trial_squared > strength * strength);
+    V stiffness_left = stiffness;
     if (any(force.slips)) {
         if constexpr (Remembers) {
             const auto breaks = both(force.slips, bond == 1.0);
@@ -109,8 +108,7 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
         }
         const V trial = squareRoot(trial_squared);
         const V keep = strength / trial;
-        force.shear_1 = select(force.slips, keep * force.shear_1, force.shear_1);
-        force.shear_2 = select(force.slips, keep * force.shear_2, force.shear_2);
+        stiffness_left = select(force.slips, keep * stiffness, stiffness);
         memory.offset_1 = select(force.slips, slide_1 + keep * back_1, memory.offset_1);
         memory.offset_2 = select(force.slips, slide_2 + keep * back_2, memory.offset_2);
         if constexpr (Remembers)
@@ -122,6 +120,8 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     memory.offset_1 = select(force.open, slide_1, memory.offset_1);
     memory.offset_2 = select(force.open, slide_2, memory.offset_2);
     if constexpr (Remembers) memory.bond = bond;
+    force.shear_1 = select(force.open, zero, stiffness_left * back_1);
+    force.shear_2 = select(force.open, zero, stiffness_left * back_2);
     return force;
 }
 
