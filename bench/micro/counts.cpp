@@ -216,7 +216,7 @@ std::string nameOf(PointRule rule) {
     return {};
 }
 
-// A rectangle with `vertex`, all stick: 641 flops, 63 choices; read 408 bytes, written 216. engine/README.md has the table.
+// A rectangle with `vertex`, all stick: 659 flops, 63 choices; read 408 bytes, written 216. engine/README.md has the table.
 // Beside what the kernel loads member by member: two blocks and a joint (3 x 4 bytes), and the interface's eighth of its
 // group (32 bytes).
 Counts countInterface(PointRule rule, bool slips) {
