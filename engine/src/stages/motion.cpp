@@ -104,8 +104,8 @@ void gather(State& state, Range range, double dt) {
 }
 
 void gatherAndDrift(State& state, Range range, double dt) {
-    constexpr std::size_t kPiece =
-        512;  // blocks: what the first pass brought in is still in the second cache
+    // Blocks: what the first pass brought in is still in the second cache for the other.
+    constexpr std::size_t kPiece = 512;
     const MotionView view = motionView(state, dt);
     for (std::size_t begin = range.begin; begin < range.end; begin += kPiece) {
         const Range piece{begin, std::min(begin + kPiece, range.end)};
