@@ -78,8 +78,9 @@ TEST_SUITE("analysis") {
         CHECK(std::abs(result.watch[0].velocity.z()) < 1e-3 * result.watch[0].velocity.norm());
         const RunResult undamped = runFor(boxAt(40), 0.5, "box");
         CHECK((undamped.start == InitialState::held));
-        CHECK(-undamped.watch[0].velocity.x() == doctest::Approx(a * 0.5).epsilon(1e-2));
-        CHECK(-undamped.watch[0].displacement.x() == doctest::Approx(0.5 * a * 0.25).epsilon(1e-3));
+        // The velocity at an instant carries the flutter, 0.4 to 2.3 thousandths as rounding has it; the way does not.
+        CHECK(-undamped.watch[0].velocity.x() == doctest::Approx(a * 0.5).epsilon(3e-3));
+        CHECK(-undamped.watch[0].displacement.x() == doctest::Approx(0.5 * a * 0.25).epsilon(1e-4));
     }
 
     TEST_CASE("unstressed: when asked for, and when a block touches nothing") {
