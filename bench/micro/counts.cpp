@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "stages/contact_kernel.h"
-#include "stages/motion_kernel.h"
+#include "forces/contact_kernel.h"
 #include "state/interface_frame.h"
+#include "step/motion_kernel.h"
 
 namespace talus::bench {
 namespace {

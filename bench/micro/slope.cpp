@@ -7,11 +7,11 @@
 #include <cmath>
 #include <optional>
 
+#include "build/build.h"
 #include "counts.h"
 #include "process.h"
-#include "stages/step.h"
-#include "stages/time_step.h"
-#include "state/build.h"
+#include "step/step.h"
+#include "step/time_step.h"
 
 namespace talus::bench {
 namespace {

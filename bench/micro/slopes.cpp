@@ -3,21 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "build/build.h"
+#include "contacts/neighbours.h"
+#include "contacts/update.h"
 #include "counts.h"
-#include "detection/neighbours.h"
+#include "forces/contact_forces.h"
+#include "measure/measure.h"
 #include "process.h"
-#include "stages/contacts.h"
-#include "stages/measure.h"
-#include "stages/motion.h"
-#include "stages/patches.h"
-#include "stages/step.h"
-#include "state/build.h"
+#include "state/placed_shape.h"
+#include "step/motion.h"
+#include "step/step.h"
 #include "suite.h"
 
 namespace talus::bench {
 namespace {
 
-constexpr std::size_t kGroups = 64, kBlocks = 512;  // pieces, as in stages/step.cpp
+constexpr std::size_t kGroups = 64, kBlocks = 512;  // pieces, as in step/step.cpp
 constexpr int kSteps = 10;                          // taken at once, as in the analyses
 
 Facts times(double n, const Counts& counts) {

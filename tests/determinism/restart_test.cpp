@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "state/build.h"
+#include "build/build.h"
 #include "support/models.h"
 #include "support/snapshots.h"
 

@@ -3,11 +3,11 @@
 #include <doctest/doctest.h>
 #include <tbb/task_arena.h>
 
-#include "stages/measure.h"
-#include "stages/patches.h"
-#include "stages/step.h"
-#include "stages/time_step.h"
-#include "state/build.h"
+#include "build/build.h"
+#include "contacts/update.h"
+#include "measure/measure.h"
+#include "step/step.h"
+#include "step/time_step.h"
 #include "support/models.h"
 #include "talus/analysis.h"
 #include "talus/simulation.h"

@@ -5,10 +5,11 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "detection/neighbours.h"
+#include "build/build.h"
+#include "contacts/neighbours.h"
+#include "frame/frame.h"
 #include "geometry/separation.h"
-#include "state/build.h"
-#include "state/frame.h"
+#include "state/placed_shape.h"
 #include "support/models.h"
 #include "talus/formats/scenario.h"
 #include "talus/simulation.h"

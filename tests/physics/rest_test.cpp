@@ -3,10 +3,10 @@
 #include <doctest/doctest.h>
 
 #include "analysis/quasi_static.h"
-#include "stages/measure.h"
-#include "stages/step.h"
-#include "stages/time_step.h"
-#include "state/build.h"
+#include "build/build.h"
+#include "measure/measure.h"
+#include "step/step.h"
+#include "step/time_step.h"
 #include "support/models.h"
 #include "talus/formats/scenario.h"
 #include "talus/simulation.h"

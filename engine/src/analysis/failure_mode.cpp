@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stages/contacts.h"
-#include "stages/measure.h"
-#include "stages/patches.h"
-#include "stages/sharp_contacts.h"
-#include "stages/step.h"
-#include "stages/time_step.h"
-#include "state/build.h"
+#include "contacts/update.h"
+#include "forces/contact_forces.h"
+#include "measure/measure.h"
+#include "state/block_motion.h"
+#include "state/incidence.h"
+#include "step/step.h"
+#include "step/time_step.h"
 
 namespace talus::analysis {
 namespace {

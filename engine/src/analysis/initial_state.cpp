@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "analysis/quasi_static.h"
-#include "stages/contacts.h"
-#include "stages/patches.h"
-#include "state/build.h"
+#include "build/build.h"
+#include "contacts/limits.h"
+#include "contacts/update.h"
+#include "forces/contact_forces.h"
+#include "state/block_motion.h"
 
 namespace talus::analysis {
 namespace {

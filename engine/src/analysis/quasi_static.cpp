@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstdio>
 
-#include "stages/measure.h"
-#include "stages/motion.h"
-#include "stages/patches.h"
-#include "stages/step.h"
-#include "stages/time_step.h"
-#include "state/build.h"
+#include "contacts/update.h"
+#include "forces/sum.h"
+#include "measure/measure.h"
+#include "state/block_motion.h"
+#include "step/step.h"
+#include "step/time_step.h"
 
 namespace talus::analysis {
 namespace {
@@ -65,7 +65,7 @@ ExternalLoad externalLoad(const State& state) {
     ExternalLoad load;
     const Vec3 g = stages::gravity(state);
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
-        load.force.push_back(state.blocks.mass[b] * g + stages::waterOn(state, b).force);
+        load.force.push_back(stages::appliedOn(state, b, g).force);
     return load;
 }
 
@@ -81,14 +81,6 @@ double observedPeriod(const State& state, const PositionArray& position_before, 
         inertia += u.squaredNorm() / state.blocks.inverse_mass[b];
     }
     return work > 0 ? 2.0 * M_PI * std::sqrt(inertia / work) : 0.0;
-}
-
-void setAtRest(Blocks& blocks) {
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-        if (blocks.motion[b] != Motion::free) continue;
-        blocks.velocity.set(b, Vec3::Zero());
-        blocks.angular_momentum.set(b, Vec3::Zero());
-    }
 }
 
 std::string describe(const char* what, double out_of_balance, std::int64_t steps) {

@@ -11,9 +11,10 @@
 #include "analysis/initial_state.h"
 #include "analysis/quasi_static.h"
 #include "analysis/threads.h"
-#include "stages/measure.h"
-#include "state/build.h"
-#include "state/frame.h"
+#include "build/build.h"
+#include "frame/frame.h"
+#include "law/joint_laws.h"
+#include "measure/measure.h"
 #include "talus/analysis.h"
 
 namespace talus {

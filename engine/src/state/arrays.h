@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "contact/law.h"
 #include "geometry/pressure.h"
+#include "law/law.h"
+#include "model/joint_choice.h"
 #include "simd/instruction_set.h"
 #include "simd/pointers.h"
 #include "simd/scalar.h"
@@ -119,7 +120,7 @@ struct Interfaces {
     }
 };
 
-/// What contact points (Lps) remember; where they lie follows from the patch (contact/points.h), and the forces they
+/// What contact points (Lps) remember; where they lie follows from the patch (law/points.h), and the forces they
 /// carry from the poses (stages::pointStates).
 struct ContactPoints {
     LaneArray memory{
@@ -191,21 +192,18 @@ struct Incidence {
     std::vector<std::int32_t> wet_blocks;  ///< those with any, ascending
 };
 
-inline std::pair<std::int32_t, std::int32_t> pairOf(const PairJoint& pair) {
-    return std::minmax(pair.block_a, pair.block_b);
-}
-
 /// What does not change while blocks move: shapes, names, the description itself.
 struct Geometry {
-    explicit Geometry(std::shared_ptr<const Model> of) : description(std::move(of)), model(*description) {}
+    explicit Geometry(std::shared_ptr<const Model> of)
+        : description(std::move(of)), model(*description), joints(model) {}
 
     std::shared_ptr<const Model> description;  ///< or the caller's own, see `keptByCaller`
     const Model& model;
-    std::vector<Polyhedron> shape;       ///< in each block's own frame
-    std::vector<double> size;            ///< smallest extent of each block [m]
-    std::vector<double> radius;          ///< farthest vertex from the centroid [m]
-    std::vector<double> face_area;       ///< mean of each block's faces [m^2]
-    std::vector<PairJoint> pair_joints;  ///< sorted by pair of blocks
+    JointChoice joints;
+    std::vector<Polyhedron> shape;  ///< in each block's own frame
+    std::vector<double> size;       ///< smallest extent of each block [m]
+    std::vector<double> radius;     ///< farthest vertex from the centroid [m]
+    std::vector<double> face_area;  ///< mean of each block's faces [m^2]
     PositionArray initial_position;
     QuaternionArray initial_orientation;
     double length_scale = 0;     ///< median block size [m]

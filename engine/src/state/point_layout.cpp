@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/points.h"
+#include "law/points.h"
 
 namespace talus {
 

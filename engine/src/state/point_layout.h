@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "contact/points.h"
+#include "law/points.h"
 #include "state/arrays.h"
 
 namespace talus {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "limit_equilibrium.h"
 #include "talus/theory.h"
+#include "theory/limit_equilibrium.h"
 
 namespace talus::theory {
 

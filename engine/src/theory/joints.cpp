@@ -1,22 +1,11 @@
-#include "joints.h"
-
-#include <algorithm>
+#include "theory/joints.h"
 
 namespace talus::theory {
 
-JointTable::JointTable(const Model& model) : model_(model) {
-    for (const PairJoint& pair : model.pair_joints)
-        of_pair_[std::minmax(pair.block_a, pair.block_b)] = pair.joint;
-}
-
-const Joint& JointTable::between(const WetFace& a, const WetFace& b) const {
-    const auto pair = of_pair_.find(std::minmax(a.block, b.block));
-    if (pair != of_pair_.end()) return model_.joints[pair->second];
-    const std::int32_t joint_a = model_.blocks[a.block].face_joint[a.face];
-    const std::int32_t joint_b = model_.blocks[b.block].face_joint[b.face];
-    const Joint& first = model_.joints[std::min(joint_a, joint_b)];
-    const Joint& second = model_.joints[std::max(joint_a, joint_b)];
-    return second.friction < first.friction ? second : first;
+const Joint& jointBetween(const Model& model, const JointChoice& choice, const WetFace& a, const WetFace& b) {
+    return model.joints[static_cast<std::size_t>(
+        choice.between(static_cast<std::size_t>(a.block), static_cast<std::size_t>(a.face),
+                       static_cast<std::size_t>(b.block), static_cast<std::size_t>(b.face)))];
 }
 
 std::optional<WetFace> faceTowards(const Model& model, std::int32_t block, const Vec3& direction) {

@@ -1,4 +1,4 @@
-#include "limit_equilibrium.h"
+#include "theory/limit_equilibrium.h"
 
 #include <cmath>
 

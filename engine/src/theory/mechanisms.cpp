@@ -1,4 +1,4 @@
-#include "mechanisms.h"
+#include "theory/mechanisms.h"
 
 #include <algorithm>
 #include <cmath>

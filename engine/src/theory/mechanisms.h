@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "section.h"
+#include "theory/section.h"
 
 namespace talus::theory {
 

@@ -3,9 +3,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "mechanisms.h"
-#include "section.h"
 #include "talus/theory.h"
+#include "theory/mechanisms.h"
+#include "theory/section.h"
 
 namespace talus::theory {
 

@@ -1,4 +1,4 @@
-#include "section.h"
+#include "theory/section.h"
 
 #include <algorithm>
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "limit_equilibrium.h"
 #include "talus/model.h"
+#include "theory/limit_equilibrium.h"
 
 namespace talus::theory {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "joints.h"
-#include "section.h"
-#include "wall_water.h"
+#include "theory/joints.h"
+#include "theory/section.h"
+#include "theory/wall_water.h"
 
 namespace talus::theory {
 
@@ -96,7 +96,7 @@ std::optional<Section> singleSection(const Model& model) {
     const auto base = faceTowards(model, free, -Vec3::UnitZ()),
                bed = faceTowards(model, fixed, Vec3::UnitZ());
     if (!box || !base || !bed || !carries(model.blocks[fixed].shape, bed->face, *box)) return std::nullopt;
-    const Joint& joint = JointTable(model).between(*base, *bed);
+    const Joint& joint = jointBetween(model, JointChoice(model), *base, *bed);
     if (!isPlainCoulomb(joint)) return std::nullopt;
     Body body = bodyOf(model.blocks[free], *box, joint, model.gravity.magnitude);
     if (!addWater(model, *box, body)) return std::nullopt;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "joints.h"
-#include "section.h"
-#include "wall_water.h"
+#include "theory/joints.h"
+#include "theory/section.h"
+#include "theory/wall_water.h"
 
 namespace talus::theory {
 
@@ -51,7 +51,7 @@ struct Stack {
     const StackShape& shape;
     Grid grid;
     std::int32_t floor = -1;
-    JointTable joints;
+    JointChoice joints;
     std::vector<std::vector<WallWater>> water;  ///< per block
 
     explicit Stack(const Model& m)
@@ -61,7 +61,7 @@ struct Stack {
     const Joint* jointTowards(std::int32_t block, std::int32_t other, const Vec3& direction) const {
         const auto face = faceTowards(model, block, direction),
                    opposite = faceTowards(model, other, -direction);
-        return face && opposite ? &joints.between(*face, *opposite) : nullptr;
+        return face && opposite ? &jointBetween(model, joints, *face, *opposite) : nullptr;
     }
     std::int32_t below(int column, int row, int slice) const {
         return row == 0 ? floor : grid.at(column, row - 1, slice);

@@ -1,9 +1,9 @@
-#include "wall_water.h"
+#include "theory/wall_water.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "stages/water.h"
+#include "model/water_level.h"
 
 namespace talus::theory {
 
@@ -63,7 +63,7 @@ std::optional<std::vector<WallWater>> wallWaters(const Model& model, const std::
     std::vector<WallWater> result;
     for (const Water& water : waters) {
         if (!hasDepth(water)) return std::nullopt;
-        const double low = lowestWetPoint(model, water), top = low + stages::levelAt(water, 0.0);
+        const double low = lowestWetPoint(model, water), top = low + levelAt(water, 0.0);
         for (const WetFace& wall : water.walls) {
             const Block& block = model.blocks[wall.block];
             if (block.motion != Motion::free) continue;

@@ -6,8 +6,8 @@
 
 #include <atomic>
 
-#include "stages/measure.h"
-#include "state/build.h"
+#include "build/build.h"
+#include "measure/measure.h"
 #include "support/models.h"
 #include "talus/simulation.h"
 

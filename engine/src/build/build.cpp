@@ -1,0 +1,140 @@
+#include "build/build.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/update.h"
+#include "forces/water.h"
+#include "law/joint_laws.h"
+
+namespace talus {
+namespace {
+
+/// Principal axes; the model's own axes where the inertia is diagonal already, so that boxes keep theirs.
+Mat3 principalAxes(const Mat3& inertia, Vec3& moments) {
+    const double off_diagonal = std::abs(inertia(0, 1)) + std::abs(inertia(0, 2)) + std::abs(inertia(1, 2));
+    moments = inertia.diagonal();
+    if (off_diagonal <= 1e-12 * inertia.trace()) return Mat3::Identity();
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia);
+    moments = solver.eigenvalues();
+    Mat3 axes = solver.eigenvectors();
+    if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
+    return axes;
+}
+
+/// Smallest extent over the face normals: how thick the block is [m].
+double smallestExtent(const Polyhedron& shape) {
+    double smallest = kInfinity;
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+        const Vec3 normal = shape.faceNormal(f);
+        double low = kInfinity, high = -kInfinity;
+        for (const Vec3& v : shape.vertices) {
+            low = std::min(low, normal.dot(v));
+            high = std::max(high, normal.dot(v));
+        }
+        smallest = std::min(smallest, high - low);
+    }
+    return smallest;
+}
+
+/// Slopes are often given in survey coordinates, millions of metres from their origin, where a double resolves no more
+/// than the overlap of a stiff joint. Far from the origin the state's own origin is the middle of the model.
+Vec3 originFor(const Model& model) {
+    constexpr double kFar = 10.0;  // of the model's extent
+    Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
+    for (const Block& block : model.blocks)
+        for (const Vec3& v : block.shape.vertices) {
+            low = low.cwiseMin(v);
+            high = high.cwiseMax(v);
+        }
+    const Vec3 middle = 0.5 * (low + high);
+    return middle.norm() > kFar * (high - low).norm() ? Vec3(middle.array().round()) : Vec3(Vec3::Zero());
+}
+
+void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<Error>& errors) {
+    Polyhedron own = block.shape;
+    for (Vec3& v : own.vertices) v -= geometry.origin;
+    const MassProperties mass = massProperties(own);
+    if (!(mass.volume > 0) || !std::isfinite(mass.volume)) {
+        errors.push_back({block.field, "block \"" + block.name + "\" has no volume"});
+        return;
+    }
+    Blocks& blocks = state.blocks;
+    Vec3 moments;
+    const Mat3 axes = principalAxes(mass.inertia, moments);
+    const Eigen::Quaterniond turn(axes);
+    double radius = 0;
+    for (Vec3& v : own.vertices) {
+        v = axes.transpose() * (v - mass.centroid);
+        radius = std::max(radius, v.norm());
+    }
+    geometry.size.push_back(smallestExtent(own));
+    geometry.radius.push_back(radius);
+    double area = 0;
+    for (std::size_t face = 0; face < own.faces.size(); ++face) area += own.faceArea(face);
+    geometry.face_area.push_back(area / static_cast<double>(own.faces.size()));
+    geometry.shape.push_back(std::move(own));
+
+    const bool free = block.motion == Motion::free;
+    blocks.position.add(mass.centroid);
+    blocks.orientation.push_back({turn.w(), turn.x(), turn.y(), turn.z()});
+    blocks.velocity.add(block.motion == Motion::fixed ? Vec3(Vec3::Zero()) : block.velocity);
+    blocks.mass.push_back(block.density * mass.volume);
+    const Vec3 inertia = block.density * moments;
+    blocks.inertia.add(inertia);
+    blocks.inverse_mass.push_back(free ? 1.0 / blocks.mass.back() : 0.0);
+    blocks.inverse_inertia.add(free ? Vec3(inertia.cwiseInverse()) : Vec3(Vec3::Zero()));
+    blocks.motion.push_back(block.motion);
+    blocks.free.push_back(free ? 1 : 0);
+}
+
+double medianOf(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+}  // namespace
+
+std::shared_ptr<const Model> keptByCaller(const Model& model) {
+    return {std::shared_ptr<const Model>(), &model};
+}
+
+Result<State> buildState(Model model, bool parallel) {
+    return buildState(std::make_shared<const Model>(std::move(model)), parallel);
+}
+
+Result<State> buildState(std::shared_ptr<const Model> description, bool parallel) {
+    State state;
+    auto geometry = std::make_shared<Geometry>(std::move(description));
+    const Model& model = geometry->model;
+    std::vector<Error> errors;
+    if (model.blocks.empty()) return Error{"", "there are no blocks"};
+    geometry->origin = originFor(model);
+    for (const Block& block : model.blocks) addBlock(block, state, *geometry, errors);
+    if (!errors.empty()) return errors;
+
+    const std::size_t n = state.blocks.size();
+    state.blocks.angular_momentum.resize(n);
+    state.blocks.angular_velocity.resize(n);
+    state.blocks.force.resize(n);
+    state.blocks.torque.resize(n);
+    geometry->length_scale = medianOf(geometry->size);
+    geometry->initial_position = state.blocks.position;
+    geometry->initial_orientation = state.blocks.orientation;
+    state.geometry = geometry;
+    state.laws = jointLaws(model.joints);
+    state.load.tilt = model.gravity.tilt;
+    state.damping = model.damping;
+    state.drained.assign(model.waters.size(), 0);
+
+    errors = stages::findInterfaces(state, true, parallel);
+    if (!errors.empty()) return errors;
+    errors = stages::buildWater(state);
+    if (!errors.empty()) return errors;
+    return state;
+}
+
+}  // namespace talus

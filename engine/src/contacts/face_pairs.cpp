@@ -1,0 +1,110 @@
+#include "contacts/face_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus {
+namespace {
+
+// Areas this near to each other are equal: rounding must not choose the reference face.
+constexpr double kEqualArea = 1e-9;
+
+/// One face of a block in the world.
+struct Face {
+    const WorldShape& shape;
+    std::size_t index;
+
+    const std::vector<std::int32_t>& outline() const { return shape.faces[index]; }
+    std::size_t size() const { return outline().size(); }
+    const Vec3& vertex(std::size_t i) const { return shape.vertices[static_cast<std::size_t>(outline()[i])]; }
+    const Vec3& normal() const { return shape.normals[index]; }
+};
+
+double area(const Face& face) {
+    double doubled = 0;
+    for (std::size_t i = 2; i < face.size(); ++i)
+        doubled +=
+            face.normal().dot((face.vertex(i - 1) - face.vertex(0)).cross(face.vertex(i) - face.vertex(0)));
+    return 0.5 * doubled;
+}
+
+/// The chord between one normal and the other's opposite: exact for the small angles where a cosine is not.
+bool isOpposite(const Vec3& a, const Vec3& b, double max_angle) {
+    const double chord = (a + b).norm();
+    return chord <= max_angle &&
+           chord <= 2 * std::sin(0.5 * max_angle);  // the chord is never longer than the arc
+}
+
+/// Whether the gap of a patch between the two planes can be within the limits: it lies between the heights of
+/// the other face's vertices. Sorts out the far sides of two blocks before anything is clipped.
+bool canTouch(const FaceFrame& frame, const Face& other, const FacePairLimits& limits) {
+    double least = frame.height(other.vertex(0)), most = least;
+    for (std::size_t i = 1; i < other.size(); ++i) {
+        const double height = frame.height(other.vertex(i));
+        least = std::min(least, height);
+        most = std::max(most, height);
+    }
+    return least <= limits.max_gap && most >= -limits.max_overlap;
+}
+
+/// Outline in the frame's plane, counter-clockwise there whichever way the face looks.
+Polygon projectOutline(const FaceFrame& frame, const Face& face) {
+    const bool same_side = face.normal().dot(frame.e3) > 0;
+    Polygon outline;
+    for (std::size_t i = 0; i < face.size(); ++i)
+        outline.push(frame.toPlane(face.vertex(same_side ? i : face.size() - 1 - i)));
+    return outline;
+}
+
+/// Height of the other face's plane above a point of the reference plane, along the reference normal [m].
+double gapAt(const FaceFrame& frame, const Face& other, const Vec2& point) {
+    const Vec3 below = frame.toWorld(point);
+    return other.normal().dot(other.vertex(0) - below) / other.normal().dot(frame.e3);
+}
+
+bool refIsA(Reference reference, double area_a, double area_b) {
+    if (reference != Reference::larger) return reference == Reference::face_a;
+    return area_a >= (1 - kEqualArea) * area_b;
+}
+
+FaceFrame frameOf(const Face& face) { return faceFrame(face.vertex(0), face.vertex(1), face.normal()); }
+
+}  // namespace
+
+FaceFrame faceFrame(const WorldShape& shape, std::size_t face) { return frameOf({shape, face}); }
+
+std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, const WorldShape& b,
+                                     std::size_t face_b, const FacePairLimits& limits, Reference reference) {
+    const Face in_a{a, face_a}, in_b{b, face_b};
+    if (!isOpposite(in_a.normal(), in_b.normal(), limits.max_angle)) return {};
+    const double area_a = area(in_a), area_b = area(in_b);
+    const bool ref_is_a = refIsA(reference, area_a, area_b);
+    const Face &ref = ref_is_a ? in_a : in_b, &other = ref_is_a ? in_b : in_a;
+    const FaceFrame frame = frameOf(ref);
+    if (!canTouch(frame, other, limits)) return {};
+
+    const Polygon common = intersect(projectOutline(frame, ref), projectOutline(frame, other));
+    const Polygon patch = simplify(common, limits.outline_tolerance * extent(common));
+    if (patch.empty() || area(patch) <= limits.min_area_share * std::min(area_a, area_b)) return {};
+    FacePair pair{static_cast<std::int32_t>(face_a), static_cast<std::int32_t>(face_b), ref_is_a, patch,
+                  gapAt(frame, other, centroid(patch))};
+    pair.least_gap = pair.most_gap = pair.gap;
+    for (const Vec2& corner : patch) {
+        const double gap = gapAt(frame, other, corner);
+        pair.least_gap = std::min(pair.least_gap, gap);
+        pair.most_gap = std::max(pair.most_gap, gap);
+    }
+    if (pair.least_gap > limits.max_gap || pair.least_gap < -limits.max_overlap) return {};
+    return pair;
+}
+
+std::vector<FacePair> findFacePairs(const WorldShape& a, const WorldShape& b, const FacePairLimits& limits,
+                                    Reference reference) {
+    std::vector<FacePair> pairs;
+    for (std::size_t face_a = 0; face_a < a.faces.size(); ++face_a)
+        for (std::size_t face_b = 0; face_b < b.faces.size(); ++face_b)
+            if (auto pair = findFacePair(a, face_a, b, face_b, limits, reference)) pairs.push_back(*pair);
+    return pairs;
+}
+
+}  // namespace talus

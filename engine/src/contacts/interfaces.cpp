@@ -1,0 +1,225 @@
+#include "contacts/interfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <span>
+
+#include "contacts/carry_over.h"
+#include "contacts/limits.h"
+#include "contacts/pair_search.h"
+#include "contacts/vertex_edge.h"
+#include "forces/contact_forces.h"
+#include "forces/water.h"
+#include "law/points.h"
+#include "state/incidence.h"
+#include "state/point_layout.h"
+
+namespace talus::stages {
+namespace {
+
+std::vector<Error> overlapErrors(const State& state, const std::vector<PairFinding>& findings) {
+    std::vector<Error> errors;
+    for (const PairFinding& finding : findings) {
+        if (!finding.overlaps) continue;
+        const auto& blocks = state.geometry->model.blocks;
+        const Block& a = blocks[static_cast<std::size_t>(std::min(finding.block_a, finding.block_b))];
+        const Block& b = blocks[static_cast<std::size_t>(std::max(finding.block_a, finding.block_b))];
+        char depth[96];
+        std::snprintf(depth, sizeof depth, "by %.3g m; allowed: at most 1e-4 of the block size",
+                      finding.depth);
+        errors.push_back({b.field, "blocks \"" + a.name + "\" and \"" + b.name + "\" overlap " + depth});
+    }
+    return errors;
+}
+
+/// Appends one interface with frames at the patch's centroid; its group is there already.
+void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePair& pair) {
+    Interfaces& f = state.interfaces;
+    const double patch_area = area(pair.patch);
+    const auto ia = static_cast<std::size_t>(a), ib = static_cast<std::size_t>(b);
+    const Mat3 turn_a = state.blocks.orientation.matrix(ia), turn_b = state.blocks.orientation.matrix(ib);
+    const Vec3 x_a = state.blocks.position.get(ia), x_b = state.blocks.position.get(ib);
+    const auto face_a = static_cast<std::size_t>(pair.face_a), face_b = static_cast<std::size_t>(pair.face_b);
+
+    const FaceFrame own = faceFrame(state.geometry->shape[ia], face_a);
+    std::vector<Eigen::Vector2d> outline(pair.patch.begin(), pair.patch.end());
+    const Eigen::Vector2d centre = centroid(pair.patch);
+    for (Eigen::Vector2d& v : outline) v -= centre;
+    const Vec3 origin_a = own.origin + centre.x() * own.e1 + centre.y() * own.e2;
+
+    // b's face plane at that point, and a's tangents carried into it.
+    const Vec3 origin = x_a + turn_a * origin_a, e1 = turn_a * own.e1, e3 = turn_a * own.e3;
+    const FaceFrame other = faceFrame(state.geometry->shape[ib], face_b);
+    const Vec3 normal_b = turn_b * other.e3;
+    const double gap = normal_b.dot(x_b + turn_b * other.origin - origin) / normal_b.dot(e3);
+    const Vec3 b1 = (e1 - normal_b.dot(e1) * normal_b).normalized();
+    const Vec3 b2 = b1.cross(normal_b);  // b1 x b2 = -normal_b, which points from a to b
+
+    f.block_a.push_back(a);
+    f.block_b.push_back(b);
+    f.face_a.push_back(pair.face_a);
+    f.face_b.push_back(pair.face_b);
+    f.joint.push_back(state.geometry->joints.between(ia, face_a, ib, face_b));
+    f.area.push_back(patch_area);
+    f.setFrame(f.size() - 1, {.origin_a = origin_a,
+                              .e1_a = own.e1,
+                              .e2_a = own.e2,
+                              .origin_b = turn_b.transpose() * (origin + gap * e3 - x_b),
+                              .e1_b = turn_b.transpose() * b1,
+                              .e2_b = turn_b.transpose() * b2});
+    placeCorners(f, f.size() - 1, outline);
+}
+
+void setBond(State& state, std::size_t i, double bond) {
+    if (!state.points.remembers()) return;
+    for (std::size_t k = 0; k < state.interfaces.pointCount(i); ++k)
+        state.points.setBond(state.interfaces.pointSlot(i, k), bond);
+}
+
+/// Contacts that come about later have no bond to lose; without a bond they have their peak friction.
+void breakBonds(State& state) {
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i)
+        if (state.laws[static_cast<std::size_t>(state.interfaces.joint[i])].bonded) setBond(state, i, 0.0);
+}
+
+/// Interfaces that touch at the start: their gap becomes the reference, their Lps are intact.
+void closeInitialInterfaces(State& state) {
+    Interfaces& f = state.interfaces;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        if (isSharp(f, i)) continue;
+        const RelativePose pose = relativePose(state, i);
+        const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
+        const double closed = kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
+        double widest = 0, least = kInfinity;
+        for (const Eigen::Vector2d& v : patchOutline(f, i)) {
+            const double gap = pose.gap.x() + v.x() * pose.gap.y() + v.y() * pose.gap.z();
+            widest = std::max(widest, std::abs(gap));
+            least = std::min(least, gap);
+        }
+        if (widest > closed && least >= 0) continue;
+        // Planes that are not parallel: only what overlaps is taken off.
+        f.setReferenceGap(i, widest > closed ? Vec3(least, 0, 0) : pose.gap);
+        setBond(state, i, 1.0);
+    }
+}
+
+/// One interface to be made; without a patch: the slots of a pair that may meet by vertices or edges.
+struct Found {
+    std::int32_t block_a = 0, block_b = 0;
+    FacePair faces{};
+};
+
+/// Appends interfaces in the order they are stored in: that of the search, but those with as many corners side by side
+/// within windows short enough that neighbours in space stay neighbours in memory.
+struct InterfaceWindow {
+    static constexpr std::size_t kSize = 256;
+    std::vector<Found> found{};
+    std::vector<const Found*> order{};
+
+    void add(State& state, const Found& next) {
+        found.push_back(next);
+        if (found.size() == kSize) append(state);
+    }
+
+    void append(State& state) {
+        order.clear();
+        for (const Found& one : found) order.push_back(&one);
+        std::stable_sort(order.begin(), order.end(), [](const Found* a, const Found* b) {
+            return a->faces.patch.size() < b->faces.patch.size();
+        });
+        for (const Found* one : order) {
+            const Polygon& patch = one->faces.patch;
+            if (patch.empty()) {
+                appendSharpSlots(state, one->block_a, one->block_b);
+                continue;
+            }
+            addToGroups(
+                state.interfaces, patch.size(),
+                contact::pointCount(std::span(patch.begin(), patch.size()), state.geometry->model.points));
+            appendInterface(state, one->block_a, one->block_b, one->faces);
+        }
+        found.clear();
+    }
+};
+
+Error gridError(const State& state, const PairFinding& finding, const FacePair& pair) {
+    const auto& blocks = state.geometry->model.blocks;
+    return {"contact.points", "\"grid N\" needs rectangular patches; the one between \"" +
+                                  blocks[static_cast<std::size_t>(finding.block_a)].name + "\" and \"" +
+                                  blocks[static_cast<std::size_t>(finding.block_b)].name + "\" has " +
+                                  std::to_string(pair.patch.size()) + " corners"};
+}
+
+bool suitsRule(const State& state, const FacePair& pair) {
+    return state.geometry->model.points.kind != PointRule::Kind::grid ||
+           contact::isRectangle({pair.patch.begin(), pair.patch.end()});
+}
+
+/// What a search leaves beside the interfaces.
+struct SearchRemarks {
+    std::vector<PairFinding> overlaps;  ///< without their faces
+    std::vector<Error> grid{};          ///< the first patch that is no rectangle where the rule asks for one
+};
+
+SearchRemarks appendInterfaces(State& state, double margin, const SlotPairs& with_slots, bool initial,
+                               bool parallel) {
+    SearchRemarks remarks;
+    InterfaceWindow window;
+    examinePairs(state, margin, with_slots, initial, parallel, [&](const PairFinding& finding) {
+        if (finding.overlaps)
+            remarks.overlaps.push_back({{}, finding.block_a, finding.block_b, false, true, finding.depth});
+        for (const FacePair& pair : finding.faces) {
+            if (initial && remarks.grid.empty() && !suitsRule(state, pair))
+                remarks.grid.push_back(gridError(state, finding, pair));
+            if (remarks.grid.empty()) window.add(state, {finding.block_a, finding.block_b, pair});
+        }
+        if (finding.may_meet_sharply) window.add(state, {finding.block_a, finding.block_b});
+    });
+    window.append(state);
+    return remarks;
+}
+
+std::vector<Error> touchErrors(const State& state) {
+    std::vector<Error> errors;
+    const Model& model = state.geometry->model;
+    for (const PairJoint& pair : model.pair_joints) {
+        if (!pair.must_touch) continue;
+        if (largestInterface(state, pair.block_a, pair.block_b) < 0)
+            errors.push_back({pair.field + ".between",
+                              "blocks \"" + model.blocks[static_cast<std::size_t>(pair.block_a)].name +
+                                  "\" and \"" + model.blocks[static_cast<std::size_t>(pair.block_b)].name +
+                                  "\" share no interface; allowed: two blocks whose faces touch"});
+    }
+    return errors;
+}
+
+}  // namespace
+
+std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel) {
+    const SlotPairs with_slots = pairsWithSlots(state.interfaces);
+    const OldInterfaces old = takeInterfaces(state);
+    const SearchRemarks remarks = appendInterfaces(state, margin, with_slots, initial, parallel);
+    if (initial) {
+        std::vector<Error> errors = overlapErrors(state, remarks.overlaps);
+        if (errors.empty()) errors = remarks.grid;
+        if (!errors.empty()) return errors;
+    }
+    makePoints(state);
+    breakBonds(state);
+    CarriedPoints carried;
+    if (initial)
+        closeInitialInterfaces(state);
+    else
+        carried = carryOver(old, state, ahead);
+    buildIncidence(state);
+    renewSharpContacts(state, ahead, parallel, carried);
+    state.search_position = state.blocks.position;
+    state.search_orientation = state.blocks.orientation;
+    state.search_margin = margin;
+    if (initial) return touchErrors(state);
+    rebuildPairWater(state);
+    return {};
+}
+
+}  // namespace talus::stages

@@ -1,0 +1,190 @@
+#include "contacts/pair_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "contacts/limits.h"
+#include "contacts/vertex_edge_points.h"
+#include "geometry/separation.h"
+#include "state/incidence.h"
+#include "state/placed_shape.h"
+#include "state/range.h"
+
+namespace talus::stages {
+namespace {
+
+constexpr double kMostFaceAngle = 0.8;  // [rad] however deep: then a box always has one such face
+
+Box boundingBox(const WorldShape& shape, double margin) {
+    Box box{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
+    for (const Vec3& v : shape.vertices) {
+        box.min = box.min.cwiseMin(v);
+        box.max = box.max.cwiseMax(v);
+    }
+    box.min.array() -= margin;
+    box.max.array() += margin;
+    return box;
+}
+
+/// The reference face is the fixed block's, else the larger block's, else that of the block with the lower index.
+bool firstIsReference(const State& state, std::size_t first, std::size_t second) {
+    const bool first_free = state.blocks.motion[first] == Motion::free;
+    const bool second_free = state.blocks.motion[second] == Motion::free;
+    if (first_free != second_free) return second_free;
+    const double radius_1 = state.geometry->radius[first], radius_2 = state.geometry->radius[second];
+    return radius_1 >= radius_2 * (1.0 - 1e-9);
+}
+
+/// Shapes of all blocks where they are now, with their face normals; the faces' outlines are those of the own frame.
+struct PlacedShapes {
+    const std::vector<Polyhedron>& own;
+    std::vector<std::size_t> first_vertex, first_normal;  ///< of each block; one more at the end
+    std::vector<Vec3> vertices, normals;
+
+    WorldShape world(std::size_t b) const {
+        return {std::span(vertices).subspan(first_vertex[b], own[b].vertices.size()), own[b].faces,
+                std::span(normals).subspan(first_normal[b], own[b].faces.size())};
+    }
+};
+
+PlacedShapes placeShapes(const State& state, bool parallel) {
+    const std::size_t n = state.blocks.size();
+    PlacedShapes placed{state.geometry->shape, {0}, {0}, {}, {}};
+    placed.first_vertex.reserve(n + 1);
+    placed.first_normal.reserve(n + 1);
+    for (const Polyhedron& shape : placed.own) {
+        placed.first_vertex.push_back(placed.first_vertex.back() + shape.vertices.size());
+        placed.first_normal.push_back(placed.first_normal.back() + shape.faces.size());
+    }
+    placed.vertices.resize(placed.first_vertex.back());
+    placed.normals.resize(placed.first_normal.back());
+    forRange(n, 256, parallel, [&](Range range) {
+        Polyhedron shape;
+        for (std::size_t b = range.begin; b < range.end; ++b) {
+            placeShape(state, b, shape);
+            std::copy(shape.vertices.begin(), shape.vertices.end(), &placed.vertices[placed.first_vertex[b]]);
+            for (std::size_t f = 0; f < shape.faces.size(); ++f)
+                placed.normals[placed.first_normal[b] + f] = shape.faceNormal(f);
+        }
+    });
+    return placed;
+}
+
+/// Faces may look at each other through the bodies: the far side of a block and the near side of its neighbour, or faces
+/// that are not parallel. A pair whose overlap is not the blocks' own is none.
+void dropFalsePairs(const PlacedShapes& placed, std::size_t a, std::size_t b, double closed,
+                    PairFinding& finding) {
+    const auto overlaps = [&](const FacePair& face) { return face.least_gap < -closed; };
+    if (std::none_of(finding.faces.begin(), finding.faces.end(), overlaps)) return;
+    const double depth = std::max(0.0, -findSeparation(placed.world(a), placed.world(b)).distance);
+    std::erase_if(finding.faces,
+                  [&](const FacePair& face) { return -face.least_gap > 2.0 * depth + closed; });
+}
+
+/// Faces too far from parallel to meet as faces.
+void dropTilted(const PlacedShapes& placed, std::size_t a, std::size_t b, double size, PairFinding& finding) {
+    const WorldShape first = placed.world(a), second = placed.world(b);
+    std::erase_if(finding.faces, [&](const FacePair& face) {
+        const Vec3 sum = first.normals[static_cast<std::size_t>(face.face_a)] +
+                         second.normals[static_cast<std::size_t>(face.face_b)];
+        const double angle = kFaceAngle + kFaceAnglePerDepth * std::max(0.0, -face.least_gap) / size;
+        return sum.norm() > 2.0 * std::sin(0.5 * std::min(angle, kMostFaceAngle));
+    });
+}
+
+/// Leaves out patches that are too small for the depth they are pressed to. \return whether one may get there before the
+/// next search, or is left out: then the pair needs slots
+bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, PairFinding& finding,
+                 bool initial) {
+    const double least = sharpArea(*state.geometry, a, b);
+    const auto isSliver = [&](const FacePair& face) {
+        return area(face.patch) < least && !(initial && std::abs(face.least_gap) <= kClosedGap * size);
+    };
+    if (std::none_of(finding.faces.begin(), finding.faces.end(), isSliver)) return false;
+    std::erase_if(finding.faces, [&](const FacePair& face) {
+        return -face.least_gap > kSliverDepth * size && isSliver(face);
+    });
+    return true;
+}
+
+bool hadSlots(const SlotPairs& pairs, BoxPair pair) {
+    return std::binary_search(pairs.begin(), pairs.end(), pair);
+}
+
+}  // namespace
+
+SlotPairs pairsWithSlots(const Interfaces& f) {
+    SlotPairs pairs;
+    for (std::size_t i = 0; i < f.size(); ++i)
+        if (isSharp(f, i)) pairs.push_back(std::minmax(f.block_a[i], f.block_b[i]));
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+namespace {
+
+PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair pair, double margin,
+                        const SlotPairs& with_slots, bool initial) {
+    PairFinding finding;
+    const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
+    if (state.blocks.motion[first] != Motion::free && state.blocks.motion[second] != Motion::free)
+        return finding;
+    const bool first_is_a = firstIsReference(state, first, second);
+    const std::size_t a = first_is_a ? first : second, b = first_is_a ? second : first;
+    finding.block_a = static_cast<std::int32_t>(a);
+    finding.block_b = static_cast<std::int32_t>(b);
+    const double size = std::min(state.geometry->size[a], state.geometry->size[b]);
+    const double closed = kClosedGap * size;
+    const WorldShape placed_a = placed.world(a), placed_b = placed.world(b);
+    const SharpLimits sharp = sharpLimits(*state.geometry, a, b, margin);
+    const double travel = 2.0 * (kTravelLimit + kTurnLimit) * size;
+    if (!initial && areApart(placed_a, placed_b, sharp.reach + travel)) return finding;
+    finding.faces = findFacePairs(placed_a, placed_b,
+                                  {.max_gap = margin, .max_overlap = 0.5 * size, .max_angle = kMostFaceAngle},
+                                  Reference::face_a);
+    dropTilted(placed, a, b, size, finding);
+    dropFalsePairs(placed, a, b, closed, finding);
+    const bool slivers = dropSlivers(state, a, b, size, finding, initial);
+    // A pair that has slots keeps them as long as it is near.
+    finding.may_meet_sharply =
+        slivers || hadSlots(with_slots, pair) ||
+        approachOf(placed_a, placed_b, sharp, travel, 2.0 * kTurnLimit) == Approach::sharp;
+    if (!initial) return finding;
+    for (const FacePair& face :
+         finding.faces)  // parallel faces that do not overlap: a plane between the blocks
+        if (face.least_gap >= -closed && face.most_gap - face.least_gap <= closed) return finding;
+    finding.depth = -findSeparation(placed.world(a), placed.world(b), -closed).distance;
+    finding.overlaps = finding.depth > closed;
+    return finding;
+}
+
+std::vector<BoxPair> nearPairs(const PlacedShapes& placed, double margin, bool parallel) {
+    std::vector<Box> boxes(placed.own.size());
+    forRange(boxes.size(), 1024, parallel, [&](Range range) {
+        for (std::size_t b = range.begin; b < range.end; ++b)
+            boxes[b] = boundingBox(placed.world(b), 0.5 * margin);
+    });
+    return findNeighbours(boxes, parallel);
+}
+
+}  // namespace
+
+void examinePairs(const State& state, double margin, const SlotPairs& with_slots, bool initial, bool parallel,
+                  const std::function<void(const PairFinding&)>& take) {
+    constexpr std::size_t kPiece = 16384;
+    const PlacedShapes placed = placeShapes(state, parallel);
+    const std::vector<BoxPair> pairs = nearPairs(placed, margin, parallel);
+    std::vector<PairFinding> findings;
+    for (std::size_t begin = 0; begin < pairs.size(); begin += kPiece) {
+        findings.assign(std::min(kPiece, pairs.size() - begin), {});
+        forRange(findings.size(), 64, parallel, [&](Range range) {
+            for (std::size_t k = range.begin; k < range.end; ++k)
+                findings[k] = examinePair(state, placed, pairs[begin + k], margin, with_slots, initial);
+        });
+        for (const PairFinding& finding : findings) take(finding);
+    }
+}
+
+}  // namespace talus::stages

@@ -1,0 +1,35 @@
+#pragma once
+// The half of a search that looks: which pairs of blocks are near, and what they may touch each other with. The other half
+// (patches.cpp) makes interfaces of it.
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "contacts/face_pairs.h"
+#include "contacts/neighbours.h"
+#include "state/arrays.h"
+
+namespace talus::stages {
+
+/// What the search finds for one pair of blocks.
+struct PairFinding {
+    std::vector<FacePair> faces;  ///< face_a on the reference block
+    std::int32_t block_a = 0, block_b = 0;
+    bool may_meet_sharply = false;
+    bool overlaps = false;
+    double depth = 0;  ///< [m], when they overlap
+};
+
+/// Pairs of blocks with slots for vertices and edges, sorted.
+using SlotPairs = std::vector<BoxPair>;
+SlotPairs pairsWithSlots(const Interfaces& interfaces);
+
+/// Examines all pairs of blocks nearer than `margin` [m] and hands what it finds to `take`, pair by pair in order. In
+/// pieces: of a million blocks' thirteen million pairs all findings at once would take more memory than the state.
+/// \param with_slots pairs that keep their slots as long as they are near
+/// \param initial    whether the blocks stand as the model has them: then overlaps are looked for
+void examinePairs(const State& state, double margin, const SlotPairs& with_slots, bool initial, bool parallel,
+                  const std::function<void(const PairFinding&)>& take);
+
+}  // namespace talus::stages

@@ -1,0 +1,77 @@
+#include "contacts/update.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/gap_recovery.h"
+#include "contacts/interfaces.h"
+#include "contacts/limits.h"
+#include "contacts/vertex_edge.h"
+#include "forces/contact_forces.h"
+#include "forces/sum.h"
+#include "state/block_motion.h"
+#include "state/incidence.h"
+
+namespace talus::stages {
+namespace {
+
+constexpr double kSearchMargin = 0.05;  // of the median block size: pairs nearer than this are interfaces
+constexpr double kSlideLimit =
+    0.01;  // of the root of the patch area or the smaller block's size, the larger of the
+           // two: then the patch is clipped again
+
+double searchMargin(const State& state, double ahead) {
+    double fastest = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) fastest = std::max(fastest, speedBound(state, b));
+    return std::max(kSearchMargin * state.geometry->length_scale, 4.0 * fastest * ahead);
+}
+
+/// Far enough that a contact could be missed, or that a patch has slid or turned too far over its partner.
+bool movedTooFar(const State& state, double margin) {
+    double farthest = 0, most_turned = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] == Motion::fixed) continue;
+        const double shift = (state.blocks.position.get(b) - state.search_position.get(b)).norm();
+        const double turn = rotationFrom(state.search_orientation, state.blocks.orientation, b);
+        const double motion = shift + turn * state.geometry->radius[b];
+        if (motion > kTravelLimit * state.geometry->size[b]) return true;
+        farthest = std::max(farthest, motion);
+        most_turned = std::max(most_turned, turn);
+    }
+    if (most_turned > kTurnLimit) return true;
+    // Two blocks may come towards each other: half the margin each, less what they may go before the next look.
+    if (farthest > 0.25 * state.search_margin || margin > 1.001 * state.search_margin) return true;
+    const Interfaces& f = state.interfaces;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        if (isSharp(f, i)) continue;
+        const double size = std::min(state.geometry->size[static_cast<std::size_t>(f.block_a[i])],
+                                     state.geometry->size[static_cast<std::size_t>(f.block_b[i])]);
+        const double limit = kSlideLimit * std::max(std::sqrt(f.area[i]), size);
+        if (2.0 * farthest < limit) continue;
+        const RelativePose pose = relativePose(state, i);
+        if (std::hypot(pose.slide_1.x(), pose.slide_2.x()) > limit) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::vector<Error> findInterfaces(State& state, bool initial, bool parallel) {
+    return makeInterfaces(state, searchMargin(state, 0.0), 0.0, initial, parallel);
+}
+
+bool refreshInterfaces(State& state, bool parallel, double ahead) {
+    const double margin = searchMargin(state, ahead);
+    const bool search = movedTooFar(state, margin) || updateSharpContacts(state, ahead, parallel);
+    if (!search) {
+        recoverGaps(state);
+        return false;
+    }
+    makeInterfaces(state, margin, ahead, false, parallel);
+    // Forces are there again before anything looks at them.
+    updateContacts(state, {0, state.interfaces.groups.size()});
+    updateBlockForces(state);
+    return true;
+}
+
+}  // namespace talus::stages

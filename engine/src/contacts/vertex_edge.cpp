@@ -1,0 +1,344 @@
+#include "contacts/vertex_edge.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <optional>
+
+#include "contacts/limits.h"
+#include "state/block_motion.h"
+#include "state/incidence.h"
+#include "state/point_layout.h"
+#include "state/range.h"
+#include "talus/frame.h"
+
+namespace talus::stages {
+namespace {
+
+constexpr double kIdle = -1e30;  // reference gap of a slot that touches nothing [m]
+constexpr double kTravel =
+    2e-4;  // of the smaller block's size: what a pair may go between two looks when near
+constexpr double kFaster = 1.5;      // than at a look a pair may get before the next
+constexpr double kSamePlace = 1e-9;  // of the smaller block's size: the same vertex
+constexpr double kNearPlace =
+    0.1;  // of the smaller block's size: what an Lp carried goes to a new one this near
+constexpr double kSameNormal = 0.9;  // cosine, likewise
+constexpr std::size_t kSlots = SharpPoints::kMost;
+
+/// A block where it is, with its face normals.
+struct Placed {
+    const Polyhedron& own;
+    std::vector<Vec3> vertices, normals;
+
+    Placed(const State& state, std::size_t block) : own(state.geometry->shape[block]) {
+        const Mat3 turn = state.blocks.orientation.matrix(block);
+        const Vec3 position = state.blocks.position.get(block);
+        vertices.reserve(own.vertices.size());
+        normals.reserve(own.faces.size());
+        for (const Vec3& v : own.vertices) vertices.push_back(position + turn * v);
+        for (std::size_t face = 0; face < own.faces.size(); ++face)
+            normals.push_back(turn * own.faceNormal(face));
+    }
+    WorldShape world() const { return {vertices, own.faces, normals}; }
+};
+
+void setIdle(Interfaces& f, std::size_t i) { f.referenceGap(i, 0) = kIdle; }
+
+/// Hands an interface over to the other block as its reference.
+void swapSides(State& state, std::size_t i) {
+    Interfaces& f = state.interfaces;
+    Incidence& incidence = state.incidence;
+    for (const std::int32_t block : {f.block_a[i], f.block_b[i]}) {
+        const auto b = static_cast<std::size_t>(block);
+        for (auto k = incidence.interface_begin[b]; k < incidence.interface_begin[b + 1]; ++k)
+            if (incidence.interface[static_cast<std::size_t>(k)] == static_cast<std::int32_t>(i))
+                incidence.wrench[static_cast<std::size_t>(k)] ^= 1;  // the other side
+    }
+    std::swap(f.block_a[i], f.block_b[i]);
+    std::swap(f.face_a[i], f.face_b[i]);
+}
+
+/// A point of the model frame in a block's own.
+Vec3 toOwn(const Blocks& blocks, std::int32_t block, const Vec3& x) {
+    const auto b = static_cast<std::size_t>(block);
+    return blocks.orientation.matrix(b).transpose() * (x - blocks.position.get(b));
+}
+
+bool isSamePlace(const State& state, std::size_t i, const SharpPoint& point, double tolerance) {
+    const Interfaces& f = state.interfaces;
+    return !isIdle(f, i) && f.face_a[i] == point.reference_face && f.face_b[i] == point.other_face &&
+           (f.frame(i).origin_b - toOwn(state.blocks, f.block_b[i], point.on_other)).norm() <= tolerance &&
+           relativePose(state, i).e3.dot(point.e1.cross(point.e2)) > 1.0 - kSamePlace;
+}
+
+/// A contact that was found late and has opened closes again where the blocks are.
+void releaseGap(State& state, std::size_t i) {
+    double& reference = state.interfaces.referenceGap(i, 0);
+    const double opening = relativePose(state, i).gap.x();
+    if (reference < 0 && opening > 0) reference = std::min(0.0, reference + opening);
+}
+
+/// Puts a slot where two blocks meet, with what `from` leaves it.
+void placeSlot(State& state, std::size_t i, const SharpPoint& point, const CarriedPoint& from) {
+    Interfaces& f = state.interfaces;
+    const Blocks& blocks = state.blocks;
+    const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
+    const Mat3 to_a = blocks.orientation.matrix(a).transpose(),
+               to_b = blocks.orientation.matrix(b).transpose();
+    f.face_a[i] = point.reference_face;
+    f.face_b[i] = point.other_face;
+    f.joint[i] = state.geometry->joints.between(a, static_cast<std::size_t>(point.reference_face), b,
+                                                static_cast<std::size_t>(point.other_face));
+    InterfaceFrame frame = f.frame(i);
+    frame.origin_a = toOwn(blocks, f.block_a[i], point.on_reference);
+    frame.origin_b = toOwn(blocks, f.block_b[i], point.on_other);
+    frame.e1_a = to_a * point.e1;
+    frame.e2_a = to_a * point.e2;
+    frame.e1_b = to_b * point.e1;
+    frame.e2_b = to_b * point.e2;
+    const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
+    const double depth = std::sqrt(2.0 * from.energy / (law.normal_stiffness * f.area[i]));
+    frame.reference_gap.x() = std::min(0.0, point.gap + depth);
+    f.setFrame(i, frame);
+    const double sign =
+        f.block_a[i] < f.block_b[i] ? 1.0 : -1.0;  // F_s = k_s A (offset - slide), the slide now zero
+    state.points.setMemory(f.pointSlot(i, 0),
+                           {.offset_1 = sign * from.shear.dot(point.e1) / (law.shear_stiffness * f.area[i]),
+                            .offset_2 = sign * from.shear.dot(point.e2) / (law.shear_stiffness * f.area[i]),
+                            .bond = law.bonded ? 0.0 : 1.0,
+                            .dilation = 0.0});
+}
+
+/// Shares the Lps that are gone out among the new ones, each to the nearest.
+std::array<CarriedPoint, kSlots> shareOut(const std::vector<CarriedPoint>& old, const SharpPoints& found,
+                                          const std::array<bool, kSlots>& is_new, double sign, double near) {
+    std::array<CarriedPoint, kSlots> shares{};
+    for (const CarriedPoint& point : old) {
+        std::optional<std::size_t> nearest;
+        double least = kInfinity;
+        for (std::size_t k = 0; k < found.count; ++k) {
+            const double distance = (found.points[k].on_other - point.place).norm();
+            if (!is_new[k] || distance >= least) continue;
+            least = distance;
+            nearest = k;
+        }
+        if (!nearest) continue;
+        const SharpPoint& to = found.points[*nearest];
+        const double turned = to.second_is_reference ? -sign : sign;
+        shares[*nearest].energy += point.energy;
+        if (least <= near && turned * to.e1.cross(to.e2).dot(point.normal) >= kSameNormal)
+            shares[*nearest].shear += point.shear;
+    }
+    return shares;
+}
+
+/// Which slot a found point has already; -1: none.
+using Kept = std::array<int, kSlots>;
+
+Kept findKept(const State& state, std::size_t begin, const SharpPoints& found, double size) {
+    Kept kept;
+    kept.fill(-1);
+    const bool second_is_reference = found.count > 0 && found.points[0].second_is_reference;
+    if (second_is_reference) return kept;
+    for (std::size_t k = 0; k < found.count; ++k)
+        for (std::size_t s = 0; s < kSlots; ++s)
+            if (std::find(kept.begin(), kept.end(), static_cast<int>(s)) == kept.end() && kept[k] < 0 &&
+                isSamePlace(state, begin + s, found.points[k], kSamePlace * size))
+                kept[k] = static_cast<int>(s);
+    return kept;
+}
+
+/// Writes what was found into the slots that begin at `begin`.
+void writeSlots(State& state, std::size_t begin, const SharpPoints& found, std::vector<CarriedPoint> old,
+                double size) {
+    Interfaces& f = state.interfaces;
+    const Kept kept = findKept(state, begin, found, size);
+    const auto isKept = [&](std::size_t s) {
+        return std::find(kept.begin(), kept.end(), static_cast<int>(s)) != kept.end();
+    };
+    for (std::size_t s = 0; s < kSlots; ++s) {
+        if (isKept(s)) {
+            releaseGap(state, begin + s);
+            continue;
+        }
+        if (isIdle(f, begin + s)) continue;
+        const std::vector<CarriedPoint> gone = carriedPoints(contactsOf(state), begin + s);
+        old.insert(old.end(), gone.begin(), gone.end());
+        setIdle(f, begin + s);
+    }
+    std::array<bool, kSlots> is_new{};
+    for (std::size_t k = 0; k < found.count; ++k) is_new[k] = kept[k] < 0;
+    const double sign = f.block_a[begin] < f.block_b[begin] ? 1.0 : -1.0;
+    const auto shares = shareOut(old, found, is_new, sign, kNearPlace * size);
+    if (found.count > 0 && found.points[0].second_is_reference)
+        for (std::size_t s = 0; s < kSlots; ++s) swapSides(state, begin + s);
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < found.count; ++k) {
+        if (!is_new[k]) continue;
+        while (isKept(next)) ++next;
+        placeSlot(state, begin + next++, found.points[k], shares[k]);
+    }
+}
+
+bool anyClosed(const State& state, std::size_t begin) {
+    for (std::size_t s = begin; s < begin + kSlots; ++s)
+        if (!isIdle(state.interfaces, s) && relativePose(state, s).gap.x() < 0) return true;
+    return false;
+}
+
+/// How far the two blocks of a group of slots may still go towards each other before they have to be looked at again [m].
+/// The kernel has no use for the slopes of a slot's reference gap, so the first slot's holds it: a full frame has it too.
+double& travelLeft(Interfaces& f, std::size_t begin) { return f.referenceGap(begin, 1); }
+
+/// Whether the last search made no interface of the two faces that meet, as the next would not: then their vertices and
+/// edges carry. The second slot's reference gap holds it: 1 or 0.
+double& noFaces(Interfaces& f, std::size_t begin) { return f.referenceGap(begin + 1, 1); }
+
+/// A pair of blocks with slots, and what was found where it is now.
+struct Look {
+    SharpPoints found;
+    bool changes = false;   ///< from faces to a vertex or edge, or the other way round
+    bool no_faces = false;  ///< they are pressed together by two faces without an interface
+    double size = 0;        ///< of the smaller block [m]
+    double travel = 0;      ///< until the next look [m]
+};
+
+/// Where the two meet when not even parallel faces are one.
+SharpPoints withoutFaces(const Placed& first, const Placed& second, SharpLimits limits) {
+    limits.face_angle = -1.0;
+    limits.angle_per_depth = 0.0;
+    return findSharpPoints(first.world(), second.world(), limits);
+}
+
+/// \param searched whether faces that have no interface now will have none
+Look lookAtPair(const State& state, std::size_t begin, double ahead, bool searched) {
+    const Interfaces& f = state.interfaces;
+    const auto a = static_cast<std::size_t>(f.block_a[begin]), b = static_cast<std::size_t>(f.block_b[begin]);
+    const Geometry& geometry = *state.geometry;
+    const SharpLimits limits =
+        sharpLimits(geometry, a, b, 2.0 * ahead * (speedBound(state, a) + speedBound(state, b)));
+    Look look;
+    look.size = std::min(geometry.size[a], geometry.size[b]);
+    const double apart = (state.blocks.position.get(a) - state.blocks.position.get(b)).norm() -
+                         geometry.radius[a] - geometry.radius[b];
+    look.travel = std::max(apart, kTravel * look.size);
+    if (apart > limits.reach) return look;
+    const Placed first(state, a), second(state, b);
+    look.found = findSharpPoints(first.world(), second.world(), limits);
+    if (!look.found.near) {
+        look.travel = std::max(look.found.distance - 0.5 * limits.reach, kTravel * look.size);
+        return look;
+    }
+    look.travel = kTravel * look.size;
+    const std::int32_t faces = interfaceOfFaces(state, f.block_a[begin], look.found.first_face,
+                                                f.block_b[begin], look.found.second_face);
+    if (look.found.count > 0) {
+        look.changes = faces >= 0;
+    } else if (faces >= 0) {
+        // Twice the depth at which the search leaves it out, so that it does.
+        look.changes = look.found.distance < -2.0 * kSliverDepth * look.size &&
+                       f.area[static_cast<std::size_t>(faces)] < sharpArea(geometry, a, b);
+    } else if ((look.found.distance < -look.travel || anyClosed(state, begin))) {
+        look.no_faces = true;
+        look.changes = !searched;
+        if (searched) look.found = withoutFaces(first, second, limits);
+    }
+    return look;
+}
+
+}  // namespace
+
+std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t i) {
+    const Interfaces& f = contacts.interfaces;
+    const RelativePose pose = relativePose(contacts.blocks, f, i);
+    const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(f.joint[i])];
+    const double sign = f.block_a[i] < f.block_b[i] ? 1.0 : -1.0;
+    std::vector<CarriedPoint> carried;
+    for (const PointState& point : pointStates(contacts, i)) {
+        if (point.force.normal <= 0) continue;
+        const double slide_1 =
+            pose.slide_1.x() + point.position.x() * pose.slide_1.y() + point.position.y() * pose.slide_1.z();
+        const double slide_2 =
+            pose.slide_2.x() + point.position.x() * pose.slide_2.y() + point.position.y() * pose.slide_2.z();
+        carried.push_back(
+            {pose.origin + (point.position.x() + slide_1) * pose.e1 +
+                 (point.position.y() + slide_2) * pose.e2,
+             sign * pose.e3, sign * (point.force.shear_1 * pose.e1 + point.force.shear_2 * pose.e2),
+             0.5 * point.force.normal * point.force.normal / (law.normal_stiffness * point.area)});
+    }
+    return carried;
+}
+
+void appendSharpSlots(State& state, std::int32_t block_1, std::int32_t block_2) {
+    Interfaces& f = state.interfaces;
+    const double area =
+        sharpArea(*state.geometry, static_cast<std::size_t>(block_1), static_cast<std::size_t>(block_2));
+    for (std::size_t s = 0; s < kSlots; ++s) {
+        addToGroups(f, 1, 1);
+        f.block_a.push_back(block_1);
+        f.block_b.push_back(block_2);
+        f.face_a.push_back(0);
+        f.face_b.push_back(0);
+        f.joint.push_back(0);
+        f.area.push_back(area);
+        f.setFrame(f.size() - 1, {.e1_a = Vec3::UnitX(),
+                                  .e2_a = Vec3::UnitY(),
+                                  .e1_b = Vec3::UnitX(),
+                                  .e2_b = Vec3::UnitY(),
+                                  .reference_gap = {kIdle, 0, 0}});
+        placeCorners(f, f.size() - 1, {Eigen::Vector2d::Zero()});
+    }
+}
+
+namespace {
+
+/// Calls each(begin) for the first slot of every pair, in any order when `parallel`.
+template <class Each>
+void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
+    static_assert(simd::kLanes % kSlots == 0, "a group holds whole pairs");
+    forRange(f.groups.size(), 16, parallel, [&](Range range) {
+        for (std::size_t g = range.begin; g < range.end; ++g) {
+            const InterfaceGroup& group = f.groups[g];
+            if (group.corners != 1) continue;
+            for (std::int32_t i = 0; i < group.size; i += static_cast<std::int32_t>(kSlots))
+                each(static_cast<std::size_t>(group.begin + i));
+        }
+    });
+}
+
+}  // namespace
+
+bool updateSharpContacts(State& state, double ahead, bool parallel) {
+    std::atomic<bool> changes = false;
+    forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
+        Interfaces& f = state.interfaces;
+        double& left = travelLeft(f, begin);
+        const double speed = speedBound(state, static_cast<std::size_t>(f.block_a[begin])) +
+                             speedBound(state, static_cast<std::size_t>(f.block_b[begin]));
+        left -= kFaster * speed * ahead;
+        if (left > 0) return;
+        const Look look = lookAtPair(state, begin, ahead, noFaces(f, begin) > 0);
+        if (look.changes) {
+            changes = true;
+            return;
+        }
+        writeSlots(state, begin, look.found, {}, look.size);
+        left = look.travel;
+    });
+    return changes;
+}
+
+void renewSharpContacts(State& state, double ahead, bool parallel, const CarriedPoints& carried) {
+    forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
+        const Look look = lookAtPair(state, begin, ahead, true);
+        noFaces(state.interfaces, begin) = look.no_faces ? 1.0 : 0.0;
+        const auto of_pair =
+            carried.find(std::minmax(state.interfaces.block_a[begin], state.interfaces.block_b[begin]));
+        writeSlots(state, begin, look.found,
+                   of_pair == carried.end() ? std::vector<CarriedPoint>{} : of_pair->second, look.size);
+        travelLeft(state.interfaces, begin) = look.travel;
+    });
+}
+
+}  // namespace talus::stages

@@ -1,0 +1,366 @@
+#include "contacts/vertex_edge_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+namespace talus {
+namespace {
+
+constexpr double kParallel =
+    1e-6;  // sine of the angle below which two edges have no cross product worth the name
+constexpr double kOnOutline = 1e-9;  // of the face's longest edge: a vertex this far outside counts as inside
+
+struct Edge {
+    std::int32_t from, to;     // vertices
+    std::int32_t left, right;  // faces
+    Vec3 direction;            // unit
+    Vec3 arc;                  // cross product of the two faces' normals
+};
+
+/// Edges in the order of the faces that list them first.
+std::vector<Edge> edgesOf(const WorldShape& shape) {
+    struct Half {
+        std::int32_t low, high, face;
+    };
+    std::vector<Half> halves;
+    for (std::size_t face = 0; face < shape.faces.size(); ++face) {
+        const auto& outline = shape.faces[face];
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const auto [low, high] = std::minmax(outline[i], outline[i + 1 < outline.size() ? i + 1 : 0]);
+            halves.push_back({low, high, static_cast<std::int32_t>(face)});
+        }
+    }
+    std::sort(halves.begin(), halves.end(), [](const Half& a, const Half& b) {
+        return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
+    });
+    std::vector<Edge> edges;
+    edges.reserve(halves.size() / 2);
+    for (std::size_t i = 0; i + 1 < halves.size(); i += 2) {  // each edge belongs to two faces
+        const Half &left = halves[i], &right = halves[i + 1];
+        const Vec3 along = shape.vertices[static_cast<std::size_t>(left.high)] -
+                           shape.vertices[static_cast<std::size_t>(left.low)];
+        edges.push_back({left.low, left.high, left.face, right.face, along.normalized(),
+                         shape.normals[static_cast<std::size_t>(left.face)].cross(
+                             shape.normals[static_cast<std::size_t>(right.face)])});
+    }
+    return edges;
+}
+
+struct Pair {
+    const WorldShape &first, &second;
+    std::vector<Edge> first_edges{}, second_edges{};
+
+    const WorldShape& shape(bool is_second) const { return is_second ? second : first; }
+};
+
+/// An axis along which the two may be told apart.
+struct Axis {
+    double distance = -std::numeric_limits<double>::infinity();
+    bool is_edges = false;
+    bool second_is_reference = false;  // whose face it is
+    std::int32_t face = -1;            // its index; of edges: the first block's edge
+    std::int32_t other = -1;           // the other block's lowest vertex; of edges: the second block's edge
+    Vec3 normal = Vec3::Zero();        // from the reference (of edges: the first) to the other
+};
+
+const Vec3& vertexOf(const WorldShape& shape, std::int32_t v) {
+    return shape.vertices[static_cast<std::size_t>(v)];
+}
+
+Axis faceAxis(const Pair& pair, bool second_is_reference, std::size_t face) {
+    const WorldShape& reference = pair.shape(second_is_reference);
+    const WorldShape& other = pair.shape(!second_is_reference);
+    Axis axis{std::numeric_limits<double>::infinity(), false, second_is_reference,
+              static_cast<std::int32_t>(face),         -1,    reference.normals[face]};
+    const Vec3& origin = vertexOf(reference, reference.faces[face][0]);
+    for (std::size_t v = 0; v < other.vertices.size(); ++v) {
+        const double height = axis.normal.dot(other.vertices[v] - origin);
+        if (height < axis.distance) axis.distance = height, axis.other = static_cast<std::int32_t>(v);
+    }
+    return axis;
+}
+
+/// The cross product of two edges, when they are the two blocks' outermost along it: when the arc between the normals of
+/// one edge's faces and that between the opposites of the other's cross on the unit sphere (the Gauss map; Gregorius 2013).
+Axis edgeAxis(const Pair& pair, std::size_t e, std::size_t f) {
+    const Edge &first = pair.first_edges[e], &second = pair.second_edges[f];
+    const auto normal_1 = [&](std::int32_t face) -> const Vec3& {
+        return pair.first.normals[static_cast<std::size_t>(face)];
+    };
+    const auto normal_2 = [&](std::int32_t face) -> const Vec3& {
+        return pair.second.normals[static_cast<std::size_t>(face)];
+    };
+    const double second_left = normal_2(second.left).dot(first.arc);
+    if (second_left * normal_2(second.right).dot(first.arc) >= 0) return {};
+    const double first_right = normal_1(first.right).dot(second.arc);
+    if (normal_1(first.left).dot(second.arc) * first_right >= 0 || second_left * first_right >= 0) return {};
+    Vec3 normal = first.direction.cross(second.direction);
+    const double sine = normal.norm();
+    if (sine < kParallel) return {};
+    normal /= sine;
+    if (normal.dot(normal_1(first.left) + normal_1(first.right)) < 0) normal = -normal;
+    const double distance = normal.dot(vertexOf(pair.second, second.from) - vertexOf(pair.first, first.from));
+    return {distance, true, false, static_cast<std::int32_t>(e), static_cast<std::int32_t>(f), normal};
+}
+
+/// Of the faces around a vertex the one that looks most against a direction.
+std::int32_t incidentFace(const WorldShape& shape, std::int32_t vertex, const Vec3& direction) {
+    std::int32_t best = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t face = 0; face < shape.faces.size(); ++face) {
+        const auto& outline = shape.faces[face];
+        if (std::find(outline.begin(), outline.end(), vertex) == outline.end()) continue;
+        const double along = shape.normals[face].dot(direction);
+        if (along < least) least = along, best = static_cast<std::int32_t>(face);
+    }
+    return best;
+}
+
+/// Two faces, one of each block.
+struct Faces {
+    std::int32_t first, second;
+};
+
+/// The faces that meet along an axis: those that look at each other most.
+Faces meetingFaces(const Pair& pair, const Axis& axis) {
+    if (!axis.is_edges) {
+        const std::int32_t other =
+            incidentFace(pair.shape(!axis.second_is_reference), axis.other, axis.normal);
+        return axis.second_is_reference ? Faces{other, axis.face} : Faces{axis.face, other};
+    }
+    const Edge& e = pair.first_edges[static_cast<std::size_t>(axis.face)];
+    const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
+    Faces best{e.left, f.left};
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::int32_t of_first : {e.left, e.right})
+        for (const std::int32_t of_second : {f.left, f.right}) {
+            const double along = pair.first.normals[static_cast<std::size_t>(of_first)].dot(
+                pair.second.normals[static_cast<std::size_t>(of_second)]);
+            if (along < least) least = along, best = {of_first, of_second};
+        }
+    return best;
+}
+
+bool meetsFaceToFace(const Pair& pair, const Axis& axis, const SharpLimits& limits) {
+    const Faces faces = meetingFaces(pair, axis);
+    const Vec3 &first = pair.first.normals[static_cast<std::size_t>(faces.first)],
+               &second = pair.second.normals[static_cast<std::size_t>(faces.second)];
+    const double angle = limits.face_angle + limits.angle_per_depth * std::max(0.0, -axis.distance);
+    const double chord = (first + second).norm();
+    return chord <= angle && chord <= 2.0 * std::sin(0.5 * angle);  // the chord is never longer than the arc
+}
+
+/// Calls each(axis) for all axes until it returns false.
+template <class Each>
+void forEachAxis(Pair& pair, const Each& each) {
+    for (std::size_t face = 0; face < pair.first.faces.size(); ++face)
+        if (!each(faceAxis(pair, false, face))) return;
+    for (std::size_t face = 0; face < pair.second.faces.size(); ++face)
+        if (!each(faceAxis(pair, true, face))) return;
+    pair.first_edges = edgesOf(pair.first);
+    pair.second_edges = edgesOf(pair.second);
+    for (std::size_t e = 0; e < pair.first_edges.size(); ++e)
+        for (std::size_t f = 0; f < pair.second_edges.size(); ++f) {
+            const Axis axis = edgeAxis(pair, e, f);
+            if (axis.is_edges && !each(axis)) return;
+        }
+}
+
+/// The axes they meet along, at best.
+struct Meeting {
+    Axis faces, sharp;
+    bool apart = false;
+    double apart_by = 0;  // [m], at least
+};
+
+Meeting findMeeting(Pair& pair, const SharpLimits& limits) {
+    Meeting best;
+    forEachAxis(pair, [&](const Axis& axis) {
+        best.apart = axis.distance > limits.reach;
+        best.apart_by = axis.distance;
+        if (best.apart) return false;
+        if (axis.distance <= best.sharp.distance && axis.distance <= best.faces.distance) return true;
+        if (meetsFaceToFace(pair, axis, limits)) {
+            if (axis.distance > best.faces.distance) best.faces = axis;
+        } else if (axis.distance >
+                   best.sharp.distance + (axis.is_edges && !best.sharp.is_edges ? limits.tie : 0.0)) {
+            best.sharp = axis;
+        }
+        return true;
+    });
+    return best;
+}
+
+void addPoint(SharpPoints& found, const SharpPoint& point) {
+    if (found.count < SharpPoints::kMost) {
+        found.points[found.count++] = point;
+        return;
+    }
+    SharpPoint* widest =
+        std::max_element(found.points.begin(), found.points.end(),
+                         [](const SharpPoint& a, const SharpPoint& b) { return a.gap < b.gap; });
+    if (point.gap < widest->gap) *widest = point;
+}
+
+/// A face's plane and the lines of its outline.
+struct FaceOutline {
+    const WorldShape& shape;
+    const std::vector<std::int32_t>& outline;
+    Vec3 normal;
+    double size = 0;
+
+    FaceOutline(const WorldShape& shape_, std::size_t face)
+        : shape(shape_), outline(shape_.faces[face]), normal(shape_.normals[face]) {
+        for (std::size_t i = 0; i < outline.size(); ++i)
+            size = std::max(size, (corner(i + 1) - corner(i)).norm());
+    }
+    const Vec3& corner(std::size_t i) const { return vertexOf(shape, outline[i % outline.size()]); }
+    double height(const Vec3& x) const { return normal.dot(x - corner(0)); }
+    /// Distance beyond the i-th line, positive outside [m].
+    double beyond(std::size_t i, const Vec3& x) const {
+        const Vec3 out = (corner(i + 1) - corner(i)).cross(normal).normalized();
+        return out.dot(x - corner(i));
+    }
+    bool covers(const Vec3& x) const {
+        for (std::size_t i = 0; i < outline.size(); ++i)
+            if (beyond(i, x) > kOnOutline * size) return false;
+        return true;
+    }
+};
+
+/// The part of a segment above the face, as shares of its length; empty when begin >= end.
+struct Share {
+    double begin = 0, end = 1;
+};
+
+Share clip(const FaceOutline& face, const Vec3& from, const Vec3& to) {
+    Share share;
+    for (std::size_t i = 0; i < face.outline.size(); ++i) {
+        const double a = face.beyond(i, from), b = face.beyond(i, to);
+        if (a > 0 && b > 0) return {1, 0};
+        if (a > 0) share.begin = std::max(share.begin, a / (a - b));
+        if (b > 0) share.end = std::min(share.end, a / (a - b));
+    }
+    return share;
+}
+
+SharpPoints pointsOnFace(Pair& pair, const Axis& axis, double reach) {
+    const WorldShape& other = pair.shape(!axis.second_is_reference);
+    const FaceOutline face(pair.shape(axis.second_is_reference), static_cast<std::size_t>(axis.face));
+    const Vec3 e1 = (face.corner(1) - face.corner(0)).normalized(), e2 = face.normal.cross(e1);
+    SharpPoints found;
+    const auto add = [&](const Vec3& x, std::int32_t other_face) {
+        const double gap = face.height(x);
+        if (gap <= reach)
+            addPoint(found, {axis.second_is_reference, x - gap * face.normal, x, e1, e2, axis.face,
+                             other_face, gap});
+    };
+    for (std::size_t v = 0; v < other.vertices.size(); ++v)
+        if (face.height(other.vertices[v]) <= reach && face.covers(other.vertices[v]))
+            add(other.vertices[v], incidentFace(other, static_cast<std::int32_t>(v), face.normal));
+    auto& edges = axis.second_is_reference ? pair.first_edges : pair.second_edges;
+    if (edges.empty()) edges = edgesOf(other);
+    for (const Edge& edge : edges) {
+        const Vec3 &from = vertexOf(other, edge.from), &to = vertexOf(other, edge.to);
+        if (std::min(face.height(from), face.height(to)) > reach) continue;
+        const Share share = clip(face, from, to);
+        if (share.begin >= share.end) continue;
+        const auto along = [&](std::int32_t f) {
+            return other.normals[static_cast<std::size_t>(f)].dot(face.normal);
+        };
+        const std::int32_t other_face = along(edge.left) <= along(edge.right) ? edge.left : edge.right;
+        if (share.begin > 0 && !face.covers(from)) add(from + share.begin * (to - from), other_face);
+        if (share.end < 1 && !face.covers(to)) add(from + share.end * (to - from), other_face);
+    }
+    return found;
+}
+
+SharpPoints pointBetweenEdges(const Pair& pair, const Axis& axis) {
+    const Edge& e = pair.first_edges[static_cast<std::size_t>(axis.face)];
+    const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
+    const Vec3 &p = vertexOf(pair.first, e.from), &q = vertexOf(pair.second, f.from);
+    // The nearest points of two lines.
+    const double cosine = e.direction.dot(f.direction), sine_squared = 1.0 - cosine * cosine;
+    const Vec3 apart = q - p;
+    const double s = (apart.dot(e.direction) - cosine * apart.dot(f.direction)) / sine_squared;
+    const double t = (cosine * apart.dot(e.direction) - apart.dot(f.direction)) / sine_squared;
+    const double length_e = (vertexOf(pair.first, e.to) - p).norm(),
+                 length_f = (vertexOf(pair.second, f.to) - q).norm();
+    SharpPoints found;
+    if (s < 0 || s > length_e || t < 0 || t > length_f) return found;
+    const Faces faces = meetingFaces(pair, axis);
+    addPoint(found, {false, p + s * e.direction, q + t * f.direction, e.direction,
+                     axis.normal.cross(e.direction), faces.first, faces.second, axis.distance});
+    return found;
+}
+
+}  // namespace
+
+SharpPoints findSharpPoints(const WorldShape& first, const WorldShape& second, const SharpLimits& limits) {
+    Pair pair{first, second};
+    const Meeting meeting = findMeeting(pair, limits);
+    SharpPoints found;
+    if (meeting.apart) {
+        found.distance = meeting.apart_by;
+        return found;
+    }
+    const bool sharp = meeting.sharp.distance > meeting.faces.distance + limits.tie;
+    const Axis& axis = sharp ? meeting.sharp : meeting.faces;
+    if (sharp) found = axis.is_edges ? pointBetweenEdges(pair, axis) : pointsOnFace(pair, axis, limits.reach);
+    const Faces faces = meetingFaces(pair, axis);
+    found.near = true;
+    found.distance = axis.distance;
+    found.first_face = faces.first;
+    found.second_face = faces.second;
+    return found;
+}
+
+namespace {
+
+/// Parallelepipeds whose faces are parallel: whatever axis they meet along is the normal of a face of each.
+bool areParallelSided(const WorldShape& first, const WorldShape& second, double angle) {
+    if (first.faces.size() != 6 || second.faces.size() != 6 || first.vertices.size() != 8 ||
+        second.vertices.size() != 8)
+        return false;
+    const double chord = 2.0 * std::sin(0.5 * angle);
+    return std::all_of(first.normals.begin(), first.normals.end(), [&](const Vec3& n) {
+        return std::any_of(second.normals.begin(), second.normals.end(),
+                           [&](const Vec3& m) { return (n + m).squaredNorm() <= chord * chord; });
+    });
+}
+
+}  // namespace
+
+bool areApart(const WorldShape& first, const WorldShape& second, double distance) {
+    const Pair pair{first, second};
+    for (std::size_t face = 0; face < first.faces.size(); ++face)
+        if (faceAxis(pair, false, face).distance > distance) return true;
+    for (std::size_t face = 0; face < second.faces.size(); ++face)
+        if (faceAxis(pair, true, face).distance > distance) return true;
+    return false;
+}
+
+Approach approachOf(const WorldShape& first, const WorldShape& second, const SharpLimits& limits,
+                    double travel, double turn) {
+    if (areParallelSided(first, second, limits.face_angle - turn)) return Approach::faces;
+    Pair pair{first, second};
+    SharpLimits narrow = limits;
+    narrow.face_angle -= turn;
+    narrow.angle_per_depth = 0;
+    double most = -std::numeric_limits<double>::infinity(), sharpest = most;
+    bool apart = false;
+    forEachAxis(pair, [&](const Axis& axis) {
+        apart = axis.distance > limits.reach + travel;
+        if (apart) return false;
+        most = std::max(most, axis.distance);
+        if (axis.distance > sharpest && !meetsFaceToFace(pair, axis, narrow)) sharpest = axis.distance;
+        return true;
+    });
+    if (apart) return Approach::apart;
+    return sharpest > most - travel ? Approach::sharp : Approach::faces;
+}
+
+}  // namespace talus

@@ -1,0 +1,123 @@
+#include "forces/contact_forces.h"
+
+#include "forces/contact_view.h"
+#include "forces/relative_pose.h"
+#include "law/points.h"
+
+namespace talus::stages {
+namespace {
+
+using simd::Triple;
+
+PointPlaces placesOf(PointRule::Kind kind) {
+    switch (kind) {
+        case PointRule::Kind::vertex:
+            return PointPlaces::vertex;
+        case PointRule::Kind::corner:
+            return PointPlaces::corner;
+        case PointRule::Kind::quarter:
+        case PointRule::Kind::grid:
+            break;
+    }
+    return PointPlaces::stored;
+}
+
+/// Whether the arrays by interface and Lp are more than a core's own cache holds from step to step, all of them on one core.
+bool isBeyondCaches(const State& state) {
+    constexpr std::size_t kOwnCache = 1U << 22U;  // [bytes] what it has, and some
+    const auto bytes = [](const LaneArray& of) { return of.slots() * of.quantities() * sizeof(double); };
+    return bytes(state.interfaces.frames) + bytes(state.interfaces.corners) + bytes(state.points.memory) +
+               bytes(state.points.places) >
+           kOwnCache;
+}
+
+ContactView contactView(State& state) {
+    Blocks& blocks = state.blocks;
+    Interfaces& f = state.interfaces;
+    ContactPoints& points = state.points;
+    return {.position = numbers(blocks.position),
+            .orientation = numbers(blocks.orientation),
+            .velocity = constPointers(blocks.velocity),
+            .angular_velocity = constPointers(blocks.angular_velocity),
+            .groups = f.groups.data(),
+            .block_a = f.block_a.data(),
+            .block_b = f.block_b.data(),
+            .joint = f.joint.data(),
+            .frames = f.frames.data(),
+            .corners = f.corners.data(),
+            .patch_area = f.area.data(),
+            .laws = state.laws.data(),
+            .point_places = points.places.data(),
+            .memory = points.memory.data(),
+            .wrenches = f.wrenches.empty() ? nullptr : f.wrenches.front().force.data(),
+            .remembers = points.remembers(),
+            .beyond_caches = isBeyondCaches(state),
+            .release = state.release,
+            .contact_damping = state.damping.contact,
+            .places = placesOf(state.geometry->model.points.kind)};
+}
+
+Triple<double> triple(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 vec3(const Triple<double>& v) { return {v.x, v.y, v.z}; }
+
+PoseOf<double> poseOf(const Blocks& blocks, std::int32_t block) {
+    const auto b = static_cast<std::size_t>(block);
+    const auto& [w, x, y, z] = blocks.orientation[b];
+    return {triple(blocks.position.get(b)), simd::rotationOf(w, x, y, z)};
+}
+
+double affineAt(const Vec3& f, const Eigen::Vector2d& place) {
+    return affine<double>({f.x(), f.y(), f.z()}, place.x(), place.y());
+}
+
+}  // namespace
+
+RelativePose relativePose(const Blocks& blocks, const Interfaces& f, std::size_t i) {
+    const InterfaceFrame frame = f.frame(i);
+    const FramesOf<double> frames{triple(frame.origin_a),     triple(frame.e1_a), triple(frame.e2_a),
+                                  triple(frame.origin_b),     triple(frame.e1_b), triple(frame.e2_b),
+                                  triple(frame.reference_gap)};
+    const PoseOf<double> a = poseOf(blocks, f.block_a[i]);
+    const auto pose = relativePoseOf(frames, a, poseOf(blocks, f.block_b[i]));
+    return {vec3(pose.gap), vec3(pose.slide_1), vec3(pose.slide_2), vec3(a.position + pose.arm_a),
+            vec3(pose.e1),  vec3(pose.e2),      vec3(pose.e3)};
+}
+
+RelativePose relativePose(const State& state, std::size_t i) {
+    return relativePose(state.blocks, state.interfaces, i);
+}
+
+void updateContacts(State& state, Range groups) {
+    simd::buildFor(state.instructions, updateContactsScalar, updateContactsAvx2, updateContactsAvx512)(
+        contactView(state), groups.begin, groups.end);
+}
+
+Contacts contactsOf(const State& state) {
+    return {state.blocks, state.interfaces, state.points, state.laws, state.geometry->model.points};
+}
+
+std::vector<PointState> pointStates(const State& state, std::size_t i) {
+    return pointStates(contactsOf(state), i);
+}
+
+std::vector<PointState> pointStates(const Contacts& contacts, std::size_t i) {
+    constexpr double kNoRelease = 0.0;
+    const Interfaces& f = contacts.interfaces;
+    const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(f.joint[i])];
+    const RelativePose pose = relativePose(contacts.blocks, f, i);
+    std::vector<PointState> result;
+    for (const contact::PatchPoint& place : interfacePoints(f, i, contacts.rule)) {
+        PointState point{.position = place.position,
+                         .area = place.area,
+                         .force = {},
+                         .memory = contacts.points.memoryAt(f.pointSlot(i, result.size()))};
+        contact::PointMemory scratch = point.memory;
+        point.force = contact::contactLaw(law, place.area, affineAt(pose.gap, place.position),
+                                          affineAt(pose.slide_1, place.position),
+                                          affineAt(pose.slide_2, place.position), kNoRelease, scratch);
+        result.push_back(point);
+    }
+    return result;
+}
+
+}  // namespace talus::stages

@@ -1,0 +1,53 @@
+#pragma once
+// Stage "update contacts": plastic slides and interface wrenches from the poses.
+
+#include <vector>
+
+#include "state/arrays.h"
+#include "state/point_layout.h"
+#include "state/range.h"
+
+namespace talus::stages {
+
+/// \pre  interfaces, points and block poses are those of one instant; with contact damping angular_velocity too
+/// Reads:  blocks.position, orientation (and velocity, angular_velocity with contact damping); interfaces' frames and
+///         patches; laws; release
+/// Writes: points' memory; interfaces.force, moment_a, moment_b
+/// Each group of interfaces writes its own slots only.
+void updateContacts(State& state, Range groups);
+
+/// Gap at the interface's origin and its slopes along e1 and e2, less the reference gap [m, -, -], and the slide of b
+/// over a there along e1, e2 [m] with its gradients.
+struct RelativePose {
+    Vec3 gap;               ///< gap, d gap/d xi, d gap/d eta
+    Vec3 slide_1, slide_2;  ///< likewise
+    Vec3 origin;            ///< of the interface, model frame [m]
+    Vec3 e1, e2, e3;        ///< model frame
+};
+RelativePose relativePose(const Blocks& blocks, const Interfaces& interfaces, std::size_t interface);
+RelativePose relativePose(const State& state, std::size_t interface);
+
+/// An Lp as it stands: where it lies on the patch, what it carries and remembers.
+struct PointState {
+    Eigen::Vector2d position;   ///< along e1, e2 from the interface's origin [m]
+    double area;                ///< A_s [m^2]
+    contact::PointForce force;  ///< of the springs, on b
+    contact::PointMemory memory;
+};
+
+/// What the forces at Lps follow from: interfaces and Lps of a state, or those it had before a search.
+struct Contacts {
+    const Blocks& blocks;
+    const Interfaces& interfaces;
+    const ContactPoints& points;
+    const std::vector<contact::JointLaw>& laws;
+    const PointRule& rule;
+};
+Contacts contactsOf(const State& state);
+
+/// All Lps of an interface, in the order of contact::patchPoints. The law gives the same forces when it is asked once more
+/// at the same place (but for slip that dilates, which the next step feels).
+std::vector<PointState> pointStates(const Contacts& contacts, std::size_t interface);
+std::vector<PointState> pointStates(const State& state, std::size_t interface);
+
+}  // namespace talus::stages

@@ -1,0 +1,316 @@
+#pragma once
+// The hot kernel: gap, slide, law and sums for one interface (V = double) or several in a register (V = Lanes). One
+// source, a build per instruction set (contact_kernel*.cpp), the same bits.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "forces/contact_view.h"
+#include "forces/relative_pose.h"
+#include "law/law.h"
+#include "state/slot_sizes.h"
+
+namespace talus::stages {
+namespace {
+
+using simd::Triple;
+
+/// What an interface's Lps add up to: force on b and moment about the interface's origin, in the frame e1, e2, e3.
+template <class V>
+struct PatchSum {
+    Triple<V> force{}, moment{};
+
+    TALUS_KERNEL void add(V xi, V eta, V shear_1, V shear_2, V normal) {
+        force.x = force.x + shear_1;
+        force.y = force.y + shear_2;
+        force.z = force.z + normal;
+        moment.x = moment.x + eta * normal;
+        moment.y = moment.y - xi * normal;
+        moment.z = moment.z + (xi * shear_2 - eta * shear_1);
+    }
+};
+
+/// Velocity of b over a along the normal and the tangents, affine over the patch [m/s].
+template <class V>
+struct RelativeVelocity {
+    Triple<V> normal, tangent_1, tangent_2;
+};
+
+template <class V>
+TALUS_KERNEL RelativeVelocity<V> relativeVelocity(const RelativePoseOf<V>& pose, const Triple<V>& velocity_a,
+                                                  const Triple<V>& spin_a, const Triple<V>& velocity_b,
+                                                  const Triple<V>& spin_b) {
+    using simd::cross, simd::dot;
+    const Triple<V> v = velocity_b + cross(spin_b, pose.arm_b) - velocity_a - cross(spin_a, pose.arm_a);
+    const Triple<V> spin = spin_b - spin_a;
+    const Triple<V> v_xi = cross(spin, pose.e1), v_eta = cross(spin, pose.e2);
+    return {{dot(v, pose.e3), dot(v_xi, pose.e3), dot(v_eta, pose.e3)},
+            {dot(v, pose.e1), dot(v_xi, pose.e1), dot(v_eta, pose.e1)},
+            {dot(v, pose.e2), dot(v_xi, pose.e2), dot(v_eta, pose.e2)}};
+}
+
+/// The members of a group that one register takes: as many as it has room for, or one for V = double.
+template <class V>
+struct Members;
+
+template <>
+struct Members<double> {
+    static constexpr int kWidth = 1;
+    std::size_t interface;
+    std::size_t lane;  ///< place in the group
+
+    TALUS_KERNEL Members(const InterfaceGroup& group, int lane_)
+        : interface(static_cast<std::size_t>(group.begin + lane_)), lane(static_cast<std::size_t>(lane_)) {}
+    /// One quantity of consecutive slots, the first of the group at `row`.
+    TALUS_KERNEL double load(const double* row) const { return row[lane]; }
+    TALUS_KERNEL void store(double* row, double v) const { row[lane] = v; }
+    /// Into the records of the group's interfaces, the first of them at `to`.
+    TALUS_KERNEL void storeWrench(double* to, const Triple<double>& force, const Triple<double>& moment_a,
+                                  const Triple<double>& moment_b) const {
+        to += kWrenchQuantities * lane;
+        to[0] = force.x, to[1] = force.y, to[2] = force.z;
+        to[3] = moment_a.x, to[4] = moment_a.y, to[5] = moment_a.z;
+        to[6] = moment_b.x, to[7] = moment_b.y, to[8] = moment_b.z;
+    }
+    /// By interface.
+    TALUS_KERNEL double take(const double* values) const { return values[interface]; }
+    /// values[index[interface]]
+    TALUS_KERNEL double gather(const double* values, const std::int32_t* index) const {
+        return values[index[interface]];
+    }
+    TALUS_KERNEL double gather(const contact::JointLaw* laws, double contact::JointLaw::*field,
+                               const std::int32_t* index) const {
+        return laws[index[interface]].*field;
+    }
+    TALUS_KERNEL bool gatherFlag(const contact::JointLaw* laws, const std::int32_t* index) const {
+        return laws[index[interface]].bonded;
+    }
+    TALUS_KERNEL PoseOf<double> gatherPose(const double* position, const double* orientation,
+                                           const std::int32_t* block) const {
+        const double* x = position + 4 * static_cast<std::ptrdiff_t>(block[interface]);
+        const double* q = orientation + 4 * static_cast<std::ptrdiff_t>(block[interface]);
+        return {{x[0], x[1], x[2]}, simd::rotationOf(q[0], q[1], q[2], q[3])};
+    }
+};
+
+constexpr auto kRow = static_cast<std::size_t>(simd::kLanes);  // doubles from one quantity to the next
+
+template <class V>
+TALUS_KERNEL Triple<V> loadTriple(const Members<V>& members, const double* row) {
+    return {members.load(row), members.load(row + kRow), members.load(row + 2 * kRow)};
+}
+template <class V>
+TALUS_KERNEL Triple<V> gather(const Members<V>& members, const ConstVectors& from,
+                              const std::int32_t* index) {
+    return {members.gather(from.x, index), members.gather(from.y, index), members.gather(from.z, index)};
+}
+
+/// In the order of kFrameVectors (state/interface_frame.h).
+template <class V>
+TALUS_KERNEL FramesOf<V> loadFrames(const Members<V>& members, const double* row) {
+    return {loadTriple(members, row),
+            loadTriple(members, row + 3 * kRow),
+            loadTriple(members, row + 6 * kRow),
+            loadTriple(members, row + 9 * kRow),
+            loadTriple(members, row + 12 * kRow),
+            loadTriple(members, row + 15 * kRow),
+            loadTriple(members, row + 18 * kRow)};
+}
+
+template <class V>
+TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, const ContactView& view) {
+    using contact::JointLaw;
+    const auto take = [&](double JointLaw::*field) { return members.gather(view.laws, field, view.joint); };
+    return {take(&JointLaw::normal_stiffness),
+            take(&JointLaw::shear_stiffness),
+            take(&JointLaw::tan_friction),
+            take(&JointLaw::cohesion),
+            take(&JointLaw::tensile_strength),
+            take(&JointLaw::residual_tan_friction),
+            take(&JointLaw::residual_cohesion),
+            take(&JointLaw::tan_dilation),
+            members.gatherFlag(view.laws, view.joint)};
+}
+
+/// One group's Lps, one after the other.
+template <class V, bool Damped, bool Remembers>
+struct PointLoop {
+    const ContactView& view;
+    const Members<V>& members;
+    const RelativePoseOf<V>& pose;
+    const contact::JointParameters<V>& law;
+    const RelativeVelocity<V>& velocity;
+    V release, damping_normal, damping_shear;
+    PatchSum<V> sum{};
+
+    /// The viscous term c_k of eqs (3)-(4) beside the spring: acts while the Lp is closed, along the surface only while
+    /// it sticks, and never turns the normal force into tension beyond the joint's strength.
+    TALUS_KERNEL void addDashpot(V xi, V eta, V area, V bond, contact::ForceOf<V>& total) const {
+        using simd::either, simd::larger, simd::select;
+        const V damped = total.normal - damping_normal * area * affine(velocity.normal, xi, eta);
+        const V least = -(bond * law.tensile_strength * area);
+        total.normal = select(total.open, total.normal, larger(damped, least));
+        const V c = select(either(total.open, total.slips), V{}, damping_shear * area);
+        total.shear_1 = total.shear_1 - c * affine(velocity.tangent_1, xi, eta);
+        total.shear_2 = total.shear_2 - c * affine(velocity.tangent_2, xi, eta);
+    }
+
+    TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot) {
+        double* row = view.memory + slot * (Remembers ? kMemoryQuantities : kSlideQuantities);
+        contact::MemoryOf<V> memory;
+        memory.offset_1 = members.load(row);
+        memory.offset_2 = members.load(row + kRow);
+        if constexpr (Remembers) {
+            memory.bond = members.load(row + 2 * kRow);
+            memory.dilation = members.load(row + 3 * kRow);
+        }
+        const V slide_1 = affine(pose.slide_1, xi, eta), slide_2 = affine(pose.slide_2, xi, eta);
+        contact::ForceOf<V> force = contact::contactLaw<Remembers>(law, area, affine(pose.gap, xi, eta),
+                                                                   slide_1, slide_2, release, memory);
+        members.store(row, memory.offset_1);
+        members.store(row + kRow, memory.offset_2);
+        if constexpr (Remembers) {
+            members.store(row + 2 * kRow, memory.bond);
+            members.store(row + 3 * kRow, memory.dilation);
+        }
+        if constexpr (Damped) addDashpot(xi, eta, area, memory.bond, force);
+        sum.add(xi + slide_1, eta + slide_2, force.shear_1, force.shear_2, force.normal);
+    }
+};
+
+/// Calls each(xi, eta, area, slot) for every Lp, in the order of contact::patchPoints. The origin is the patch's
+/// centroid, so that of the fan triangles follows from two corners.
+template <PointPlaces Places, class V, class Each>
+TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& group,
+                               const Members<V>& members, Each& each) {
+    const auto first = static_cast<std::size_t>(group.first_point);
+    if constexpr (Places == PointPlaces::stored) {
+        for (std::size_t k = 0, slot = first; k < static_cast<std::size_t>(group.points); ++k, slot += kRow) {
+            const double* row = view.point_places + slot * kPlaceQuantities;
+            each(members.load(row), members.load(row + kRow), members.load(row + 2 * kRow), slot);
+        }
+    } else {
+        const auto corners = static_cast<std::size_t>(group.corners);
+        constexpr std::size_t step = kCornerQuantities * kRow;
+        const double* patch_xi =
+            view.corners + static_cast<std::size_t>(group.first_corner) * kCornerQuantities;
+        const double* patch_eta = patch_xi + kRow;
+        if (Places == PointPlaces::corner || corners == 1) {
+            const V share = members.take(view.patch_area) * (1.0 / static_cast<double>(corners));
+            for (std::size_t k = 0; k < corners; ++k)
+                each(members.load(patch_xi + k * step), members.load(patch_eta + k * step), share,
+                     first + k * kRow);
+        } else {
+            // Twice the areas of the fan's triangles.
+            const auto twice = [](V ax, V ay, V bx, V by) { return ax * by - ay * bx; };
+            const std::size_t last = (corners - 1) * step;
+            const V first_xi = members.load(patch_xi), first_eta = members.load(patch_eta);
+            V xi = first_xi, eta = first_eta;
+            V before = twice(members.load(patch_xi + last), members.load(patch_eta + last), xi, eta);
+            V whole{};
+            for (std::size_t k = 0; k < corners; ++k) {
+                const bool closes = k + 1 == corners;
+                const V next_xi = closes ? first_xi : members.load(patch_xi + (k + 1) * step);
+                const V next_eta = closes ? first_eta : members.load(patch_eta + (k + 1) * step);
+                const V triangle = twice(xi, eta, next_xi, next_eta);
+                each(xi, eta, (1.0 / 24) * (before + triangle), first + k * kRow);
+                each((1.0 / 3) * (xi + next_xi), (1.0 / 3) * (eta + next_eta), 0.375 * triangle,
+                     first + (corners + 1 + k) * kRow);
+                whole = whole + triangle;
+                before = triangle;
+                xi = next_xi;
+                eta = next_eta;
+            }
+            each(V{}, V{}, (1.0 / 24) * whole, first + corners * kRow);
+        }
+    }
+}
+
+template <class V, PointPlaces Places, bool Damped, bool Remembers>
+TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index, const Members<V>& members) {
+    const InterfaceGroup& group = view.groups[group_index];
+    const FramesOf<V> frames = loadFrames(members, view.frames + group_index * kFrameQuantities * kRow);
+    const RelativePoseOf<V> pose =
+        relativePoseOf(frames, members.gatherPose(view.position, view.orientation, view.block_a),
+                       members.gatherPose(view.position, view.orientation, view.block_b));
+    const contact::JointParameters<V> law = gatherLaw(members, view);
+    RelativeVelocity<V> velocity;
+    V damping_normal{}, damping_shear{};
+    if constexpr (Damped) {
+        velocity = relativeVelocity(pose, gather(members, view.velocity, view.block_a),
+                                    gather(members, view.angular_velocity, view.block_a),
+                                    gather(members, view.velocity, view.block_b),
+                                    gather(members, view.angular_velocity, view.block_b));
+        damping_normal = view.contact_damping * law.normal_stiffness;
+        damping_shear = view.contact_damping * law.shear_stiffness;
+    }
+    PointLoop<V, Damped, Remembers> points{
+        view, members, pose, law, velocity, V{} + view.release, damping_normal, damping_shear};
+    forEachPoint<Places>(view, group, members, points);
+    const PatchSum<V>& sum = points.sum;
+    const Triple<V> force = sum.force.x * pose.e1 + sum.force.y * pose.e2 + sum.force.z * pose.e3;
+    const Triple<V> moment = sum.moment.x * pose.e1 + sum.moment.y * pose.e2 + sum.moment.z * pose.e3;
+    const Triple<V> about_a = simd::cross(pose.arm_a, force) + moment;
+    members.storeWrench(view.wrenches + group_index * kWrenchQuantities * kRow, force,
+                        {-about_a.x, -about_a.y, -about_a.z}, simd::cross(pose.arm_b, force) + moment);
+}
+
+constexpr std::size_t kGroupsAhead = 2;
+
+/// Asks for `rows` of kLanes doubles, as much as a cache line each.
+template <bool Written>
+TALUS_KERNEL void fetchRows(const double* row, std::size_t rows) {
+    for (; rows > 0; --rows, row += kRow) __builtin_prefetch(row, Written ? 1 : 0);
+}
+
+/// Asks for what a group needs. The processor's own prefetchers lose the thread, because the streams come in short pieces
+/// in turn (engine/README.md has what that costs).
+template <PointPlaces Places, bool Remembers>
+TALUS_KERNEL void fetch(const ContactView& view, std::size_t group_index) {
+    constexpr std::size_t memory = Remembers ? kMemoryQuantities : kSlideQuantities;
+    const InterfaceGroup& group = view.groups[group_index];
+    const auto corners = static_cast<std::size_t>(group.corners),
+               first = static_cast<std::size_t>(group.first_corner);
+    const auto points = static_cast<std::size_t>(group.points),
+               slot = static_cast<std::size_t>(group.first_point);
+    fetchRows<false>(view.frames + group_index * kFrameQuantities * kRow, kFrameQuantities);
+    if constexpr (Places == PointPlaces::stored)
+        fetchRows<false>(view.point_places + slot * kPlaceQuantities, points * kPlaceQuantities);
+    else
+        fetchRows<false>(view.corners + first * kCornerQuantities, corners * kCornerQuantities);
+    fetchRows<true>(view.memory + slot * memory, points * memory);
+    fetchRows<true>(view.wrenches + group_index * kWrenchQuantities * kRow, kWrenchQuantities);
+}
+
+template <class V, PointPlaces Places, bool Damped, bool Remembers>
+void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) {
+        if (view.beyond_caches && g + kGroupsAhead < end) fetch<Places, Remembers>(view, g + kGroupsAhead);
+        for (int lane = 0; lane < view.groups[g].size; lane += Members<V>::kWidth)
+            updateMembers<V, Places, Damped, Remembers>(view, g, Members<V>(view.groups[g], lane));
+    }
+}
+
+template <class V, PointPlaces Places>
+void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
+    const bool damped = view.contact_damping > 0, remembers = view.remembers;
+    if (damped && remembers) return updateGroups<V, Places, true, true>(view, begin, end);
+    if (damped) return updateGroups<V, Places, true, false>(view, begin, end);
+    if (remembers) return updateGroups<V, Places, false, true>(view, begin, end);
+    updateGroups<V, Places, false, false>(view, begin, end);
+}
+
+template <class V>
+void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
+    switch (view.places) {
+        case PointPlaces::vertex:
+            return updateGroups<V, PointPlaces::vertex>(view, begin, end);
+        case PointPlaces::corner:
+            return updateGroups<V, PointPlaces::corner>(view, begin, end);
+        case PointPlaces::stored:
+            return updateGroups<V, PointPlaces::stored>(view, begin, end);
+    }
+}
+
+}  // namespace
+}  // namespace talus::stages

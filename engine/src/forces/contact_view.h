@@ -1,0 +1,50 @@
+#pragma once
+// What the contact kernel reads and writes.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "law/law.h"
+#include "simd/pointers.h"
+#include "state/interface_group.h"
+
+namespace talus::stages {
+
+using simd::ConstVectors;
+
+/// Where the kernel has the Lps' positions and areas from.
+enum class PointPlaces : std::uint8_t { vertex, corner, stored };
+
+struct ContactView {
+    // read, per block
+    const double *position, *orientation;     ///< four numbers a block (state/pose_arrays.h)
+    ConstVectors velocity, angular_velocity;  ///< with contact damping only
+    // read, per interface
+    const InterfaceGroup* groups;
+    const std::int32_t *block_a, *block_b, *joint;
+    const double* frames;  ///< slot by slot (state/interface_frame.h), as all that follow
+    const double* corners;
+    const double* patch_area;  ///< by interface
+    // read, per joint
+    const contact::JointLaw* laws;
+    // read, per Lp
+    const double* point_places;  ///< `stored` only
+    // read and written, per Lp
+    double* memory;
+    // written, per interface
+    double* wrenches;  ///< slot by slot, each nine numbers side by side
+
+    bool remembers;  ///< whether Lps have bond and dilation in their memory
+    bool
+        beyond_caches;  ///< whether the arrays come from main memory each time: groups are then fetched ahead
+    double release;
+    double contact_damping;
+    PointPlaces places;
+};
+
+/// Groups [begin, end). Same bits from each.
+void updateContactsScalar(const ContactView& view, std::size_t begin, std::size_t end);
+void updateContactsAvx2(const ContactView& view, std::size_t begin, std::size_t end);
+void updateContactsAvx512(const ContactView& view, std::size_t begin, std::size_t end);
+
+}  // namespace talus::stages

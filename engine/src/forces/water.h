@@ -1,0 +1,50 @@
+#pragma once
+// Stage "update water": the wrench of fissure water (eqs 1-2) on each wet wall, exact for partly wet polygons.
+//
+// p = rho_w g (depth below a horizontal table, along gravity). For a joint at tilt beta and a distance s along it that
+// is rho_w g cos(beta) (H - s), the paper's eq 16. Walls are polygons fixed to their blocks: water keeps pushing when
+// the joint opens.
+
+#include <span>
+#include <vector>
+
+#include "forces/wrench.h"
+#include "geometry/pressure.h"
+#include "state/arrays.h"
+#include "talus/result.h"
+
+namespace talus::stages {
+
+/// Makes the wet walls out of the model's waters and finds which act on which block.
+/// Errors: no wall, nothing below the base, two waters on the same place of a wall.
+std::vector<Error> buildWater(State& state);
+
+/// Makes the walls again after patches were clipped, for waters that stand on the patch of two blocks.
+void rebuildPairWater(State& state);
+
+/// Brings the wrenches up to date where the load, the level or the block's pose changed; nothing to do otherwise.
+/// Reads:  load, poses, drained
+/// Writes: wet.force, wet.moment
+void updateWater(State& state);
+
+/// Blocks with wet walls, ascending.
+std::span<const std::int32_t> wetBlocks(const State& state);
+
+/// Of all water on a block, as last computed.
+Wrench waterOn(const State& state, std::size_t block);
+
+/// Marks waters as drained whose interfaces have opened wider than they allow. Reads poses, writes drained.
+void drainWater(State& state);
+
+/// What follows from the walls: their moments, and which of them push on which block. Reads wet, writes that and its part
+/// of incidence.
+void finishWalls(State& state);
+
+/// A wet patch in its own plane, and the pressure there as last computed.
+Polygon wetPolygon(const State& state, std::size_t wet_patch);
+LinearPressure pressureOnWall(const State& state, std::size_t wet_patch);
+
+/// The pressure of a water under the state's load.
+PressureField pressureField(const State& state, std::size_t water);
+
+}  // namespace talus::stages

@@ -1,0 +1,188 @@
+#include "frame/frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "forces/contact_forces.h"
+#include "forces/water.h"
+#include "frame/frame_fields.h"
+#include "frame/frame_readings.h"
+#include "measure/measure.h"
+#include "model/water_level.h"
+
+namespace talus {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+void add(VectorList<double>& list, const Vec3& v) {
+    list.x.push_back(v.x()), list.y.push_back(v.y()), list.z.push_back(v.z());
+}
+
+void add(VectorList<float>& list, const Vec3& v) {
+    list.x.push_back(static_cast<float>(v.x()));
+    list.y.push_back(static_cast<float>(v.y()));
+    list.z.push_back(static_cast<float>(v.z()));
+}
+
+/// Copies an array of the state into the frame, whatever the two are called.
+struct ToFrame {
+    void operator()(const VectorArray& s, VectorList<double>& f) const { f.x = s.x, f.y = s.y, f.z = s.z; }
+    void operator()(const PositionArray& s, VectorList<double>& f) const {
+        for (auto* values : {&f.x, &f.y, &f.z}) values->clear();
+        for (std::size_t i = 0; i < s.size(); ++i) add(f, s.get(i));
+    }
+    void operator()(const QuaternionArray& s, QuaternionList& f) const {
+        for (auto* values : {&f.w, &f.x, &f.y, &f.z}) values->clear();
+        for (const auto& [w, x, y, z] : s)
+            f.w.push_back(w), f.x.push_back(x), f.y.push_back(y), f.z.push_back(z);
+    }
+    template <class A, class B>
+    void operator()(const std::vector<A>& s, std::vector<B>& f) const {
+        f.assign(s.begin(), s.end());
+    }
+    template <class A, class B>
+    std::enable_if_t<std::is_arithmetic_v<A>> operator()(const A& s, B& f) const {
+        f = static_cast<B>(s);
+    }
+};
+
+/// Axis times angle of the turn from one orientation to another, in the model frame [rad]. The vector part keeps small
+/// angles exact; of the two quaternions of a turn the one with the angle below pi counts.
+Vec3 rotationVector(const Quaternion& from, const Quaternion& to) {
+    const double w = from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z;
+    const Vec3 u(from.x, from.y, from.z), v(to.x, to.y, to.z);
+    const Vec3 part = from.w * v - to.w * u - v.cross(u);  // of to * conj(from)
+    const double sine = part.norm();
+    if (sine == 0) return Vec3::Zero();
+    const Vec3 axis = part / (w < 0 ? -sine : sine);
+    return 2.0 * std::atan2(sine, std::abs(w)) * axis;
+}
+
+void addWaterLevels(const State& state, WaterLevels& levels) {
+    const auto& waters = state.geometry->model.waters;
+    for (std::size_t w = 0; w < waters.size(); ++w) {
+        levels.level.push_back(levelAt(waters[w], state.load.time));
+        levels.drained.push_back(state.drained[w]);
+        const PressureField field = stages::pressureField(state, w);
+        const double unit_weight = field.gradient.norm();
+        // p = p0 + gradient . x in the state's coordinates; the table is told in the model's.
+        const double shift = field.gradient.dot(state.geometry->origin);
+        levels.table.push_back(unit_weight > 0 ? (field.p0 - shift) / unit_weight : kNone);
+    }
+}
+
+void addWaterLoads(const State& state, FrameWaters& waters) {
+    for (std::size_t w = 0; w < state.pressure.size(); ++w) {
+        waters.p0.push_back(state.pressure[w].p0);
+        add(waters.gradient, state.pressure[w].gradient);
+        waters.tilt.push_back(state.water_load[w].tilt);
+        waters.share.push_back(state.water_load[w].share);
+        waters.level.push_back(state.water_load[w].level);
+        waters.load_drained.push_back(state.water_load[w].drained ? 1 : 0);
+    }
+}
+
+void addLaws(const State& state, FrameLaws& laws) {
+    const std::size_t n = state.laws.size();
+    for (auto* values :
+         {&laws.normal_stiffness, &laws.shear_stiffness, &laws.tan_friction, &laws.cohesion,
+          &laws.tensile_strength, &laws.residual_tan_friction, &laws.residual_cohesion, &laws.tan_dilation})
+        values->resize(n);
+    laws.bonded.resize(n);
+    for (std::size_t joint = 0; joint < n; ++joint) eachLawField(state.laws[joint], laws, joint, ToFrame{});
+}
+
+/// Frames, corners and Lps interface by interface, with what the Lps carry.
+void addPatches(const State& state, FrameInterfaces& f, FramePoints& points) {
+    const bool dilates = std::any_of(state.laws.begin(), state.laws.end(),
+                                     [](const contact::JointLaw& law) { return law.tan_dilation != 0; });
+    f.patch_begin = f.point_begin = {0};
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
+        const InterfaceFrame frame = state.interfaces.frame(i);
+        eachFrameVector(f, [&](auto vector, VectorList<double>& list) { add(list, frame.*vector); });
+        const InterfaceWrench wrench = state.interfaces.wrench(i);
+        eachWrenchVector(f, [&](auto vector, VectorList<double>& list) { add(list, wrench.*vector); });
+        for (const Eigen::Vector2d& corner : patchOutline(state.interfaces, i)) {
+            f.patch_xi.push_back(corner.x());
+            f.patch_eta.push_back(corner.y());
+        }
+        f.patch_begin.push_back(static_cast<std::int64_t>(f.patch_xi.size()));
+        for (const stages::PointState& point : stages::pointStates(state, i)) {
+            points.xi.push_back(point.position.x());
+            points.eta.push_back(point.position.y());
+            points.area.push_back(point.area);
+            points.offset_1.push_back(point.memory.offset_1);
+            points.offset_2.push_back(point.memory.offset_2);
+            points.bond.push_back(point.memory.bond);
+            if (dilates) points.dilation.push_back(point.memory.dilation);
+            points.normal.push_back(point.force.normal);
+            points.shear_1.push_back(point.force.shear_1);
+            points.shear_2.push_back(point.force.shear_2);
+        }
+        f.point_begin.push_back(static_cast<std::int64_t>(points.size()));
+    }
+}
+
+void addShape(const Block& block, RunGeometry& g) {
+    const auto first_vertex = static_cast<std::int32_t>(g.vertex.x.size());
+    for (const Vec3& v : block.shape.vertices) add(g.vertex, v);
+    for (const auto& face : block.shape.faces) {
+        for (const std::int32_t v : face) g.face_vertex.push_back(first_vertex + v);
+        g.face_vertex_begin.push_back(static_cast<std::int32_t>(g.face_vertex.size()));
+    }
+    g.face_joint.insert(g.face_joint.end(), block.face_joint.begin(), block.face_joint.end());
+    g.vertex_begin.push_back(static_cast<std::int32_t>(g.vertex.x.size()));
+    g.face_begin.push_back(static_cast<std::int32_t>(g.face_vertex_begin.size() - 1));
+}
+
+}  // namespace
+
+RunGeometry geometryOf(const State& state) {
+    RunGeometry g;
+    g.mass = state.blocks.mass;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        add(g.centroid, state.geometry->origin + state.geometry->initial_position.get(b));
+    ToFrame{}(state.geometry->initial_orientation, g.orientation);
+    g.size = state.geometry->size;
+    g.vertex_begin = g.face_begin = g.face_vertex_begin = {0};
+    for (const Block& block : state.geometry->model.blocks) addShape(block, g);
+    return g;
+}
+
+LightFrame lightFrameOf(const State& state) {
+    LightFrame frame;
+    frame.time = state.time;
+    frame.step = state.step;
+    frame.state_hash = stages::stateHash(state);
+    frame.tilt = state.load.tilt;
+    frame.kinetic_energy = stages::kineticEnergy(state);
+    frame.elastic_energy = stages::elasticEnergy(state);
+    frame.gravity_energy = stages::gravityEnergy(state);
+    frame.out_of_balance = stages::outOfBalanceRatio(state);
+    const Geometry& geometry = *state.geometry;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        add(frame.displacement, state.blocks.position.get(b) - geometry.initial_position.get(b));
+        add(frame.rotation, rotationVector(geometry.initial_orientation[b], state.blocks.orientation[b]));
+        add(frame.velocity, state.blocks.velocity.get(b));
+    }
+    addWaterLevels(state, frame.water);
+    return frame;
+}
+
+FullFrame fullFrameOf(const State& state) {
+    FullFrame frame;
+    frame.state_hash = stages::stateHash(state);
+    eachField(state, frame, ToFrame{});
+    const Vec3& origin = state.geometry->origin;
+    frame.origin_x = origin.x(), frame.origin_y = origin.y(), frame.origin_z = origin.z();
+    addWaterLoads(state, frame.waters);
+    addLaws(state, frame.laws);
+    addPatches(state, frame.interfaces, frame.points);
+    addReadings(state, frame.interfaces, frame.points);
+    return frame;
+}
+
+}  // namespace talus

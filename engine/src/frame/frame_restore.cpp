@@ -1,0 +1,318 @@
+// A full frame put in place of the state. Frames come from files, and files may hold anything: every index is checked
+// before it is used.
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "forces/water.h"
+#include "frame/frame.h"
+#include "frame/frame_fields.h"
+#include "law/points.h"
+#include "measure/measure.h"
+#include "state/block_motion.h"
+#include "state/incidence.h"
+#include "state/point_layout.h"
+
+namespace talus {
+namespace {
+
+/// Copies an array of the frame into the state.
+struct FromFrame {
+    void operator()(VectorArray& s, const VectorList<double>& f) const { s.x = f.x, s.y = f.y, s.z = f.z; }
+    void operator()(PositionArray& s, const VectorList<double>& f) const {
+        s.clear();
+        for (std::size_t i = 0; i < f.x.size(); ++i) s.push_back({f.x[i], f.y[i], f.z[i]});
+    }
+    void operator()(QuaternionArray& s, const QuaternionList& f) const {
+        s.clear();
+        for (std::size_t i = 0; i < f.w.size(); ++i) s.push_back({f.w[i], f.x[i], f.y[i], f.z[i]});
+    }
+    template <class A, class B>
+    void operator()(std::vector<A>& s, const std::vector<B>& f) const {
+        s.assign(f.begin(), f.end());
+    }
+    template <class A, class B>
+    std::enable_if_t<std::is_arithmetic_v<A>> operator()(A& s, const B& f) const {
+        s = static_cast<A>(f);
+    }
+};
+
+/// Whether every number of a frame is one.
+struct AllFinite {
+    bool* finite;
+
+    void check(const std::vector<double>& values) const {
+        for (const double value : values) *finite = *finite && std::isfinite(value);
+    }
+    template <class S>
+    void operator()(const S&, const VectorList<double>& f) const {
+        check(f.x), check(f.y), check(f.z);
+    }
+    template <class S>
+    void operator()(const S&, const QuaternionList& f) const {
+        check(f.w), check(f.x), check(f.y), check(f.z);
+    }
+    template <class S, class B>
+    void operator()(const S&, const std::vector<B>& f) const {
+        if constexpr (std::is_same_v<B, double>) check(f);
+    }
+    template <class S, class B>
+    std::enable_if_t<std::is_arithmetic_v<B>> operator()(const S&, const B& f) const {
+        if constexpr (std::is_floating_point_v<B>) *finite = *finite && std::isfinite(f);
+    }
+};
+
+/// Whether all arrays of one structure have the same size.
+struct AllSized {
+    std::size_t n;
+    bool* sized;
+
+    void operator()(const std::vector<double>& values) const { *sized = *sized && values.size() == n; }
+    template <class S>
+    void operator()(const S&, const VectorList<double>& f) const {
+        (*this)(f.x), (*this)(f.y), (*this)(f.z);
+    }
+    template <class S>
+    void operator()(const S&, const QuaternionList& f) const {
+        (*this)(f.w), (*this)(f.x), (*this)(f.y), (*this)(f.z);
+    }
+    template <class S, class B>
+    void operator()(const S&, const std::vector<B>& f) const {
+        *sized = *sized && f.size() == n;
+    }
+};
+
+template <class Index>
+bool within(const std::vector<Index>& values, std::int64_t low, std::int64_t high) {
+    for (const Index value : values)
+        if (value < low || value >= high) return false;
+    return true;
+}
+
+/// Begins of `items` ranges, each at least `least` long, that cover [0, total).
+bool areBegins(const std::vector<std::int64_t>& begins, std::size_t items, std::size_t total,
+               std::int64_t least) {
+    if (begins.size() != items + 1 || begins.front() != 0) return false;
+    if (begins.back() != static_cast<std::int64_t>(total)) return false;
+    for (std::size_t k = 0; k < items; ++k)
+        if (begins[k] > begins.back() || begins[k + 1] - begins[k] < least) return false;
+    return true;
+}
+
+bool blocksFit(const FullFrame& frame, const State& state) {
+    bool fits = true;
+    const AllSized sized{state.blocks.size(), &fits};
+    eachBlockField(state.blocks, frame.blocks, sized);
+    sized(0, frame.search_position);
+    sized(0, frame.search_orientation);
+    return fits;
+}
+
+bool facesFit(const FrameInterfaces& f, const State& state) {
+    const auto& shapes = state.geometry->shape;
+    const auto isFace = [&](std::int32_t block, std::int32_t face) {
+        return face >= 0 &&
+               static_cast<std::size_t>(face) < shapes[static_cast<std::size_t>(block)].faces.size();
+    };
+    for (std::size_t i = 0; i < f.size(); ++i)
+        if (f.block_a[i] == f.block_b[i] || !(f.area[i] > 0) || !isFace(f.block_a[i], f.face_a[i]) ||
+            !isFace(f.block_b[i], f.face_b[i]))
+            return false;
+    return true;
+}
+
+bool interfacesFit(const FullFrame& frame, const State& state) {
+    const FrameInterfaces& f = frame.interfaces;
+    bool fits = true;
+    const AllSized sized{f.size(), &fits};
+    for (const auto* index : {&f.block_b, &f.face_a, &f.face_b, &f.joint}) sized(0, *index);
+    sized(f.area);
+    for (const auto* vector : {&f.origin_a, &f.e1_a, &f.e2_a, &f.origin_b, &f.e1_b, &f.e2_b, &f.reference_gap,
+                               &f.force, &f.moment_a, &f.moment_b})
+        sized(0, *vector);
+    const auto blocks = static_cast<std::int64_t>(state.blocks.size());
+    return fits && within(f.block_a, 0, blocks) && within(f.block_b, 0, blocks) &&
+           within(f.joint, 0, static_cast<std::int64_t>(state.laws.size())) && facesFit(f, state) &&
+           f.patch_xi.size() == f.patch_eta.size() &&
+           areBegins(f.patch_begin, f.size(), f.patch_xi.size(), 1) &&
+           areBegins(f.point_begin, f.size(), frame.points.size(), 1);
+}
+
+std::vector<Eigen::Vector2d> outlineOf(const FrameInterfaces& f, std::size_t i) {
+    std::vector<Eigen::Vector2d> outline;
+    for (auto v = static_cast<std::size_t>(f.patch_begin[i]);
+         v < static_cast<std::size_t>(f.patch_begin[i + 1]); ++v)
+        outline.emplace_back(f.patch_xi[v], f.patch_eta[v]);
+    return outline;
+}
+
+/// Lps as many as the rule gives on each patch.
+bool pointsFit(const FullFrame& frame, const PointRule& rule, bool dilates) {
+    const FramePoints& f = frame.points;
+    bool fits = true;
+    const AllSized sized{f.size(), &fits};
+    for (const auto* values :
+         {&f.xi, &f.eta, &f.offset_1, &f.offset_2, &f.bond, &f.normal, &f.shear_1, &f.shear_2})
+        sized(*values);
+    for (const double area : f.area) fits = fits && area > 0;
+    for (const auto* values :
+         {&f.xi, &f.eta, &f.area, &f.offset_1, &f.offset_2, &f.bond, &f.normal, &f.shear_1, &f.shear_2,
+          &f.dilation, &frame.interfaces.patch_xi, &frame.interfaces.patch_eta})
+        AllFinite{&fits}.check(*values);
+    if (!fits || f.dilation.size() != (dilates ? f.size() : 0)) return false;
+    for (std::size_t i = 0; i < frame.interfaces.size(); ++i)
+        if (frame.interfaces.point_begin[i + 1] - frame.interfaces.point_begin[i] !=
+            static_cast<std::int64_t>(contact::pointCount(outlineOf(frame.interfaces, i), rule)))
+            return false;
+    return true;
+}
+
+bool wetFits(const FullFrame& frame, const State& state) {
+    const FrameWetPatches& f = frame.wet;
+    const std::size_t waters = state.geometry->model.waters.size();
+    bool fits = true;
+    const AllSized sized{f.block.size(), &fits};
+    sized(0, f.water), sized(0, f.interface), sized(0, f.computed_orientation);
+    for (const auto* vector : {&f.origin, &f.e1, &f.e2, &f.head, &f.force, &f.moment, &f.computed_position})
+        sized(0, *vector);
+    if (!fits || !within(f.block, 0, static_cast<std::int64_t>(state.blocks.size())) ||
+        !within(f.interface, -1, static_cast<std::int64_t>(frame.interfaces.size())) ||
+        f.vertex_x.size() != f.vertex_y.size() ||
+        !areBegins(f.vertex_begin, f.block.size(), f.vertex_x.size(), 3) ||
+        !areBegins(f.water_begin, waters, f.block.size(), 0))
+        return false;
+    for (std::size_t w = 0; w < f.block.size(); ++w) {
+        Polygon wall;
+        for (auto v = static_cast<std::size_t>(f.vertex_begin[w]);
+             v < static_cast<std::size_t>(f.vertex_begin[w + 1]); ++v)
+            wall.push({f.vertex_x[v], f.vertex_y[v]});
+        if (!(area(wall) > 0)) return false;
+    }
+    for (std::size_t water = 0; water < waters; ++water)
+        for (auto w = f.water_begin[water]; w < f.water_begin[water + 1]; ++w)
+            if (f.water[static_cast<std::size_t>(w)] != static_cast<std::int32_t>(water)) return false;
+    return true;
+}
+
+bool watersFit(const FrameWaters& f, std::size_t waters) {
+    bool fits = true;
+    const AllSized sized{waters, &fits};
+    for (const auto* values : {&f.p0, &f.tilt, &f.share, &f.level}) sized(*values);
+    sized(0, f.gradient), sized(0, f.load_drained), sized(0, f.drained);
+    return fits;
+}
+
+bool lawsFit(const FrameLaws& f, std::size_t joints) {
+    bool fits = true;
+    const AllSized sized{joints, &fits};
+    for (const auto* values :
+         {&f.normal_stiffness, &f.shear_stiffness, &f.tan_friction, &f.cohesion, &f.tensile_strength,
+          &f.residual_tan_friction, &f.residual_cohesion, &f.tan_dilation}) {
+        sized(*values);
+        AllFinite{&fits}.check(*values);
+    }
+    sized(0, f.bonded);
+    return fits;
+}
+
+/// Patches and Lps in the layout of the kernel, which follows from their order.
+void restorePatches(const FullFrame& frame, State& state) {
+    const FrameInterfaces& f = frame.interfaces;
+    Interfaces& interfaces = state.interfaces;
+    interfaces.groups.clear();
+    interfaces.slot.clear();
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        const std::vector<Eigen::Vector2d> outline = outlineOf(f, i);
+        addToGroups(interfaces, outline.size(),
+                    static_cast<std::size_t>(f.point_begin[i + 1] - f.point_begin[i]));
+        placeCorners(interfaces, i, outline);
+        InterfaceFrame kept;
+        eachFrameVector(f, [&](auto vector, const VectorList<double>& list) {
+            kept.*vector = {list.x[i], list.y[i], list.z[i]};
+        });
+        interfaces.setFrame(i, kept);
+        InterfaceWrench wrench;
+        eachWrenchVector(f, [&](auto vector, const VectorList<double>& list) {
+            wrench.*vector = {list.x[i], list.y[i], list.z[i]};
+        });
+        interfaces.setWrench(i, wrench);
+    }
+    makePoints(state);
+    ContactPoints& points = state.points;
+    for (std::size_t i = 0; i < f.size(); ++i)
+        for (std::size_t k = 0; k < interfaces.pointCount(i); ++k) {
+            const std::size_t p = static_cast<std::size_t>(f.point_begin[i]) + k;
+            contact::PointMemory memory{.offset_1 = frame.points.offset_1[p],
+                                        .offset_2 = frame.points.offset_2[p],
+                                        .bond = frame.points.bond[p]};
+            if (!frame.points.dilation.empty()) memory.dilation = frame.points.dilation[p];
+            points.setMemory(interfaces.pointSlot(i, k), memory);
+        }
+}
+
+void restoreWaters(const FrameWaters& f, State& state) {
+    const std::size_t n = f.p0.size();
+    state.pressure.resize(n);
+    state.water_load.resize(n);
+    for (std::size_t w = 0; w < n; ++w) {
+        state.pressure[w] = {f.p0[w], Vec3(f.gradient.x[w], f.gradient.y[w], f.gradient.z[w])};
+        state.water_load[w] = {f.tilt[w], f.share[w], f.level[w], f.load_drained[w] != 0};
+    }
+}
+
+}  // namespace
+
+std::uint64_t hashOf(const FullFrame& frame) {
+    State state;
+    eachBlockField(state.blocks, frame.blocks, FromFrame{});
+    const FramePoints& f = frame.points;
+    const auto valueAt = [](const std::vector<double>& values, std::size_t point) {
+        return point < values.size() ? values[point] : 0.0;
+    };
+    return stages::stateHash(state.blocks, [&](const auto& add) {
+        for (std::size_t p = 0; p < f.size(); ++p)
+            add({valueAt(f.normal, p), valueAt(f.shear_1, p), valueAt(f.shear_2, p), valueAt(f.offset_1, p),
+                 valueAt(f.offset_2, p), valueAt(f.bond, p)});
+    });
+}
+
+namespace {
+
+Error misfit(const std::string& field) {
+    return {field,
+            "the full frame does not fit its scenario or is damaged; allowed: a frame of the same model"};
+}
+
+}  // namespace
+
+std::vector<Error> restoreFrame(const FullFrame& frame, State& state) {
+    if (!lawsFit(frame.laws, state.laws.size())) return {misfit("full.laws")};
+    for (std::size_t joint = 0; joint < state.laws.size(); ++joint)
+        eachLawField(state.laws[joint], frame.laws, joint, FromFrame{});
+    const bool dilates = std::any_of(state.laws.begin(), state.laws.end(),
+                                     [](const contact::JointLaw& law) { return law.tan_dilation != 0; });
+    if (!blocksFit(frame, state)) return {misfit("full.blocks")};
+    if (!interfacesFit(frame, state)) return {misfit("full.interfaces")};
+    if (!pointsFit(frame, state.geometry->model.points, dilates)) return {misfit("full.points")};
+    if (!wetFits(frame, state)) return {misfit("full.wet")};
+    if (!watersFit(frame.waters, state.geometry->model.waters.size())) return {misfit("full.waters")};
+    bool finite = true;
+    eachField(state, frame, AllFinite{&finite});
+    const auto checkList = [&](auto, const VectorList<double>& list) { AllFinite{&finite}(0, list); };
+    eachFrameVector(frame.interfaces, checkList);
+    eachWrenchVector(frame.interfaces, checkList);
+    if (!finite || !(frame.loads.release > 0) || !(frame.search_margin > 0)) return {misfit("full")};
+
+    eachField(state, frame, FromFrame{});
+    restorePatches(frame, state);
+    restoreWaters(frame.waters, state);
+    stages::updateSpin(state, {0, state.blocks.size()});
+    stages::buildIncidence(state);
+    stages::finishWalls(state);
+    if (stages::stateHash(state) != frame.state_hash)
+        return {{"full.state_hash", "is not the hash of the frame's own values: the frame is damaged"}};
+    return {};
+}
+
+}  // namespace talus

@@ -1,0 +1,104 @@
+#include "measure/measure.h"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "forces/contact_forces.h"
+#include "forces/sum.h"
+#include "state/block_motion.h"
+
+namespace talus::stages {
+
+double kineticEnergy(const State& state) {
+    const Blocks& blocks = state.blocks;
+    double sum = 0;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (blocks.motion[b] != Motion::free) continue;
+        sum += 0.5 * blocks.velocity.get(b).squaredNorm() / blocks.inverse_mass[b] +
+               0.5 * blocks.angular_momentum.get(b).dot(angularVelocity(blocks, b));
+    }
+    return sum;
+}
+
+double elasticEnergy(const State& state) {
+    double sum = 0;
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
+        const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
+        for (const PointState& point : pointStates(state, i)) {
+            const contact::PointForce& f = point.force;
+            const double shear = f.shear_1 * f.shear_1 + f.shear_2 * f.shear_2;
+            sum +=
+                0.5 / point.area * (f.normal * f.normal / law.normal_stiffness + shear / law.shear_stiffness);
+        }
+    }
+    return sum;
+}
+
+double gravityEnergy(const State& state) {
+    const Vec3 g = gravity(state);
+    double sum = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        sum -= state.blocks.mass[b] *
+               g.dot(state.blocks.position.get(b) - state.geometry->initial_position.get(b));
+    }
+    return sum;
+}
+
+double outOfBalanceRatio(const State& state) {
+    const Vec3 g = gravity(state);
+    const double magnitude = state.geometry->model.gravity.magnitude;
+    double largest = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        const Wrench sum = outOfBalance(state, b, g);
+        const double weight = state.blocks.mass[b] * (magnitude > 0 ? magnitude : 1.0);
+        largest = std::max(
+            {largest, sum.force.norm() / weight, sum.torque.norm() / (weight * state.geometry->radius[b])});
+    }
+    return largest;
+}
+
+bool isFinite(const State& state) {
+    double sum = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        sum += state.blocks.position.get(b).sum() + state.blocks.velocity.get(b).sum() +
+               state.blocks.angular_momentum.get(b).sum();
+    return std::isfinite(sum);
+}
+
+std::uint64_t stateHash(const Blocks& blocks, const EachPoint& points) {
+    const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), XXH3_freeState);
+    XXH3_64bits_reset(hash.get());
+    const auto add = [&](const std::vector<double>& values) {
+        XXH3_64bits_update(hash.get(), values.data(), values.size() * sizeof(double));
+    };
+    const auto addVector = [&](const VectorArray& v) { add(v.x), add(v.y), add(v.z); };
+    std::vector<double> column;
+    const auto addColumn = [&](const auto& records, auto number) {
+        column.clear();
+        for (const auto& record : records) column.push_back(record.*number);
+        add(column);
+    };
+    for (const auto number : {&Position::x, &Position::y, &Position::z}) addColumn(blocks.position, number);
+    for (const auto number : {&Quaternion::w, &Quaternion::x, &Quaternion::y, &Quaternion::z})
+        addColumn(blocks.orientation, number);
+    addVector(blocks.velocity);
+    addVector(blocks.angular_momentum);
+    points([&](const PointNumbers& numbers) { XXH3_64bits_update(hash.get(), &numbers, sizeof numbers); });
+    return XXH3_64bits_digest(hash.get());
+}
+
+std::uint64_t stateHash(const State& state) {
+    return stateHash(state.blocks, [&](const auto& add) {
+        for (std::size_t i = 0; i < state.interfaces.size(); ++i)
+            for (const PointState& point : pointStates(state, i))
+                add({point.force.normal, point.force.shear_1, point.force.shear_2, point.memory.offset_1,
+                     point.memory.offset_2, point.memory.bond});
+    });
+}
+
+}  // namespace talus::stages

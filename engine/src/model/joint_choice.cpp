@@ -1,0 +1,36 @@
+#include "model/joint_choice.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace talus {
+namespace {
+
+std::pair<std::int32_t, std::int32_t> blocksOf(const PairJoint& pair) {
+    return std::minmax(pair.block_a, pair.block_b);
+}
+
+}  // namespace
+
+JointChoice::JointChoice(const Model& model) : model_(model), pairs_(model.pair_joints) {
+    std::stable_sort(pairs_.begin(), pairs_.end(),
+                     [](const PairJoint& a, const PairJoint& b) { return blocksOf(a) < blocksOf(b); });
+}
+
+std::int32_t JointChoice::between(std::size_t block_a, std::size_t face_a, std::size_t block_b,
+                                  std::size_t face_b) const {
+    const std::pair<std::int32_t, std::int32_t> key =
+        std::minmax({static_cast<std::int32_t>(block_a), static_cast<std::int32_t>(block_b)});
+    const auto found =
+        std::lower_bound(pairs_.begin(), pairs_.end(), key,
+                         [](const PairJoint& pair, const auto& k) { return blocksOf(pair) < k; });
+    if (found != pairs_.end() && blocksOf(*found) == key) return found->joint;
+    const std::int32_t joint_a = model_.blocks[block_a].face_joint[face_a];
+    const std::int32_t joint_b = model_.blocks[block_b].face_joint[face_b];
+    const double phi_a = model_.joints[static_cast<std::size_t>(joint_a)].friction;
+    const double phi_b = model_.joints[static_cast<std::size_t>(joint_b)].friction;
+    if (phi_a == phi_b) return std::min(joint_a, joint_b);
+    return phi_a < phi_b ? joint_a : joint_b;
+}
+
+}  // namespace talus

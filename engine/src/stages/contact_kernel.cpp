@@ -1,9 +1,0 @@
-#include "stages/contact_kernel.h"
-
-namespace talus::stages {
-
-void updateContactsScalar(const ContactView& view, std::size_t begin, std::size_t end) {
-    updateGroups<double>(view, begin, end);
-}
-
-}  // namespace talus::stages

@@ -1,9 +1,0 @@
-#include "stages/contact_members.h"
-
-namespace talus::stages {
-
-void updateContactsAvx2(const ContactView& view, std::size_t begin, std::size_t end) {
-    updateGroups<Lanes>(view, begin, end);
-}
-
-}  // namespace talus::stages

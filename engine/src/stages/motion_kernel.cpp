@@ -1,7 +1,0 @@
-#include "stages/motion_kernel.h"
-
-namespace talus::stages {
-
-constinit const MotionKernels kMotionScalar = kMotionKernels<double>;
-
-}  // namespace talus::stages

@@ -1,0 +1,36 @@
+#pragma once
+// How blocks move: what follows from their momenta, inertia and poses alone.
+
+#include <vector>
+
+#include "state/arrays.h"
+#include "state/range.h"
+
+namespace talus {
+
+/// The inertia used in the motion: the true one times `scale` (one number per block). Velocities stay.
+void setInertia(State& state, const std::vector<double>& scale);
+
+/// Free blocks stop.
+void setAtRest(Blocks& blocks);
+
+namespace stages {
+
+/// Angular velocity of a block in the model frame [rad/s].
+Vec3 angularVelocity(const Blocks& blocks, std::size_t block);
+
+/// Angular velocities of the poses and momenta as they are, for when something but a drift has changed them.
+/// Writes: angular_velocity
+void updateSpin(State& state, Range blocks);
+
+/// No point of a block is faster [m/s].
+double speedBound(const State& state, std::size_t block);
+
+/// Velocity of a block's material point at a place of the model frame [m/s].
+Vec3 velocityAt(const Blocks& blocks, std::size_t block, const Vec3& place);
+
+/// Angle a block has turned from a given orientation [rad].
+double rotationFrom(const QuaternionArray& from, const QuaternionArray& to, std::size_t block);
+
+}  // namespace stages
+}  // namespace talus

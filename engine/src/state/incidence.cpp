@@ -1,0 +1,94 @@
+#include "state/incidence.h"
+
+#include <algorithm>
+
+#include "talus/frame.h"
+
+namespace talus::stages {
+
+bool isSharp(const Interfaces& f, std::size_t i) { return f.groupOf(i).corners == 1; }
+
+bool isIdle(const Interfaces& f, std::size_t i) {
+    return isSharp(f, i) && f.referenceGap(i, 0) < FrameInterfaces::kIdleGap;
+}
+
+ContactCount countContacts(const Interfaces& f) {
+    ContactCount count;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        if (isIdle(f, i)) continue;
+        ++count.interfaces;
+        count.points += f.pointCount(i);
+    }
+    return count;
+}
+
+void buildIncidence(State& state) {
+    Incidence& incidence = state.incidence;
+    const Interfaces& f = state.interfaces;
+    const std::size_t n = state.blocks.size();
+    incidence.interface_begin.assign(n + 1, 0);
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        ++incidence.interface_begin[static_cast<std::size_t>(f.block_a[i]) + 1];
+        ++incidence.interface_begin[static_cast<std::size_t>(f.block_b[i]) + 1];
+    }
+    for (std::size_t b = 0; b < n; ++b) incidence.interface_begin[b + 1] += incidence.interface_begin[b];
+    incidence.interface.resize(2 * f.size());
+    incidence.wrench.resize(2 * f.size());
+    std::vector<std::int64_t> next(incidence.interface_begin.begin(), incidence.interface_begin.end() - 1);
+    for (std::size_t i = 0; i < f.size(); ++i)
+        for (const std::int32_t side : {0, 1}) {
+            const auto block = static_cast<std::size_t>(side == 0 ? f.block_a[i] : f.block_b[i]);
+            const auto slot = static_cast<std::size_t>(next[block]++);
+            incidence.interface[slot] = static_cast<std::int32_t>(i);
+            incidence.wrench[slot] = 2 * f.slot[i] + side;
+        }
+    if (incidence.wet_begin.size() != n + 1) incidence.wet_begin.assign(n + 1, 0);
+}
+
+std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int32_t block_2) {
+    const Incidence& incidence = state.incidence;
+    // The block with fewer interfaces knows them all: a floor may have thousands.
+    const auto count = [&](std::int32_t b) {
+        return incidence.interface_begin[static_cast<std::size_t>(b) + 1] -
+               incidence.interface_begin[static_cast<std::size_t>(b)];
+    };
+    const std::int32_t block = count(block_1) <= count(block_2) ? block_1 : block_2;
+    std::int32_t best = -1;
+    for (auto k = incidence.interface_begin[static_cast<std::size_t>(block)];
+         k < incidence.interface_begin[static_cast<std::size_t>(block) + 1]; ++k) {
+        const std::int32_t i = incidence.interface[static_cast<std::size_t>(k)];
+        const auto index = static_cast<std::size_t>(i);
+        if (isSharp(state.interfaces, index)) continue;
+        if (std::minmax(state.interfaces.block_a[index], state.interfaces.block_b[index]) !=
+            std::minmax(block_1, block_2))
+            continue;
+        if (best < 0 || state.interfaces.area[index] > state.interfaces.area[static_cast<std::size_t>(best)])
+            best = i;
+    }
+    return best;
+}
+
+std::int32_t interfaceOfFaces(const State& state, std::int32_t block_1, std::int32_t face_1,
+                              std::int32_t block_2, std::int32_t face_2) {
+    const Incidence& incidence = state.incidence;
+    const Interfaces& f = state.interfaces;
+    const auto rowBegin = [&](std::int32_t b) {
+        return incidence.interface_begin[static_cast<std::size_t>(b)];
+    };
+    const auto count = [&](std::int32_t b) { return rowBegin(b + 1) - rowBegin(b); };
+    const std::int32_t block = count(block_1) <= count(block_2) ? block_1 : block_2;
+    for (auto k = rowBegin(block); k < rowBegin(block + 1); ++k) {
+        const std::int32_t index = incidence.interface[static_cast<std::size_t>(k)];
+        const auto i = static_cast<std::size_t>(index);
+        if (isSharp(f, i)) continue;
+        if (f.block_a[i] == block_1 && f.block_b[i] == block_2 && f.face_a[i] == face_1 &&
+            f.face_b[i] == face_2)
+            return index;
+        if (f.block_a[i] == block_2 && f.block_b[i] == block_1 && f.face_a[i] == face_2 &&
+            f.face_b[i] == face_1)
+            return index;
+    }
+    return -1;
+}
+
+}  // namespace talus::stages

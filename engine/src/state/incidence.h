@@ -1,0 +1,28 @@
+#pragma once
+// Which interfaces there are: of what kind, on which block, between which faces.
+
+#include "state/arrays.h"
+
+namespace talus::stages {
+
+/// Whether an interface is a place for a vertex or an edge, and whether that place touches nothing now.
+bool isSharp(const Interfaces& interfaces, std::size_t interface);
+bool isIdle(const Interfaces& interfaces, std::size_t interface);
+
+/// Interfaces and their contact points without idle places.
+struct ContactCount {
+    std::size_t interfaces = 0, points = 0;
+};
+ContactCount countContacts(const Interfaces& interfaces);
+
+/// Finds which interfaces push on which block. Reads interfaces, writes their part of incidence.
+void buildIncidence(State& state);
+
+/// The interface of two blocks, the one with the largest patch if there are several; -1 when they share none.
+std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int32_t block_2);
+
+/// The interface of two faces; -1: they have none.
+std::int32_t interfaceOfFaces(const State& state, std::int32_t block_1, std::int32_t face_1,
+                              std::int32_t block_2, std::int32_t face_2);
+
+}  // namespace talus::stages

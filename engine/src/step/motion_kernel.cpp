@@ -1,0 +1,7 @@
+#include "step/motion_kernel.h"
+
+namespace talus::stages {
+
+constinit const MotionKernels kMotionScalar = kMotionKernels<double>;
+
+}  // namespace talus::stages

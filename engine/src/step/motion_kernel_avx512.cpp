@@ -1,0 +1,7 @@
+#include "step/motion_lanes.h"
+
+namespace talus::stages {
+
+constinit const MotionKernels kMotionAvx512 = kMotionKernels<Lanes>;
+
+}  // namespace talus::stages

@@ -1,0 +1,107 @@
+#include "step/time_step.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "forces/contact_forces.h"
+#include "law/points.h"
+#include "state/incidence.h"
+#include "state/range.h"
+
+namespace talus::stages {
+namespace {
+
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+/// Stiffness that one interface gives a block whose centroid is `centre`, its neighbour held.
+Mat6 interfaceStiffness(const State& state, std::size_t i, const Vec3& centre) {
+    const RelativePose pose = relativePose(state, i);
+    const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
+    Mat3 stiffness = law.shear_stiffness * (pose.e1 * pose.e1.transpose() + pose.e2 * pose.e2.transpose()) +
+                     law.normal_stiffness * pose.e3 * pose.e3.transpose();
+    Mat6 sum = Mat6::Zero();
+    for (const contact::PatchPoint& point :
+         interfacePoints(state.interfaces, i, state.geometry->model.points)) {
+        const Vec3 arm = pose.origin + point.position.x() * pose.e1 + point.position.y() * pose.e2 - centre;
+        Mat3 cross;
+        cross << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;  // u = v + cross * theta
+        const Mat3 k = point.area * stiffness;
+        sum.topLeftCorner<3, 3>() += k;
+        sum.topRightCorner<3, 3>() += k * cross;
+        sum.bottomRightCorner<3, 3>() += cross.transpose() * k * cross;
+    }
+    sum.bottomLeftCorner<3, 3>() = sum.topRightCorner<3, 3>().transpose();
+    return sum;
+}
+
+/// For an area that may close anywhere on a block with the stiffest joint:
+/// lambda_max <= trace of M^-1 K <= k A (3 / m + 3 r^2 / I_min).
+double boundAnywhere(const State& state, std::size_t block, double area) {
+    double stiffness = 0;
+    for (const contact::JointLaw& law : state.laws)
+        stiffness = std::max({stiffness, law.normal_stiffness, law.shear_stiffness});
+    const double r = state.geometry->radius[block];
+    return stiffness * area *
+           (3.0 / state.blocks.mass[block] + 3.0 * r * r / state.blocks.inertia.get(block).minCoeff());
+}
+
+/// What the first contact of a block in the air may be: its largest face.
+double boundInTheAir(const State& state, std::size_t block) {
+    const Polyhedron& shape = state.geometry->shape[block];
+    double area = 0;
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) area = std::max(area, shape.faceArea(f));
+    return boundAnywhere(state, block, area);
+}
+
+double frequencyBound(const State& state, std::size_t block) {
+    const Blocks& blocks = state.blocks;
+    const Incidence& incidence = state.incidence;
+    const auto begin = incidence.interface_begin[block], end = incidence.interface_begin[block + 1];
+    if (blocks.motion[block] != Motion::free) return 0.0;
+    if (begin == end) return boundInTheAir(state, block);
+    Mat6 stiffness = Mat6::Zero();
+    double idle_area = 0;  // of vertices and edges that may come to touch before this is asked again
+    bool touches_nothing = true;
+    for (auto k = begin; k < end; ++k) {
+        const auto i = static_cast<std::size_t>(incidence.interface[static_cast<std::size_t>(k)]);
+        if (isIdle(state.interfaces, i)) {
+            idle_area += 2.0 * state.interfaces.area[i];
+            continue;
+        }
+        touches_nothing = false;
+        const bool is_b = incidence.isB(k);
+        const auto other =
+            static_cast<std::size_t>(is_b ? state.interfaces.block_a[i] : state.interfaces.block_b[i]);
+        const double share = blocks.motion[other] == Motion::free ? 2.0 : 1.0;
+        stiffness += share * interfaceStiffness(state, i, blocks.position.get(block));
+    }
+    if (touches_nothing) return boundInTheAir(state, block);
+    // M^-1/2 K M^-1/2, the rotations in the block's own frame where the inertia is diagonal.
+    const Mat3 turn = blocks.orientation.matrix(block);
+    Mat6 to_own = Mat6::Zero();
+    to_own.topLeftCorner<3, 3>() = Mat3::Identity() / std::sqrt(blocks.mass[block]);
+    to_own.bottomRightCorner<3, 3>() =
+        turn * blocks.inertia.get(block).cwiseSqrt().cwiseInverse().asDiagonal();
+    const Mat6 scaled = to_own.transpose() * stiffness * to_own;
+    const double closed =
+        Eigen::SelfAdjointEigenSolver<Mat6>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[5];
+    return idle_area > 0 ? closed + boundAnywhere(state, block, idle_area) : closed;
+}
+
+}  // namespace
+
+std::vector<double> frequencyBounds(const State& state, bool parallel) {
+    std::vector<double> bounds(state.blocks.size());
+    forRange(bounds.size(), 256, parallel, [&](Range range) {
+        for (std::size_t b = range.begin; b < range.end; ++b) bounds[b] = frequencyBound(state, b);
+    });
+    return bounds;
+}
+
+double stableTimeStep(double omega_squared, double contact_damping) {
+    const double omega = std::sqrt(omega_squared);
+    const double xi = 0.5 * contact_damping * omega;
+    return 2.0 / omega * (std::sqrt(1.0 + xi * xi) - xi);
+}
+
+}  // namespace talus::stages

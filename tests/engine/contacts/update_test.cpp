@@ -1,0 +1,195 @@
+#include "contacts/update.h"
+
+#include <doctest/doctest.h>
+
+#include <numeric>
+
+#include "build/build.h"
+#include "forces/contact_forces.h"
+#include "forces/sum.h"
+#include "geometry/separation.h"
+#include "state/placed_shape.h"
+#include "step/motion.h"
+#include "step/step.h"
+#include "support/models.h"
+
+using namespace talus;
+using namespace talus::test;
+
+namespace {
+
+double totalArea(const State& state) {
+    return std::accumulate(state.interfaces.area.begin(), state.interfaces.area.end(), 0.0);
+}
+
+std::int32_t jointBetween(const Model& model, std::size_t a, std::size_t b) {
+    return JointChoice(model).between(a, 0, b, 0);
+}
+
+}  // namespace
+
+TEST_SUITE("stages") {
+    TEST_CASE("a stack has the interfaces one counts by hand") {
+        // 7 x 5 x 3: 6*5*3 across, 7*4*3 between rows, 7*3 on the floor, 7*5*2 between slices.
+        const State state = *buildState(stackModel(7, 5, 3, 30), false);
+        CHECK(state.interfaces.size() == 90 + 84 + 21 + 70);
+        CHECK(state.points.size() == 9 * state.interfaces.size());
+        CHECK(totalArea(state) == doctest::Approx(90 * 0.01 + 105 * 0.02 + 70 * 0.02));
+        double point_area = 0;
+        for (std::size_t i = 0; i < state.interfaces.size(); ++i)
+            for (const stages::PointState& point : stages::pointStates(state, i)) point_area += point.area;
+        CHECK(point_area == doctest::Approx(totalArea(state)));
+    }
+
+    TEST_CASE("a block over two others has a patch with each") {
+        Model model = floorModel(30);
+        addBox(model, "a", {0, 0, 0}, {1, 1, 1});
+        addBox(model, "b", {1, 0, 0}, {1, 1, 1});
+        addBox(model, "c", {0.3, 0, 1}, {1, 1, 1});
+        const State state = *buildState(model, false);
+        CHECK(state.interfaces.size() == 5);
+        CHECK(totalArea(state) == doctest::Approx(1 + 1 + 1 + 0.7 + 0.3));
+    }
+
+    TEST_CASE("the reference face is the fixed block's") {
+        Model model = floorModel(30);
+        addBox(model, "a", {0, 0, 0}, {30, 3, 1});
+        const State state = *buildState(model, false);
+        CHECK(state.interfaces.block_a[0] == 0);
+        CHECK(stages::relativePose(state, 0).e3.z() == doctest::Approx(1));
+    }
+
+    TEST_CASE("small gaps and overlaps count as closed and unstressed, larger ones as open or as an error") {
+        const auto buildAt = [](double z) {
+            Model model = floorModel(30);
+            addBox(model, "box", {0, 0, z}, {1, 1, 1});
+            return buildState(model, false);
+        };
+        for (const double z : {0.9e-4, -0.9e-4}) {
+            State state = *buildAt(z);
+            stages::updateForces(state, false);
+            CHECK(stages::pointStates(state, 0)[0].memory.bond == 1);
+            CHECK(stages::pointStates(state, 0)[0].force.normal == doctest::Approx(0));
+            state.blocks.position[1].z -= 1e-6;
+            stages::updateForces(state, false);
+            CHECK(stages::outOfBalance(state, 1, Vec3::Zero()).force.z() ==
+                  doctest::Approx(1e4).epsilon(1e-6));
+        }
+        State apart = *buildAt(2e-4);
+        stages::updateForces(apart, false);
+        CHECK(stages::relativePose(apart, 0).gap.x() == doctest::Approx(2e-4));
+        CHECK(stages::outOfBalance(apart, 1, Vec3::Zero()).force.z() == 0);
+        const auto deep = buildAt(-2e-4);
+        REQUIRE_FALSE(deep.ok());
+        CHECK(deep.errors()[0].message.find("\"floor\" and \"box\" overlap") != std::string::npos);
+    }
+
+    TEST_CASE("blocks that cross without faces against each other overlap too") {
+        Model model;
+        model.joints = {joint(30)};
+        model.blocks = {box("a", {-1, -0.1, -0.1}, {1, 0.1, 0.1}),
+                        box("b", {-0.1, -1, -0.05}, {0.1, 1, 0.05})};
+        CHECK_FALSE(buildState(model, false).ok());
+    }
+
+    TEST_CASE("joints: less friction wins, the first on ties, a pair's own before both") {
+        Model model = floorModel(30);
+        Joint weak = joint(20), other = joint(30);
+        model.joints = {joint(30), weak, other};
+        addBox(model, "a", {0, 0, 0}, {1, 1, 1});
+        addBox(model, "b", {0, 0, 1}, {1, 1, 1});
+        model.blocks[2].face_joint.assign(6, 1);
+        CHECK(jointBetween(model, 1, 2) == 1);
+        model.blocks[2].face_joint.assign(6, 2);
+        CHECK(jointBetween(model, 2, 1) == 0);
+        model.pair_joints = {{2, 1, 2, true, "interface[0]"}};
+        CHECK(jointBetween(model, 1, 2) == 2);
+        CHECK(buildState(model, false).ok());
+        model.pair_joints[0].block_a = 0;
+        model.pair_joints[0].block_b = 2;
+        const auto apart = buildState(model, false);
+        REQUIRE_FALSE(apart.ok());
+        CHECK(apart.errors()[0].field == "interface[0].between");
+    }
+
+    TEST_CASE("grid N refuses patches that are not rectangles") {
+        Model model = floorModel(30);
+        model.points = {PointRule::Kind::grid, 3};
+        model.blocks.push_back(box("prism", {0, 0, 0}, {1, 1, 1}));
+        model.blocks[1].shape =
+            *convexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
+        model.blocks[1].face_joint.assign(5, 0);
+        const auto built = buildState(model, false);
+        REQUIRE_FALSE(built.ok());
+        CHECK(built.errors()[0].field == "contact.points");
+    }
+
+    TEST_CASE("clipping again after a slide keeps the normal force and the shear force") {
+        Model model = floorModel(30, 1e9);
+        addBox(model, "box", {0, 0, 0}, {1, 1, 1});
+        State state = *buildState(model, false);
+        state.blocks.position[1].z -= 1e-5;  // 10 kN
+        stages::updateForces(state, false);
+        for (int k = 0; k < 200; ++k) {  // slides 20 mm with full friction, under a steady load
+            state.blocks.position[1].x -= 1e-4;
+            stages::updateForces(state, false);
+        }
+        const Vec3 before = stages::outOfBalance(state, 1, Vec3::Zero()).force;
+        CHECK(before.x() == doctest::Approx(1e4 * std::tan(radians(30))));
+        REQUIRE(stages::refreshInterfaces(state, false, 0));
+        CHECK(stages::relativePose(state, 0).slide_1.head<1>().norm() < 1e-12);
+        stages::updateForces(state, false);
+        const Vec3 after = stages::outOfBalance(state, 1, Vec3::Zero()).force;
+        CHECK((after - before).norm() < 1e-9 * before.norm());
+    }
+
+    TEST_CASE("nothing is searched again while nothing moves") {
+        State state = *buildState(stackModel(3, 3, 1, 30), false);
+        CHECK_FALSE(stages::refreshInterfaces(state, false, 0));
+        state.blocks.position[1].x += 1e-6;
+        CHECK_FALSE(stages::refreshInterfaces(state, false, 0));
+    }
+
+    TEST_CASE("a falling block meets the floor; none is missed however fast") {
+        for (const double speed : {0.5, 20.0}) {
+            Model model = floorModel(30, 1e8);
+            addBox(model, "box", {0, 0, 0.4}, {0.2, 0.2, 0.2});
+            model.gravity.magnitude = 0;
+            State state = *buildState(model, false);
+            CHECK(state.interfaces.size() == 0);
+            state.blocks.velocity.z[1] = -speed;
+            const double dt = 1e-5;
+            double lowest = 1;
+            for (int k = 0; state.blocks.velocity.z[1] < 0 && k < 2'000'000; ++k) {
+                stages::advance(state, {dt, false});
+                if (k % 10 == 0) stages::refreshInterfaces(state, false, 10 * dt);
+                lowest = std::min(lowest, state.blocks.position[1].z - 0.1);
+            }
+            CHECK(state.interfaces.size() == 1);
+            // Stopped within v sqrt(m / (k A)).
+            CHECK(lowest > -1.02 * speed * std::sqrt(2700 * 0.008 / (1e8 * 0.04)));
+        }
+    }
+
+    TEST_CASE("blocks whose faces meet by a sliver do not sink into each other") {
+        Model model = floorModel(30, 1e8);
+        model.gravity.magnitude = 0;
+        addBox(model, "below", {0, 0, 5}, {1, 1, 1});
+        addBox(model, "above", {0.99, 0, 6.001}, {1, 1, 1});
+        model.blocks[1].motion = Motion::fixed;
+        State state = *buildState(model, false);
+        state.blocks.velocity.z[2] = -0.1;
+        const double dt = 1e-5;
+        double deepest = 0;
+        for (int k = 0; k < 5000; ++k) {
+            stages::advance(state, {dt, false});
+            if (k % 10 != 0) continue;
+            stages::refreshInterfaces(state, false, 10 * dt);
+            deepest = std::max(deepest, -separation(placedShape(state, 1), placedShape(state, 2)));
+        }
+        // On four vertices' areas v sqrt(m / k) = 6.4e-4 m, with a quarter of the mass, for it turns away; and what it
+        // sinks until they take over. The sliver's hundredth of a face alone takes 3.1e-3 m.
+        CHECK(deepest > 6e-4);
+        CHECK(deepest < 1.5e-3);
+    }
+}

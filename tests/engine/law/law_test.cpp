@@ -1,0 +1,157 @@
+#include "law/law.h"
+
+#include <doctest/doctest.h>
+
+using talus::contact::JointLaw;
+using talus::contact::PointForce;
+using talus::contact::PointMemory;
+
+namespace {
+
+// k_n = 2e9 Pa/m, k_s = 1e9 Pa/m, tan(phi) = 0.5; an Lp of 0.01 m2 then has 2e7 and 1e7 N/m.
+constexpr double kArea = 0.01;
+
+PointForce contactLaw(const JointLaw& law, double area, double gap, double slide_1, double slide_2,
+                      double release, PointMemory& memory) {
+    return talus::contact::contactLaw(law, area, gap, slide_1, slide_2, release, memory);
+}
+
+JointLaw friction() {
+    return {
+        .normal_stiffness = 2e9, .shear_stiffness = 1e9, .tan_friction = 0.5, .residual_tan_friction = 0.5};
+}
+
+JointLaw cohesive() {
+    JointLaw joint = friction();
+    joint.cohesion = 1e5;          // 1000 N on the Lp
+    joint.tensile_strength = 5e4;  // 500 N
+    joint.bonded = true;
+    return joint;
+}
+
+}  // namespace
+
+TEST_SUITE("contact") {
+    TEST_CASE("normal force is k_n A times the overlap (eq 5), and nothing when open (eqs 7-8)") {
+        PointMemory memory;
+        CHECK(contactLaw(friction(), kArea, -1e-5, 0, 0, 1, memory).normal == doctest::Approx(200));
+        const PointForce open = contactLaw(friction(), kArea, 1e-9, 1e-3, 0, 1, memory);
+        CHECK(open.open);
+        CHECK(open.normal == 0);
+        CHECK(open.shear_1 == 0);
+    }
+
+    TEST_CASE("shear force is k_s A times the slide (eq 6) and opposes it") {
+        PointMemory memory;
+        const PointForce force = contactLaw(friction(), kArea, -1e-5, 3e-6, -4e-6, 1, memory);
+        CHECK(force.shear_1 == doctest::Approx(-30));
+        CHECK(force.shear_2 == doctest::Approx(40));
+        CHECK_FALSE(force.slips);
+    }
+
+    TEST_CASE("beyond F_n tan(phi) it slips, along the trial direction (eq 9)") {
+        PointMemory memory;
+        const PointForce force = contactLaw(friction(), kArea, -1e-5, 3e-5, -4e-5, 1, memory);
+        CHECK(force.slips);
+        CHECK(force.shear_1 == doctest::Approx(-60));  // 100 N along (3, -4) / 5
+        CHECK(force.shear_2 == doctest::Approx(80));
+        SUBCASE("and what has slipped stays: back at zero slide the force points the other way") {
+            const PointForce back = contactLaw(friction(), kArea, -1e-5, 2.4e-5, -3.2e-5, 1, memory);
+            CHECK_FALSE(back.slips);
+            CHECK(back.shear_1 == doctest::Approx(0).epsilon(1e-9));
+        }
+    }
+
+    TEST_CASE("a closed cycle of slide gives the Coulomb loop's work") {
+        // Amplitude d, elastic limit d_e: dissipated 4 F (d - d_e) per cycle.
+        PointMemory memory;
+        const double d = 5e-5, limit = 100, elastic = 1e-5;
+        double work = 0, last_slide = 0, last_force = 0;
+        const int n = 4000;
+        for (int k = 0; k <= 5 * n / 4; ++k) {
+            const double slide = d * std::sin(2 * M_PI * k / n);
+            const PointForce force = contactLaw(friction(), kArea, -1e-5, slide, 0, 1, memory);
+            if (k > n / 4) work -= 0.5 * (force.shear_1 + last_force) * (slide - last_slide);
+            last_slide = slide;
+            last_force = force.shear_1;
+        }
+        CHECK(work == doctest::Approx(4 * limit * (d - elastic)).epsilon(1e-4));
+    }
+
+    TEST_CASE("an intact Lp carries tension up to its strength, then opens for good") {
+        PointMemory memory;
+        const PointForce pulled = contactLaw(cohesive(), kArea, 2.4e-5, 0, 0, 1, memory);
+        CHECK(pulled.normal == doctest::Approx(-480));
+        CHECK_FALSE(pulled.open);
+        CHECK(memory.bond == 1);
+        const PointForce torn = contactLaw(cohesive(), kArea, 2.6e-5, 0, 0, 1, memory);
+        CHECK(torn.open);
+        CHECK(torn.normal == 0);
+        CHECK(memory.bond == 0);
+        CHECK(contactLaw(cohesive(), kArea, 1e-6, 0, 0, 1, memory).open);
+        SUBCASE("closing again brings compression and friction, but no cohesion") {
+            contactLaw(cohesive(), kArea, -1e-5, 0, 0, 1, memory);
+            const PointForce force = contactLaw(cohesive(), kArea, -1e-5, 1e-3, 0, 1, memory);
+            CHECK(force.normal == doctest::Approx(200));
+            CHECK(force.shear_1 == doctest::Approx(-100));
+        }
+    }
+
+    TEST_CASE("tension lowers the shear strength of an intact Lp") {
+        PointMemory memory;
+        CHECK(talus::contact::shearStrength(cohesive(), kArea, -400.0, 1.0) == doctest::Approx(800));
+        contactLaw(cohesive(), kArea, 2e-5, 7.9e-5, 0, 1, memory);
+        CHECK(memory.bond == 1);
+        const PointForce broken = contactLaw(cohesive(), kArea, 2e-5, 8.1e-5, 0, 1, memory);
+        CHECK(memory.bond == 0);
+        CHECK(broken.shear_1 == 0);
+    }
+
+    TEST_CASE("brittle cohesion: peak C A + F_n tan(phi), then C_r A + F_n tan(phi_r)") {
+        JointLaw joint = cohesive();
+        joint.residual_cohesion = 2e4;       // 200 N
+        joint.residual_tan_friction = 0.25;  // 50 N at 200 N
+        PointMemory memory;
+        CHECK(contactLaw(joint, kArea, -1e-5, 1.09e-4, 0, 1, memory).shear_1 == doctest::Approx(-1090));
+        CHECK(contactLaw(joint, kArea, -1e-5, 1.11e-4, 0, 1, memory).shear_1 == doctest::Approx(-250));
+        CHECK(contactLaw(joint, kArea, -1e-5, 2e-4, 0, 1, memory).shear_1 == doctest::Approx(-250));
+    }
+
+    TEST_CASE("a break is let down in as many calls as `release` says") {
+        PointMemory memory;
+        double last = contactLaw(cohesive(), kArea, -1e-5, 1.2e-4, 0, 0.1, memory).shear_1;
+        CHECK(last == doctest::Approx(-1000));  // 0.9 of the cohesion is left, and 100 N of friction
+        for (int k = 0; k < 9; ++k) {
+            const double now = contactLaw(cohesive(), kArea, -1e-5, 1.2e-4, 0, 0.1, memory).shear_1;
+            CHECK(now == doctest::Approx(last + 100));
+            last = now;
+        }
+        CHECK(memory.bond == doctest::Approx(0).epsilon(1e-12));
+    }
+
+    TEST_CASE("unbonded Lps keep their peak friction when they open, and lose it when they slip") {
+        JointLaw joint = friction();
+        joint.residual_tan_friction = 0.25;
+        PointMemory memory;
+        contactLaw(joint, kArea, 1e-5, 0, 0, 1, memory);
+        CHECK(memory.bond == 1);
+        CHECK(contactLaw(joint, kArea, -1e-5, 1e-3, 0, 1, memory).shear_1 == doctest::Approx(-50));
+        CHECK(memory.bond == 0);
+    }
+
+    TEST_CASE("dilation opens by slip times tan(psi)") {
+        JointLaw joint = friction();
+        joint.tan_dilation = 0.1;
+        PointMemory memory;
+        contactLaw(joint, kArea, -1e-5, 3e-5, 0, 1, memory);  // elastic 1e-5, slips 2e-5
+        CHECK(memory.dilation == doctest::Approx(2e-6));
+        CHECK(contactLaw(joint, kArea, -1e-5, 2e-5, 0, 1, memory).normal == doctest::Approx(240));
+    }
+
+    TEST_CASE("an open Lp forgets its shear") {
+        PointMemory memory;
+        contactLaw(friction(), kArea, -1e-5, 1e-6, 0, 1, memory);
+        contactLaw(friction(), kArea, 1e-5, 5e-6, 0, 1, memory);
+        CHECK(contactLaw(friction(), kArea, -1e-5, 6e-6, 0, 1, memory).shear_1 == doctest::Approx(-10));
+    }
+}

@@ -1,0 +1,132 @@
+// The house: folders are floors, and includes run one way. A file sees its own floor and those below it, and inside a
+// floor no two files see each other in a circle.
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folders of one library from the ground up; files that lie in none of them are on the top floor.
+struct House {
+    const char* root;
+    std::vector<std::string> floors;
+};
+
+const std::vector<House>& houses() {
+    static const std::vector<House> all{
+        {"engine/src",
+         {"simd", "geometry", "rock_mass", "model", "law", "state", "forces", "measure", "step", "contacts",
+          "build", "frame", "analysis", "theory"}},
+    };
+    return all;
+}
+
+/// Module (path without extension, from the house's root) -> modules it includes.
+using Includes = std::map<std::string, std::set<std::string>>;
+
+Includes includesOf(const fs::path& root) {
+    Includes result;
+    static const std::regex line("^\\s*#\\s*include\\s+\"([^\"]+)\"");
+    for (const auto& entry : fs::recursive_directory_iterator(root)) {
+        const fs::path path = entry.path();
+        if (path.extension() != ".cpp" && path.extension() != ".h") continue;
+        fs::path module = path.lexically_relative(root);
+        auto& seen = result[module.replace_extension().generic_string()];
+        std::ifstream file(path);
+        std::smatch match;
+        for (std::string text; std::getline(file, text);) {
+            if (!std::regex_search(text, match, line)) continue;
+            if (!fs::exists(root / match[1].str())) continue;  // of another library, or generated
+            seen.insert(fs::path(match[1].str()).replace_extension().generic_string());
+        }
+    }
+    return result;
+}
+
+std::string folderOf(const std::string& module) { return module.substr(0, module.find('/')); }
+
+std::size_t floorOf(const House& house, const std::string& module) {
+    if (module.find('/') == std::string::npos) return house.floors.size();
+    const auto found = std::find(house.floors.begin(), house.floors.end(), folderOf(module));
+    return static_cast<std::size_t>(found - house.floors.begin());
+}
+
+/// A circle of includes that goes through `module`, or nothing.
+std::vector<std::string> circleFrom(const Includes& includes, const std::string& start) {
+    std::vector<std::string> way;
+    std::set<std::string> been;
+    std::function<bool(const std::string&)> visit = [&](const std::string& module) {
+        way.push_back(module);
+        const auto found = includes.find(module);
+        if (found != includes.end())
+            for (const std::string& next : found->second) {
+                if (next == module) continue;
+                if (next == start) return true;
+                if (been.insert(next).second && visit(next)) return true;
+            }
+        way.pop_back();
+        return false;
+    };
+    return visit(start) ? way : std::vector<std::string>{};
+}
+
+std::string joined(const std::vector<std::string>& way) {
+    std::string text;
+    for (const std::string& module : way) text += module + " -> ";
+    return text + way.front();
+}
+
+}  // namespace
+
+TEST_CASE("every folder of a library has its floor") {
+    for (const House& house : houses())
+        for (const auto& entry : fs::directory_iterator(fs::path(TALUS_SOURCE_DIR) / house.root)) {
+            if (!entry.is_directory()) continue;
+            const std::string folder = entry.path().filename().string();
+            CAPTURE(house.root);
+            CAPTURE(folder);
+            CHECK(std::count(house.floors.begin(), house.floors.end(), folder) == 1);
+        }
+}
+
+TEST_CASE("no include runs up") {
+    for (const House& house : houses()) {
+        const Includes includes = includesOf(fs::path(TALUS_SOURCE_DIR) / house.root);
+        REQUIRE(includes.size() > 10);
+        for (const auto& [module, seen] : includes)
+            for (const std::string& other : seen) {
+                CAPTURE(house.root);
+                CAPTURE(module);
+                CAPTURE(other);
+                CHECK(floorOf(house, other) <= floorOf(house, module));
+            }
+    }
+}
+
+TEST_CASE("no includes run round") {
+    for (const House& house : houses()) {
+        const Includes includes = includesOf(fs::path(TALUS_SOURCE_DIR) / house.root);
+        for (const auto& [module, seen] : includes)
+            if (const std::vector<std::string> way = circleFrom(includes, module); !way.empty())
+                FAIL_CHECK(house.root << ": " << joined(way));
+    }
+}
+
+TEST_CASE("a circle and a step up are found where there are some") {
+    const House house{"", {"low", "high"}};
+    const Includes includes{{"low/a", {"low/b"}}, {"low/b", {"low/a"}}, {"high/c", {"low/a"}}};
+    CHECK(circleFrom(includes, "low/a").size() == 2);
+    CHECK(circleFrom(includes, "high/c").empty());
+    CHECK(floorOf(house, "high/c") > floorOf(house, "low/a"));
+    CHECK(floorOf(house, "top") > floorOf(house, "high/c"));
+}
