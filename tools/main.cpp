@@ -5,7 +5,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "command.h"
+#include "cli/command.h"
 #include "talus/build_info.h"
 
 namespace talus::tools {

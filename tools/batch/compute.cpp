@@ -3,7 +3,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "block_names.h"
+#include "cli/block_names.h"
 #include "talus/simulation.h"
 #include "talus/theory.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "command.h"
+#include "cli/command.h"
 
 namespace talus::tools::batch {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "batch/summary.h"
-#include "paper_svg.h"
+#include "report/svg.h"
 
 namespace talus::tools::batch {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "batch/plots.h"
-#include "paper_html.h"
-#include "paper_page_style.h"
+#include "report/html.h"
+#include "report/page_style.h"
 
 namespace talus::tools::batch {
 

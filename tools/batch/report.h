@@ -4,7 +4,7 @@
 #include <string>
 
 #include "batch/summary.h"
-#include "command.h"
+#include "cli/command.h"
 
 namespace talus::tools::batch {
 

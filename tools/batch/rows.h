@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "command.h"
+#include "cli/command.h"
 #include "talus/formats/sweep.h"
 
 namespace talus::tools::batch {

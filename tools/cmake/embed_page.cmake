@@ -2,7 +2,7 @@
 # Writes the page as one raw string literal (a file of its own, so that its 0.7 MB are compiled once).
 file(READ ${INPUT} text)
 file(WRITE ${OUTPUT} "// Generated from ${INPUT}.
-#include \"replay_page.h\"
+#include \"replay/page.h\"
 
 namespace talus::tools {
 namespace {

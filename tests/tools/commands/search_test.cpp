@@ -1,0 +1,86 @@
+// talus critical-angle and safety-factor on one block whose answers are closed formulas.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tools/program.h"
+
+using namespace talus::tools::testing;
+
+namespace {
+
+const char* const kQuickSearch = "[analysis]\nstart_deg = 15.0\nstop_deg = 25.0\n";
+
+bool isStateHash(const nlohmann::json& value) {
+    const auto text = value.get<std::string>();
+    return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+void checkCommonKeys(const nlohmann::json& json) {
+    for (const char* key : {"failure_mode", "moving_blocks", "theory", "probes", "steps", "wall_seconds",
+                            "state_hash", "probe_list", "evidence", "provenance", "warnings", "time_step_s",
+                            "inertia_scaled", "damping_local", "interrupted"}) {
+        CAPTURE(key);
+        CHECK(json.contains(key));
+    }
+    CHECK(isStateHash(json.at("state_hash")));
+    CHECK(json.at("probe_list").size() == json.at("probes").get<std::size_t>());
+    CHECK(json.at("steps").get<long>() > 0);
+}
+
+}  // namespace
+
+TEST_CASE("critical-angle: a block slides at its friction angle, theory beside") {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("slides.toml", blockScenario(0, 20, kQuickSearch));
+    const Outcome outcome = runTalus({"critical-angle", path, "--json", "--threads", "1"});
+    REQUIRE(outcome.exit_code == 0);
+    const auto json = outcome.json();
+    checkCommonKeys(json);
+    CHECK(json.at("status") == "found");
+    CHECK(std::abs(json.at("critical_angle_deg").get<double>() - 20) < 0.025);
+    CHECK(json.at("theory_deg").get<double>() == doctest::Approx(20).epsilon(1e-10));
+    const auto bracket = json.at("bracket_deg");
+    CHECK(bracket[0].get<double>() < bracket[1].get<double>());
+    CHECK(json["critical_angle_deg"].get<double>() ==
+          doctest::Approx((bracket[0].get<double>() + bracket[1].get<double>()) / 2).epsilon(1e-9));
+    CHECK(json.at("failure_mode") == "sliding");
+    CHECK(json.at("moving_blocks") == nlohmann::json::array({"key"}));
+
+    const Outcome people = runTalus({"critical-angle", path, "--quiet", "--verbose"});
+    CHECK(people.exit_code == 0);
+    CHECK(people.err.empty());
+    CHECK(people.out.find("critical angle") != std::string::npos);
+    CHECK(people.out.find("failing") != std::string::npos);  // the probes of --verbose
+}
+
+TEST_CASE("critical-angle: failing at the start and standing to the end are results") {
+    const TemporaryFolder folder;
+    const auto early =
+        runTalus({"critical-angle", folder.write("a.toml", blockScenario(0, 12, kQuickSearch)), "--json"});
+    CHECK(early.exit_code == 0);
+    CHECK(early.json().at("status") == "unstable_at_start");
+    CHECK(early.json().at("critical_angle_deg").is_null());
+    CHECK(early.json().at("bracket_deg")[0].is_null());
+    const auto late =
+        runTalus({"critical-angle", folder.write("b.toml", blockScenario(0, 40, kQuickSearch)), "--json"});
+    CHECK(late.exit_code == 0);
+    CHECK(late.json().at("status") == "stable_to_stop");
+    CHECK(late.json().at("critical_angle_deg").is_null());
+    CHECK(late.json().at("bracket_deg")[1].is_null());
+}
+
+TEST_CASE("safety-factor: tan(phi) / tan(beta), theory beside") {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        runTalus({"safety-factor", folder.write("f.toml", blockScenario(10, 20)), "--json"});
+    REQUIRE(outcome.exit_code == 0);
+    const auto json = outcome.json();
+    checkCommonKeys(json);
+    const double expected = std::tan(20 * 3.14159265358979 / 180) / std::tan(10 * 3.14159265358979 / 180);
+    CHECK(json.at("status") == "found");
+    CHECK(json.at("theory_factor").get<double>() == doctest::Approx(expected).epsilon(1e-7));
+    CHECK(json.at("safety_factor").get<double>() == doctest::Approx(expected).epsilon(0.002));
+    CHECK(json.at("bracket").size() == 2);
+}

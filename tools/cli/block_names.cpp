@@ -1,0 +1,129 @@
+#include "cli/block_names.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace talus::tools {
+
+namespace {
+
+struct StackName {
+    std::string prefix;
+    int column = 0, row = 0, slice = 0;
+};
+
+struct Item {
+    std::string text;
+    std::size_t blocks = 1;
+};
+
+using Cells = std::set<std::pair<int, int>>;  ///< (row, slice)
+
+/// Takes "<letter><digits>" off the end of `name`.
+std::optional<int> takeNumber(std::string& name, char letter) {
+    const std::size_t at = name.rfind(letter);
+    if (at == std::string::npos || at + 1 == name.size()) return std::nullopt;
+    int value = 0;
+    const char* end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(name.data() + at + 1, end, value);
+    if (error != std::errc{} || stop != end) return std::nullopt;
+    name.resize(at);
+    return value;
+}
+
+std::optional<StackName> parse(std::string name) {
+    const auto slice = takeNumber(name, 's');
+    const auto row = slice ? takeNumber(name, 'r') : std::nullopt;
+    const auto column = row ? takeNumber(name, 'c') : std::nullopt;
+    if (!column) return std::nullopt;
+    return StackName{name, *column, *row, *slice};
+}
+
+std::string range(char letter, int low, int high) {
+    return letter + std::to_string(low) + (high > low ? "-" + std::to_string(high) : "");
+}
+
+/// " r1-5 s1-3" for each full rectangle of cells: rows with the same run of slices are merged.
+std::vector<Item> rectangles(const Cells& cells) {
+    struct Run {
+        int low_row, high_row, low_slice, high_slice;
+    };
+    std::vector<Run> runs;
+    for (const auto& [row, slice] : cells) {
+        if (!runs.empty() && runs.back().low_row == row && runs.back().high_slice + 1 == slice) {
+            runs.back().high_slice = slice;
+        } else {
+            runs.push_back({row, row, slice, slice});
+        }
+    }
+    std::vector<Run> merged;
+    for (const Run& run : runs) {
+        const auto below = std::find_if(merged.begin(), merged.end(), [&run](const Run& other) {
+            return other.high_row + 1 == run.low_row && other.low_slice == run.low_slice &&
+                   other.high_slice == run.high_slice;
+        });
+        if (below != merged.end()) {
+            below->high_row = run.high_row;
+        } else {
+            merged.push_back(run);
+        }
+    }
+    std::vector<Item> items;
+    for (const Run& run : merged)
+        items.push_back(
+            {" " + range('r', run.low_row, run.high_row) + " " + range('s', run.low_slice, run.high_slice),
+             static_cast<std::size_t>(run.high_row - run.low_row + 1) *
+                 static_cast<std::size_t>(run.high_slice - run.low_slice + 1)});
+    return items;
+}
+
+/// Neighbouring columns with the same cells become one range.
+std::vector<Item> boxes(const std::string& prefix, const std::map<int, Cells>& columns) {
+    std::vector<Item> items;
+    for (auto first = columns.begin(); first != columns.end();) {
+        auto last = first;
+        for (auto next = std::next(first);
+             next != columns.end() && next->first == last->first + 1 && next->second == first->second; ++next)
+            last = next;
+        const auto count = static_cast<std::size_t>(last->first - first->first + 1);
+        for (const Item& cells : rectangles(first->second))
+            items.push_back(
+                {prefix + range('c', first->first, last->first) + cells.text, count * cells.blocks});
+        first = std::next(last);
+    }
+    return items;
+}
+
+}  // namespace
+
+std::string compactNames(const std::vector<std::string>& names, std::size_t limit) {
+    std::map<std::string, std::map<int, Cells>> stacks;
+    std::vector<Item> items, others;
+    for (const std::string& name : names) {
+        if (const auto cell = parse(name)) {
+            stacks[cell->prefix][cell->column].emplace(cell->row, cell->slice);
+        } else {
+            others.push_back({name});
+        }
+    }
+    for (const auto& [prefix, columns] : stacks)
+        for (Item& item : boxes(prefix, columns)) items.push_back(std::move(item));
+    items.insert(items.end(), others.begin(), others.end());
+
+    std::string text;
+    std::size_t left_out = 0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (i >= limit) {
+            left_out += items[i].blocks;
+        } else {
+            text += (i > 0 ? ", " : "") + items[i].text;
+        }
+    }
+    return left_out > 0 ? text + " and " + std::to_string(left_out) + " more blocks" : text;
+}
+
+}  // namespace talus::tools

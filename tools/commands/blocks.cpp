@@ -1,0 +1,121 @@
+// talus blocks: what a scenario's blocks are, before anything moves: a table, a mesh, a picture.
+
+#include <algorithm>
+#include <memory>
+
+#include "cli/command.h"
+#include "report/blocks_files.h"
+
+namespace talus::tools {
+
+namespace {
+
+struct BlocksOptions {
+    Common common;
+    std::string scenario, output;
+    std::vector<double> view = {235, 25};  ///< [deg]
+};
+
+/// Volumes and thicknesses of all blocks, sorted.
+struct Sizes {
+    std::vector<double> volume, thickness;
+    double total = 0;
+};
+
+Sizes sizesOf(const Model& model) {
+    Sizes sizes;
+    for (const Block& block : model.blocks) {
+        sizes.volume.push_back(massProperties(block.shape).volume);
+        sizes.thickness.push_back(blockThickness(block.shape));
+        sizes.total += sizes.volume.back();
+    }
+    std::sort(sizes.volume.begin(), sizes.volume.end());
+    std::sort(sizes.thickness.begin(), sizes.thickness.end());
+    return sizes;
+}
+
+double median(const std::vector<double>& sorted) { return sorted[sorted.size() / 2]; }
+
+std::size_t fixedCount(const Model& model) {
+    return static_cast<std::size_t>(std::count_if(model.blocks.begin(), model.blocks.end(),
+                                                  [](const Block& b) { return b.motion == Motion::fixed; }));
+}
+
+std::string line(const std::string& name, const std::string& value) {
+    return name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') + value + "\n";
+}
+
+std::string summary(const Model& model, const Sizes& sizes) {
+    const auto short_text = [](double value) {
+        char buffer[32];
+        std::snprintf(buffer, sizeof buffer, "%.4g", value);
+        return std::string(buffer);
+    };
+    const auto range = [&](const std::vector<double>& v, const char* unit) {
+        return short_text(v.front()) + " to " + short_text(v.back()) + " " + unit + ", median " +
+               short_text(median(v));
+    };
+    return line("blocks",
+                std::to_string(model.blocks.size()) + " (" + std::to_string(fixedCount(model)) + " fixed)") +
+           line("volume", short_text(sizes.total) + " m3") +
+           line("block volumes", range(sizes.volume, "m3")) + line("thickness", range(sizes.thickness, "m"));
+}
+
+Json json(const Model& model, const Sizes& sizes) {
+    const auto range = [](const std::vector<double>& v) {
+        return Json{{"least", number(v.front())}, {"median", number(median(v))}, {"most", number(v.back())}};
+    };
+    return {{"blocks", model.blocks.size()},
+            {"fixed_blocks", fixedCount(model)},
+            {"volume_m3", number(sizes.total)},
+            {"block_volume_m3", range(sizes.volume)},
+            {"thickness_m", range(sizes.thickness)}};
+}
+
+std::string content(const BlocksOptions& options, const Model& model) {
+    const auto has = [&](const char* ending) { return options.output.ends_with(ending); };
+    const std::string comments = provenanceComments(options.common, options.scenario);
+    if (has(".obj")) return blocksObj(model, comments);
+    if (has(".csv")) return blocksCsv(model, comments);
+    if (has(".svg"))
+        return blocksSvg(model, {radians(options.view[0]), radians(options.view[1])},
+                         "Blocks of " + options.scenario);
+    throw BadInput(Error{
+        "--output", "found \"" + options.output + "\", allowed: a name that ends in .obj, .csv or .svg"});
+}
+
+int blocks(const BlocksOptions& options) {
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    if (!options.output.empty()) writeFile(options.output, content(options, scenario.model));
+    const Sizes sizes = sizesOf(scenario.model);
+    if (!options.common.json) {
+        printText(summary(scenario.model, sizes));
+        return kDone;
+    }
+    Json result = json(scenario.model, sizes);
+    result["warnings"] = scenario.warnings;
+    result["provenance"] = provenance(options.common, options.scenario);
+    printJson(result);
+    return kDone;
+}
+
+}  // namespace
+
+Command addBlocks(CLI::App& root) {
+    auto options = std::make_shared<BlocksOptions>();
+    CLI::App* app = root.add_subcommand(
+        "blocks", "Cut and count the blocks of a scenario; mesh, table or picture of them");
+    app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
+    app->add_option("-o,--output", options->output,
+                    "What to write, by its ending: .obj a mesh, .csv a table of the blocks, .svg a picture");
+    app->add_option("--view", options->view,
+                    "Where the picture is taken from: azimuth clockwise from north (+y), elevation; degrees")
+        ->expected(2)
+        ->delimiter(',')
+        ->capture_default_str();
+    addCommon(*app, options->common, false);
+    app->footer("Example:\n  talus blocks slope.toml -o slope.svg --view 235,25");
+    return {app, [options] { return blocks(*options); }};
+}
+
+}  // namespace talus::tools

@@ -1,0 +1,147 @@
+// talus export: snapshots for ParaView, spreadsheets and CAD.
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "recording/snapshot_view.h"
+#include "talus/formats/export.h"
+
+namespace talus::tools {
+
+namespace {
+
+struct ExportOptions {
+    Common common;
+    std::string file, vtk, csv, stl, output;
+    std::size_t every = 1;
+};
+
+std::string numbered(const char* stem, std::size_t frame) {
+    char name[48];
+    std::snprintf(name, sizeof name, "%s_%06zu.vtp", stem, frame);
+    return name;
+}
+
+/// The frames to export: every so many, and the last.
+std::vector<std::size_t> chosen(const formats::SnapshotReader& reader, std::size_t every) {
+    std::vector<std::size_t> frames;
+    const std::size_t n = reader.frames().size();
+    for (std::size_t k = 0; k < n; k += every) frames.push_back(k);
+    if (n > 0 && frames.back() != n - 1) frames.push_back(n - 1);
+    return frames;
+}
+
+bool stopped() { return stopRequested().load(std::memory_order_relaxed); }
+
+Json exportVtk(formats::SnapshotReader& reader, const ExportOptions& options, ProgressPrinter& progress) {
+    makeFolder(options.vtk);
+    const std::filesystem::path folder = options.vtk;
+    std::vector<std::pair<double, std::string>> blocks, contacts;
+    const std::vector<std::size_t> frames = chosen(reader, options.every);
+    for (const std::size_t k : frames) {
+        if (stopped()) break;
+        const double time = reader.frames()[k].time;
+        blocks.emplace_back(time, numbered("blocks", k));
+        writeFile(folder / blocks.back().second,
+                  formats::vtpBlocks(reader.header(), valueOf(reader.frame(k))));
+        if (reader.frames()[k].full) {
+            contacts.emplace_back(time, numbered("contacts", k));
+            writeFile(folder / contacts.back().second,
+                      formats::vtpContacts(valueOf(reader.full(*reader.frames()[k].full))));
+        }
+        progress.show(
+            {"export", static_cast<double>(blocks.size()) / static_cast<double>(frames.size()), ""});
+    }
+    writeFile(folder / "blocks.pvd", formats::pvdSeries(blocks));
+    writeFile(folder / "contacts.pvd", formats::pvdSeries(contacts));
+    return {{"folder", options.vtk}, {"block_files", blocks.size()}, {"contact_files", contacts.size()}};
+}
+
+/// One row a frame and block.
+Json exportCsv(formats::SnapshotReader& reader, const ExportOptions& options) {
+    const formats::SnapshotHeader& header = reader.header();
+    Table table;
+    table.columns = {"frame", "time_s", "block",  "x_m",    "y_m",    "z_m",    "dx_m",   "dy_m",
+                     "dz_m",  "vx_m_s", "vy_m_s", "vz_m_s", "rx_deg", "ry_deg", "rz_deg", "failure_role"};
+    for (const std::size_t k : chosen(reader, options.every)) {
+        const LightFrame frame = valueOf(reader.frame(k));
+        const std::vector<FailureMode> roles = formats::failureRoles(header, frame);
+        for (std::size_t b = 0; b < header.names.size(); ++b) {
+            const Vec3 moved = get(frame.displacement, b), x = get(header.geometry.centroid, b) + moved;
+            const Vec3 v = get(frame.velocity, b), r = get(frame.rotation, b) / kDegree;
+            table.rows.push_back({k, number(frame.time), header.names[b], number(x.x()), number(x.y()),
+                                  number(x.z()), number(moved.x()), number(moved.y()), number(moved.z()),
+                                  number(v.x()), number(v.y()), number(v.z()), number(r.x()), number(r.y()),
+                                  number(r.z()), toString(roles[b])});
+        }
+    }
+    writeFile(options.csv, table.csv());
+    return {{"file", options.csv}, {"rows", table.rows.size()}};
+}
+
+Json exportStl(formats::SnapshotReader& reader, const ExportOptions& options) {
+    const std::size_t frame = frameIndex(reader, options.stl, options.file);
+    const std::string path = !options.output.empty() ? options.output
+                                                     : std::filesystem::path(options.file).stem().string() +
+                                                           "-" + std::to_string(frame) + ".stl";
+    writeFile(path, formats::stlBlocks(reader.header(), valueOf(reader.frame(frame))));
+    return {{"file", path}, {"frame", frame}};
+}
+
+int exportSnapshot(const ExportOptions& options) {
+    if (options.vtk.empty() && options.csv.empty() && options.stl.empty())
+        throw BadInput(Error{"", "say what to export: --vtk DIR, --csv FILE or --stl FRAME"});
+    formats::SnapshotReader reader = openSnapshot(options.file);
+    for (const std::string& fault : reader.faults())
+        note(options.common, "note: " + options.file + ": " + fault);
+    ProgressPrinter progress(options.common);
+    Json json = {{"frames", reader.frames().size()}};
+    if (!options.vtk.empty()) json["vtk"] = exportVtk(reader, options, progress);
+    if (!options.csv.empty() && !stopped()) json["csv"] = exportCsv(reader, options);
+    if (!options.stl.empty() && !stopped()) json["stl"] = exportStl(reader, options);
+    json["interrupted"] = stopped();
+    progress.finish();
+    if (options.common.json) {
+        printJson(json);
+    } else {
+        std::string lines;
+        if (json.contains("vtk"))
+            lines += json["vtk"]["block_files"].dump() + " frames and " +
+                     json["vtk"]["contact_files"].dump() + " sets of contacts in " + options.vtk +
+                     " (open blocks.pvd and contacts.pvd)\n";
+        if (json.contains("csv")) lines += json["csv"]["rows"].dump() + " rows in " + options.csv + "\n";
+        if (json.contains("stl")) lines += "blocks in " + json["stl"]["file"].get<std::string>() + "\n";
+        printText(lines);
+    }
+    return stopped() ? kInterrupted : kDone;
+}
+
+}  // namespace
+
+Command addExport(CLI::App& root) {
+    auto options = std::make_shared<ExportOptions>();
+    CLI::App* app =
+        root.add_subcommand("export", "Snapshots for ParaView (VTK), spreadsheets (CSV) and CAD (STL)");
+    app->add_option("FILE", options->file, "Snapshot file of talus run (.mcap)")->required();
+    app->add_option("--vtk", options->vtk,
+                    "Folder for .vtp files of blocks and contact points, with blocks.pvd and contacts.pvd");
+    app->add_option("--csv", options->csv, "File for a table of one row a frame and block");
+    auto* stl =
+        app->add_option("--stl", options->stl, "The blocks at a frame: last, its number from 0, or a time");
+    app->add_option("-o,--output", options->output, "STL file (default: FILE-FRAME.stl here)")->needs(stl);
+    app->add_option("--every", options->every, "Only every so many frames, and the last")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    addCommon(*app, options->common, false);
+    app->footer(
+        "Examples:\n  talus export run.mcap --vtk paraview\n  talus export run.mcap --stl last -o "
+        "slope.stl\n\nEvery "
+        "frame has its blocks (block_id, failure_role, displacement, velocity, rotation); contact "
+        "points\nwith their "
+        "forces are there for frames with a full state (talus run --full-every).");
+    return {app, [options] { return exportSnapshot(*options); }};
+}
+
+}  // namespace talus::tools

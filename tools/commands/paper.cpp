@@ -1,0 +1,146 @@
+// talus paper: the paper's Table 1, Fig. 6 and section 5, computed again.
+
+#include <chrono>
+
+#include "cli/command.h"
+#include "reproduction/cases.h"
+#include "reproduction/data.h"
+#include "reproduction/kept.h"
+#include "reproduction/page.h"
+#include "reproduction/plots.h"
+#include "reproduction/run.h"
+#include "reproduction/slope.h"
+#include "reproduction/table.h"
+
+namespace talus::tools {
+namespace {
+
+struct PaperOptions {
+    Common common;
+    std::string out = "talus-paper";
+    std::string points = "vertex";
+    bool keep = false;
+    std::string keep_folder;        ///< empty: OUT/failing
+    std::uint64_t monte_carlo = 0;  ///< samples of the laboratory's scatter; 0: none
+};
+
+PaperResults computeAll(const PaperOptions& options, std::vector<PaperCase> cases) {
+    PaperResults results;
+    results.threads = threadsUsed(options.common);
+    results.table_points = options.points;
+    results.provenance = provenance(options.common, "");
+    results.provenance_comments = provenanceComments(options.common, "");
+    ProgressPrinter printer(options.common);
+    const auto begin = std::chrono::steady_clock::now();
+    results.runs = runCases(
+        std::move(cases),
+        [](const Model& model, const Control& control) { return criticalAngle(model, control); },
+        results.threads, stopRequested(),
+        [&](const PaperProgress& progress) {
+            printer.show(
+                {doneText(progress), progress.fraction, progress.last ? answerText(*progress.last) : ""});
+        });
+    results.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    results.interrupted = stopRequested();
+    return results;
+}
+
+void writeScenarios(const PaperResults& results, const std::string& folder) {
+    makeFolder(folder);
+    for (const PaperRun& run : results.runs) {
+        writeFile(folder + "/" + fileName(run.what) + ".toml", run.what.scenario.text);
+    }
+}
+
+void writeSlopes(const PaperResults& results, const std::string& folder) {
+    makeFolder(folder);
+    for (const PaperRun& run : results.runs) {
+        if (criticalDeg(run))
+            writeFile(folder + "/" + fileName(run.what) + ".svg", drawSlope(run).standalone());
+    }
+}
+
+void writeAll(const PaperResults& results, const std::string& out) {
+    makeFolder(out);
+    writeFile(out + "/cases.csv", paperCsv(results));
+    writeFile(out + "/laboratory.csv", laboratoryCsv(results));
+    writeFile(out + "/results.json", paperJson(results).dump(2) + '\n');
+    writeFile(out + "/fig6.svg", plotFig6(results).standalone());
+    writeFile(out + "/difference.svg", plotDifference(results).standalone());
+    writeFile(out + "/contact-points.svg", plotPoints(results).standalone());
+    if (results.scatter) writeFile(out + "/scatter.svg", plotScatter(*results.scatter).standalone());
+    writeSlopes(results, out + "/slopes");
+    writeScenarios(results, out + "/scenarios");
+    writeFile(out + "/index.html", paperPage(results));
+}
+
+int exitCode(const PaperResults& results) {
+    if (results.interrupted) return kInterrupted;
+    bool undecided = false;
+    for (const PaperRun& run : results.runs) {
+        if (!run.errors.empty()) return kInternalError;  // a scenario built in was refused
+        undecided = undecided || run.search.status == SearchStatus::undecided;
+    }
+    return undecided ? kUndecided : kDone;
+}
+
+int execute(const PaperOptions& options) {
+    std::vector<PaperCase> cases = paperCases(options.points);
+    // A folder that cannot be made is told before minutes of computing, not after.
+    makeFolder(options.out);
+    const std::string keep_folder =
+        options.keep_folder.empty() ? options.out + "/failing" : options.keep_folder;
+    if (options.keep) {
+        makeFolder(keep_folder);
+        markKept(cases);
+    }
+    PaperResults results = computeAll(options, std::move(cases));
+    const auto begin = std::chrono::steady_clock::now();
+    if (options.keep && !results.interrupted) keepFailures(results, keep_folder, options.out, options.common);
+    if (options.monte_carlo > 0 && !results.interrupted)
+        results.scatter = computeScatter(options.monte_carlo, options.out + "/scatter", options.common);
+    results.interrupted = stopRequested();
+    results.wall_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    writeAll(results, options.out);
+    if (options.common.json) {
+        printJson(paperJson(results));
+    } else {
+        printText(terminalTable(results) + "\nPage, plots and tables: " + options.out + "/index.html\n");
+    }
+    return exitCode(results);
+}
+
+}  // namespace
+
+Command addPaper(CLI::App& root) {
+    CLI::App* app = root.add_subcommand("paper", "Compute the paper's Table 1, Fig. 6 and section 5 again");
+    const auto options = std::make_shared<PaperOptions>();
+    app->add_option("--out,-o", options->out, "Folder for the page, plots and tables")->capture_default_str();
+    app->add_option("--points", options->points,
+                    "Contact points of Table 1 and section 5: quarter, corner, vertex or \"grid N\"")
+        ->capture_default_str();
+    const auto* keep =
+        app->add_option("--keep-run", options->keep_folder,
+                        "Also keep the failing runs of the slope dry and with water in fissure 5, with their "
+                        "replays, in "
+                        "this folder (OUT/failing without one; files of that name are replaced)")
+            ->type_name("[DIR]")
+            ->expected(0, 1);
+    app->add_option(
+           "--monte-carlo", options->monte_carlo,
+           "Also compute the laboratory's scatter from N samples, each interface with its own friction angle "
+           "(about 5 s of processor time a sample)")
+        ->check(CLI::Range(1, 1000000));
+    app->footer(
+        "Example:\n  talus paper --out reproduction\n  talus paper --out reproduction --keep-run\n  talus "
+        "paper --out reproduction --monte-carlo "
+        "100\n\nThe Monte "
+        "Carlo's rows are in OUT/scatter and are kept: the same command goes on where it was stopped.");
+    addCommon(*app, options->common);
+    return {app, [options, keep] {
+                options->keep = keep->count() > 0;
+                return execute(*options);
+            }};
+}
+
+}  // namespace talus::tools

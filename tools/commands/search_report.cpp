@@ -1,0 +1,221 @@
+#include "commands/search_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/block_names.h"
+
+namespace talus::tools {
+
+namespace {
+
+std::string loadText(const SearchReport& report, double value) {
+    return text(value / report.load.scale, report.load.decimals);
+}
+
+/// A line of the table: the label in its column, then the content.
+std::string row(const std::string& label, const std::string& content) {
+    constexpr std::size_t kColumn = 18;
+    return label + std::string(kColumn - std::min(kColumn - 1, label.size()), ' ') + content + "\n";
+}
+
+/// The text filled up with spaces to `width`, on its left (figures) or right (words).
+std::string figure(const std::string& content, std::size_t width) {
+    return std::string(width - std::min(width, content.size()), ' ') + content;
+}
+std::string word(const std::string& content, std::size_t width) {
+    return content + std::string(width - std::min(width, content.size()), ' ');
+}
+
+std::string scientific(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.1e", value);
+    return buffer;
+}
+
+/// "stands at 19.498, fails at 19.508"; an open end is left out.
+std::string bracketText(const SearchReport& report) {
+    const bool stands = std::isfinite(report.result.low), fails = std::isfinite(report.result.high);
+    if (!stands && !fails) return "nothing is known yet";
+    return (stands ? "stands at " + loadText(report, report.result.low) : "") +
+           (stands && fails ? ", " : "") + (fails ? "fails at " + loadText(report, report.result.high) : "");
+}
+
+std::string answerText(const SearchReport& report) {
+    const SearchResult& result = report.result;
+    const std::string unit = report.load.unit;
+    switch (result.status) {
+        case SearchStatus::found:
+            return loadText(report, result.answer) + unit + "  (" + bracketText(report) + ")";
+        case SearchStatus::unstable_at_start:
+            return "none: unstable at the start of the search, " + loadText(report, result.high) + unit;
+        case SearchStatus::stable_to_stop:
+            return "none: stands to the end of the search, " + loadText(report, result.low) + unit;
+        case SearchStatus::interrupted:
+        case SearchStatus::undecided:
+            break;
+    }
+    return (wasInterrupted(result) ? "interrupted; so far: " : "undecided: ") + bracketText(report);
+}
+
+std::string theoryText(const SearchReport& report) {
+    if (!report.theory) return row("theory", "no closed formula applies");
+    std::string line = loadText(report, report.theory->value) + report.load.unit;
+    if (report.result.status == SearchStatus::found)
+        line += "  (computed minus theory: " + loadText(report, report.result.answer - report.theory->value) +
+                ")";
+    return row("theory", line) + row("", report.theory->prediction.formula);
+}
+
+std::string movingText(const SearchResult& result) {
+    if (result.moving_blocks.empty()) return "none";
+    const std::string of =
+        result.motions.empty() ? "" : " of " + std::to_string(result.motions.size()) + " free";
+    return std::to_string(result.moving_blocks.size()) + of + ": " + compactNames(result.moving_blocks);
+}
+
+std::string costText(const SearchResult& result) {
+    return std::to_string(result.probes.size()) + " probes, " + std::to_string(result.steps) + " steps, " +
+           text(result.wall_seconds, 2) + " s";
+}
+
+std::string methodText(const SearchResult& result) {
+    return "local damping " + text(result.damping_local, 2) +
+           (result.inertia_scaled ? ", inertia scaled" : "") + "; failure mode from " +
+           text(result.continuation_seconds, 4) + " s with true inertia";
+}
+
+std::string sizeText(const SearchResult& result) {
+    return std::to_string(result.blocks) + " blocks, " + std::to_string(result.interfaces) + " interfaces, " +
+           std::to_string(result.contact_points) + " contact points";
+}
+
+std::string probeTable(const SearchReport& report) {
+    std::string table = "\n" + figure("probe", 5) + figure(std::string("load") + report.load.unit, 12) +
+                        "  " + word("verdict", 10) + figure("steps", 10) + figure("unbalanced", 12) +
+                        figure("moved m", 10) + "  reason\n";
+    for (std::size_t i = 0; i < report.result.probes.size(); ++i) {
+        const Probe& probe = report.result.probes[i];
+        table += figure(std::to_string(i + 1), 5) + figure(loadText(report, probe.load), 12) + "  " +
+                 word(toString(probe.verdict), 10) + figure(std::to_string(probe.steps), 10) +
+                 figure(scientific(probe.out_of_balance), 12) + figure(scientific(probe.displacement), 10) +
+                 "  " + probe.reason + "\n";
+    }
+    return table;
+}
+
+std::string motionTable(const SearchResult& result) {
+    std::string table = "\n" + word("block", 16) + word("moves by", 10) + figure("moved m", 10) +
+                        figure("turned deg", 12) + figure("turning", 9) + figure("open", 7) +
+                        figure("mobilised", 11) + "\n";
+    for (const BlockMotion& motion : result.motions)
+        table += word(motion.block, 16) + word(toString(motion.mode), 10) +
+                 figure(scientific(motion.translation.norm()), 10) +
+                 figure(text(degrees(motion.rotation), 4), 12) + figure(text(motion.rotation_share, 2), 9) +
+                 figure(text(motion.open_share, 2), 7) + figure(text(motion.mobilised_friction, 3), 11) +
+                 "\n";
+    return table;
+}
+
+Json probeJson(const SearchReport& report, const Probe& probe) {
+    return {{report.load.probe_key, number(probe.load / report.load.scale)},
+            {"verdict", toString(probe.verdict)},
+            {"steps", probe.steps},
+            {"out_of_balance", number(probe.out_of_balance)},
+            {"displacement_m", number(probe.displacement)},
+            {"reason", probe.reason}};
+}
+
+Json motionJson(const BlockMotion& motion) {
+    return {{"block", motion.block},
+            {"mode", toString(motion.mode)},
+            {"moving", motion.moving},
+            {"translation_m", vector(motion.translation)},
+            {"rotation_deg", number(degrees(motion.rotation))},
+            {"rotation_share", number(motion.rotation_share)},
+            {"open_share", number(motion.open_share)},
+            {"mobilised_friction", number(motion.mobilised_friction)}};
+}
+
+template <class T, class F>
+Json list(const std::vector<T>& items, F&& json_of) {
+    Json result = Json::array();
+    for (const T& item : items) result.push_back(json_of(item));
+    return result;
+}
+
+}  // namespace
+
+std::string statusText(SearchStatus status) {
+    return toString(status == SearchStatus::interrupted ? SearchStatus::undecided : status);
+}
+
+bool wasInterrupted(const SearchResult& result) {
+    // A probe that was cut short is undecided, too.
+    return result.status == SearchStatus::interrupted ||
+           (result.status == SearchStatus::undecided && stopRequested());
+}
+
+int exitCode(const SearchReport& report) {
+    if (wasInterrupted(report.result)) return kInterrupted;
+    if (report.kept && report.kept->exit_code != kDone) return report.kept->exit_code;
+    return report.result.status == SearchStatus::undecided ? kUndecided : kDone;
+}
+
+Json answerJson(const SearchReport& report) {
+    if (report.result.status != SearchStatus::found) return nullptr;
+    return number(report.result.answer / report.load.scale);
+}
+
+Json bracketJson(const SearchReport& report) {
+    return Json::array(
+        {number(report.result.low / report.load.scale), number(report.result.high / report.load.scale)});
+}
+
+Json theoryJson(const SearchReport& report) {
+    if (!report.theory) return nullptr;
+    const theory::Prediction& prediction = report.theory->prediction;
+    return {{"formula", prediction.formula},
+            {"failure_mode", prediction.topples ? "toppling" : "sliding"},
+            {"applies_because", prediction.applies_because}};
+}
+
+void addSearchJson(Json& json, const SearchReport& report) {
+    const SearchResult& result = report.result;
+    json["failure_mode"] = toString(result.mode);
+    json["moving_blocks"] = result.moving_blocks;
+    json["theory"] = theoryJson(report);
+    json["probes"] = result.probes.size();
+    json["steps"] = result.steps;
+    json["wall_seconds"] = number(result.wall_seconds);
+    json["state_hash"] = hashText(result.state_hash);
+    json["interrupted"] = wasInterrupted(result);
+    json["warnings"] = result.warnings;
+    json["blocks"] = result.blocks;
+    json["interfaces"] = result.interfaces;
+    json["contact_points"] = result.contact_points;
+    json["time_step_s"] = number(result.time_step);
+    json["inertia_scaled"] = result.inertia_scaled;
+    json["damping_local"] = number(result.damping_local);
+    json["continuation_seconds"] = number(result.continuation_seconds);
+    json["probe_list"] = list(result.probes, [&](const Probe& probe) { return probeJson(report, probe); });
+    json["evidence"] = list(result.motions, motionJson);
+    if (report.kept) json["kept_run"] = keptRunJson(*report.kept);
+    json["provenance"] = provenance(report.common, report.scenario.path);
+}
+
+std::string searchText(const SearchReport& report, bool verbose) {
+    const SearchResult& result = report.result;
+    std::string table = row("scenario", report.scenario.path) + row(report.load.title, answerText(report)) +
+                        theoryText(report) + row("failure mode", toString(result.mode)) +
+                        row("moving blocks", movingText(result)) + row("model", sizeText(result)) +
+                        row("method", methodText(result)) + row("cost", costText(result)) +
+                        row("state hash", hashText(result.state_hash));
+    for (const std::string& warning : result.warnings) table += row("warning", warning);
+    if (report.kept)
+        for (const auto& [label, content] : keptRunLines(*report.kept)) table += row(label, content);
+    if (verbose) table += probeTable(report) + motionTable(result);
+    return table;
+}
+
+}  // namespace talus::tools

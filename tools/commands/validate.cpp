@@ -1,0 +1,75 @@
+// talus validate: reads and checks a scenario, computes nothing.
+
+#include <algorithm>
+#include <memory>
+
+#include "cli/command.h"
+#include "talus/simulation.h"
+
+namespace talus::tools {
+
+namespace {
+
+struct ValidateOptions {
+    Common common;
+    std::string scenario;
+};
+
+std::size_t count(const Model& model, Motion motion) {
+    return static_cast<std::size_t>(
+        std::count_if(model.blocks.begin(), model.blocks.end(),
+                      [motion](const Block& block) { return block.motion == motion; }));
+}
+
+Json counts(const Model& model) {
+    return {{"blocks", model.blocks.size()},
+            {"free_blocks", count(model, Motion::free)},
+            {"fixed_blocks", count(model, Motion::fixed)},
+            {"driven_blocks", count(model, Motion::driven)},
+            {"joints", model.joints.size()},
+            {"pair_joints", model.pair_joints.size()},
+            {"waters", model.waters.size()},
+            {"watched_blocks", model.run.watch.size()}};
+}
+
+std::string summary(const std::string& path, const Model& model) {
+    const auto item = [](std::size_t n, const char* one) {
+        return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
+    };
+    return path + ": ok: " + item(model.blocks.size(), "block") + " (" +
+           std::to_string(count(model, Motion::free)) + " free, " +
+           std::to_string(count(model, Motion::fixed)) + " fixed, " +
+           std::to_string(count(model, Motion::driven)) + " driven), " + item(model.joints.size(), "joint") +
+           ", " + item(model.waters.size(), "water") + "\n";
+}
+
+int validate(const ValidateOptions& options) {
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    const std::vector<Error> errors = checkModel(scenario.model, options.common.threads);
+    if (!errors.empty()) throw BadInput(formats::placed(scenario, errors));
+    if (!options.common.json) {
+        printText(summary(options.scenario, scenario.model));
+        return kDone;
+    }
+    Json json{{"ok", true}, {"errors", Json::array()}};
+    json.update(counts(scenario.model));
+    json["warnings"] = scenario.warnings;
+    json["provenance"] = provenance(options.common, options.scenario);
+    printJson(json);
+    return kDone;
+}
+
+}  // namespace
+
+Command addValidate(CLI::App& root) {
+    auto options = std::make_shared<ValidateOptions>();
+    CLI::App* app = root.add_subcommand("validate", "Read and check a scenario, compute nothing");
+    app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
+    addCommon(*app, options->common);
+    app->footer(
+        "Example:\n  talus validate slope.toml\n\nFaults are printed as FILE:LINE:COLUMN: error: FIELD: what "
+        "was found, what is allowed.");
+    return {app, [options] { return validate(*options); }};
+}
+
+}  // namespace talus::tools

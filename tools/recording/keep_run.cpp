@@ -1,0 +1,206 @@
+#include "recording/keep_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "cli/block_names.h"
+#include "talus/formats/failing.h"
+
+namespace talus::tools {
+
+namespace {
+
+// A slope's own time is sqrt(size / g), some time a block needs to fall by its own size. At 8 cells of 0.006 deg beyond
+// the failing tilt, where a search lets go, a sliding block has gone its size after 50 of them; a toppling one is faster.
+constexpr double kMostTimes = 60;     // of that time
+constexpr double kFramesPerTime = 8;  // light frames in one
+constexpr int kFramesInGivenTime = 200;
+constexpr int kFramesPerFull = 20;
+
+double ownTime(double block_size, double gravity) {
+    return gravity > 0 ? std::sqrt(block_size / gravity) : 1.0;
+}
+
+const char* analysisName(SearchKind kind) {
+    return kind == SearchKind::critical_angle ? "critical-angle" : "safety-factor";
+}
+
+std::string loadText(const KeptRun& kept) {
+    return kept.kind == SearchKind::critical_angle ? "tilt " + text(degrees(kept.failure.load), 4) + " deg"
+                                                   : "strengths divided by " + text(kept.failure.load, 5);
+}
+
+std::string whyNothing(const SearchResult& result) {
+    switch (result.status) {
+        case SearchStatus::stable_to_stop:
+            return "the slope stands to the end of the search";
+        case SearchStatus::interrupted:
+            return "the search was interrupted";
+        default:
+            return "the search is undecided";
+    }
+}
+
+/// The blocks' roles in the search, in the order of the model's blocks.
+void addRoles(const SearchResult& result, const Model& model, KeptRun& kept) {
+    std::unordered_map<std::string, FailureMode> modes;
+    for (const BlockMotion& motion : result.motions) modes.emplace(motion.block, motion.mode);
+    for (const Block& block : model.blocks) {
+        const auto found = modes.find(block.name);
+        const FailureMode mode = found == modes.end() ? FailureMode::none : found->second;
+        kept.failure.roles.push_back(mode);
+        if (block.motion != Motion::free) continue;
+        (mode == FailureMode::none      ? kept.stays
+         : mode == FailureMode::sliding ? kept.slides
+                                        : kept.topples)
+            .push_back(block.name);
+    }
+}
+
+std::string remarkOn(const formats::Scenario& scenario, const FailingState& failing, const KeptRun& kept) {
+    std::string remark = scenario.path + " as it fails: " + loadText(kept) +
+                         ", just beyond the first that fails.\nWritten by talus " + analysisName(kept.kind) +
+                         " --keep-run. The dashpots in [damping] only take out the rattle of the contacts.";
+    if (!scenario.model.waters.empty() && failing.state.loads.water_share < 1)
+        remark += "\nIt fails under its weight already: in the kept run no water pushes.";
+    return remark;
+}
+
+void findFarthest(KeptRun& kept) {
+    const auto& way = kept.last.displacement;
+    for (std::size_t b = 0; b < way.x.size(); ++b) {
+        const double gone = Vec3(way.x[b], way.y[b], way.z[b]).norm();
+        if (gone <= kept.farthest_way) continue;
+        kept.farthest_way = gone;
+        kept.farthest = kept.scenario.model.blocks[b].name;
+    }
+}
+
+}  // namespace
+
+void addKeepRun(CLI::App& app, KeepRunOptions& options) {
+    auto* file = app.add_option(
+        "--keep-run", options.file,
+        "FILE.mcap: play the failure on with true inertia and keep it for talus replay, inspect and export");
+    app.add_option("--keep-run-time", options.seconds,
+                   "Seconds to play on; by default until some block has gone its own size, at most 60 "
+                   "sqrt(size / g)")
+        ->check(CLI::PositiveNumber)
+        ->needs(file);
+    app.add_flag("--force", options.force,
+                 "Replace the file of --keep-run even if it is finished or of another kind")
+        ->needs(file);
+}
+
+FailureKeeper::FailureKeeper(const KeepRunOptions& options, const Common& common,
+                             const formats::Scenario& scenario)
+    : options_(options), scenario_(scenario) {
+    if (options.file.empty()) return;
+    if (!options.file.ends_with(".mcap"))
+        throw BadInput(Error{"--keep-run", "found \"" + options.file + "\", allowed: a file named *.mcap"});
+    run_options_ = {.common = common,
+                    .scenario = scenario.path,
+                    .output = options.file,
+                    .resume = "",
+                    .force = options.force,
+                    .frames_per_full = kFramesPerFull,
+                    .output_option = "--keep-run"};
+    recorder_ = std::make_unique<RunRecorder>(run_options_, as_it_fails_, nullptr);
+}
+
+void FailureKeeper::play(const FailingState& failing, KeptRun& kept, const Control& control) {
+    const double time = ownTime(failing.block_size, scenario_.model.gravity.magnitude);
+    formats::FailingLoad load;
+    if (kept.kind == SearchKind::critical_angle) load.tilt = failing.load;
+    if (kept.kind == SearchKind::safety_factor) load.factor = failing.load;
+    load.contact_damping = failing.contact_damping;
+    load.duration = options_.seconds.value_or(kMostTimes * time);
+    load.frame_interval = options_.seconds ? *options_.seconds / kFramesInGivenTime : time / kFramesPerTime;
+    as_it_fails_ = valueOf(formats::failingScenario(scenario_, load, remarkOn(scenario_, failing, kept)));
+
+    RunOutput output = recorder_->output(kept.failure);
+    output.begin = [&, begin = output.begin](const RunGeometry& geometry) {
+        kept.geometry = geometry;
+        begin(geometry);
+    };
+    output.light = [&, light = output.light](LightFrame&& frame) {
+        kept.last = frame;
+        ++kept.frames;
+        light(std::move(frame));
+    };
+    output.full = [&, full = output.full](FullFrame&& frame) {
+        ++kept.fulls;
+        full(std::move(frame));
+    };
+    const double far_enough = options_.seconds ? kInfinity : failing.block_size;
+    auto outcome = runFailing(as_it_fails_.model, control, output, failing.state, far_enough);
+    kept.file = options_.file;
+    recorder_->finish(outcome);
+    kept.bytes = recorder_->bytes();
+    kept.run = valueOf(std::move(outcome), as_it_fails_);
+    if (kept.run.interrupted) kept.exit_code = kInterrupted, kept.reason = "interrupted";
+}
+
+KeptRun FailureKeeper::keep(const SearchResult& result, SearchKind kind, const Control& control) {
+    KeptRun kept;
+    kept.kind = kind;
+    if (!result.failing) {
+        kept.reason = whyNothing(result);
+        return kept;
+    }
+    kept.failure = {analysisName(kind), result.failing->load, result.mode, {}};
+    addRoles(result, scenario_.model, kept);
+    try {
+        play(*result.failing, kept, control);
+    } catch (const FileRefused& refused) {
+        kept.exit_code = kFileRefused, kept.reason = refused.what();
+    } catch (const BadInput& bad) {
+        kept.exit_code = kInternalError, kept.reason = formats::format(bad.errors.front());
+    }
+    if (kept.exit_code == kFileRefused || kept.exit_code == kInternalError)
+        note(run_options_.common, "error: the failing run is not kept: " + kept.reason);
+    kept.scenario = as_it_fails_;
+    if (!kept.last.displacement.x.empty()) findFarthest(kept);
+    return kept;
+}
+
+Json keptRunJson(const KeptRun& kept) {
+    if (kept.file.empty()) return {{"file", nullptr}, {"reason", kept.reason}};
+    const bool tilt = kept.kind == SearchKind::critical_angle;
+    return {{"file", kept.file},
+            {"reason", kept.reason.empty() ? Json(nullptr) : Json(kept.reason)},
+            {tilt ? "tilt_deg" : "factor", number(tilt ? degrees(kept.failure.load) : kept.failure.load)},
+            {"simulated_seconds", number(kept.run.simulated_seconds)},
+            {"steps", kept.run.steps},
+            {"time_step_s", number(kept.run.time_step)},
+            {"frames", kept.frames},
+            {"full_states", kept.fulls},
+            {"bytes", kept.bytes},
+            {"state_hash", hashText(kept.run.state_hash)},
+            {"wall_seconds", number(kept.run.wall_seconds)},
+            {"farthest_block", kept.farthest},
+            {"farthest_displacement_m", number(kept.farthest_way)},
+            {"slides", kept.slides},
+            {"topples", kept.topples},
+            {"stays", kept.stays},
+            {"warnings", kept.run.warnings}};
+}
+
+std::vector<std::pair<std::string, std::string>> keptRunLines(const KeptRun& kept) {
+    if (kept.file.empty()) return {{"kept run", "none: " + kept.reason}};
+    std::vector<std::pair<std::string, std::string>> lines{
+        {"kept run", kept.file + ": " + loadText(kept) + ", " + text(kept.run.simulated_seconds, 3) + " s, " +
+                         std::to_string(kept.frames) + " frames, " +
+                         text(static_cast<double>(kept.bytes) / 1e6, 2) + " MB, " +
+                         text(kept.run.wall_seconds, 2) + " s to compute"}};
+    if (!kept.reason.empty()) lines.emplace_back("", kept.reason);
+    lines.emplace_back("", kept.farthest + " went farthest, " + text(kept.farthest_way, 4) + " m");
+    for (const auto& [role, names] :
+         {std::pair{"slides: ", &kept.slides}, {"topples: ", &kept.topples}, {"stays: ", &kept.stays}})
+        if (!names->empty()) lines.emplace_back("", role + compactNames(*names));
+    for (const std::string& warning : kept.run.warnings) lines.emplace_back("warning", warning);
+    return lines;
+}
+
+}  // namespace talus::tools

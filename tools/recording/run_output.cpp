@@ -1,0 +1,193 @@
+#include "recording/run_output.h"
+
+#include <filesystem>
+
+#include "talus/build_info.h"
+
+namespace talus::tools {
+
+namespace {
+
+constexpr double kWorthSaying = 0.01;  // [s] waited for the disk
+
+void throwIfRefused(const std::vector<Error>& errors) {
+    if (!errors.empty())
+        throw FileRefused((errors.front().file.empty() ? errors.front().field : errors.front().file) + ": " +
+                          errors.front().message);
+}
+
+bool isHistory(const std::string& path) { return path.ends_with(".csv"); }
+
+/// What is finished, or of another kind, is only replaced when the user says so.
+void refuseToOverwrite(const RunOptions& options) {
+    std::error_code absent;
+    if (!options.scenario.empty() && std::filesystem::equivalent(options.output, options.scenario, absent))
+        throw BadInput(
+            Error{options.output_option, "is the scenario itself; choose another file", options.output});
+    if (options.force) return;
+    bool finished = false, foreign = false;
+    const char* kind = isHistory(options.output) ? "history" : "snapshot file";
+    if (isHistory(options.output)) {
+        const formats::HistoryFile found = formats::inspectHistory(options.output);
+        finished = found == formats::HistoryFile::finished, foreign = found == formats::HistoryFile::foreign;
+    } else {
+        const formats::SnapshotFile found = formats::inspectSnapshot(options.output);
+        finished = found == formats::SnapshotFile::finished,
+        foreign = found == formats::SnapshotFile::foreign;
+    }
+    const std::string remedy = "; --force replaces it, or choose another file";
+    if (finished)
+        throw BadInput(
+            Error{options.output_option, "holds a finished " + std::string(kind) + remedy, options.output});
+    if (foreign)
+        throw BadInput(
+            Error{options.output_option, "exists and is no " + std::string(kind) + remedy, options.output});
+}
+
+void noteOtherBuild(const RunOptions& options, const BuildInfo& then) {
+    const BuildInfo& now = buildInfo();
+    if (then.git_hash == now.git_hash && then.compiler == now.compiler && then.build_type == now.build_type &&
+        then.instruction_set == now.instruction_set)
+        return;
+    note(options.common, "warning: " + options.resume + " was begun by another build (" + then.version +
+                             ", " + then.git_hash + ", " + then.compiler + ", " + then.instruction_set +
+                             "): the run goes on, but not to the same bits");
+}
+
+void copyFile(const std::string& from, const std::string& to) {
+    std::error_code error;
+    std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error);
+    if (error) throw FileRefused(to, "cannot be written", error.value());
+}
+
+}  // namespace
+
+Resumed readResumed(const RunOptions& options) {
+    auto reader = valueOf(formats::SnapshotReader::open(options.resume));
+    if (options.output.empty() && reader.end() && reader.end()->ended == "finished")
+        throw BadInput(
+            Error{"--resume", "holds a finished run: there is nothing left to do", options.resume});
+    for (const std::string& fault : reader.faults())
+        note(options.common, "note: " + options.resume + ": " + fault);
+    noteOtherBuild(options, reader.header().build);
+    const formats::SnapshotHeader& header = reader.header();
+    for (std::size_t k = reader.fulls(); k-- > 0;) {
+        auto full = reader.full(k);
+        if (!full) continue;
+        return {valueOf(formats::parseScenario(header.scenario_text, header.scenario_path)), std::move(*full),
+                k, header.frames_per_full};
+    }
+    throw BadInput(
+        Error{"--resume", "holds no full state to go on from; run the scenario anew", options.resume});
+}
+
+RunRecorder::RunRecorder(const RunOptions& options, const formats::Scenario& scenario, const Resumed* resumed)
+    : options_(options),
+      scenario_(scenario),
+      frames_per_full_(resumed != nullptr ? resumed->frames_per_full : options.frames_per_full),
+      resumed_(resumed != nullptr) {
+    if (options.output.empty() && !resumed_) {
+        note(options.common, "note: without -o FILE nothing is written");
+    } else if (isHistory(options.output)) {
+        openHistory();
+    } else {
+        openSnapshots(resumed);
+    }
+}
+
+void RunRecorder::openHistory() {
+    if (resumed_)
+        throw BadInput(Error{"--output",
+                             "is a CSV table, which would lack the time before; allowed with --resume: a "
+                             ".mcap file",
+                             options_.output});
+    refuseToOverwrite(options_);
+    auto writer = formats::HistoryWriter::open(
+        options_.output, provenanceComments(options_.common, scenario_.path), scenario_.model.run.watch);
+    throwIfRefused(writer.errors());
+    history_.emplace(std::move(*writer));
+}
+
+void RunRecorder::openSnapshots(const Resumed* resumed) {
+    std::error_code absent;
+    const bool in_place =
+        resumed != nullptr &&
+        (options_.output.empty() || std::filesystem::equivalent(options_.output, options_.resume, absent));
+    if (!in_place) refuseToOverwrite(options_);
+    if (resumed != nullptr && !in_place) copyFile(options_.resume, options_.output);
+    auto writer = resumed == nullptr ? formats::SnapshotWriter::open(options_.output)
+                                     : formats::SnapshotWriter::continueFile(
+                                           in_place ? options_.resume : options_.output, resumed->full);
+    throwIfRefused(writer.errors());
+    snapshots_.emplace(std::move(*writer));
+}
+
+void RunRecorder::recordRow(const HistoryRecord& row) {
+    if (!refused_.empty()) return;
+    refused_ = history_->write(row);
+    if (!refused_.empty()) requestStop();
+}
+
+RunOutput RunRecorder::output(std::optional<formats::SnapshotFailure> failure) {
+    RunOutput output;
+    if (history_) output.record = [this](const HistoryRecord& row) { recordRow(row); };
+    if (!snapshots_) return output;
+    output.frames_per_full = frames_per_full_;
+    if (!resumed_)
+        output.begin = [this, failure = std::move(failure)](const RunGeometry& geometry) {
+            auto header = formats::headerOf(scenario_, geometry, commandLine(), frames_per_full_);
+            header.failure = failure;
+            snapshots_->write(std::move(header));
+        };
+    const auto write = [this](auto&& frame, std::size_t& count) {
+        snapshots_->write(std::move(frame));
+        ++count;
+        if (snapshots_->failed()) requestStop();
+    };
+    output.light = [this, write](LightFrame&& frame) { write(std::move(frame), frames_); };
+    output.full = [this, write](FullFrame&& frame) { write(std::move(frame), fulls_); };
+    return output;
+}
+
+void RunRecorder::finish(const Result<RunResult>& result) {
+    throwIfRefused(refused_);
+    const char* ended = !result ? "failed" : result->interrupted ? "interrupted" : "finished";
+    if (history_) throwIfRefused(history_->finish(ended));
+    if (!snapshots_) return;
+    formats::SnapshotEnd end;
+    end.ended = ended;
+    if (result) {
+        end.steps = result->steps;
+        end.simulated_seconds = result->simulated_seconds;
+        end.state_hash = result->state_hash;
+        end.wall_seconds = result->wall_seconds;
+        end.warnings = result->warnings;
+    } else {
+        for (const Error& error : result.errors()) end.warnings.push_back(formats::format(error));
+    }
+    throwIfRefused(snapshots_->finish(end));
+    if (snapshots_->secondsWaited() > kWorthSaying)
+        note(options_.common, "note: the disk was slower than the run, which waited " +
+                                  text(snapshots_->secondsWaited(), 2) + " s for it");
+}
+
+std::uint64_t RunRecorder::bytes() const { return snapshots_ ? snapshots_->bytesWritten() : 0; }
+
+Json RunRecorder::facts() const {
+    if (!snapshots_) return nullptr;
+    return {{"frames", frames_},
+            {"full_states", fulls_},
+            {"bytes", snapshots_->bytesWritten()},
+            {"seconds_waited_for_disk", number(snapshots_->secondsWaited())}};
+}
+
+std::string RunRecorder::lines() const {
+    if (history_) return "history in " + options_.output + "\n";
+    if (!snapshots_) return "";
+    const std::string& path = options_.output.empty() ? options_.resume : options_.output;
+    return std::to_string(frames_) + (resumed_ ? " more" : "") + " frames, " + std::to_string(fulls_) +
+           " of them with the full state, in " + path + " (" +
+           text(static_cast<double>(snapshots_->bytesWritten()) / 1e6, 2) + " MB)\n";
+}
+
+}  // namespace talus::tools

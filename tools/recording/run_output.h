@@ -1,0 +1,63 @@
+#pragma once
+// Where a run's history goes: a CSV table, or snapshots in an MCAP file.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/command.h"
+#include "talus/formats/history.h"
+#include "talus/formats/snapshot.h"
+#include "talus/simulation.h"
+
+namespace talus::tools {
+
+struct RunOptions {
+    Common common;
+    std::string scenario, output, resume;
+    bool force = false;
+    int frames_per_full = 10;
+    const char* output_option = "--output";  ///< what it is called in messages
+};
+
+/// An earlier run that goes on: its scenario, and the last of its full states that can be read.
+struct Resumed {
+    formats::Scenario scenario;
+    FullFrame from;
+    std::size_t full = 0;  ///< index of that state in its file
+    int frames_per_full = 0;
+};
+
+/// Reads the file of --resume. Throws BadInput.
+Resumed readResumed(const RunOptions& options);
+
+/// Takes what a run hands out and writes it. Throws BadInput for a file that must not be replaced and FileRefused when
+/// the file system says no; a refusal while the run goes on ends it, and finish() throws.
+class RunRecorder {
+ public:
+    RunRecorder(const RunOptions& options, const formats::Scenario& scenario, const Resumed* resumed);
+
+    /// For run(); the recorder must outlive it. `failure` goes into the header of a run that a search keeps.
+    RunOutput output(std::optional<formats::SnapshotFailure> failure = std::nullopt);
+    void finish(const Result<RunResult>& result);
+
+    std::uint64_t bytes() const;  ///< of snapshots, once finished
+    Json facts() const;           ///< of the snapshots, null without any
+    std::string lines() const;    ///< the same for people
+
+ private:
+    void openHistory();
+    void openSnapshots(const Resumed* resumed);
+    void recordRow(const HistoryRecord& row);
+
+    const RunOptions& options_;
+    const formats::Scenario& scenario_;
+    std::optional<formats::HistoryWriter> history_;
+    std::optional<formats::SnapshotWriter> snapshots_;
+    std::vector<Error> refused_;
+    std::size_t frames_ = 0, fulls_ = 0;
+    int frames_per_full_ = 1;
+    bool resumed_ = false;
+};
+
+}  // namespace talus::tools

@@ -1,0 +1,33 @@
+#pragma once
+// Computes a run again between the full states of its file, and compares state hashes.
+
+#include <string>
+#include <vector>
+
+#include "recording/snapshot_view.h"
+
+namespace talus::tools {
+
+/// What a stretch of the run came to: from one full state (or from the scenario) to the next.
+struct Stretch {
+    double from = 0, to = 0;  ///< [s]
+    std::size_t frames = 0;   ///< compared
+    std::string fault;        ///< the first difference; empty when all hashes are equal
+};
+
+struct Verification {
+    std::vector<Stretch> stretches;
+    std::size_t frames = 0;
+    bool interrupted = false;
+    bool equal() const;
+};
+
+/// Every stretch on its own, on as many threads as the options say; `show` is told the share done. Throws BadInput when
+/// the file's scenario cannot be built.
+Verification verifyRun(formats::SnapshotReader& reader, const Common& common,
+                       const std::function<void(const Progress&)>& show);
+
+/// Whether the file was written by this very build, which alone promises the same bits.
+bool sameBuild(const formats::SnapshotHeader& header);
+
+}  // namespace talus::tools

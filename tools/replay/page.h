@@ -1,0 +1,34 @@
+#pragma once
+// The self-contained page of a run: the page that the program carries, with the snapshot file inside.
+
+#include <string>
+#include <string_view>
+
+#include "talus/formats/snapshot.h"
+
+namespace talus::tools {
+
+/// The page without a run, as this folder makes it.
+extern const std::string_view kReplayPage;
+
+/// Which frames go into the page.
+struct FrameChoice {
+    double from = 0, to = kInfinity;  ///< [s]
+    int every = 1;                    ///< every so many frames, and the first and the last
+    bool contacts = true;             ///< full states, too
+
+    bool all() const { return from <= 0 && to == kInfinity && every == 1 && contacts; }
+};
+
+/// Bytes of a finished snapshot file with the chosen frames: the file itself when that is what it is, else a new one. A
+/// file that is cut or still being written becomes whole, as far as it goes. Throws BadInput and FileRefused.
+std::string snapshotBytes(formats::SnapshotReader& reader, const std::string& path,
+                          const FrameChoice& choice);
+
+/// The page with these bytes inside, as base64 in pieces that browsers read without trouble.
+std::string replayPage(std::string_view snapshot);
+
+/// Throws BadInput when something else than a replay page stands at this path and `force` is not given.
+void refuseToReplace(const std::string& page, const std::string& snapshot, bool force);
+
+}  // namespace talus::tools

@@ -1,0 +1,22 @@
+#pragma once
+// The result for machines: JSON and CSV.
+
+#include <string>
+
+#include "reproduction/results.h"
+
+namespace talus::tools {
+
+/// The object `talus paper --json` prints.
+Json paperJson(const PaperResults& results);
+
+/// All cases, one line each; units in the head, provenance in comment lines above it.
+std::string paperCsv(const PaperResults& results);
+
+/// The laboratory's tests of the paper's Table 1 in the same form.
+std::string laboratoryCsv(const PaperResults& results);
+
+/// A field as CSV wants it: quoted when it holds a comma, a quote or a line break.
+std::string csvField(const std::string& field);
+
+}  // namespace talus::tools

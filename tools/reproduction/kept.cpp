@@ -1,0 +1,144 @@
+#include "reproduction/kept.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <mutex>
+
+#include "recording/snapshot_view.h"
+#include "replay/page.h"
+#include "report/html.h"
+#include "reproduction/laboratory.h"
+
+namespace talus::tools {
+
+namespace {
+
+/// The paper's photographs of the slope as it has failed, by the fissure that holds water (0: none).
+constexpr std::pair<int, const char*> kFigures[] = {{0, "Fig. 4"}, {5, "Fig. 5"}};
+
+const char* figureOf(const PaperCase& what) {
+    if (what.group != PaperGroup::table || what.friction_deg != kTableFrictionDeg) return nullptr;
+    const int fissure = what.fissures.empty() ? 0 : what.fissures.front();
+    for (const auto& [shown, figure] : kFigures)
+        if (shown == fissure) return figure;
+    return nullptr;
+}
+
+std::string relativeTo(const std::string& folder, const std::string& path) {
+    return std::filesystem::relative(path, folder).generic_string();
+}
+
+/// Adds up the shares of runs side by side for one progress line.
+class Shares {
+ public:
+    Shares(std::size_t count, ProgressPrinter& printer) : shares_(count, 0.0), printer_(printer) {}
+
+    void tell(std::size_t index, double share) {
+        const std::lock_guard lock(mutex_);
+        shares_[index] = share;
+        double sum = 0;
+        for (const double s : shares_) sum += s;
+        printer_.show({"failing runs", sum / static_cast<double>(shares_.size()), ""});
+    }
+
+ private:
+    std::mutex mutex_;
+    std::vector<double> shares_;
+    ProgressPrinter& printer_;
+};
+
+void writeReplay(const std::string& file, const std::string& page) {
+    formats::SnapshotReader reader = openSnapshot(file);
+    writeFile(page, replayPage(snapshotBytes(reader, file, FrameChoice{})));
+}
+
+std::string capitalised(std::string text) {
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+}  // namespace
+
+void markKept(std::vector<PaperCase>& cases) {
+    for (PaperCase& what : cases) what.keep_failing = figureOf(what) != nullptr;
+}
+
+void keepFailures(PaperResults& results, const std::string& folder, const std::string& page_folder,
+                  const Common& common) {
+    makeFolder(folder);
+    for (std::size_t i = 0; i < results.runs.size(); ++i) {
+        const PaperCase& what = results.runs[i].what;
+        if (!what.keep_failing || !results.runs[i].begun) continue;
+        const std::string path = folder + "/" + what.name;
+        results.kept.push_back({i, figureOf(what), path + ".mcap", path + ".html", {}});
+    }
+    ProgressPrinter printer(common);
+    Shares shares(results.kept.size(), printer);
+    tbb::task_arena arena(threadsUsed(common));
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, results.kept.size(), [&](std::size_t k) {
+            PaperKept& kept = results.kept[k];
+            const PaperRun& run = results.runs[kept.of];
+            const KeepRunOptions options{kept.file, std::nullopt, true};
+            FailureKeeper keeper(options, common, run.what.scenario);
+            const Control control{[&shares, k](const Progress& p) { shares.tell(k, p.fraction); },
+                                  &stopRequested(), 1};
+            kept.run = keeper.keep(run.search, SearchKind::critical_angle, control);
+            if (kept.run.exit_code == kFileRefused) throw FileRefused(kept.run.reason);
+            if (!kept.run.file.empty()) writeReplay(kept.file, kept.page);
+            kept.file = relativeTo(page_folder, kept.file);
+            kept.page = relativeTo(page_folder, kept.page);
+        });
+    });
+}
+
+std::string seenText(const KeptRun& kept) {
+    const auto& stack = kept.scenario.model.stack;
+    std::string seen;
+    for (const auto& [names, does] :
+         {std::pair{&kept.slides, " slid"}, {&kept.topples, " toppled"}, {&kept.stays, " stayed"}})
+        if (!names->empty()) seen += (seen.empty() ? "" : "; ") + columnsText(*names, stack) + does;
+    return capitalised(seen) + ".";
+}
+
+std::string htmlKept(const PaperResults& results) {
+    using namespace html;
+    const std::string title = heading("replays", "The failure played");
+    if (results.kept.empty())
+        return title +
+               paragraph(
+                   "Not in this page: \u201ctalus paper --keep-run\u201d also keeps the failing runs of the "
+                   "slope dry and with water in fissure 5 (the paper\u2019s Figs. 4 and 5) and links to "
+                   "their replays from here. One slope: \u201ctalus critical-angle SCENARIO --keep-run "
+                   "failing.mcap\u201d, then \u201ctalus replay failing.mcap -o failing.html\u201d.");
+    std::string figures;
+    for (const PaperKept& kept : results.kept) {
+        const PaperRun& run = results.runs[kept.of];
+        const std::string name = label(run.what) + " (the paper\u2019s " + kept.figure + ")";
+        if (kept.run.file.empty()) {
+            figures += paragraph(capitalised(name) + ": not kept, " + kept.run.reason + ".");
+            continue;
+        }
+        const std::string picture =
+            tagged("a", drawEnd(kept.run, run.what.fissures, label(run.what)).inlined(),
+                   "href=\"" + escaped(kept.page) + "#colour=role\"");
+        const std::string caption =
+            "<strong>" + escaped(capitalised(name)) + "</strong>: " + words(seenText(kept.run)) + " Tilt " +
+            text(degrees(kept.run.failure.load), 3) + "\u00b0, after " +
+            text(kept.run.run.simulated_seconds, 2) + " s " + escaped(kept.run.farthest) + " has gone " +
+            text(1000 * kept.run.farthest_way, 0) + " mm. <a href=\"" + escaped(kept.page) +
+            "#colour=role\">Play it</a>; <a href=\"" + escaped(kept.file) + "\">snapshot file</a>.";
+        figures += tagged("figure", picture + tagged("figcaption", caption));
+    }
+    return title +
+           paragraph(
+               "Let go a few hundredths of a degree beyond the tilt at which it fails, with true inertia, "
+               "until "
+               "some block has gone its own height. The pictures show where that ends, to scale.") +
+           tagged("div", figures, classed("slopes pair"));
+}
+
+}  // namespace talus::tools

@@ -1,0 +1,213 @@
+#include "reproduction/scatter.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "batch/report.h"
+#include "batch/schedule.h"
+#include "batch/statistics.h"
+#include "batch/store.h"
+#include "paper_scenarios.h"
+#include "report/html.h"
+#include "reproduction/laboratory.h"
+
+namespace talus::tools {
+
+namespace {
+
+constexpr const char* kSweep = "laboratory-scatter";
+constexpr const char* kScenario = "fissure-1";
+constexpr double kShares[] = {0.05, 0.25, 0.5, 0.75, 0.95};
+
+std::string builtIn(std::string_view name) {
+    for (const auto& file : kPaperScenarios)
+        if (file.name == name) return std::string(file.text);
+    throw std::logic_error("no built-in file named " + std::string(name));
+}
+
+/// The line of a file that begins with `start`, replaced.
+std::string withLine(std::string text, const std::string& start, const std::string& line) {
+    const auto at = ("\n" + text).find("\n" + start);
+    if (at == std::string::npos) throw std::logic_error("no line " + start + " in the built-in sweep");
+    return text.replace(at, text.find('\n', at) - at, line);
+}
+
+/// The sweep and its scenario as files beside the results. Returns the sweep's path.
+std::string writeSweep(std::uint64_t samples, const std::string& folder) {
+    std::string sweep = withLine(builtIn(kSweep), "samples =", "samples = " + std::to_string(samples));
+    sweep = withLine(sweep, "scenario =", "scenario = \"" + std::string(kScenario) + ".toml\"");
+    makeFolder(folder);
+    writeFile(folder + "/" + kScenario + ".toml", builtIn(kScenario));
+    writeFile(folder + "/" + kSweep + ".toml", sweep);
+    return folder + "/" + kSweep + ".toml";
+}
+
+std::optional<double> numberOf(const std::string& cell) {
+    double value = 0;
+    const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    return read.ec == std::errc() && !cell.empty() ? std::optional(value) : std::nullopt;
+}
+
+/// The sweep's cases are the laboratory's series, in the same order.
+Scatter read(const batch::StoredBatch& stored) {
+    Scatter scatter;
+    scatter.samples = stored.info.samples;
+    scatter.complete = stored.lines.size() >= stored.info.runs;
+    for (const LaboratorySeries& series : kLaboratory)
+        scatter.cases.push_back({series.fissure, series.repeats_deg, 0, 0, {}});
+    const std::size_t angle = *stored.info.find("critical_angle_deg"), cpu = *stored.info.find("cpu_seconds");
+    for (const auto& [run, line] : stored.lines) {
+        const batch::Row row = stored.row(run);
+        ScatterCase& one = scatter.cases.at(run % stored.info.cases);
+        const auto found = numberOf(row[angle]);
+        ++one.runs;
+        if (found)
+            one.angles_deg.push_back(*found);
+        else
+            ++one.failed;
+        scatter.cpu_seconds += numberOf(row[cpu]).value_or(0);
+    }
+    for (ScatterCase& one : scatter.cases) std::sort(one.angles_deg.begin(), one.angles_deg.end());
+    return scatter;
+}
+
+std::string caseName(const ScatterCase& one) {
+    return one.fissure == 0 ? "dry" : "fissure " + std::to_string(one.fissure);
+}
+
+void drawBox(Svg& svg, const ScatterCase& one, double middle, const Axis& y) {
+    std::array<double, 5> at{};
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] = y.at(batch::quantileOf(one.angles_deg, kShares[i]));
+    constexpr double kHalf = 13;
+    svg.line({middle, at[0]}, {middle, at[1]}, "frame");
+    svg.line({middle, at[3]}, {middle, at[4]}, "frame");
+    svg.polygon(
+        {{middle - kHalf, at[1]}, {middle - kHalf, at[3]}, {middle + kHalf, at[3]}, {middle + kHalf, at[1]}},
+        "band",
+        caseName(one) + ": half of the samples between " + text(batch::quantileOf(one.angles_deg, 0.25), 2) +
+            " and " + text(batch::quantileOf(one.angles_deg, 0.75), 2));
+    svg.line({middle - kHalf, at[2]}, {middle + kHalf, at[2]}, "theory");
+    for (const std::size_t end : {0, 4}) svg.line({middle - 6, at[end]}, {middle + 6, at[end]}, "frame");
+}
+
+/// How many of the repeats lie between the 5 % and the 95 % sample.
+int repeatsInside(const ScatterCase& one) {
+    const double low = batch::quantileOf(one.angles_deg, 0.05),
+                 high = batch::quantileOf(one.angles_deg, 0.95);
+    return static_cast<int>(std::count_if(one.repeats_deg.begin(), one.repeats_deg.end(),
+                                          [&](double repeat) { return repeat >= low && repeat <= high; }));
+}
+
+std::string repeatsText(const ScatterCase& one) {
+    std::string list;
+    for (const double repeat : one.repeats_deg) list += (list.empty() ? "" : ", ") + text(repeat, 1);
+    return list;
+}
+
+std::string tableRow(const ScatterCase& one) {
+    using namespace html;
+    std::string cells =
+        cell(caseName(one), "words") + cell(repeatsText(one)) + cell(std::to_string(one.runs));
+    if (one.angles_deg.empty())
+        return row(cells + cell("\u2013") + cell("\u2013") + cell("\u2013") + cell("\u2013"));
+    const batch::Moments moments = batch::momentsOf(one.angles_deg, 0.95);
+    return row(cells + numberCell(moments.mean, 2) + numberCell(moments.sd, 2) +
+               cell(text(batch::quantileOf(one.angles_deg, 0.05), 2) + " to " +
+                    text(batch::quantileOf(one.angles_deg, 0.95), 2)) +
+               cell(std::to_string(repeatsInside(one)) + " of 3"));
+}
+
+}  // namespace
+
+Scatter computeScatter(std::uint64_t samples, const std::string& folder, const Common& common) {
+    const formats::Sweep sweep = valueOf(formats::readSweep(writeSweep(samples, folder)));
+    batch::Store store(folder, batch::describe(sweep), {});
+    ProgressPrinter printer(common);
+    batch::work({sweep,
+                 store,
+                 {},
+                 threadsUsed(common),
+                 false,
+                 {},
+                 stopRequested(),
+                 requestStop,
+                 [&](const batch::BatchProgress& progress) {
+                     printer.show(
+                         {"Monte Carlo",
+                          static_cast<double>(progress.done) / static_cast<double>(progress.todo),
+                          std::to_string(progress.done) + " of " + std::to_string(progress.todo) + " runs"});
+                 }});
+    printer.finish();
+    const batch::StoredBatch stored = batch::readStored(folder);
+    batch::writeReport(folder, stored, common);
+    return read(stored);
+}
+
+Json scatterJson(const Scatter& scatter) {
+    Json cases = Json::array();
+    for (const ScatterCase& one : scatter.cases) {
+        const bool any = !one.angles_deg.empty();
+        const batch::Moments moments = batch::momentsOf(one.angles_deg, 0.95);
+        Json quantiles = Json::object();
+        for (const double share : kShares)
+            if (any) quantiles[text(share, 2)] = batch::quantileOf(one.angles_deg, share);
+        cases.push_back({{"fissure", one.fissure == 0 ? Json(nullptr) : Json(one.fissure)},
+                         {"laboratory_deg", one.repeats_deg},
+                         {"runs", one.runs},
+                         {"without_answer", one.failed},
+                         {"mean_deg", any ? number(moments.mean) : Json(nullptr)},
+                         {"sd_deg", any ? number(moments.sd) : Json(nullptr)},
+                         {"quantiles_deg", quantiles}});
+    }
+    return {{"samples", scatter.samples}, {"complete", scatter.complete}, {"cases", cases}};
+}
+
+Svg plotScatter(const Scatter& scatter) {
+    Svg svg(
+        720, 430, "Scatter of the laboratory, computed",
+        "Critical angles of samples in which every interface drew its own friction angle, beside the three "
+        "laboratory tests of each case.");
+    const Axis x{0, static_cast<double>(scatter.cases.size()), 64, 704, "watered fissure", 0, 0};
+    const Axis y{0, 22, 375, 16, "critical angle (\u00b0)", 2, 0};
+    drawAxes(svg, x, y);
+    for (std::size_t i = 0; i < scatter.cases.size(); ++i) {
+        const ScatterCase& one = scatter.cases[i];
+        const double middle = x.at(static_cast<double>(i) + 0.5);
+        svg.label({middle, y.from + 18}, one.fissure == 0 ? "dry" : std::to_string(one.fissure), "middle");
+        if (!one.angles_deg.empty()) drawBox(svg, one, middle, y);
+        for (const double repeat : one.repeats_deg)
+            svg.circle({middle + 24, y.at(repeat)}, 3, "laboratory", "laboratory " + text(repeat, 1));
+    }
+    drawLegend(svg, {x.at(2.6), y.at(6.6)},
+               {{"computed: middle half of the samples", LegendEntry::Symbol::patch, "band", 5},
+                {"computed: median", LegendEntry::Symbol::line, "theory", 5},
+                {"computed: from 5 % to 95 %", LegendEntry::Symbol::line, "frame", 5},
+                {"laboratory, each test", LegendEntry::Symbol::circle, "laboratory", 3}});
+    return svg;
+}
+
+std::string htmlScatter(const Scatter& scatter) {
+    using namespace html;
+    std::string rows;
+    for (const ScatterCase& one : scatter.cases) rows += tableRow(one);
+    const std::string unfinished =
+        scatter.complete ? "" : paragraph("Interrupted: the samples finished until then are shown.", "alert");
+    return heading("scatter", "The laboratory\u2019s scatter") + unfinished +
+           paragraph(
+               "Friction angles from 18\u00b0 to 21\u00b0 were measured on the blocks. Here every interface "
+               "of "
+               "the slope draws its own from that range, evenly, " +
+               std::to_string(scatter.samples) +
+               " samples in all, each computed dry and with water in each fissure. What the scatter of "
+               "friction "
+               "does to the critical angle is the width of the boxes; where a laboratory test lies outside, "
+               "friction "
+               "within that range is not the reason.") +
+           wide(plotScatter(scatter).inlined()) +
+           table("Critical angle (\u00b0) with friction angles of 18\u00b0 to 21\u00b0 per interface",
+                 row(head("case", "words") + head("laboratory") + head("samples") + head("mean") +
+                     head("standard deviation") + head("5 % to 95 %") + head("laboratory tests in there")),
+                 rows);
+}
+
+}  // namespace talus::tools
