@@ -1,6 +1,6 @@
 #pragma once
 // The description of a slope: what a scenario file says, in SI units and radians, before anything is computed.
-// `buildSimulation` (simulation.h) turns it into the structure-of-arrays state that moves.
+// The analyses (analysis.h) and time histories (simulation.h) build the state that moves out of it.
 
 #include <array>
 #include <cstdint>

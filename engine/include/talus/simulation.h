@@ -23,8 +23,6 @@
 
 namespace talus {
 
-struct SimulationState;  // the arrays; private to the engine
-
 /// One watched block, at the end of a step.
 struct BlockReport {
     std::string name;

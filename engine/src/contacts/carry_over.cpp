@@ -78,11 +78,8 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
         if (closed[k]) shear[k] += missing * places[k].area / closed_area;
         if (slips[k]) shear[k] *= kStillSlipping;
         // The slide is zero at the clipping, so the offset alone holds the shear force: F_s = k_s A offset.
-        const Eigen::Vector2d offset = shear[k] / (law.shear_stiffness * places[k].area);
-        contact::PointMemory memory = points.memoryAt(f.pointSlot(n, k));
-        memory.offset_1 = offset.x();
-        memory.offset_2 = offset.y();
-        points.setMemory(f.pointSlot(n, k), memory);
+        points.setOffset(f.pointSlot(n, k), contact::offsetFor(law, places[k].area, shear[k].x()),
+                         contact::offsetFor(law, places[k].area, shear[k].y()));
     }
     return closed_area > 0 ? 0.0 : missing.norm();
 }
@@ -101,12 +98,13 @@ std::vector<double> deepestContacts(const State& state) {
     const Interfaces& f = state.interfaces;
     std::vector<double> deepest(state.blocks.size(), 0.0);
     for (std::size_t i = 0; i < f.size(); ++i) {
-        const double stiffness = state.laws[static_cast<std::size_t>(f.joint[i])].normal_stiffness;
+        const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
         for (const PointState& point : pointStates(state, i))
             for (const std::int32_t block : {f.block_a[i], f.block_b[i]}) {
                 const auto b = static_cast<std::size_t>(block);
                 if (state.blocks.motion[b] != Motion::fixed)
-                    deepest[b] = std::max(deepest[b], point.force.normal / (stiffness * point.area));
+                    deepest[b] =
+                        std::max(deepest[b], contact::overlapFor(law, point.area, point.force.normal));
             }
     }
     return deepest;
@@ -137,6 +135,9 @@ void carrySlot(const OldInterfaces& old, std::size_t o, State& state, std::size_
     for (auto index : {&Interfaces::block_a, &Interfaces::block_b, &Interfaces::face_a, &Interfaces::face_b,
                        &Interfaces::joint})
         (f.*index)[n] = (from.*index)[o];
+    f.idle[n] = from.idle[o];
+    f.travel_left[n] = from.travel_left[o];
+    f.faces_are_apart[n] = from.faces_are_apart[o];
     f.setFrame(n, from.frame(o));
     f.setWrench(n, from.wrench(o));
     state.points.setMemory(f.pointSlot(n, 0), old.points.memoryAt(from.pointSlot(o, 0)));
@@ -160,11 +161,12 @@ void takeShear(const std::vector<CarriedPoint>& carried, State& state, std::size
             nearest = k;
         }
         if (nearest == points.size()) continue;
-        const double stiffness = law.shear_stiffness * points[nearest].area;
+        const auto offset = [&](const Vec3& tangent) {
+            return contact::offsetFor(law, points[nearest].area, sign * from.shear.dot(tangent));
+        };
         const std::size_t slot = f.pointSlot(i, nearest);
         const contact::PointMemory memory = state.points.memoryAt(slot);
-        state.points.setOffset(slot, memory.offset_1 + sign * from.shear.dot(pose.e1) / stiffness,
-                               memory.offset_2 + sign * from.shear.dot(pose.e2) / stiffness);
+        state.points.setOffset(slot, memory.offset_1 + offset(pose.e1), memory.offset_2 + offset(pose.e2));
     }
 }
 

@@ -6,9 +6,6 @@
 namespace talus {
 namespace {
 
-// Areas this near to each other are equal: rounding must not choose the reference face.
-constexpr double kEqualArea = 1e-9;
-
 /// One face of a block in the world.
 struct Face {
     const WorldShape& shape;
@@ -62,11 +59,6 @@ double gapAt(const FaceFrame& frame, const Face& other, const Vec2& point) {
     return other.normal().dot(other.vertex(0) - below) / other.normal().dot(frame.e3);
 }
 
-bool refIsA(Reference reference, double area_a, double area_b) {
-    if (reference != Reference::larger) return reference == Reference::face_a;
-    return area_a >= (1 - kEqualArea) * area_b;
-}
-
 FaceFrame frameOf(const Face& face) { return faceFrame(face.vertex(0), face.vertex(1), face.normal()); }
 
 }  // namespace
@@ -74,23 +66,21 @@ FaceFrame frameOf(const Face& face) { return faceFrame(face.vertex(0), face.vert
 FaceFrame faceFrame(const WorldShape& shape, std::size_t face) { return frameOf({shape, face}); }
 
 std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, const WorldShape& b,
-                                     std::size_t face_b, const FacePairLimits& limits, Reference reference) {
+                                     std::size_t face_b, const FacePairLimits& limits) {
     const Face in_a{a, face_a}, in_b{b, face_b};
     if (!isOpposite(in_a.normal(), in_b.normal(), limits.max_angle)) return {};
     const double area_a = area(in_a), area_b = area(in_b);
-    const bool ref_is_a = refIsA(reference, area_a, area_b);
-    const Face &ref = ref_is_a ? in_a : in_b, &other = ref_is_a ? in_b : in_a;
-    const FaceFrame frame = frameOf(ref);
-    if (!canTouch(frame, other, limits)) return {};
+    const FaceFrame frame = frameOf(in_a);
+    if (!canTouch(frame, in_b, limits)) return {};
 
-    const Polygon common = intersect(projectOutline(frame, ref), projectOutline(frame, other));
+    const Polygon common = intersect(projectOutline(frame, in_a), projectOutline(frame, in_b));
     const Polygon patch = simplify(common, limits.outline_tolerance * extent(common));
     if (patch.empty() || area(patch) <= limits.min_area_share * std::min(area_a, area_b)) return {};
-    FacePair pair{static_cast<std::int32_t>(face_a), static_cast<std::int32_t>(face_b), ref_is_a, patch,
-                  gapAt(frame, other, centroid(patch))};
+    FacePair pair{static_cast<std::int32_t>(face_a), static_cast<std::int32_t>(face_b), patch,
+                  gapAt(frame, in_b, centroid(patch))};
     pair.least_gap = pair.most_gap = pair.gap;
     for (const Vec2& corner : patch) {
-        const double gap = gapAt(frame, other, corner);
+        const double gap = gapAt(frame, in_b, corner);
         pair.least_gap = std::min(pair.least_gap, gap);
         pair.most_gap = std::max(pair.most_gap, gap);
     }
@@ -98,12 +88,11 @@ std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, co
     return pair;
 }
 
-std::vector<FacePair> findFacePairs(const WorldShape& a, const WorldShape& b, const FacePairLimits& limits,
-                                    Reference reference) {
+std::vector<FacePair> findFacePairs(const WorldShape& a, const WorldShape& b, const FacePairLimits& limits) {
     std::vector<FacePair> pairs;
     for (std::size_t face_a = 0; face_a < a.faces.size(); ++face_a)
         for (std::size_t face_b = 0; face_b < b.faces.size(); ++face_b)
-            if (auto pair = findFacePair(a, face_a, b, face_b, limits, reference)) pairs.push_back(*pair);
+            if (auto pair = findFacePair(a, face_a, b, face_b, limits)) pairs.push_back(*pair);
     return pairs;
 }
 

@@ -23,18 +23,10 @@ struct FacePairLimits {
     double outline_tolerance = 1e-6;
 };
 
-/// Which of the two faces gives the patch its plane, normal and tangents.
-enum class Reference : std::uint8_t {
-    face_a,
-    face_b,
-    larger  ///< the face of larger area; a when they are equal within rounding
-};
-
 struct FacePair {
     std::int32_t face_a = 0, face_b = 0;
-    bool ref_is_a = true;
-    Polygon patch{};       ///< in the reference face's frame [m]
-    double gap = 0;        ///< at the patch's centroid along the reference normal, negative for overlap [m]
+    Polygon patch{};       ///< in the frame of a's face, which gives the normal and the tangents [m]
+    double gap = 0;        ///< at the patch's centroid along a's normal, negative for overlap [m]
     double least_gap = 0;  ///< over the patch; differs from `gap` where the planes are not parallel [m]
     double most_gap = 0;   ///< likewise [m]
 };
@@ -42,13 +34,12 @@ struct FacePair {
 FaceFrame faceFrame(const WorldShape& shape, std::size_t face);
 
 /// The patch between two given faces, if they lie against each other: normals opposite within the angle,
-/// outlines that overlap when the other one is projected along the reference normal, least gap within the
+/// outlines that overlap when b's is projected along a's normal, least gap within the
 /// limits.
 std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, const WorldShape& b,
-                                     std::size_t face_b, const FacePairLimits& limits, Reference reference);
+                                     std::size_t face_b, const FacePairLimits& limits);
 
 /// All of them, by face_a, then face_b.
-std::vector<FacePair> findFacePairs(const WorldShape& a, const WorldShape& b, const FacePairLimits& limits,
-                                    Reference reference);
+std::vector<FacePair> findFacePairs(const WorldShape& a, const WorldShape& b, const FacePairLimits& limits);
 
 }  // namespace talus

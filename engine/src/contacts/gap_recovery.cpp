@@ -76,12 +76,11 @@ double takeEnergy(State& state, std::size_t i, const Vec3& place, double energy)
 void pressContact(State& state, std::size_t i, double late) {
     const Deepest deepest = deepestPoint(state, i);
     const double depth = std::max(0.0, deepest.depth), open = std::min(late, std::max(0.0, -deepest.depth));
-    const double stiffness =
-        state.laws[static_cast<std::size_t>(state.interfaces.joint[i])].normal_stiffness *
-        state.interfaces.area[i];
+    const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
+    const double area = state.interfaces.area[i];
     const double rest = late - open;
-    const double energy = takeEnergy(state, i, deepest.place, stiffness * rest * (depth + 0.5 * rest));
-    const double paid = std::sqrt(depth * depth + 2.0 * energy / stiffness) - depth;
+    const double energy = takeEnergy(state, i, deepest.place, contact::energyToPress(law, area, depth, rest));
+    const double paid = contact::pressedBy(law, area, depth, energy);
     state.interfaces.referenceGap(i, 0) += open + std::min(rest, paid);
 }
 
@@ -98,7 +97,7 @@ bool searchedAgain(const State& state) {
 void recoverGaps(State& state) {
     const bool faces_too = searchedAgain(state);
     for (const InterfaceGroup& group : state.interfaces.groups) {
-        if (group.corners != 1 && !faces_too) continue;
+        if (!isSharp(state.interfaces, static_cast<std::size_t>(group.begin)) && !faces_too) continue;
         for (std::int32_t k = 0; k < group.size; ++k) {
             const auto i = static_cast<std::size_t>(group.begin + k);
             if (isIdle(state.interfaces, i)) continue;

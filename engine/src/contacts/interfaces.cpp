@@ -62,6 +62,10 @@ void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePai
     f.face_b.push_back(pair.face_b);
     f.joint.push_back(state.geometry->joints.between(ia, face_a, ib, face_b));
     f.area.push_back(patch_area);
+    f.kind.push_back(InterfaceKind::faces);
+    f.idle.push_back(0);
+    f.travel_left.push_back(0.0);
+    f.faces_are_apart.push_back(0);
     f.setFrame(f.size() - 1, {.origin_a = origin_a,
                               .e1_a = own.e1,
                               .e2_a = own.e2,

@@ -141,9 +141,8 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     const SharpLimits sharp = sharpLimits(*state.geometry, a, b, margin);
     const double travel = 2.0 * (kTravelLimit + kTurnLimit) * size;
     if (!initial && areApart(placed_a, placed_b, sharp.reach + travel)) return finding;
-    finding.faces = findFacePairs(placed_a, placed_b,
-                                  {.max_gap = margin, .max_overlap = 0.5 * size, .max_angle = kMostFaceAngle},
-                                  Reference::face_a);
+    finding.faces = findFacePairs(
+        placed_a, placed_b, {.max_gap = margin, .max_overlap = 0.5 * size, .max_angle = kMostFaceAngle});
     dropTilted(placed, a, b, size, finding);
     dropFalsePairs(placed, a, b, closed, finding);
     const bool slivers = dropSlivers(state, a, b, size, finding, initial);

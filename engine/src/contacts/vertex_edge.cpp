@@ -11,12 +11,12 @@
 #include "state/incidence.h"
 #include "state/point_layout.h"
 #include "state/range.h"
-#include "talus/frame.h"
 
 namespace talus::stages {
 namespace {
 
-constexpr double kIdle = -1e30;  // reference gap of a slot that touches nothing [m]
+// Reference gap of a place that touches nothing: the kernel finds it open [m].
+constexpr double kNeverCloses = -1e30;
 constexpr double kTravel =
     2e-4;  // of the smaller block's size: what a pair may go between two looks when near
 constexpr double kFaster = 1.5;      // than at a look a pair may get before the next
@@ -43,7 +43,10 @@ struct Placed {
     WorldShape world() const { return {vertices, own.faces, normals}; }
 };
 
-void setIdle(Interfaces& f, std::size_t i) { f.referenceGap(i, 0) = kIdle; }
+void setIdle(Interfaces& f, std::size_t i) {
+    f.idle[i] = 1;
+    f.setReferenceGap(i, {kNeverCloses, 0, 0});
+}
 
 /// Hands an interface over to the other block as its reference.
 void swapSides(State& state, std::size_t i) {
@@ -98,14 +101,15 @@ void placeSlot(State& state, std::size_t i, const SharpPoint& point, const Carri
     frame.e1_b = to_b * point.e1;
     frame.e2_b = to_b * point.e2;
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
-    const double depth = std::sqrt(2.0 * from.energy / (law.normal_stiffness * f.area[i]));
-    frame.reference_gap.x() = std::min(0.0, point.gap + depth);
+    const double depth = contact::pressedBy(law, f.area[i], 0.0, from.energy);
+    frame.reference_gap = {std::min(0.0, point.gap + depth), 0, 0};
     f.setFrame(i, frame);
+    f.idle[i] = 0;
     const double sign =
         f.block_a[i] < f.block_b[i] ? 1.0 : -1.0;  // F_s = k_s A (offset - slide), the slide now zero
     state.points.setMemory(f.pointSlot(i, 0),
-                           {.offset_1 = sign * from.shear.dot(point.e1) / (law.shear_stiffness * f.area[i]),
-                            .offset_2 = sign * from.shear.dot(point.e2) / (law.shear_stiffness * f.area[i]),
+                           {.offset_1 = contact::offsetFor(law, f.area[i], sign * from.shear.dot(point.e1)),
+                            .offset_2 = contact::offsetFor(law, f.area[i], sign * from.shear.dot(point.e2)),
                             .bond = law.bonded ? 0.0 : 1.0,
                             .dilation = 0.0});
 }
@@ -187,14 +191,6 @@ bool anyClosed(const State& state, std::size_t begin) {
     return false;
 }
 
-/// How far the two blocks of a group of slots may still go towards each other before they have to be looked at again [m].
-/// The kernel has no use for the slopes of a slot's reference gap, so the first slot's holds it: a full frame has it too.
-double& travelLeft(Interfaces& f, std::size_t begin) { return f.referenceGap(begin, 1); }
-
-/// Whether the last search made no interface of the two faces that meet, as the next would not: then their vertices and
-/// edges carry. The second slot's reference gap holds it: 1 or 0.
-double& noFaces(Interfaces& f, std::size_t begin) { return f.referenceGap(begin + 1, 1); }
-
 /// A pair of blocks with slots, and what was found where it is now.
 struct Look {
     SharpPoints found;
@@ -261,11 +257,11 @@ std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t i)
             pose.slide_1.x() + point.position.x() * pose.slide_1.y() + point.position.y() * pose.slide_1.z();
         const double slide_2 =
             pose.slide_2.x() + point.position.x() * pose.slide_2.y() + point.position.y() * pose.slide_2.z();
-        carried.push_back(
-            {pose.origin + (point.position.x() + slide_1) * pose.e1 +
-                 (point.position.y() + slide_2) * pose.e2,
-             sign * pose.e3, sign * (point.force.shear_1 * pose.e1 + point.force.shear_2 * pose.e2),
-             0.5 * point.force.normal * point.force.normal / (law.normal_stiffness * point.area)});
+        carried.push_back({pose.origin + (point.position.x() + slide_1) * pose.e1 +
+                               (point.position.y() + slide_2) * pose.e2,
+                           sign * pose.e3,
+                           sign * (point.force.shear_1 * pose.e1 + point.force.shear_2 * pose.e2),
+                           contact::normalEnergy(law, point.area, point.force.normal)});
     }
     return carried;
 }
@@ -282,11 +278,15 @@ void appendSharpSlots(State& state, std::int32_t block_1, std::int32_t block_2) 
         f.face_b.push_back(0);
         f.joint.push_back(0);
         f.area.push_back(area);
+        f.kind.push_back(InterfaceKind::vertex_edge);
+        f.idle.push_back(1);
+        f.travel_left.push_back(0.0);
+        f.faces_are_apart.push_back(0);
         f.setFrame(f.size() - 1, {.e1_a = Vec3::UnitX(),
                                   .e2_a = Vec3::UnitY(),
                                   .e1_b = Vec3::UnitX(),
                                   .e2_b = Vec3::UnitY(),
-                                  .reference_gap = {kIdle, 0, 0}});
+                                  .reference_gap = {kNeverCloses, 0, 0}});
         placeCorners(f, f.size() - 1, {Eigen::Vector2d::Zero()});
     }
 }
@@ -300,7 +300,7 @@ void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
     forRange(f.groups.size(), 16, parallel, [&](Range range) {
         for (std::size_t g = range.begin; g < range.end; ++g) {
             const InterfaceGroup& group = f.groups[g];
-            if (group.corners != 1) continue;
+            if (!isSharp(f, static_cast<std::size_t>(group.begin))) continue;
             for (std::int32_t i = 0; i < group.size; i += static_cast<std::int32_t>(kSlots))
                 each(static_cast<std::size_t>(group.begin + i));
         }
@@ -313,12 +313,12 @@ bool updateSharpContacts(State& state, double ahead, bool parallel) {
     std::atomic<bool> changes = false;
     forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
         Interfaces& f = state.interfaces;
-        double& left = travelLeft(f, begin);
+        double& left = f.travel_left[begin];
         const double speed = speedBound(state, static_cast<std::size_t>(f.block_a[begin])) +
                              speedBound(state, static_cast<std::size_t>(f.block_b[begin]));
         left -= kFaster * speed * ahead;
         if (left > 0) return;
-        const Look look = lookAtPair(state, begin, ahead, noFaces(f, begin) > 0);
+        const Look look = lookAtPair(state, begin, ahead, f.faces_are_apart[begin] != 0);
         if (look.changes) {
             changes = true;
             return;
@@ -332,12 +332,12 @@ bool updateSharpContacts(State& state, double ahead, bool parallel) {
 void renewSharpContacts(State& state, double ahead, bool parallel, const CarriedPoints& carried) {
     forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
         const Look look = lookAtPair(state, begin, ahead, true);
-        noFaces(state.interfaces, begin) = look.no_faces ? 1.0 : 0.0;
+        state.interfaces.faces_are_apart[begin] = look.no_faces ? 1 : 0;
         const auto of_pair =
             carried.find(std::minmax(state.interfaces.block_a[begin], state.interfaces.block_b[begin]));
         writeSlots(state, begin, look.found,
                    of_pair == carried.end() ? std::vector<CarriedPoint>{} : of_pair->second, look.size);
-        travelLeft(state.interfaces, begin) = look.travel;
+        state.interfaces.travel_left[begin] = look.travel;
     });
 }
 

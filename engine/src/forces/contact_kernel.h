@@ -241,8 +241,9 @@ TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index
                                     gather(members, view.angular_velocity, view.block_a),
                                     gather(members, view.velocity, view.block_b),
                                     gather(members, view.angular_velocity, view.block_b));
-        damping_normal = view.contact_damping * law.normal_stiffness;
-        damping_shear = view.contact_damping * law.shear_stiffness;
+        const contact::StiffnessOf<V> stiffness = contact::stiffnessOf(law);
+        damping_normal = view.contact_damping * stiffness.normal;
+        damping_shear = view.contact_damping * stiffness.shear;
     }
     PointLoop<V, Damped, Remembers> points{
         view, members, pose, law, velocity, V{} + view.release, damping_normal, damping_shear};

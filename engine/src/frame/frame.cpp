@@ -9,6 +9,7 @@
 #include "forces/water.h"
 #include "frame/frame_fields.h"
 #include "frame/frame_readings.h"
+#include "frame/vertex_edge_fields.h"
 #include "measure/measure.h"
 #include "model/water_level.h"
 
@@ -101,7 +102,8 @@ void addPatches(const State& state, FrameInterfaces& f, FramePoints& points) {
                                      [](const contact::JointLaw& law) { return law.tan_dilation != 0; });
     f.patch_begin = f.point_begin = {0};
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
-        const InterfaceFrame frame = state.interfaces.frame(i);
+        InterfaceFrame frame = state.interfaces.frame(i);
+        frame.reference_gap = storedReferenceGap(state.interfaces, i);
         eachFrameVector(f, [&](auto vector, VectorList<double>& list) { add(list, frame.*vector); });
         const InterfaceWrench wrench = state.interfaces.wrench(i);
         eachWrenchVector(f, [&](auto vector, VectorList<double>& list) { add(list, wrench.*vector); });

@@ -8,6 +8,7 @@
 #include "forces/water.h"
 #include "frame/frame.h"
 #include "frame/frame_fields.h"
+#include "frame/vertex_edge_fields.h"
 #include "law/points.h"
 #include "measure/measure.h"
 #include "state/block_motion.h"
@@ -136,7 +137,7 @@ bool interfacesFit(const FullFrame& frame, const State& state) {
            within(f.joint, 0, static_cast<std::int64_t>(state.laws.size())) && facesFit(f, state) &&
            f.patch_xi.size() == f.patch_eta.size() &&
            areBegins(f.patch_begin, f.size(), f.patch_xi.size(), 1) &&
-           areBegins(f.point_begin, f.size(), frame.points.size(), 1);
+           areBegins(f.point_begin, f.size(), frame.points.size(), 1) && placesFit(f);
 }
 
 std::vector<Eigen::Vector2d> outlineOf(const FrameInterfaces& f, std::size_t i) {
@@ -238,6 +239,7 @@ void restorePatches(const FullFrame& frame, State& state) {
         });
         interfaces.setWrench(i, wrench);
     }
+    restorePlaces(interfaces);
     makePoints(state);
     ContactPoints& points = state.points;
     for (std::size_t i = 0; i < f.size(); ++i)

@@ -1,11 +1,14 @@
 #pragma once
-// The contact law at one Lp (eqs 5-9 of the paper), as pure functions. Every loop calls these; nothing else in the
-// engine knows what a joint does. V is a double, or several of them in a register (simd/lanes.h): both take the same
+// The contact law at one Lp (eqs 5-9 of the paper), as pure functions: forces, strength, stiffness, energy, and what gap or
+// slide belongs to a force or an energy. Every loop calls these; nothing else in the engine knows what a joint does. V is a double, or several of them in a register (simd/lanes.h): both take the same
 // steps in the same order and give the same bits.
 //
 // Signs: gap is positive when open, forces act on the block that is not the reference one; the normal force is the
 // effective (spring) force, compression positive. Water acts beside it: eq 7's opening rule with F_n + P is the same
 // statement written with the paper's tension-positive total force.
+
+#include <algorithm>
+#include <cmath>
 
 #include "simd/scalar.h"
 
@@ -52,6 +55,17 @@ struct ForceOf {
     simd::MaskOf<V> slips{};
 };
 using PointForce = ForceOf<double>;
+
+/// Stiffness while a contact point neither opens nor slips.
+template <class V>
+struct StiffnessOf {
+    V normal{};  ///< [Pa/m]
+    V shear{};   ///< along any tangent [Pa/m]
+};
+template <class V>
+TALUS_KERNEL StiffnessOf<V> stiffnessOf(const JointParameters<V>& joint) {
+    return {joint.normal_stiffness, joint.shear_stiffness};
+}
 
 /// Largest shear force the Lp carries (right-hand side of the sliding rule, eq 9), zero when open.
 template <class V>
@@ -123,6 +137,45 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     force.shear_1 = select(force.open, zero, stiffness_left * back_1);
     force.shear_2 = select(force.open, zero, stiffness_left * back_2);
     return force;
+}
+
+// The inverses, for those who hand on what a contact carries. Springs are linear while a contact point is closed and sticks.
+
+/// Overlap at which a contact point carries a normal force [m].
+inline double overlapFor(const JointLaw& joint, double area, double normal_force) {
+    return normal_force / (joint.normal_stiffness * area);
+}
+
+/// Plastic slide, beyond the slide itself, at which it carries a shear force along a tangent [m].
+inline double offsetFor(const JointLaw& joint, double area, double shear_force) {
+    return shear_force / (joint.shear_stiffness * area);
+}
+
+/// Energy of its normal spring [J].
+inline double normalEnergy(const JointLaw& joint, double area, double normal_force) {
+    return 0.5 * normal_force * normal_force / (joint.normal_stiffness * area);
+}
+
+/// Energy of all its springs [J].
+inline double storedEnergy(const JointLaw& joint, double area, const PointForce& force) {
+    const double shear = force.shear_1 * force.shear_1 + force.shear_2 * force.shear_2;
+    return 0.5 / area *
+           (force.normal * force.normal / joint.normal_stiffness + shear / joint.shear_stiffness);
+}
+
+/// Energy that presses an overlap deeper by `further` [J].
+inline double energyToPress(const JointLaw& joint, double area, double overlap, double further) {
+    return joint.normal_stiffness * area * further * (overlap + 0.5 * further);
+}
+
+/// How much deeper an overlap is pressed with an energy [m]: the inverse of energyToPress.
+inline double pressedBy(const JointLaw& joint, double area, double overlap, double energy) {
+    return std::sqrt(overlap * overlap + 2.0 * energy / (joint.normal_stiffness * area)) - overlap;
+}
+
+/// The larger of its stiffnesses, for bounds [Pa/m].
+inline double largestStiffness(const JointLaw& joint) {
+    return std::max(joint.normal_stiffness, joint.shear_stiffness);
 }
 
 }  // namespace talus::contact

@@ -27,12 +27,8 @@ double elasticEnergy(const State& state) {
     double sum = 0;
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-        for (const PointState& point : pointStates(state, i)) {
-            const contact::PointForce& f = point.force;
-            const double shear = f.shear_1 * f.shear_1 + f.shear_2 * f.shear_2;
-            sum +=
-                0.5 / point.area * (f.normal * f.normal / law.normal_stiffness + shear / law.shear_stiffness);
-        }
+        for (const PointState& point : pointStates(state, i))
+            sum += contact::storedEnergy(law, point.area, point.force);
     }
     return sum;
 }

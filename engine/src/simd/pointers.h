@@ -10,11 +10,5 @@ struct ConstVectors {
 struct Vectors {
     double *x, *y, *z;
 };
-struct ConstQuaternions {
-    const double *w, *x, *y, *z;
-};
-struct Quaternions {
-    double *w, *x, *y, *z;
-};
 
 }  // namespace talus::simd

@@ -70,13 +70,26 @@ struct Blocks {
     std::size_t size() const { return mass.size(); }
 };
 
-/// Interfaces: two faces that lie against each other; state/interface_frame.h says how. What the kernel reads lies in
+/// What an interface is between.
+enum class InterfaceKind : std::uint8_t {
+    faces,       ///< two faces that lie against each other
+    vertex_edge  ///< a place for a vertex on a face, or for two edges that cross (contacts/vertex_edge.h)
+};
+
+/// Interfaces: two faces that lie against each other, or a place for a vertex or an edge; state/interface_frame.h says how. What the kernel reads lies in
 /// groups (state/interface_group.h): `slot` tells where.
 struct Interfaces {
     std::vector<std::int32_t> block_a, block_b;
     std::vector<std::int32_t> face_a, face_b;
     std::vector<std::int32_t> joint;
-    std::vector<double> area;            ///< of the patch [m^2]
+    std::vector<double> area;  ///< of the patch [m^2]
+    std::vector<InterfaceKind> kind;
+    std::vector<std::uint8_t> idle;  ///< 1: a place for a vertex or an edge that touches nothing now
+    // Of two blocks that may meet by vertices and edges, at the first of their places; elsewhere zero.
+    std::vector<double>
+        travel_left;  ///< what they may go towards each other before they are looked at again [m]
+    std::vector<std::uint8_t>
+        faces_are_apart;                 ///< 1: the faces that meet have no interface, so vertices carry
     std::vector<InterfaceGroup> groups;  ///< in the order of the interfaces
     std::vector<std::int32_t> slot;      ///< of each interface: its group times kLanes, plus its place there
     LaneArray frames{kFrameQuantities};

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
-#include "talus/frame.h"
-
 namespace talus::stages {
 
-bool isSharp(const Interfaces& f, std::size_t i) { return f.groupOf(i).corners == 1; }
+bool isSharp(const Interfaces& f, std::size_t i) { return f.kind[i] == InterfaceKind::vertex_edge; }
 
-bool isIdle(const Interfaces& f, std::size_t i) {
-    return isSharp(f, i) && f.referenceGap(i, 0) < FrameInterfaces::kIdleGap;
-}
+bool isIdle(const Interfaces& f, std::size_t i) { return f.idle[i] != 0; }
 
 ContactCount countContacts(const Interfaces& f) {
     ContactCount count;

@@ -16,9 +16,10 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 /// Stiffness that one interface gives a block whose centroid is `centre`, its neighbour held.
 Mat6 interfaceStiffness(const State& state, std::size_t i, const Vec3& centre) {
     const RelativePose pose = relativePose(state, i);
-    const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-    Mat3 stiffness = law.shear_stiffness * (pose.e1 * pose.e1.transpose() + pose.e2 * pose.e2.transpose()) +
-                     law.normal_stiffness * pose.e3 * pose.e3.transpose();
+    const contact::StiffnessOf<double> law =
+        contact::stiffnessOf(state.laws[static_cast<std::size_t>(state.interfaces.joint[i])]);
+    Mat3 stiffness = law.shear * (pose.e1 * pose.e1.transpose() + pose.e2 * pose.e2.transpose()) +
+                     law.normal * pose.e3 * pose.e3.transpose();
     Mat6 sum = Mat6::Zero();
     for (const contact::PatchPoint& point :
          interfacePoints(state.interfaces, i, state.geometry->model.points)) {
@@ -39,7 +40,7 @@ Mat6 interfaceStiffness(const State& state, std::size_t i, const Vec3& centre) {
 double boundAnywhere(const State& state, std::size_t block, double area) {
     double stiffness = 0;
     for (const contact::JointLaw& law : state.laws)
-        stiffness = std::max({stiffness, law.normal_stiffness, law.shear_stiffness});
+        stiffness = std::max(stiffness, contact::largestStiffness(law));
     const double r = state.geometry->radius[block];
     return stiffness * area *
            (3.0 / state.blocks.mass[block] + 3.0 * r * r / state.blocks.inertia.get(block).minCoeff());
