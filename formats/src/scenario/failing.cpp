@@ -3,9 +3,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "document.h"
-#include "table_reader.h"
-#include "write_document.h"
+#include "scenario/reading.h"
+#include "toml/document.h"
+#include "toml/write_document.h"
 
 namespace talus::formats {
 
@@ -128,12 +128,12 @@ std::string asComments(const std::string& text) {
 
 Result<Scenario> failingScenario(const Scenario& scenario, const FailingLoad& load,
                                  const std::string& remark) {
-    auto document = scenario::Document::parse(scenario.text, scenario.path);
+    auto document = toml::Document::parse(scenario.text, scenario.path);
     if (!document) return document.errors();
     scenario::Editor editor(*document, scenario);
     editor.apply(load);
     if (auto fault = editor.takeFault()) return *fault;
-    return parseScenario(scenario::asComments(remark) + scenario::writeDocument(*document), scenario.path);
+    return parseScenario(scenario::asComments(remark) + toml::writeDocument(*document), scenario.path);
 }
 
 }  // namespace talus::formats

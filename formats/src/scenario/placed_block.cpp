@@ -1,6 +1,4 @@
-#include "placed_block.h"
-
-#include "wording.h"
+#include "scenario/placed_block.h"
 
 namespace talus::formats::scenario {
 

@@ -1,8 +1,6 @@
-#include "properties.h"
+#include "scenario/properties.h"
 
 #include <algorithm>
-
-#include "wording.h"
 
 namespace talus::formats::scenario {
 

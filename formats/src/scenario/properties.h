@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "table_reader.h"
+#include "scenario/reading.h"
 #include "talus/model.h"
 
 namespace talus::formats::scenario {

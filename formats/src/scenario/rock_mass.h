@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "directory.h"
-#include "properties.h"
-#include "table_reader.h"
+#include "scenario/directory.h"
+#include "scenario/properties.h"
+#include "scenario/reading.h"
 #include "talus/model.h"
 #include "talus/rock_mass.h"
 

@@ -2,8 +2,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "rock_mass.h"
-#include "wording.h"
+#include "scenario/rock_mass.h"
 
 namespace talus::formats::scenario {
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 
-#include "rock_mass.h"
-#include "wording.h"
+#include "scenario/rock_mass.h"
 
 namespace talus::formats::scenario {
 

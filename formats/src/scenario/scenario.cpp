@@ -3,17 +3,17 @@
 
 #include "talus/formats/scenario.h"
 
-#include "directory.h"
-#include "document.h"
-#include "file_text.h"
-#include "interface.h"
-#include "placed_block.h"
-#include "properties.h"
-#include "read_document.h"
-#include "rock_mass.h"
-#include "settings.h"
-#include "stack.h"
-#include "water.h"
+#include "scenario/directory.h"
+#include "scenario/interface.h"
+#include "scenario/placed_block.h"
+#include "scenario/properties.h"
+#include "scenario/read_document.h"
+#include "scenario/rock_mass.h"
+#include "scenario/settings.h"
+#include "scenario/stack.h"
+#include "scenario/water.h"
+#include "toml/document.h"
+#include "toml/file_text.h"
 
 namespace talus::formats {
 
@@ -187,13 +187,13 @@ Result<Scenario> scenario::readDocument(const Document& document, std::string te
 }
 
 Result<Scenario> parseScenario(const std::string& text, const std::string& path, std::int64_t most_blocks) {
-    const auto document = scenario::Document::parse(text, path);
+    const auto document = toml::Document::parse(text, path);
     if (!document) return document.errors();
     return scenario::readDocument(*document, text, path, most_blocks);
 }
 
 Result<Scenario> readScenario(const std::string& path) {
-    const auto text = scenario::readFileText(path);
+    const auto text = toml::readFileText(path);
     if (!text) return text.errors();
     return parseScenario(*text, path);
 }

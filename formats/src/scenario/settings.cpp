@@ -1,8 +1,6 @@
-#include "settings.h"
+#include "scenario/settings.h"
 
 #include <charconv>
-
-#include "wording.h"
 
 namespace talus::formats::scenario {
 

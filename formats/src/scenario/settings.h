@@ -1,7 +1,7 @@
 #pragma once
 // The tables that say how to compute: [analysis], [run], [damping], [gravity], [contact].
 
-#include "table_reader.h"
+#include "scenario/reading.h"
 #include "talus/model.h"
 
 namespace talus::formats::scenario {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "properties.h"
-#include "table_reader.h"
+#include "scenario/properties.h"
+#include "scenario/reading.h"
 #include "talus/model.h"
 
 namespace talus::formats::scenario {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "stack.h"
+#include "scenario/stack.h"
 
 namespace talus::formats::scenario {
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 
-#include "stack.h"
-#include "wording.h"
+#include "scenario/stack.h"
 
 namespace talus::formats::scenario {
 

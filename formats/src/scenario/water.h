@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "directory.h"
-#include "rock_mass.h"
-#include "stack.h"
-#include "table_reader.h"
+#include "scenario/directory.h"
+#include "scenario/reading.h"
+#include "scenario/rock_mass.h"
+#include "scenario/stack.h"
 #include "talus/model.h"
 
 namespace talus::formats::scenario {

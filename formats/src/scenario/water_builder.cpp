@@ -3,7 +3,7 @@
 #include <set>
 #include <tuple>
 
-#include "water.h"
+#include "scenario/water.h"
 
 namespace talus::formats::scenario {
 

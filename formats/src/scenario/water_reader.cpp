@@ -2,9 +2,8 @@
 #include <array>
 #include <unordered_map>
 
-#include "interface.h"
-#include "water.h"
-#include "wording.h"
+#include "scenario/interface.h"
+#include "scenario/water.h"
 
 namespace talus::formats::scenario {
 

@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <map>
 
-#include "field_path.h"
-#include "random.h"
-#include "scenario/document.h"
 #include "scenario/read_document.h"
-#include "scenario/wording.h"
-#include "scenario/write_document.h"
+#include "sweep/random.h"
 #include "talus/formats/sweep.h"
 #include "talus/simulation.h"
+#include "toml/document.h"
+#include "toml/field_path.h"
+#include "toml/wording.h"
+#include "toml/write_document.h"
 
 namespace talus::formats {
 
 namespace {
 
-using scenario::Document;
+using toml::Document;
 
 /// Drawn for this purpose and no other: the name decides the stream of random numbers.
 double draw(const Sweep& sweep, const SweepColumn& column, std::uint64_t sample, const std::string& name) {
@@ -29,7 +29,7 @@ double draw(const Sweep& sweep, const SweepColumn& column, std::uint64_t sample,
 
 std::optional<Error> put(Document& document, const std::string& target, const SweepValue& value,
                          bool may_append = false) {
-    const auto path = sweep::parseField(target);
+    const auto path = toml::parseField(target);
     if (!path) return Error{target, "is not the path of a field"};
     if (const auto fault = document.set(*path, value, may_append)) return Error{target, *fault};
     return std::nullopt;
@@ -57,7 +57,7 @@ using NamePair = std::pair<std::string, std::string>;
 std::map<NamePair, std::size_t> interfaceEntries(const Document& document) {
     std::map<NamePair, std::size_t> entries;
     const auto array = document.root().find("interface");
-    if (!array || array->kind() != scenario::Kind::array) return entries;
+    if (!array || array->kind() != toml::Kind::array) return entries;
     for (std::size_t i = 0; i < array->size(); ++i) {
         const auto between = array->at(i).find("between");
         entries[std::minmax(between->at(0).text(), between->at(1).text())] = i;
@@ -91,7 +91,7 @@ class InterfaceDraws {
  private:
     std::optional<Error> applyTo(const Model& model, const TouchingPair& pair, DrawnRange& drawn) {
         const SweepColumn& column = sweep_.columns[drawn.column];
-        const auto of_joint = *sweep::jointField(*sweep::parseField(column.targets.front()));
+        const auto of_joint = *toml::jointField(*toml::parseField(column.targets.front()));
         if (model.joints[static_cast<std::size_t>(pair.joint)].name != of_joint.joint) return std::nullopt;
         const auto nameOf = [&](std::int32_t block) {
             return model.blocks[static_cast<std::size_t>(block)].name;
@@ -182,7 +182,7 @@ Result<SampledScenario> scenarioOf(const Sweep& sweep, const SweepRun& run) {
 Result<std::string> scenarioTextOf(const Sweep& sweep, const SweepRun& run) {
     auto whole = sampled(sweep, run);
     if (!whole) return whole.errors();
-    return scenario::writeDocument(whole->document);
+    return toml::writeDocument(whole->document);
 }
 
 }  // namespace talus::formats

@@ -6,19 +6,19 @@
 #include <limits>
 #include <map>
 
-#include "field_path.h"
-#include "scenario/document.h"
-#include "scenario/file_text.h"
-#include "scenario/table_reader.h"
-#include "scenario/wording.h"
-#include "variables.h"
+#include "sweep/variables.h"
+#include "toml/document.h"
+#include "toml/field_path.h"
+#include "toml/file_text.h"
+#include "toml/table_reader.h"
+#include "toml/wording.h"
 
 namespace talus::formats {
 
 namespace sweep {
 namespace {
 
-using namespace scenario;
+using namespace toml;
 
 constexpr std::size_t kMaxTried = 1000;  // values of one variable that are tried in advance
 constexpr double kNearlyCertain = 1e-9;  // share of a distribution beyond the ends that are tried
@@ -244,15 +244,15 @@ std::string toString(const SweepValue& value) {
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
-    return scenario::numberText(std::get<double>(value));
+    return toml::numberText(std::get<double>(value));
 }
 
 Result<Sweep> readSweep(const std::string& path) {
-    const auto text = scenario::readFileText(path);
+    const auto text = toml::readFileText(path);
     if (!text) return text.errors();
-    const auto document = scenario::Document::parse(*text, path);
+    const auto document = toml::Document::parse(*text, path);
     if (!document) return document.errors();
-    scenario::Report report(path);
+    toml::Report report(path);
     auto sweep = sweep::SweepReader(report, document->root(), path).read();
     if (sweep) sweep->text = *text;
     return sweep;

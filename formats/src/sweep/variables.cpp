@@ -1,21 +1,21 @@
-#include "variables.h"
+#include "sweep/variables.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
 
-#include "case_table.h"
-#include "field_path.h"
-#include "scenario/file_text.h"
 #include "scenario/properties.h"
-#include "scenario/wording.h"
+#include "sweep/case_table.h"
+#include "toml/field_path.h"
+#include "toml/file_text.h"
+#include "toml/wording.h"
 
 namespace talus::formats::sweep {
 
 namespace {
 
-using namespace scenario;
+using namespace toml;
 
 constexpr std::size_t kMaxValues = 1'000'000;  // of one grid
 constexpr const char* kNameColumn = "name";
@@ -61,7 +61,7 @@ class VariablesReader {
         if (!path) {
             report_.add(
                 place, field,
-                "found " + scenario::quoted(written) +
+                "found " + toml::quoted(written) +
                     ", allowed: the path of a field of the scenario, like \"joint.default.friction_deg\" or "
                     "\"water[0].depth\"");
             return {};
@@ -79,7 +79,7 @@ class VariablesReader {
         for (const std::string& target : variable.column.targets) {
             if (claimed_.insert(target).second) continue;
             const std::string message =
-                "found " + scenario::quoted(target) + " again, allowed: each field once in a sweep";
+                "found " + toml::quoted(target) + " again, allowed: each field once in a sweep";
             if (variable.file.empty())
                 report_.add(variable.place, variable.field + ".field", message);
             else
@@ -284,10 +284,10 @@ class VariablesReader {
             variable.column.targets = targetsOf(name, name, variable.place);
             variable.field = name;
         } else {
-            variables_.errors.push_back({"",
-                                         "found a column " + scenario::quoted(name) +
-                                             ", allowed: fields of the scenario, and \"name\"",
-                                         variable.file, variable.place.line, variable.place.column});
+            variables_.errors.push_back(
+                {"",
+                 "found a column " + toml::quoted(name) + ", allowed: fields of the scenario, and \"name\"",
+                 variable.file, variable.place.line, variable.place.column});
         }
         add(std::move(variable));
     }
@@ -320,14 +320,14 @@ class VariablesReader {
     bool checkJointFields(TableReader& table, const Variable& variable) {
         const auto known = [](const std::string& target) {
             const auto of_joint = jointField(*parseField(target));
-            const auto& keys = jointKeys();
+            const auto& keys = scenario::jointKeys();
             return of_joint && std::find(keys.begin(), keys.end(), of_joint->key) != keys.end();
         };
         const auto& targets = variable.column.targets;
         if (std::all_of(targets.begin(), targets.end(), known)) return true;
-        table.error("per", "found draws per joint or interface of " + scenario::quoted(variable.column.name) +
+        table.error("per", "found draws per joint or interface of " + toml::quoted(variable.column.name) +
                                ", allowed there: \"joint.NAME.KEY\" or \"joint.*.KEY\" with KEY one of " +
-                               listed(jointKeys()));
+                               listed(scenario::jointKeys()));
         return false;
     }
 

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "scenario/document.h"
+#include "toml/document.h"
 
-namespace talus::formats::sweep {
+namespace talus::formats::toml {
 
-using FieldPath = std::vector<scenario::PathPart>;
+using FieldPath = std::vector<PathPart>;
 
 /// The parts of a field, or nothing when it is not written like one.
 std::optional<FieldPath> parseField(std::string_view field);
@@ -25,4 +25,4 @@ std::optional<JointField> jointField(const FieldPath& path);
 /// The unit a field's value has, by its name: "deg", "s", "Pa", ...; "" when it has none.
 std::string unitOf(std::string_view field);
 
-}  // namespace talus::formats::sweep
+}  // namespace talus::formats::toml

@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "document.h"
-#include "report.h"
 #include "talus/polyhedron.h"
+#include "toml/document.h"
+#include "toml/report.h"
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 /// Numbers allowed: from `min` to `max`, without the ends that are open. Always finite.
 struct Range {
@@ -114,4 +114,4 @@ class TableReader {
     std::vector<std::string> meant_;  ///< keys that misspelt ones stand for
 };
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

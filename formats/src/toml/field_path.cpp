@@ -1,9 +1,9 @@
-#include "field_path.h"
+#include "toml/field_path.h"
 
 #include <array>
 #include <charconv>
 
-namespace talus::formats::sweep {
+namespace talus::formats::toml {
 
 namespace {
 
@@ -68,7 +68,7 @@ std::string_view lastKey(std::string_view field) {
 std::optional<FieldPath> parseField(std::string_view field) { return FieldParser(field).parse(); }
 
 std::optional<JointField> jointField(const FieldPath& path) {
-    if (path.size() != 3 || path[0] != scenario::PathPart(std::string("joint"))) return std::nullopt;
+    if (path.size() != 3 || path[0] != PathPart(std::string("joint"))) return std::nullopt;
     const auto* joint = std::get_if<std::string>(&path[1]);
     const auto* key = std::get_if<std::string>(&path[2]);
     if (!joint || !key) return std::nullopt;
@@ -107,4 +107,4 @@ std::string unitOf(std::string_view field) {
     return "";
 }
 
-}  // namespace talus::formats::sweep
+}  // namespace talus::formats::toml

@@ -12,7 +12,7 @@
 
 #include "talus/result.h"
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 /// Where something stands in the text, 1-based; columns count code points.
 struct Place {
@@ -85,4 +85,4 @@ class Document {
     std::shared_ptr<void> root_;  ///< a toml::node, namely a table
 };
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

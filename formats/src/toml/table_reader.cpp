@@ -1,11 +1,11 @@
-#include "table_reader.h"
+#include "toml/table_reader.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "wording.h"
+#include "toml/wording.h"
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 namespace {
 
@@ -279,4 +279,4 @@ std::optional<std::string> TableReader::name(std::string_view key, bool may_be_e
     return std::nullopt;
 }
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml
