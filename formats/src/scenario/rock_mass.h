@@ -37,7 +37,8 @@ struct RockMassInput {
     std::string prefix;                                 ///< of its blocks' names
     std::vector<FixedEntry> fixed;
     std::vector<PointName> names;
-    double density = 0;
+    std::int32_t material = 0;
+    double density = 0;      ///< of that material [kg/m^3]
     std::int32_t joint = 0;  ///< strength of faces no joint made
     Place place;
 };

@@ -8,4 +8,7 @@ namespace talus::formats::scenario {
 
 void readSettings(TableReader& root, Model& model);
 
+/// Where a search ends if the file does not say: 45 deg, or half way up from a scenario steeper than that.
+double defaultStopDeg(double start_deg);
+
 }  // namespace talus::formats::scenario

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "scenario/fields.h"
 #include "scenario/properties.h"
 #include "sweep/case_table.h"
 #include "toml/field_path.h"
@@ -20,7 +21,7 @@ using namespace toml;
 constexpr std::size_t kMaxValues = 1'000'000;  // of one grid
 constexpr const char* kNameColumn = "name";
 
-constexpr Range kNumber{};
+constexpr Interval kNumber{};
 
 std::optional<SweepValue> scalarOf(Report& report, const Node& node, const std::string& field) {
     switch (node.kind()) {
@@ -66,7 +67,7 @@ class VariablesReader {
                     "\"water[0].depth\"");
             return {};
         }
-        const auto of_joint = jointField(*path);
+        const auto of_joint = scenario::jointField(*path);
         if (!of_joint || of_joint->joint != "*") return {written};
         std::vector<std::string> targets;
         for (const std::string& joint : joints_)
@@ -92,7 +93,7 @@ class VariablesReader {
 
     void add(Variable variable) {
         if (variable.column.targets.empty() || !claim(variable)) return;
-        variable.column.unit = unitOf(variable.column.name);
+        variable.column.unit = scenario::unitOf(variable.column.name);
         variables_.list.push_back(std::move(variable));
     }
 
@@ -319,7 +320,7 @@ class VariablesReader {
 
     bool checkJointFields(TableReader& table, const Variable& variable) {
         const auto known = [](const std::string& target) {
-            const auto of_joint = jointField(*parseField(target));
+            const auto of_joint = scenario::jointField(*parseField(target));
             const auto& keys = scenario::jointKeys();
             return of_joint && std::find(keys.begin(), keys.end(), of_joint->key) != keys.end();
         };
@@ -381,8 +382,8 @@ class VariablesReader {
                             numberText(kFarTail) + " standard deviations of the mean");
     }
 
-    static constexpr Range kShape{0.01, 1e6, false, false};  ///< of a beta distribution
-    static constexpr double kFarTail = 8;                    ///< [sd]
+    static constexpr Interval kShape{0.01, 1e6, false, false};  ///< of a beta distribution
+    static constexpr double kFarTail = 8;                       ///< [sd]
 
     Report& report_;
     TableReader& root_;

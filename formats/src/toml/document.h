@@ -36,6 +36,8 @@ class Node {
     std::int64_t integer() const;
     double real() const;
     bool boolean() const;
+    bool isNumber() const { return kind() == Kind::integer || kind() == Kind::real; }
+    double number() const { return kind() == Kind::integer ? static_cast<double>(integer()) : real(); }
     const std::string& text() const;
     std::size_t size() const;                              ///< of an array or a table
     Node at(std::size_t index) const;                      ///< of an array
