@@ -41,8 +41,4 @@ std::vector<WaterEntry> readWaters(Report& report, TableReader& root, const Wate
 void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const std::vector<Stack>& stacks,
                   const std::vector<std::vector<WetFace>>& rock_walls, Model& model);
 
-/// Reports water entries whose wet parts overlap on a common wall that stands normal to x, at the scenario's
-/// start tilt. Other walls, and water between two blocks, need the engine's geometry and are checked there.
-void checkWaterOverlaps(Report& report, const std::vector<WaterEntry>& entries, const Model& model);
-
 }  // namespace talus::formats::scenario
