@@ -11,14 +11,9 @@
 #include <vector>
 
 #include "talus/result.h"
+#include "toml/place.h"
 
 namespace talus::formats::toml {
-
-/// Where something stands in the text, 1-based; columns count code points.
-struct Place {
-    int line = 0;
-    int column = 0;
-};
 
 enum class Kind : std::uint8_t { table, array, text, integer, real, boolean, date };
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "toml/document.h"
+#include "toml/place.h"
 
 namespace talus::formats::toml {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scenario_texts.h"
+#include "talus/simulation.h"
 
 namespace talus::formats {
 
