@@ -27,6 +27,7 @@ const std::vector<House>& houses() {
         {"engine/src",
          {"simd", "geometry", "rock_mass", "model", "law", "state", "forces", "measure", "step", "contacts",
           "build", "frame", "analysis", "theory"}},
+        {"formats/src", {"toml", "mesh", "scenario", "sweep", "history", "mcap", "snapshot", "export"}},
     };
     return all;
 }

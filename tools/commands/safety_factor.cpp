@@ -17,17 +17,6 @@ struct SafetyFactorOptions {
     KeepRunOptions keep;
 };
 
-/// tan(phi) and C of every joint, peak and residual, over `factor`.
-std::vector<Joint> reduced(std::vector<Joint> joints, double factor) {
-    for (Joint& joint : joints) {
-        joint.friction = std::atan(std::tan(joint.friction) / factor);
-        joint.residual_friction = std::atan(std::tan(joint.residual_friction) / factor);
-        joint.cohesion /= factor;
-        joint.residual_cohesion /= factor;
-    }
-    return joints;
-}
-
 /// The closed formulas at reduced strength, at the model's own tilt.
 class ReducedTheory {
  public:
@@ -37,7 +26,7 @@ class ReducedTheory {
     }
 
     std::optional<theory::Prediction> at(double factor) {
-        model_.joints = reduced(joints_, factor);
+        for (std::size_t j = 0; j < joints_.size(); ++j) model_.joints[j] = reduced(joints_[j], factor);
         return theory::predict(model_);
     }
     bool slides(double factor) {

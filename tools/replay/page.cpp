@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "recording/snapshot_view.h"
+#include "talus/motion_roles.h"
 
 namespace talus::tools {
 
@@ -84,6 +85,16 @@ std::string repacked(formats::SnapshotReader& reader, const std::string& path, c
     return contentOf(file.path());
 }
 
+/// The rule by which the page says what a block does.
+std::string motionRule() {
+    const Json rule{{"deflections", MotionRule::kDeflections},
+                    {"share", MotionRule::kShare},
+                    {"toppling", MotionRule::kToppling},
+                    {"pure", MotionRule::kPure},
+                    {"deflectionOfSize", MotionRule::kDeflectionOfSize}};
+    return "<script id=\"motion-rule\" type=\"application/json\">" + rule.dump() + "</script>\n";
+}
+
 void appendBase64(std::string_view bytes, std::string& out) {
     static constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (std::size_t k = 0; k < bytes.size(); k += 3) {
@@ -112,6 +123,7 @@ std::string replayPage(std::string_view snapshot) {
     const std::size_t place = kReplayPage.find(kPlace);
     std::string page(kReplayPage.substr(0, place));
     page.reserve(kReplayPage.size() + snapshot.size() / 3 * 4 + snapshot.size() / kPieceBytes * 100 + 1000);
+    page += motionRule();
     for (std::size_t k = 0; k < snapshot.size(); k += kPieceBytes) {
         page += "<script class=\"snapshot\" type=\"text/plain\">";
         appendBase64(snapshot.substr(k, kPieceBytes), page);

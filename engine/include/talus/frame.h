@@ -5,9 +5,12 @@
 //
 // SI units and radians. Vectors of begins: item k owns [begin[k], begin[k + 1]); they have one entry more than items.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "talus/joint.h"
 
 namespace talus {
 
@@ -136,9 +139,14 @@ struct FrameWaters {
 
 /// Strengths per joint as the contact law uses them.
 struct FrameLaws {
-    std::vector<double> normal_stiffness, shear_stiffness, tan_friction, cohesion, tensile_strength;
-    std::vector<double> residual_tan_friction, residual_cohesion, tan_dilation;
+    std::array<std::vector<double>, kJointPropertyCount>
+        parameters;  ///< in the order of kJointProperties (lawValue)
     std::vector<std::uint8_t> bonded;
+
+    std::vector<double>& of(double Joint::*property) { return parameters[jointProperty(property)]; }
+    const std::vector<double>& of(double Joint::*property) const {
+        return parameters[jointProperty(property)];
+    }
 };
 
 struct FrameLoads {
@@ -173,8 +181,6 @@ struct FullFrame {
     QuaternionList search_orientation;
     double search_margin = 0;  ///< [m]
     RunProgress progress;
-    double invalid_since =
-        -1;                 ///< time from which a contact came about that is not modelled; negative: none [s]
     double shear_lost = 0;  ///< [N]
     std::vector<std::string> warnings;
     double origin_x = 0, origin_y = 0, origin_z = 0;  ///< of all positions, in the model frame [m]

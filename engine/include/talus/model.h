@@ -10,25 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "talus/joint.h"
 #include "talus/polyhedron.h"
 #include "talus/result.h"
 
 namespace talus {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Strength and stiffness of an interface (Mohr-Coulomb, eqs 5-9 of the paper).
-struct Joint {
-    std::string name;
-    double normal_stiffness = 0;   ///< k_n [Pa/m]
-    double shear_stiffness = 0;    ///< k_s [Pa/m]
-    double friction = 0;           ///< phi [rad]
-    double cohesion = 0;           ///< C [Pa]
-    double tensile_strength = 0;   ///< sigma_t [Pa]
-    double residual_cohesion = 0;  ///< C_r, after the first slip or opening [Pa]
-    double residual_friction = 0;  ///< phi_r, after the first slip [rad]
-    double dilation = 0;           ///< psi, opening per slip [rad]
-};
 
 enum class Motion : std::uint8_t { free, fixed, driven };
 
@@ -37,6 +25,7 @@ struct Block {
     Polyhedron shape;    ///< in the model frame
     double density = 0;  ///< [kg/m^3]
     Motion motion = Motion::free;
+    std::int32_t material = 0;             ///< which of the scenario's, for whoever changes its density
     Vec3 velocity = Vec3::Zero();          ///< initial; kept when driven [m/s]
     std::vector<std::int32_t> face_joint;  ///< one joint index per face of the shape
     std::string field{};  ///< where the scenario speaks of it ("stack[0]", "block[2]"), for messages

@@ -82,8 +82,8 @@ Result<RunResult> run(const Model& model, const Control& control, const RunOutpu
                       const FullFrame* resume = nullptr);
 
 /// Time history of a failure that a search has found: from the state in which it was let go, at rest at time 0, to
-/// `run.duration`, or to the first frame at which some block has gone `far_enough` [m]. Poses, contacts and the shares of
-/// weight and water are the state's; tilt, strengths and damping are the model's, so they should be those it fails at.
+/// `run.duration`, or to the first frame at which some block has gone `far_enough` [m]. Poses, contacts, strengths and the
+/// shares of weight and water are the state's; tilt and damping are the model's, so they should be those it fails at.
 /// Inertia is the true one. Frames as of `run`; any full one resumes to the same bits there. Errors: as of `run`.
 Result<RunResult> runFailing(const Model& model, const Control& control, const RunOutput& output,
                              const FullFrame& failing, double far_enough);

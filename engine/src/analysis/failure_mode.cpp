@@ -10,6 +10,7 @@
 #include "state/incidence.h"
 #include "step/step.h"
 #include "step/time_step.h"
+#include "talus/motion_roles.h"
 
 namespace talus::analysis {
 namespace {
@@ -23,26 +24,26 @@ constexpr int kStepsPerLook = 20;
 constexpr std::int64_t kMostSteps = 400'000;
 constexpr std::int64_t kStepsPerRestCheck = 20'000;
 constexpr double kAtRest = 1e-3;  // of the largest kinetic energy seen: the motion has come to rest
-// A block moves when it goes this many times the deflection at rest, and this share of the farthest one's way. (A larger
-// share would leave out columns that slide behind others which rocking has given a start.)
-constexpr double kMovingDeflections = 2.0, kMovingShare = 0.02;
-constexpr double kTopplingShare = 0.25;  // rotation times the moving group's extent, over the motion
-constexpr double kPureShare = 0.9;       // share of the moving mass that gives the whole its mode
 
 struct Poses {
     PositionArray position;
     QuaternionArray orientation;
 };
 
-double motionSince(const State& state, const Poses& start, std::size_t b) {
-    return (state.blocks.position.get(b) - start.position.get(b)).norm() +
-           stages::rotationFrom(start.orientation, state.blocks.orientation, b) * state.geometry->radius[b];
+BlockWay waySince(const State& state, const Poses& start, std::size_t b) {
+    return {.free = state.blocks.motion[b] == Motion::free,
+            .position = state.blocks.position.get(b),
+            .radius = state.geometry->radius[b],
+            .translation = (state.blocks.position.get(b) - start.position.get(b)).norm(),
+            .rotation = stages::rotationFrom(start.orientation, state.blocks.orientation, b),
+            .mass = state.blocks.mass[b]};
 }
 
 double largestMotion(const State& state, const Poses& start) {
     double largest = 0;
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
-        if (state.blocks.motion[b] == Motion::free) largest = std::max(largest, motionSince(state, start, b));
+        if (state.blocks.motion[b] == Motion::free)
+            largest = std::max(largest, waySince(state, start, b).way());
     return largest;
 }
 
@@ -85,67 +86,32 @@ void addContactEvidence(const State& state, std::size_t block, BlockMotion& moti
     motion.mobilised_friction = strength > 0 ? std::min(1.0, shear / strength) : 0.0;
 }
 
-/// Diagonal of the box around the moving blocks: the length that makes a rotation comparable with a translation. A
-/// block that turns about a pivot within reach of the moving group topples; one whose pivot is far away slides.
-double movingExtent(const State& state, const std::vector<char>& moving) {
-    Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
-    for (std::size_t b = 0; b < moving.size(); ++b) {
-        if (!moving[b]) continue;
-        const Vec3 reach = Vec3::Constant(state.geometry->radius[b]);
-        low = low.cwiseMin(state.blocks.position.get(b) - reach);
-        high = high.cwiseMax(state.blocks.position.get(b) + reach);
-    }
-    return (high - low).norm();
-}
-
-BlockMotion describeBlock(const State& state, const Poses& start, std::size_t b, double extent, bool moving) {
+BlockMotion describeBlock(const State& state, const Poses& start, std::size_t b, const BlockWay& way,
+                          FailureMode role) {
     BlockMotion motion;
     motion.block = state.geometry->model.blocks[b].name;
+    motion.mode = role;
+    motion.moving = role != FailureMode::none;
     motion.translation = state.blocks.position.get(b) - start.position.get(b);
-    motion.rotation = stages::rotationFrom(start.orientation, state.blocks.orientation, b);
-    const double turned = motion.rotation * state.geometry->radius[b];
-    const double whole = turned + motion.translation.norm();
-    motion.rotation_share = whole > 0 ? turned / whole : 0.0;
-    motion.moving = moving;
+    motion.rotation = way.rotation;
+    motion.rotation_share = way.way() > 0 ? way.rotation * way.radius / way.way() : 0.0;
     addContactEvidence(state, b, motion);
-    if (!moving) return motion;
-    const bool topples = motion.rotation * extent > kTopplingShare * whole;
-    motion.mode = topples ? FailureMode::toppling : FailureMode::sliding;
     return motion;
-}
-
-FailureMode overallMode(const State& state, const std::vector<BlockMotion>& motions,
-                        const std::vector<std::size_t>& blocks) {
-    double sliding = 0, toppling = 0;
-    for (std::size_t k = 0; k < motions.size(); ++k) {
-        const double mass = state.blocks.mass[blocks[k]];
-        if (motions[k].mode == FailureMode::sliding) sliding += mass;
-        if (motions[k].mode == FailureMode::toppling) toppling += mass;
-    }
-    const double all = sliding + toppling;
-    if (all == 0) return FailureMode::none;
-    if (sliding >= kPureShare * all) return FailureMode::sliding;
-    return toppling >= kPureShare * all ? FailureMode::toppling : FailureMode::mixed;
 }
 
 void describeFailure(const State& state, const Poses& start, double deflection, Failure& failure) {
     failure.motions.clear();
     failure.moving_blocks.clear();
-    const double least =
-        std::max(kMovingDeflections * deflection, kMovingShare * largestMotion(state, start));
-    std::vector<char> moving(state.blocks.size(), 0);
-    for (std::size_t b = 0; b < moving.size(); ++b)
-        moving[b] = state.blocks.motion[b] == Motion::free && motionSince(state, start, b) > least;
-    const double extent = movingExtent(state, moving);
-    std::vector<std::size_t> blocks;
-    for (std::size_t b = 0; b < moving.size(); ++b) {
-        if (state.blocks.motion[b] != Motion::free) continue;
-        failure.motions.push_back(describeBlock(state, start, b, extent, moving[b] != 0));
-        blocks.push_back(b);
-        if (moving[b]) failure.moving_blocks.push_back(failure.motions.back().block);
+    std::vector<BlockWay> ways;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) ways.push_back(waySince(state, start, b));
+    const std::vector<FailureMode> roles = motionRoles(ways, deflection);
+    for (std::size_t b = 0; b < ways.size(); ++b) {
+        if (!ways[b].free) continue;
+        failure.motions.push_back(describeBlock(state, start, b, ways[b], roles[b]));
+        if (failure.motions.back().moving) failure.moving_blocks.push_back(failure.motions.back().block);
     }
     std::sort(failure.moving_blocks.begin(), failure.moving_blocks.end());
-    failure.mode = overallMode(state, failure.motions, blocks);
+    failure.mode = overallMode(ways, roles);
 }
 
 }  // namespace

@@ -69,8 +69,7 @@ struct Poses {
 
 /// Where the same model comes to rest with joints that hold.
 std::optional<Poses> findHeld(Model model, const Control& control, bool parallel) {
-    for (Joint& joint : model.joints)
-        joint.cohesion = joint.tensile_strength = joint.residual_cohesion = kHeldStrength;
+    for (Joint& joint : model.joints) joint = holding(std::move(joint), kHeldStrength);
     Result<State> held = buildState(std::move(model), parallel);
     if (!held || !comesToRest(*held, control, parallel)) return std::nullopt;
     return Poses{std::move(held->blocks.position), std::move(held->blocks.orientation)};

@@ -113,7 +113,6 @@ class TimeHistory {
         state_.time = state_.load.time = 0;
         state_.step = 0;
         state_.load.tilt = model.gravity.tilt;
-        state_.laws = jointLaws(model.joints);
         state_.damping = model.damping;
         state_.release = 1.0;
         setInertia(state_, std::vector<double>(state_.blocks.size(), 1.0));

@@ -247,6 +247,20 @@ std::vector<Error> sharedWetErrors(const State& state) {
     return {};
 }
 
+/// Waters that wet the same part of a face under the present load, each at the highest of its levels over time.
+/// \post the pressures are those
+std::vector<Error> overlapErrors(State& state) {
+    for (std::size_t water = 0; water < state.pressure.size(); ++water) {
+        const Load load = state.load;
+        for (const LevelPoint& point : state.geometry->model.waters[water].level)
+            if (point.value >= levelAt(state.geometry->model.waters[water], state.load.time))
+                state.load.time = point.time;
+        state.pressure[water] = pressureField(state, water);
+        state.load = load;
+    }
+    return sharedWetErrors(state);
+}
+
 void clearWet(State& state) {
     state.wet = {};
     state.wet.vertex_begin.push_back(0);
@@ -332,17 +346,13 @@ PressureField pressureField(const State& state, std::size_t index) {
 std::vector<Error> buildWater(State& state) {
     makeWalls(state);
     std::vector<Error> errors = dryErrors(state);
-    if (!errors.empty()) return errors;
-    for (std::size_t water = 0; water < state.pressure.size(); ++water) {
-        // The highest level of a table over time is the one that can overlap another water.
-        const Load load = state.load;
-        for (const LevelPoint& point : state.geometry->model.waters[water].level)
-            if (point.value >= levelAt(state.geometry->model.waters[water], state.load.time))
-                state.load.time = point.time;
-        state.pressure[water] = pressureField(state, water);
-        state.load = load;
+    const double tilt = state.load.tilt;
+    if (const auto start = state.geometry->model.analysis.start; errors.empty() && start && *start != tilt) {
+        state.load.tilt = *start;
+        errors = overlapErrors(state);
+        state.load.tilt = tilt;
     }
-    errors = sharedWetErrors(state);
+    if (errors.empty()) errors = overlapErrors(state);
     state.water_load.assign(state.water_load.size(), WaterLoad{});
     return errors;
 }

@@ -88,10 +88,7 @@ void addWaterLoads(const State& state, FrameWaters& waters) {
 
 void addLaws(const State& state, FrameLaws& laws) {
     const std::size_t n = state.laws.size();
-    for (auto* values :
-         {&laws.normal_stiffness, &laws.shear_stiffness, &laws.tan_friction, &laws.cohesion,
-          &laws.tensile_strength, &laws.residual_tan_friction, &laws.residual_cohesion, &laws.tan_dilation})
-        values->resize(n);
+    for (std::vector<double>& values : laws.parameters) values.resize(n);
     laws.bonded.resize(n);
     for (std::size_t joint = 0; joint < n; ++joint) eachLawField(state.laws[joint], laws, joint, ToFrame{});
 }

@@ -3,6 +3,7 @@
 // reading a frame both go through it, so neither can forget what the other knows. An array added to arrays.h that does
 // not follow from others belongs here, in talus/frame.h and in formats/snapshot.fbs.
 
+#include "law/joint_laws.h"
 #include "state/arrays.h"
 #include "talus/frame.h"
 
@@ -72,14 +73,8 @@ void eachWetField(Wet& s, FrameWet& f, const Pair& pair) {
 
 template <class Law, class FrameLaws, class Pair>
 void eachLawField(Law& law, FrameLaws& f, std::size_t joint, const Pair& pair) {
-    pair(law.normal_stiffness, f.normal_stiffness[joint]);
-    pair(law.shear_stiffness, f.shear_stiffness[joint]);
-    pair(law.tan_friction, f.tan_friction[joint]);
-    pair(law.cohesion, f.cohesion[joint]);
-    pair(law.tensile_strength, f.tensile_strength[joint]);
-    pair(law.residual_tan_friction, f.residual_tan_friction[joint]);
-    pair(law.residual_cohesion, f.residual_cohesion[joint]);
-    pair(law.tan_dilation, f.tan_dilation[joint]);
+    for (std::size_t p = 0; p < kJointPropertyCount; ++p)
+        pair(law.*kLawParameters[p], f.parameters[p][joint]);
     pair(law.bonded, f.bonded[joint]);
 }
 
@@ -97,7 +92,6 @@ void eachScalar(State& s, FullFrame& f, const Pair& pair) {
     pair(s.damping.local, f.loads.local_damping);
     pair(s.release, f.loads.release);
     pair(s.search_margin, f.search_margin);
-    pair(s.invalid_since, f.invalid_since);
     pair(s.shear_lost, f.shear_lost);
 }
 

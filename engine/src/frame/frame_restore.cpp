@@ -14,6 +14,7 @@
 #include "state/block_motion.h"
 #include "state/incidence.h"
 #include "state/point_layout.h"
+#include "talus/frame_table.h"
 
 namespace talus {
 namespace {
@@ -43,71 +44,27 @@ struct FromFrame {
 struct AllFinite {
     bool* finite;
 
-    void check(const std::vector<double>& values) const {
+    void operator()(const std::vector<double>& values) const {
         for (const double value : values) *finite = *finite && std::isfinite(value);
     }
-    template <class S>
-    void operator()(const S&, const VectorList<double>& f) const {
-        check(f.x), check(f.y), check(f.z);
-    }
-    template <class S>
-    void operator()(const S&, const QuaternionList& f) const {
-        check(f.w), check(f.x), check(f.y), check(f.z);
-    }
+    void operator()(const VectorList<double>& f) const { (*this)(f.x), (*this)(f.y), (*this)(f.z); }
+    void operator()(const QuaternionList& f) const { (*this)(f.w), (*this)(f.x), (*this)(f.y), (*this)(f.z); }
+    template <class B>
+    void operator()(const std::vector<B>&) const {}  // readings, indices and flags
     template <class S, class B>
-    void operator()(const S&, const std::vector<B>& f) const {
-        if constexpr (std::is_same_v<B, double>) check(f);
-    }
-    template <class S, class B>
-    std::enable_if_t<std::is_arithmetic_v<B>> operator()(const S&, const B& f) const {
+    void operator()(const S&, const B& f) const {
         if constexpr (std::is_floating_point_v<B>) *finite = *finite && std::isfinite(f);
     }
 };
 
-/// Whether all arrays of one structure have the same size.
-struct AllSized {
-    std::size_t n;
-    bool* sized;
-
-    void operator()(const std::vector<double>& values) const { *sized = *sized && values.size() == n; }
-    template <class S>
-    void operator()(const S&, const VectorList<double>& f) const {
-        (*this)(f.x), (*this)(f.y), (*this)(f.z);
-    }
-    template <class S>
-    void operator()(const S&, const QuaternionList& f) const {
-        (*this)(f.w), (*this)(f.x), (*this)(f.y), (*this)(f.z);
-    }
-    template <class S, class B>
-    void operator()(const S&, const std::vector<B>& f) const {
-        *sized = *sized && f.size() == n;
-    }
-};
-
-template <class Index>
-bool within(const std::vector<Index>& values, std::int64_t low, std::int64_t high) {
-    for (const Index value : values)
-        if (value < low || value >= high) return false;
-    return true;
-}
-
-/// Begins of `items` ranges, each at least `least` long, that cover [0, total).
-bool areBegins(const std::vector<std::int64_t>& begins, std::size_t items, std::size_t total,
-               std::int64_t least) {
-    if (begins.size() != items + 1 || begins.front() != 0) return false;
-    if (begins.back() != static_cast<std::int64_t>(total)) return false;
-    for (std::size_t k = 0; k < items; ++k)
-        if (begins[k] > begins.back() || begins[k + 1] - begins[k] < least) return false;
-    return true;
-}
-
-bool blocksFit(const FullFrame& frame, const State& state) {
-    bool fits = true;
-    const AllSized sized{state.blocks.size(), &fits};
-    eachBlockField(state.blocks, frame.blocks, sized);
-    sized(0, frame.search_position);
-    sized(0, frame.search_orientation);
-    return fits;
+bool isFinite(const FullFrame& frame) {
+    bool finite = true;
+    eachFrameArray(frame, [&](std::string_view, const auto& field, const auto& array) {
+        if (!field.traits.any_number) AllFinite{&finite}(array);
+    });
+    const State state{};
+    eachScalar(state, frame, AllFinite{&finite});
+    return finite;
 }
 
 bool facesFit(const FrameInterfaces& f, const State& state) {
@@ -123,23 +80,6 @@ bool facesFit(const FrameInterfaces& f, const State& state) {
     return true;
 }
 
-bool interfacesFit(const FullFrame& frame, const State& state) {
-    const FrameInterfaces& f = frame.interfaces;
-    bool fits = true;
-    const AllSized sized{f.size(), &fits};
-    for (const auto* index : {&f.block_b, &f.face_a, &f.face_b, &f.joint}) sized(0, *index);
-    sized(f.area);
-    for (const auto* vector : {&f.origin_a, &f.e1_a, &f.e2_a, &f.origin_b, &f.e1_b, &f.e2_b, &f.reference_gap,
-                               &f.force, &f.moment_a, &f.moment_b})
-        sized(0, *vector);
-    const auto blocks = static_cast<std::int64_t>(state.blocks.size());
-    return fits && within(f.block_a, 0, blocks) && within(f.block_b, 0, blocks) &&
-           within(f.joint, 0, static_cast<std::int64_t>(state.laws.size())) && facesFit(f, state) &&
-           f.patch_xi.size() == f.patch_eta.size() &&
-           areBegins(f.patch_begin, f.size(), f.patch_xi.size(), 1) &&
-           areBegins(f.point_begin, f.size(), frame.points.size(), 1) && placesFit(f);
-}
-
 std::vector<Eigen::Vector2d> outlineOf(const FrameInterfaces& f, std::size_t i) {
     std::vector<Eigen::Vector2d> outline;
     for (auto v = static_cast<std::size_t>(f.patch_begin[i]);
@@ -151,17 +91,9 @@ std::vector<Eigen::Vector2d> outlineOf(const FrameInterfaces& f, std::size_t i) 
 /// Lps as many as the rule gives on each patch.
 bool pointsFit(const FullFrame& frame, const PointRule& rule, bool dilates) {
     const FramePoints& f = frame.points;
-    bool fits = true;
-    const AllSized sized{f.size(), &fits};
-    for (const auto* values :
-         {&f.xi, &f.eta, &f.offset_1, &f.offset_2, &f.bond, &f.normal, &f.shear_1, &f.shear_2})
-        sized(*values);
-    for (const double area : f.area) fits = fits && area > 0;
-    for (const auto* values :
-         {&f.xi, &f.eta, &f.area, &f.offset_1, &f.offset_2, &f.bond, &f.normal, &f.shear_1, &f.shear_2,
-          &f.dilation, &frame.interfaces.patch_xi, &frame.interfaces.patch_eta})
-        AllFinite{&fits}.check(*values);
-    if (!fits || f.dilation.size() != (dilates ? f.size() : 0)) return false;
+    for (const double area : f.area)
+        if (!(area > 0)) return false;
+    if (f.dilation.size() != (dilates ? f.size() : 0)) return false;
     for (std::size_t i = 0; i < frame.interfaces.size(); ++i)
         if (frame.interfaces.point_begin[i + 1] - frame.interfaces.point_begin[i] !=
             static_cast<std::int64_t>(contact::pointCount(outlineOf(frame.interfaces, i), rule)))
@@ -169,20 +101,8 @@ bool pointsFit(const FullFrame& frame, const PointRule& rule, bool dilates) {
     return true;
 }
 
-bool wetFits(const FullFrame& frame, const State& state) {
-    const FrameWetPatches& f = frame.wet;
-    const std::size_t waters = state.geometry->model.waters.size();
-    bool fits = true;
-    const AllSized sized{f.block.size(), &fits};
-    sized(0, f.water), sized(0, f.interface), sized(0, f.computed_orientation);
-    for (const auto* vector : {&f.origin, &f.e1, &f.e2, &f.head, &f.force, &f.moment, &f.computed_position})
-        sized(0, *vector);
-    if (!fits || !within(f.block, 0, static_cast<std::int64_t>(state.blocks.size())) ||
-        !within(f.interface, -1, static_cast<std::int64_t>(frame.interfaces.size())) ||
-        f.vertex_x.size() != f.vertex_y.size() ||
-        !areBegins(f.vertex_begin, f.block.size(), f.vertex_x.size(), 3) ||
-        !areBegins(f.water_begin, waters, f.block.size(), 0))
-        return false;
+/// Walls that are polygons, sorted by water.
+bool wetFits(const FrameWetPatches& f) {
     for (std::size_t w = 0; w < f.block.size(); ++w) {
         Polygon wall;
         for (auto v = static_cast<std::size_t>(f.vertex_begin[w]);
@@ -190,31 +110,10 @@ bool wetFits(const FullFrame& frame, const State& state) {
             wall.push({f.vertex_x[v], f.vertex_y[v]});
         if (!(area(wall) > 0)) return false;
     }
-    for (std::size_t water = 0; water < waters; ++water)
+    for (std::size_t water = 0; water + 1 < f.water_begin.size(); ++water)
         for (auto w = f.water_begin[water]; w < f.water_begin[water + 1]; ++w)
             if (f.water[static_cast<std::size_t>(w)] != static_cast<std::int32_t>(water)) return false;
     return true;
-}
-
-bool watersFit(const FrameWaters& f, std::size_t waters) {
-    bool fits = true;
-    const AllSized sized{waters, &fits};
-    for (const auto* values : {&f.p0, &f.tilt, &f.share, &f.level}) sized(*values);
-    sized(0, f.gradient), sized(0, f.load_drained), sized(0, f.drained);
-    return fits;
-}
-
-bool lawsFit(const FrameLaws& f, std::size_t joints) {
-    bool fits = true;
-    const AllSized sized{joints, &fits};
-    for (const auto* values :
-         {&f.normal_stiffness, &f.shear_stiffness, &f.tan_friction, &f.cohesion, &f.tensile_strength,
-          &f.residual_tan_friction, &f.residual_cohesion, &f.tan_dilation}) {
-        sized(*values);
-        AllFinite{&fits}.check(*values);
-    }
-    sized(0, f.bonded);
-    return fits;
 }
 
 /// Patches and Lps in the layout of the kernel, which follows from their order.
@@ -281,7 +180,7 @@ std::uint64_t hashOf(const FullFrame& frame) {
 
 namespace {
 
-Error misfit(const std::string& field) {
+Error misfitError(const std::string& field) {
     return {field,
             "the full frame does not fit its scenario or is damaged; allowed: a frame of the same model"};
 }
@@ -289,22 +188,18 @@ Error misfit(const std::string& field) {
 }  // namespace
 
 std::vector<Error> restoreFrame(const FullFrame& frame, State& state) {
-    if (!lawsFit(frame.laws, state.laws.size())) return {misfit("full.laws")};
+    const FrameCounts counts{state.blocks.size(), state.geometry->model.waters.size(), state.laws.size()};
+    if (const auto field = misfit(frame, counts)) return {misfitError("full." + *field)};
+    if (!isFinite(frame) || !(frame.loads.release > 0) || !(frame.search_margin > 0))
+        return {misfitError("full")};
     for (std::size_t joint = 0; joint < state.laws.size(); ++joint)
         eachLawField(state.laws[joint], frame.laws, joint, FromFrame{});
     const bool dilates = std::any_of(state.laws.begin(), state.laws.end(),
                                      [](const contact::JointLaw& law) { return law.tan_dilation != 0; });
-    if (!blocksFit(frame, state)) return {misfit("full.blocks")};
-    if (!interfacesFit(frame, state)) return {misfit("full.interfaces")};
-    if (!pointsFit(frame, state.geometry->model.points, dilates)) return {misfit("full.points")};
-    if (!wetFits(frame, state)) return {misfit("full.wet")};
-    if (!watersFit(frame.waters, state.geometry->model.waters.size())) return {misfit("full.waters")};
-    bool finite = true;
-    eachField(state, frame, AllFinite{&finite});
-    const auto checkList = [&](auto, const VectorList<double>& list) { AllFinite{&finite}(0, list); };
-    eachFrameVector(frame.interfaces, checkList);
-    eachWrenchVector(frame.interfaces, checkList);
-    if (!finite || !(frame.loads.release > 0) || !(frame.search_margin > 0)) return {misfit("full")};
+    if (!facesFit(frame.interfaces, state) || !placesFit(frame.interfaces))
+        return {misfitError("full.interfaces")};
+    if (!pointsFit(frame, state.geometry->model.points, dilates)) return {misfitError("full.points")};
+    if (!wetFits(frame.wet)) return {misfitError("full.wet")};
 
     eachField(state, frame, FromFrame{});
     restorePatches(frame, state);

@@ -251,9 +251,7 @@ struct State {
     PositionArray search_position;        ///< poses at the last neighbour search
     QuaternionArray search_orientation;
     double search_margin = 0;  ///< gap up to which that search made interfaces [m]
-    double invalid_since =
-        -1;                 ///< time at which a contact came about that is not modelled; negative: none [s]
-    double shear_lost = 0;  ///< shear force that could not be carried over to clipped patches, in all [N]
+    double shear_lost = 0;     ///< shear force that could not be carried over to clipped patches, in all [N]
     std::vector<std::string> warnings;
 };
 

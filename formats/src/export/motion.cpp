@@ -3,12 +3,10 @@
 #include <algorithm>
 
 #include "export/placed.h"
+#include "talus/motion_roles.h"
 
 namespace talus::formats {
 namespace {
-
-constexpr double kMovingShare = 0.1;     // of the farthest block's way
-constexpr double kTopplingShare = 0.25;  // rotation times the moving group's extent, over the motion
 
 Mat3 turnOf(const Vec3& rotation) {
     const double angle = rotation.norm();
@@ -28,30 +26,18 @@ double radiusOf(const RunGeometry& geometry, std::size_t b) {
 std::vector<FailureMode> failureRoles(const SnapshotHeader& header, const LightFrame& frame) {
     if (header.failure) return header.failure->roles;
     const RunGeometry& g = header.geometry;
-    const std::size_t n = header.names.size();
-    std::vector<double> motion(n, 0.0), radius(n, 0.0);
-    for (std::size_t b = 0; b < n; ++b) {
-        if (header.motions[b] != Motion::free) continue;
-        radius[b] = radiusOf(g, b);
-        motion[b] = at(frame.displacement, b).norm() + at(frame.rotation, b).norm() * radius[b];
+    std::vector<BlockWay> ways(header.names.size());
+    double smallest = kInfinity;
+    for (std::size_t b = 0; b < ways.size(); ++b) {
+        ways[b].free = header.motions[b] == Motion::free;
+        if (!ways[b].free) continue;
+        ways[b].position = at(g.centroid, b) + at(frame.displacement, b);
+        ways[b].radius = radiusOf(g, b);
+        ways[b].translation = at(frame.displacement, b).norm();
+        ways[b].rotation = at(frame.rotation, b).norm();
+        smallest = std::min(smallest, g.size[b]);
     }
-    const double farthest = n > 0 ? *std::max_element(motion.begin(), motion.end()) : 0.0;
-    const auto moves = [&](std::size_t b) { return motion[b] > kMovingShare * farthest; };
-    Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
-    for (std::size_t b = 0; b < n; ++b) {
-        if (!moves(b)) continue;
-        const Vec3 position = at(g.centroid, b) + at(frame.displacement, b);
-        low = low.cwiseMin(position - Vec3::Constant(radius[b]));
-        high = high.cwiseMax(position + Vec3::Constant(radius[b]));
-    }
-    const double extent = (high - low).norm();
-    std::vector<FailureMode> roles(n, FailureMode::none);
-    for (std::size_t b = 0; b < n; ++b)
-        if (moves(b))
-            roles[b] = at(frame.rotation, b).norm() * extent > kTopplingShare * motion[b]
-                           ? FailureMode::toppling
-                           : FailureMode::sliding;
-    return roles;
+    return motionRoles(ways, MotionRule::kDeflectionOfSize * smallest);
 }
 
 std::vector<Vec3> placedVertices(const SnapshotHeader& header, const LightFrame& frame) {

@@ -2,9 +2,9 @@
 // counted from 1, or backwards from -1.
 
 #include "mesh/builder.h"
-#include "scenario/file_text.h"
-#include "scenario/wording.h"
 #include "talus/formats/mesh.h"
+#include "toml/file_text.h"
+#include "toml/wording.h"
 
 namespace talus::formats {
 
@@ -35,8 +35,8 @@ class ObjReader {
             const std::string_view word = words_.next();
             const auto value = mesh::numberOf(word);
             if (!value)
-                return builder_.fault(words_.line(), "found " + scenario::quoted(word) +
-                                                         ", allowed: v with three finite numbers");
+                return builder_.fault(
+                    words_.line(), "found " + toml::quoted(word) + ", allowed: v with three finite numbers");
             coordinate = *value;
         }
         vertices_.push_back(builder_.vertex(position));
@@ -50,7 +50,7 @@ class ObjReader {
             const auto index = indexOf(word);
             if (!index)
                 return builder_.fault(words_.line(),
-                                      "found the corner " + scenario::quoted(word) + ", allowed: 1 to " +
+                                      "found the corner " + toml::quoted(word) + ", allowed: 1 to " +
                                           std::to_string(vertices_.size()) + ", or -1 to -" +
                                           std::to_string(vertices_.size()) + ", the vertices listed before");
             corners.push_back(*index);
@@ -102,7 +102,7 @@ class ObjReader {
 }  // namespace
 
 Result<TriangleSurface> readObj(const std::string& path, double scale) {
-    const auto content = scenario::readFileText(path);
+    const auto content = toml::readFileText(path);
     if (!content) return content.errors();
     SurfaceBuilder builder(path, scale);
     return ObjReader(*content, builder).read();

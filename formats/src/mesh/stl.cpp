@@ -5,9 +5,9 @@
 #include <cstring>
 
 #include "mesh/builder.h"
-#include "scenario/file_text.h"
-#include "scenario/wording.h"
 #include "talus/formats/mesh.h"
+#include "toml/file_text.h"
+#include "toml/wording.h"
 
 namespace talus::formats {
 
@@ -59,7 +59,7 @@ class TextReader {
                 facet_line_ = words_.line();
             } else if (!word.empty() && word != "outer" && word != "solid" && word != "endsolid") {
                 return builder_.fault(words_.line(),
-                                      "found " + scenario::quoted(word) +
+                                      "found " + toml::quoted(word) +
                                           ", allowed: facet, outer loop, vertex, endloop, endfacet");
             }
         }
@@ -73,7 +73,7 @@ class TextReader {
             const std::string_view word = words_.next();
             const auto value = mesh::numberOf(word);
             if (!value)
-                return builder_.fault(words_.line(), "found " + scenario::quoted(word) +
+                return builder_.fault(words_.line(), "found " + toml::quoted(word) +
                                                          ", allowed: vertex with three finite numbers");
             coordinate = *value;
         }
@@ -95,7 +95,7 @@ class TextReader {
 }  // namespace
 
 Result<TriangleSurface> readStl(const std::string& path, double scale) {
-    const auto content = scenario::readFileText(path);
+    const auto content = toml::readFileText(path);
     if (!content) return content.errors();
     SurfaceBuilder builder(path, scale);
     const std::string& bytes = *content;

@@ -1,10 +1,8 @@
-#include "directory.h"
+#include "scenario/directory.h"
 
 #include <algorithm>
 #include <charconv>
 #include <unordered_set>
-
-#include "wording.h"
 
 namespace talus::formats::scenario {
 

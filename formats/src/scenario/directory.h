@@ -7,9 +7,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "placed_block.h"
-#include "report.h"
-#include "stack.h"
+#include "scenario/placed_block.h"
+#include "scenario/reading.h"
+#include "scenario/stack.h"
 
 namespace talus::formats::scenario {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "document.h"
-#include "table_reader.h"
-#include "write_document.h"
+#include "scenario/reading.h"
+#include "toml/document.h"
+#include "toml/write_document.h"
 
 namespace talus::formats {
 
@@ -16,10 +16,6 @@ using Path = std::vector<PathPart>;
 
 double inDegrees(double radians) { return radians / kRadPerDeg; }
 
-double numberOf(const Node& node) {
-    return node.kind() == Kind::integer ? static_cast<double>(node.integer()) : node.real();
-}
-
 Path below(Path path, PathPart part) {
     path.push_back(std::move(part));
     return path;
@@ -28,11 +24,12 @@ Path below(Path path, PathPart part) {
 /// Calls visit(path, node) for the element or for each element of an array, or of arrays in arrays.
 template <class Visit>
 void eachNumber(const Node& node, const Path& path, const Visit& visit) {
-    if (node.kind() == Kind::integer || node.kind() == Kind::real) return visit(path, numberOf(node));
+    if (node.isNumber()) return visit(path, node.number());
     if (node.kind() != Kind::array) return;
     for (std::size_t i = 0; i < node.size(); ++i) eachNumber(node.at(i), below(path, i), visit);
 }
 
+/// Writes into the text what a search changes in the model.
 class Editor {
  public:
     Editor(Document& document, const Scenario& scenario) : document_(document), scenario_(scenario) {}
@@ -71,25 +68,27 @@ class Editor {
         eachTable(root, "interface",
                   [&](const Node& table, const Path& path) { divideStrengths(table, path, factor); });
         eachTable(root, "stack", [&](const Node& table, const Path& path) {
-            divideAngles(table, path, "bed_friction_deg", factor);
+            divide(table, path, propertyOf(&Joint::friction), "bed_friction_deg", factor);
         });
     }
 
     void divideStrengths(const Node& table, const Path& path, double factor) {
-        for (const char* key : {"friction_deg", "residual_friction_deg"})
-            divideAngles(table, path, key, factor);
-        for (const char* key : {"cohesion", "residual_cohesion"})
-            if (const auto node = table.find(key)) set(below(path, key), numberOf(*node) / factor);
+        for (const JointProperty& property : kJointProperties)
+            if (property.is_reduced) divide(table, path, property, std::string(property.key), factor);
     }
 
-    void divideAngles(const Node& table, const Path& path, const std::string& key, double factor) {
+    /// One number, or all of an array's.
+    void divide(const Node& table, const Path& path, const JointProperty& property, const std::string& key,
+                double factor) {
         const auto node = table.find(key);
         if (!node) return;
-        std::vector<std::pair<Path, double>> angles;  // writing replaces the nodes that are read here
-        eachNumber(*node, below(path, key), [&](const Path& place, double angle_deg) {
-            angles.emplace_back(place, inDegrees(std::atan(std::tan(angle_deg * kRadPerDeg) / factor)));
+        std::vector<std::pair<Path, double>> values;  // writing replaces the nodes that are read here
+        eachNumber(*node, below(path, key), [&](const Path& place, double value) {
+            Joint joint;
+            joint.*property.value = value * property.toSi();
+            values.emplace_back(place, reduced(joint, factor).*property.value / property.toSi());
         });
-        for (const auto& [place, angle_deg] : angles) set(place, angle_deg);
+        for (const auto& [place, value] : values) set(place, value);
     }
 
     /// In a search water stands as at time 0.
@@ -126,14 +125,34 @@ std::string asComments(const std::string& text) {
 }  // namespace
 }  // namespace scenario
 
+Model failingModel(Model model, const FailingLoad& load) {
+    if (load.tilt) {  // a search of this model starts and ends where it did
+        model.analysis.start = model.analysis.start.value_or(model.gravity.tilt);
+        model.gravity.tilt = *load.tilt;
+    }
+    if (load.factor != 1)
+        for (Joint& joint : model.joints) joint = reduced(std::move(joint), load.factor);
+    model.run.duration = load.duration;
+    model.run.frame_interval = load.frame_interval;
+    model.run.time_step.reset();
+    model.damping = {};
+    model.damping.contact = load.contact_damping;
+    for (Water& water : model.waters)
+        for (LevelPoint& point : water.level) point.value = water.level.front().value;
+    return model;
+}
+
 Result<Scenario> failingScenario(const Scenario& scenario, const FailingLoad& load,
                                  const std::string& remark) {
-    auto document = scenario::Document::parse(scenario.text, scenario.path);
+    auto document = toml::Document::parse(scenario.text, scenario.path);
     if (!document) return document.errors();
     scenario::Editor editor(*document, scenario);
     editor.apply(load);
     if (auto fault = editor.takeFault()) return *fault;
-    return parseScenario(scenario::asComments(remark) + scenario::writeDocument(*document), scenario.path);
+    auto failing =
+        parseScenario(scenario::asComments(remark) + toml::writeDocument(*document), scenario.path);
+    if (failing) failing->model = failingModel(scenario.model, load);
+    return failing;
 }
 
 }  // namespace talus::formats

@@ -1,10 +1,8 @@
-#include "interface.h"
+#include "scenario/interface.h"
 
 #include <algorithm>
 #include <map>
 #include <set>
-
-#include "wording.h"
 
 namespace talus::formats::scenario {
 

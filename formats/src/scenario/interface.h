@@ -1,9 +1,9 @@
 #pragma once
 // [[interface]]: the joint of one pair of blocks by hand, and properties in which it differs from that joint.
 
-#include "directory.h"
-#include "properties.h"
-#include "table_reader.h"
+#include "scenario/directory.h"
+#include "scenario/properties.h"
+#include "scenario/reading.h"
 
 namespace talus::formats::scenario {
 

@@ -1,6 +1,4 @@
-#include "placed_block.h"
-
-#include "wording.h"
+#include "scenario/placed_block.h"
 
 namespace talus::formats::scenario {
 
@@ -92,8 +90,10 @@ PlacedBlock readPlacedBlock(Report& report, const FieldNode& entry, const Materi
     block.field = entry.field;
     readShape(report, table, block);
     readMotion(table, block);
-    if (const auto material = readMaterial(report, table, materials))
+    if (const auto material = readMaterial(report, table, materials)) {
+        block.material = *material;
         block.density = materials.densities[static_cast<std::size_t>(*material)];
+    }
     if (const auto joint = readJoint(report, table, "joint", joints))
         block.face_joint.assign(block.shape.faces.size(), *joint);
     return placed;

@@ -1,8 +1,8 @@
 #pragma once
 // [[block]]: one block placed by hand, a box or a convex hull.
 
-#include "properties.h"
-#include "table_reader.h"
+#include "scenario/properties.h"
+#include "scenario/reading.h"
 #include "talus/model.h"
 
 namespace talus::formats::scenario {

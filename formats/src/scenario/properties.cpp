@@ -1,8 +1,6 @@
-#include "properties.h"
+#include "scenario/properties.h"
 
-#include <algorithm>
-
-#include "wording.h"
+#include "scenario/fields.h"
 
 namespace talus::formats::scenario {
 
@@ -10,19 +8,16 @@ namespace {
 
 constexpr const char* kDefaultJoint = "default";
 
-Joint readJointTable(TableReader& table, const std::string& name, double friction_deg) {
-    Joint joint;
-    joint.name = name;
-    joint.normal_stiffness = table.number("normal_stiffness", kPositive).value_or(0);
-    joint.shear_stiffness = table.number("shear_stiffness", kPositive).value_or(0);
-    joint.friction = friction_deg * kRadPerDeg;
-    joint.cohesion = table.number("cohesion", kNotNegative).value_or(0);
-    joint.tensile_strength = table.number("tensile_strength", kNotNegative).value_or(0);
-    joint.residual_cohesion = table.number("residual_cohesion", kNotNegative).value_or(0);
-    joint.residual_friction =
-        table.number("residual_friction_deg", kFrictionDeg).value_or(friction_deg) * kRadPerDeg;
-    joint.dilation = table.number("dilation_deg", kFrictionDeg).value_or(0) * kRadPerDeg;
-    return joint;
+/// Takes over what the table gives; says what that is.
+JointProperties readGiven(TableReader& table, Joint& joint) {
+    JointProperties given;
+    for (std::size_t p = 0; p < kJointPropertyCount; ++p) {
+        const JointProperty& property = kJointProperties[p];
+        const auto value = table.number(property.key, property.allowed);
+        if (value) joint.*property.value = *value * property.toSi();
+        given[p] = value.has_value();
+    }
+    return given;
 }
 
 }  // namespace
@@ -48,59 +43,54 @@ std::optional<std::int32_t> NameList::resolve(Report& report, Place place, const
     return std::nullopt;
 }
 
-void Joints::add(Joint joint, double friction_deg, bool has_residual_friction) {
+void inherit(Joint& joint, JointProperties given, const Joint& base, JointProperties base_given) {
+    for (std::size_t p = 0; p < kJointPropertyCount; ++p)
+        if (!given[p]) joint.*kJointProperties[p].value = base.*kJointProperties[p].value;
+    for (std::size_t p = 0; p < kJointPropertyCount; ++p) {
+        const JointProperty& property = kJointProperties[p];
+        if (property.when_absent != JointProperty::Default::same_as || given[p] || base_given[p]) continue;
+        if (given[jointProperty(property.same_as)]) joint.*property.value = joint.*property.same_as;
+    }
+}
+
+void Joints::add(Joint joint, JointProperties given) {
     names.add(joint.name);
+    inherit(joint, given, Joint{}, {});
+    origins_.push_back({JointOrigin::Kind::file, static_cast<std::int32_t>(joints_.size()), given});
     joints_.push_back(std::move(joint));
-    friction_deg_.push_back(friction_deg);
-    has_residual_friction_.push_back(has_residual_friction);
+}
+
+std::int32_t Joints::derive(std::int32_t base, JointOrigin::Kind kind, JointProperties given, Joint joint) {
+    const auto index = static_cast<std::size_t>(base);
+    inherit(joint, given, joints_[index], origins_[index].given);
+    joints_.push_back(std::move(joint));
+    origins_.push_back({kind, base, given});
+    return static_cast<std::int32_t>(joints_.size()) - 1;
 }
 
 std::int32_t Joints::withFriction(std::int32_t base, double friction_deg) {
     const auto index = static_cast<std::size_t>(base);
-    if (friction_deg == friction_deg_[index]) return base;
+    const double friction = friction_deg * propertyOf(&Joint::friction).toSi();
+    origins_[index].has_bed_levels = true;
+    if (friction == joints_[index].friction) return base;
     const auto [place, is_new] =
-        derived_.try_emplace({base, friction_deg}, static_cast<std::int32_t>(joints_.size()));
+        bed_levels_.try_emplace({base, friction_deg}, static_cast<std::int32_t>(joints_.size()));
     if (!is_new) return place->second;
-    Joint joint = joints_[index];
-    joint.name += "@" + numberText(friction_deg) + "deg";
-    joint.friction = friction_deg * kRadPerDeg;
-    if (!has_residual_friction_[index]) joint.residual_friction = joint.friction;
-    joints_.push_back(std::move(joint));
-    return place->second;
+    Joint joint{.name = joints_[index].name + "@" + numberText(friction_deg) + "deg", .friction = friction};
+    JointProperties given;
+    given.set(jointProperty(&Joint::friction));
+    return derive(base, JointOrigin::Kind::bed_level, given, std::move(joint));
 }
 
 std::int32_t Joints::withOverrides(std::int32_t base, TableReader& table, const std::string& field) {
-    const auto index = static_cast<std::size_t>(base);
-    if (std::none_of(jointKeys().begin(), jointKeys().end(),
-                     [&](const std::string& key) { return table.has(key); }))
-        return base;
-    Joint joint = joints_[index];
-    joint.name += "@" + field;
-    const auto replace = [&](const char* key, const Range& range, double& value, double unit) {
-        const auto given = table.number(key, range);
-        if (given) value = *given * unit;
-        return given.has_value();
-    };
-    replace("normal_stiffness", kPositive, joint.normal_stiffness, 1);
-    replace("shear_stiffness", kPositive, joint.shear_stiffness, 1);
-    replace("cohesion", kNotNegative, joint.cohesion, 1);
-    replace("tensile_strength", kNotNegative, joint.tensile_strength, 1);
-    replace("residual_cohesion", kNotNegative, joint.residual_cohesion, 1);
-    replace("dilation_deg", kFrictionDeg, joint.dilation, kRadPerDeg);
-    const bool has_friction = replace("friction_deg", kFrictionDeg, joint.friction, kRadPerDeg);
-    const bool has_residual =
-        replace("residual_friction_deg", kFrictionDeg, joint.residual_friction, kRadPerDeg);
-    // As in a joint's own table, the residual angle is the peak's unless somebody gave one.
-    if (has_friction && !has_residual && !has_residual_friction_[index])
-        joint.residual_friction = joint.friction;
-    joints_.push_back(std::move(joint));
-    return static_cast<std::int32_t>(joints_.size()) - 1;
+    if (table.present(jointKeys()).empty()) return base;
+    Joint joint{.name = joints_[static_cast<std::size_t>(base)].name + "@" + field};
+    const JointProperties given = readGiven(table, joint);
+    return derive(base, JointOrigin::Kind::interface, given, std::move(joint));
 }
 
 const std::vector<std::string>& jointKeys() {
-    static const std::vector<std::string> keys = {
-        "normal_stiffness", "shear_stiffness",   "friction_deg",          "cohesion",
-        "tensile_strength", "residual_cohesion", "residual_friction_deg", "dilation_deg"};
+    static const std::vector<std::string> keys = keysOf(kJointProperties);
     return keys;
 }
 
@@ -119,10 +109,11 @@ Joints readJoints(Report& report, TableReader& root) {
     Joints joints;
     for (const FieldNode& entry : root.namedTables("joint")) {
         TableReader table(report, entry.node, entry.field, jointKeys());
-        table.require({"normal_stiffness", "shear_stiffness", "friction_deg"});
-        const double friction_deg = table.number("friction_deg", kFrictionDeg).value_or(0);
-        joints.add(readJointTable(table, entry.name, friction_deg), friction_deg,
-                   table.has("residual_friction_deg"));
+        for (const JointProperty& property : kJointProperties)
+            if (property.when_absent == JointProperty::Default::required) table.require({property.key});
+        Joint joint{.name = entry.name};
+        const JointProperties given = readGiven(table, joint);
+        joints.add(std::move(joint), given);
     }
     return joints;
 }

@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "table_reader.h"
+#include "scenario/reading.h"
+#include "talus/formats/scenario.h"
 #include "talus/model.h"
 
 namespace talus::formats::scenario {
@@ -20,6 +21,7 @@ class NameList {
     void add(const std::string& name);
     bool empty() const { return names_.empty(); }
     std::size_t size() const { return names_.size(); }
+    const std::vector<std::string>& all() const { return names_; }
 
     std::optional<std::int32_t> find(const std::string& name) const;
     std::string list() const;  ///< for messages
@@ -39,13 +41,14 @@ struct Materials {
     std::vector<double> densities;  ///< [kg/m^3]
 };
 
-/// The joints of the file, and those derived from them for bed levels of their own friction angle.
+/// The joints of the file, and those derived from them for bed levels and interfaces of their own.
 class Joints {
  public:
     NameList names{"joint"};
 
-    void add(Joint joint, double friction_deg, bool has_residual_friction);
-    std::vector<Joint>& all() { return joints_; }
+    void add(Joint joint, JointProperties given);
+    const std::vector<Joint>& all() const { return joints_; }
+    const std::vector<JointOrigin>& origins() const { return origins_; }
 
     /// The joint like `base` with another friction angle, named like "default@18.5deg"; `base` itself when it
     /// is the same angle. The residual angle follows unless the file gave one.
@@ -56,14 +59,18 @@ class Joints {
     std::int32_t withOverrides(std::int32_t base, TableReader& table, const std::string& field);
 
  private:
+    std::int32_t derive(std::int32_t base, JointOrigin::Kind kind, JointProperties given, Joint joint);
+
     std::vector<Joint> joints_;
-    std::vector<double> friction_deg_;         ///< as written, per joint of the file
-    std::vector<bool> has_residual_friction_;  ///< likewise
-    std::map<std::pair<std::int32_t, double>, std::int32_t> derived_;
+    std::vector<JointOrigin> origins_;
+    std::map<std::pair<std::int32_t, double>, std::int32_t> bed_levels_;
 };
 
 /// Keys of a joint's properties.
 const std::vector<std::string>& jointKeys();
+
+/// Fills in what is not given: the base's value, or that of the property it follows, unless the base was given one.
+void inherit(Joint& joint, JointProperties given, const Joint& base, JointProperties base_given);
 
 Materials readMaterials(Report& report, TableReader& root);
 Joints readJoints(Report& report, TableReader& root);

@@ -1,7 +1,7 @@
 #pragma once
 // A scenario out of a parsed document, which may have been edited since.
 
-#include "document.h"
+#include "scenario/reading.h"
 #include "talus/formats/scenario.h"
 
 namespace talus::formats::scenario {

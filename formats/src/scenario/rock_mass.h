@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "directory.h"
-#include "properties.h"
-#include "table_reader.h"
+#include "scenario/directory.h"
+#include "scenario/properties.h"
+#include "scenario/reading.h"
 #include "talus/model.h"
 #include "talus/rock_mass.h"
 
@@ -37,7 +37,8 @@ struct RockMassInput {
     std::string prefix;                                 ///< of its blocks' names
     std::vector<FixedEntry> fixed;
     std::vector<PointName> names;
-    double density = 0;
+    std::int32_t material = 0;
+    double density = 0;      ///< of that material [kg/m^3]
     std::int32_t joint = 0;  ///< strength of faces no joint made
     Place place;
 };

@@ -2,8 +2,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "rock_mass.h"
-#include "wording.h"
+#include "scenario/rock_mass.h"
 
 namespace talus::formats::scenario {
 
@@ -140,7 +139,7 @@ Joint bond(const RockMassInput& input, const std::vector<Joint>& joints) {
         intact.normal_stiffness = std::max(intact.normal_stiffness, joint.normal_stiffness);
         intact.shear_stiffness = std::max(intact.shear_stiffness, joint.shear_stiffness);
     }
-    intact.cohesion = intact.residual_cohesion = intact.tensile_strength = kBondStrength;
+    intact = holding(std::move(intact), kBondStrength);
     intact.dilation = 0;
     return intact;
 }
@@ -158,6 +157,7 @@ void appendRockMass(const RockMassInput& input, RockMassBlocks blocks, Model& mo
         Block block;
         block.name = std::move(blocks.names[p]);
         block.shape = std::move(part.shape);
+        block.material = input.material;
         block.density = input.density;
         block.motion = blocks.fixed[p] ? Motion::fixed : Motion::free;
         block.field = input.description.field;

@@ -1,16 +1,15 @@
 #include <algorithm>
 
-#include "rock_mass.h"
-#include "wording.h"
+#include "scenario/rock_mass.h"
 
 namespace talus::formats::scenario {
 
 namespace {
 
-constexpr Range kDipDeg{0, 90, false, false};
-constexpr Range kDipDirectionDeg{-360, 360, false, false};
-constexpr Range kFisher{0, 1e12, true, false};
-constexpr Range kSpread{0, 1, false, true};
+constexpr Interval kDipDeg{0, 90, false, false};
+constexpr Interval kDipDirectionDeg{-360, 360, false, false};
+constexpr Interval kFisher{0, 1e12, true, false};
+constexpr Interval kSpread{0, 1, false, true};
 constexpr std::size_t kMaxProfile = 1000;
 constexpr std::int64_t kMaxSeed = INT64_MAX;
 const std::vector<std::string> kSides = {"below", "above", "touching"};
@@ -48,10 +47,12 @@ class RockMassReader {
     void readProperties(TableReader& table) {
         RockMass& rock = input_.description;
         input_.prefix = table.name("name", true).value_or("");
-        if (const auto material = readMaterial(report_, table, materials_))
+        if (const auto material = readMaterial(report_, table, materials_)) {
+            input_.material = *material;
             input_.density = materials_.densities[static_cast<std::size_t>(*material)];
+        }
         input_.joint = readJoint(report_, table, "joint", joints_).value_or(0);
-        rock.min_thickness = table.number("min_thickness", Range{0, kMaxLength});
+        rock.min_thickness = table.number("min_thickness", kLength);
         rock.refuse_slivers = table.choice("slivers", {"merge", "refuse"}).value_or(0) == 1;
         rock.seed = static_cast<std::uint64_t>(table.integer("seed", {0, kMaxSeed}).value_or(1));
     }

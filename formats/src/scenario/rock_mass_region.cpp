@@ -1,7 +1,6 @@
-#include "rock_mass.h"
+#include "scenario/rock_mass.h"
 #include "talus/formats/mesh.h"
 #include "talus/formats/scenario.h"
-#include "wording.h"
 
 namespace talus::formats::scenario {
 

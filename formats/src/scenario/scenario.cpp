@@ -3,17 +3,17 @@
 
 #include "talus/formats/scenario.h"
 
-#include "directory.h"
-#include "document.h"
-#include "file_text.h"
-#include "interface.h"
-#include "placed_block.h"
-#include "properties.h"
-#include "read_document.h"
-#include "rock_mass.h"
-#include "settings.h"
-#include "stack.h"
-#include "water.h"
+#include "scenario/directory.h"
+#include "scenario/interface.h"
+#include "scenario/placed_block.h"
+#include "scenario/properties.h"
+#include "scenario/read_document.h"
+#include "scenario/rock_mass.h"
+#include "scenario/settings.h"
+#include "scenario/stack.h"
+#include "scenario/water.h"
+#include "toml/document.h"
+#include "toml/file_text.h"
 
 namespace talus::formats {
 
@@ -33,8 +33,8 @@ class ScenarioReader {
           folder_(std::move(folder)),
           most_blocks_(most_blocks) {}
 
-    /// \post the model is complete when the report is clean
-    Model read() {
+    /// \post the scenario is complete, but for its text and places, when the report is clean
+    Scenario read() {
         root_.integer("format", {1, 1});
         readSettings(root_, model_);
         materials_ = readMaterials(report_, root_);
@@ -51,12 +51,16 @@ class ScenarioReader {
         if (report_.clean()) {
             addInterfaces(interfaces, model_);
             appendWaters(report_, waters, stacks_, walls, model_);
-            checkWaterOverlaps(report_, waters, model_);
         }
-        return std::move(model_);
+        Scenario scenario;
+        scenario.model = std::move(model_);
+        scenario.joint_origins = joints_.origins();
+        if (scenario.joint_origins.size() < scenario.model.joints.size())  // appended by the rock mass
+            scenario.joint_origins.push_back({JointOrigin::Kind::intact_rock, rock_->joint});
+        scenario.materials = materials_.names.all();
+        scenario.warnings = std::move(warnings_);
+        return scenario;
     }
-
-    std::vector<std::string> takeWarnings() { return std::move(warnings_); }
 
  private:
     void readBlocks() {
@@ -146,7 +150,7 @@ class ScenarioReader {
         std::int64_t count = static_cast<std::int64_t>(placed_.size());
         for (const Stack& stack : stacks_) count += stack.blockCount();
         model_.blocks.reserve(static_cast<std::size_t>(count));
-        for (const Stack& stack : stacks_) appendStack(report_, stack, joints_, model_);
+        for (const Stack& stack : stacks_) appendStack(report_, stack, materials_, joints_, model_);
         for (PlacedBlock& placed : placed_) model_.blocks.push_back(std::move(placed.block));
         model_.joints = joints_.all();
         if (rock_) appendRockMass(*rock_, std::move(*rock_blocks_), model_);
@@ -181,19 +185,22 @@ Result<Scenario> scenario::readDocument(const Document& document, std::string te
     const auto slash = path.rfind('/');
     const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
     ScenarioReader reader(report, document.root(), folder, most_blocks);
-    Model model = reader.read();
+    Scenario scenario = reader.read();
     if (!report.clean()) return report.errors();
-    return Scenario{std::move(model), path, std::move(text), report.takePlaces(), reader.takeWarnings()};
+    scenario.path = path;
+    scenario.text = std::move(text);
+    scenario.places = report.takePlaces();
+    return scenario;
 }
 
 Result<Scenario> parseScenario(const std::string& text, const std::string& path, std::int64_t most_blocks) {
-    const auto document = scenario::Document::parse(text, path);
+    const auto document = toml::Document::parse(text, path);
     if (!document) return document.errors();
     return scenario::readDocument(*document, text, path, most_blocks);
 }
 
 Result<Scenario> readScenario(const std::string& path) {
-    const auto text = scenario::readFileText(path);
+    const auto text = toml::readFileText(path);
     if (!text) return text.errors();
     return parseScenario(*text, path);
 }

@@ -1,8 +1,8 @@
-#include "settings.h"
+#include "scenario/settings.h"
 
 #include <charconv>
 
-#include "wording.h"
+#include "scenario/fields.h"
 
 namespace talus::formats::scenario {
 
@@ -13,20 +13,14 @@ constexpr double kMaxFrames = 1e7;  // of a run: keeps a slip in the units from 
 constexpr int kMaxGrid = 64;
 
 // Narrower brackets are below what doubles resolve in a search.
-constexpr Range kToleranceDeg{1e-9, 45, false, false};
-constexpr Range kFactorTolerance{1e-9, 1, false, false};
+constexpr Interval kToleranceDeg{1e-9, 45, false, false};
+constexpr Interval kFactorTolerance{1e-9, 1, false, false};
 
 void readGravity(TableReader& root, Model& model, double& tilt_deg) {
-    auto table = root.table("gravity", {"magnitude", "tilt_deg"});
+    auto table = root.table("gravity", keysOf(kGravityFields));
     if (!table) return;
-    model.gravity.magnitude = table->number("magnitude", kNotNegative).value_or(model.gravity.magnitude);
-    tilt_deg = table->number("tilt_deg", kTiltDeg).value_or(tilt_deg);
-    model.gravity.tilt = tilt_deg * kRadPerDeg;
-}
-
-/// Where the search ends if the file does not say: 45 deg, or half way up from a scenario steeper than that.
-double defaultStopDeg(double start_deg) {
-    return start_deg < kDefaultStopDeg ? kDefaultStopDeg : (start_deg + 90) / 2;
+    readNumbers(*table, kGravityFields, model.gravity);
+    if (const auto node = table->find("tilt_deg"); node && node->isNumber()) tilt_deg = node->number();
 }
 
 void checkSearchRange(TableReader& table, double start_deg, double stop_deg) {
@@ -76,13 +70,8 @@ void readRun(TableReader& root, Model& model) {
 }
 
 void readDamping(TableReader& root, Model& model) {
-    auto table = root.table("damping", {"mass", "rotation", "contact", "local"});
-    if (!table) return;
-    Damping& damping = model.damping;
-    damping.mass = table->number("mass", kNotNegative).value_or(0);
-    damping.rotation = table->number("rotation", kNotNegative).value_or(0);
-    damping.contact = table->number("contact", kNotNegative).value_or(0);
-    damping.local = table->number("local", Range{0, 1, false, true}).value_or(0);
+    if (auto table = root.table("damping", keysOf(kDampingFields)))
+        readNumbers(*table, kDampingFields, model.damping);
 }
 
 /// N of "grid N".
@@ -118,6 +107,10 @@ void readContact(TableReader& root, Model& model) {
 }
 
 }  // namespace
+
+double defaultStopDeg(double start_deg) {
+    return start_deg < kDefaultStopDeg ? kDefaultStopDeg : (start_deg + 90) / 2;
+}
 
 void readSettings(TableReader& root, Model& model) {
     double tilt_deg = 0;

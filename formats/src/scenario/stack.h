@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "properties.h"
-#include "table_reader.h"
+#include "scenario/properties.h"
+#include "scenario/reading.h"
 #include "talus/model.h"
 
 namespace talus::formats::scenario {
@@ -22,8 +22,8 @@ struct Stack {
     Vec3 block = Vec3::Ones();   ///< [m]
     int columns = 1, rows = 1, slices = 1;
     bool running = false;
-    std::vector<int> heights;       ///< rows per column
-    std::vector<double> densities;  ///< per row [kg/m^3]
+    std::vector<int> heights;             ///< rows per column
+    std::vector<std::int32_t> materials;  ///< per row
     std::int32_t joint = 0, bed_joint = 0, side_joint = 0;
     std::vector<std::vector<double>> bed_friction_deg;  ///< empty, or per level one value or one per column
     bool name_known = false;
@@ -59,7 +59,8 @@ Stack readStack(Report& report, const FieldNode& entry, const Materials& materia
 
 /// Appends the stack's blocks and the joints of pairs that faces alone cannot tell. \pre the stack has no
 /// errors
-void appendStack(Report& report, const Stack& stack, Joints& joints, Model& model);
+void appendStack(Report& report, const Stack& stack, const Materials& materials, Joints& joints,
+                 Model& model);
 
 /// The face of a shape whose outward normal is nearest to `direction`.
 std::int32_t faceTowards(const Polyhedron& shape, const Vec3& direction);

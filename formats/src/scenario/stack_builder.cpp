@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "stack.h"
+#include "scenario/stack.h"
 
 namespace talus::formats::scenario {
 
@@ -38,8 +38,8 @@ class BedJoints {
 
 class StackBuilder {
  public:
-    StackBuilder(Report& report, const Stack& stack, Joints& joints, Model& model)
-        : report_(report), stack_(stack), beds_(stack, joints), model_(model) {}
+    StackBuilder(Report& report, const Stack& stack, const Materials& materials, Joints& joints, Model& model)
+        : report_(report), stack_(stack), materials_(materials), beds_(stack, joints), model_(model) {}
 
     void build() {
         if (!appendFloor()) return;
@@ -60,7 +60,7 @@ class StackBuilder {
         SideJoints joints;
         joints.fill(stack_.bed_joint);
         joints[kMaxZ] = beds_.at(0, 0);
-        return append(stack_.floorName(), min, max, stack_.densities[0], Motion::fixed, joints);
+        return append(stack_.floorName(), min, max, stack_.materials[0], Motion::fixed, joints);
     }
 
     bool appendBlock(int column, int row, int slice) {
@@ -70,10 +70,10 @@ class StackBuilder {
         const SideJoints joints = {stack_.joint,      stack_.joint,          stack_.side_joint,
                                    stack_.side_joint, beds_.at(row, column), beds_.at(row + 1, column)};
         return append(stack_.blockName(column, row, slice), min, max,
-                      stack_.densities[static_cast<std::size_t>(row)], Motion::free, joints);
+                      stack_.materials[static_cast<std::size_t>(row)], Motion::free, joints);
     }
 
-    bool append(std::string name, const Vec3& min, const Vec3& max, double density, Motion motion,
+    bool append(std::string name, const Vec3& min, const Vec3& max, std::int32_t material, Motion motion,
                 const SideJoints& joints) {
         auto shape = makeBox(min, max);
         if (!shape) {
@@ -85,7 +85,8 @@ class StackBuilder {
         Block block;
         block.name = std::move(name);
         block.shape = std::move(*shape);
-        block.density = density;
+        block.material = material;
+        block.density = materials_.densities[static_cast<std::size_t>(material)];
         block.motion = motion;
         block.face_joint = faceJoints(block.shape, joints);
         block.field = stack_.field;
@@ -137,6 +138,7 @@ class StackBuilder {
 
     Report& report_;
     const Stack& stack_;
+    const Materials& materials_;
     BedJoints beds_;
     Model& model_;
     std::vector<std::size_t> side_of_face_;
@@ -161,8 +163,9 @@ std::string Stack::blockName(int column, int row, int slice) const {
            std::to_string(slice + 1);
 }
 
-void appendStack(Report& report, const Stack& stack, Joints& joints, Model& model) {
-    StackBuilder(report, stack, joints, model).build();
+void appendStack(Report& report, const Stack& stack, const Materials& materials, Joints& joints,
+                 Model& model) {
+    StackBuilder(report, stack, materials, joints, model).build();
 }
 
 }  // namespace talus::formats::scenario

@@ -1,7 +1,6 @@
 #include <algorithm>
 
-#include "stack.h"
-#include "wording.h"
+#include "scenario/stack.h"
 
 namespace talus::formats::scenario {
 
@@ -62,10 +61,6 @@ void checkExtent(TableReader& table, const Stack& stack) {
                                  numberText(3 * kMaxLength) + " m");
 }
 
-double densityOf(const Materials& materials, std::optional<std::int32_t> material) {
-    return material ? materials.densities[static_cast<std::size_t>(*material)] : 1;
-}
-
 void readRowMaterials(Report& report, TableReader& table, const Materials& materials, Stack& stack) {
     const auto rows = stack.shape_known ? std::optional<std::size_t>(stack.rows) : std::nullopt;
     const auto names = table.texts("row_material", rows);
@@ -74,17 +69,17 @@ void readRowMaterials(Report& report, TableReader& table, const Materials& mater
     for (std::size_t row = 0; row < names->size(); ++row) {
         const std::string field = elementField(table.fieldOf("row_material"), row);
         const auto material = materials.names.resolve(report, array.at(row).place(), field, (*names)[row]);
-        stack.densities.push_back(densityOf(materials, material));
+        stack.materials.push_back(material.value_or(0));
     }
 }
 
-void readDensities(Report& report, TableReader& table, const Materials& materials, Stack& stack) {
+void readMaterials(Report& report, TableReader& table, const Materials& materials, Stack& stack) {
     const auto rows = table.find("row_material");
     const bool by_row = rows && !(rows->kind() == Kind::array && rows->size() == 0);
     if (by_row) readRowMaterials(report, table, materials, stack);
     if (by_row && !table.has("material")) return;
     const auto material = readMaterial(report, table, materials);
-    if (!by_row) stack.densities.assign(static_cast<std::size_t>(stack.rows), densityOf(materials, material));
+    if (!by_row) stack.materials.assign(static_cast<std::size_t>(stack.rows), material.value_or(0));
 }
 
 void readBedFriction(Report& report, TableReader& table, Stack& stack) {
@@ -100,14 +95,15 @@ void readBedFriction(Report& report, TableReader& table, Stack& stack) {
         return;
     }
     const auto columns = stack.shape_known ? std::optional<std::size_t>(stack.columns) : std::nullopt;
+    const Interval& allowed = propertyOf(&Joint::friction).allowed;
     for (std::size_t level = 0; level < array->size(); ++level) {
         const std::string level_field = elementField(field, level);
         if (per_column) {
-            auto values = readNumbers(report, array->at(level), level_field, kFrictionDeg, columns);
+            auto values = readNumbers(report, array->at(level), level_field, allowed, columns);
             stack.bed_friction_deg.push_back(values ? std::move(*values) : std::vector<double>{});
         } else {
             stack.bed_friction_deg.push_back(
-                {readNumber(report, array->at(level), level_field, kFrictionDeg).value_or(0)});
+                {readNumber(report, array->at(level), level_field, allowed).value_or(0)});
         }
     }
 }
@@ -134,7 +130,7 @@ Stack readStack(Report& report, const FieldNode& entry, const Materials& materia
         stack.block = *block;
         checkExtent(table, stack);
     }
-    readDensities(report, table, materials, stack);
+    readMaterials(report, table, materials, stack);
     stack.joint = readJoint(report, table, "joint", joints).value_or(0);
     stack.bed_joint = readJoint(report, table, "bed_joint", joints).value_or(0);
     stack.side_joint = readJoint(report, table, "side_joint", joints).value_or(0);

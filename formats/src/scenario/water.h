@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "directory.h"
-#include "rock_mass.h"
-#include "stack.h"
-#include "table_reader.h"
+#include "scenario/directory.h"
+#include "scenario/reading.h"
+#include "scenario/rock_mass.h"
+#include "scenario/stack.h"
 #include "talus/model.h"
 
 namespace talus::formats::scenario {
@@ -40,9 +40,5 @@ std::vector<WaterEntry> readWaters(Report& report, TableReader& root, const Wate
 /// \pre the model has all its blocks
 void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const std::vector<Stack>& stacks,
                   const std::vector<std::vector<WetFace>>& rock_walls, Model& model);
-
-/// Reports water entries whose wet parts overlap on a common wall that stands normal to x, at the scenario's
-/// start tilt. Other walls, and water between two blocks, need the engine's geometry and are checked there.
-void checkWaterOverlaps(Report& report, const std::vector<WaterEntry>& entries, const Model& model);
 
 }  // namespace talus::formats::scenario

@@ -2,9 +2,9 @@
 #include <array>
 #include <unordered_map>
 
-#include "interface.h"
-#include "water.h"
-#include "wording.h"
+#include "scenario/fields.h"
+#include "scenario/interface.h"
+#include "scenario/water.h"
 
 namespace talus::formats::scenario {
 
@@ -34,13 +34,13 @@ std::vector<LevelPoint> readLevels(Report& report, TableReader& table) {
 
 void readLevel(Report& report, TableReader& table, const std::vector<std::string>& kinds, Water& water) {
     if (!table.requireOneOf(kinds)) return;
-    if (const auto depth = table.number("depth", Range{0, kMaxLength})) water.level = {{0, *depth}};
+    if (const auto depth = table.number("depth", kLength)) water.level = {{0, *depth}};
     if (table.has("levels")) water.level = readLevels(report, table);
     if (const auto elevation = table.number("elevation", kCoordinate)) {
         water.kind = Water::Level::elevation;
         water.level = {{0, *elevation}};
     }
-    if (const auto head = table.numbers("head", Range{0, kMaxLength}, 2)) {
+    if (const auto head = table.numbers("head", kLength, 2)) {
         water.kind = Water::Level::head;
         water.head = {(*head)[0], (*head)[1]};
     }
@@ -60,8 +60,7 @@ class WaterReader {
         WaterEntry entry;
         entry.place = table.place();
         entry.water.field = node.field;
-        entry.water.density = table.number("density", kPositive).value_or(entry.water.density);
-        entry.water.drains_at_aperture = table.number("drains_at_aperture", kPositive).value_or(kInfinity);
+        readNumbers(table, kWaterFields, entry.water);
         if (!table.requireOneOf({"fissure", "between", "block", "joint"})) return std::nullopt;
         refuseForeignKeys(table);
         if (table.has("joint")) return readRockJoint(table, entry);
@@ -106,7 +105,7 @@ class WaterReader {
 
     std::optional<WaterEntry> readStackJoint(TableReader& table, WaterEntry& entry) const {
         readLevel(report_, table, {"depth", "elevation", "levels"}, entry.water);
-        const double base = table.number("base", Range{0, kMaxLength}).value_or(0);
+        const double base = table.number("base", kLength).value_or(0);
         const auto index = readStackName(table);
         const auto fissure = table.integer("fissure", {0, fissureLimit(index)});
         if (!index || !fissure || !stacks_[*index].shape_known) return std::nullopt;

@@ -144,27 +144,22 @@ fb::JointsT toMessage(const std::vector<Joint>& joints) {
     fb::JointsT m;
     for (const Joint& joint : joints) {
         m.name.push_back(joint.name);
-        m.normal_stiffness.push_back(joint.normal_stiffness);
-        m.shear_stiffness.push_back(joint.shear_stiffness);
-        m.friction.push_back(joint.friction);
-        m.cohesion.push_back(joint.cohesion);
-        m.tensile_strength.push_back(joint.tensile_strength);
-        m.residual_friction.push_back(joint.residual_friction);
-        m.residual_cohesion.push_back(joint.residual_cohesion);
-        m.dilation.push_back(joint.dilation);
+        for (std::size_t p = 0; p < kJointPropertyCount; ++p)
+            (m.*kJointMessages[p]).push_back(joint.*kJointProperties[p].value);
     }
     return m;
 }
 
 bool fromMessage(const fb::JointsT& m, std::vector<Joint>& joints) {
     const std::size_t n = m.name.size();
-    for (const auto* values : {&m.normal_stiffness, &m.shear_stiffness, &m.friction, &m.cohesion,
-                               &m.tensile_strength, &m.residual_friction, &m.residual_cohesion, &m.dilation})
-        if (values->size() != n) return false;
-    for (std::size_t k = 0; k < n; ++k)
-        joints.push_back({m.name[k], m.normal_stiffness[k], m.shear_stiffness[k], m.friction[k],
-                          m.cohesion[k], m.tensile_strength[k], m.residual_cohesion[k],
-                          m.residual_friction[k], m.dilation[k]});
+    for (const auto values : kJointMessages)
+        if ((m.*values).size() != n) return false;
+    for (std::size_t k = 0; k < n; ++k) {
+        Joint& joint = joints.emplace_back();
+        joint.name = m.name[k];
+        for (std::size_t p = 0; p < kJointPropertyCount; ++p)
+            joint.*kJointProperties[p].value = (m.*kJointMessages[p])[k];
+    }
     return true;
 }
 

@@ -2,6 +2,8 @@
 // The one list of a message's fields: each pair is a field of a frame and its place in the message. Writing and reading
 // both go through it.
 
+#include <array>
+
 #include "snapshot_generated.h"
 #include "talus/formats/snapshot.h"
 #include "talus/frame.h"
@@ -114,16 +116,20 @@ void eachField(FrameWaters& f, fb::WaterLoadsT& m, const Move& move) {
     move(f.drained, m.drained);
 }
 
+// Where a joint's properties stand, as the scenario gives them and as the law takes them, in the order of kJointProperties.
+inline constexpr std::array<std::vector<double> fb::JointsT::*, kJointPropertyCount> kJointMessages{
+    &fb::JointsT::normal_stiffness,  &fb::JointsT::shear_stiffness,  &fb::JointsT::friction,
+    &fb::JointsT::cohesion,          &fb::JointsT::tensile_strength, &fb::JointsT::residual_cohesion,
+    &fb::JointsT::residual_friction, &fb::JointsT::dilation};
+inline constexpr std::array<std::vector<double> fb::LawsT::*, kJointPropertyCount> kLawMessages{
+    &fb::LawsT::normal_stiffness,      &fb::LawsT::shear_stiffness,
+    &fb::LawsT::tan_friction,          &fb::LawsT::cohesion,
+    &fb::LawsT::tensile_strength,      &fb::LawsT::residual_cohesion,
+    &fb::LawsT::residual_tan_friction, &fb::LawsT::tan_dilation};
+
 template <class Move>
 void eachField(FrameLaws& f, fb::LawsT& m, const Move& move) {
-    move(f.normal_stiffness, m.normal_stiffness);
-    move(f.shear_stiffness, m.shear_stiffness);
-    move(f.tan_friction, m.tan_friction);
-    move(f.cohesion, m.cohesion);
-    move(f.tensile_strength, m.tensile_strength);
-    move(f.residual_tan_friction, m.residual_tan_friction);
-    move(f.residual_cohesion, m.residual_cohesion);
-    move(f.tan_dilation, m.tan_dilation);
+    for (std::size_t p = 0; p < kJointPropertyCount; ++p) move(f.parameters[p], m.*kLawMessages[p]);
     move(f.bonded, m.bonded);
 }
 
@@ -167,7 +173,6 @@ void eachField(FullFrame& f, fb::FullT& m, const Move& move) {
     move(f.search_orientation, m.search->orientation);
     move(f.search_margin, m.search->margin);
     eachField(f.progress, move.into(m.progress), move);
-    move(f.invalid_since, m.invalid_since);
     move(f.shear_lost, m.shear_lost);
     move(f.warnings, m.warnings);
     move(f.origin_x, m.origin_x);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "snapshot/convert.h"
+#include "talus/frame_table.h"
 
 namespace talus::formats {
 namespace {
@@ -32,15 +33,6 @@ template <class Index>
 bool areBegins(const std::vector<Index>& begins, std::size_t items, std::size_t total) {
     return begins.size() == items + 1 && begins.front() == 0 &&
            std::is_sorted(begins.begin(), begins.end()) && begins.back() == static_cast<Index>(total);
-}
-
-bool fitsWet(const FullFrame& frame, std::size_t blocks, std::size_t waters) {
-    const FrameWetPatches& w = frame.wet;
-    const std::size_t n = w.block.size();
-    return allSized(n, w.water, w.interface) && within(w.block, 0, blocks) && within(w.water, 0, waters) &&
-           within(w.interface, -1, frame.interfaces.size()) && sized(w.origin, n) && sized(w.e1, n) &&
-           sized(w.e2, n) && sized(w.force, n) && sized(w.moment, n) &&
-           areBegins(w.vertex_begin, n, w.vertex_x.size()) && w.vertex_x.size() == w.vertex_y.size();
 }
 
 }  // namespace
@@ -75,23 +67,7 @@ bool fits(const LightFrame& frame, const SnapshotHeader& header) {
 }
 
 bool fits(const FullFrame& frame, const SnapshotHeader& header) {
-    const std::size_t n = header.names.size();
-    const FrameBlocks& b = frame.blocks;
-    const FrameInterfaces& f = frame.interfaces;
-    const FramePoints& p = frame.points;
-    const std::size_t m = f.size(), k = p.size();
-    return sized(b.position, n) && sized(b.orientation, n) && sized(b.velocity, n) &&
-           sized(b.angular_momentum, n) && sized(b.force, n) && sized(b.torque, n) &&
-           sized(b.inverse_inertia, n) && allSized(n, b.inverse_mass) &&
-           allSized(m, f.block_b, f.face_a, f.face_b, f.joint, f.area) && within(f.block_a, 0, n) &&
-           within(f.block_b, 0, n) && within(f.joint, 0, header.joints.size()) && sized(f.origin_a, m) &&
-           sized(f.e1_a, m) && sized(f.e2_a, m) && sized(f.origin_b, m) && sized(f.e1_b, m) &&
-           sized(f.e2_b, m) && sized(f.reference_gap, m) && sized(f.force, m) && sized(f.moment_a, m) &&
-           sized(f.moment_b, m) && areBegins(f.point_begin, m, k) &&
-           areBegins(f.patch_begin, m, f.patch_xi.size()) && f.patch_xi.size() == f.patch_eta.size() &&
-           allSized(k, p.xi, p.eta, p.offset_1, p.offset_2, p.bond, p.normal, p.shear_1, p.shear_2, p.water,
-                    p.state, p.mobilised) &&
-           (p.dilation.empty() || p.dilation.size() == k) && fitsWet(frame, n, header.waters.size());
+    return !misfit(frame, {header.names.size(), header.waters.size(), header.joints.size()});
 }
 
 }  // namespace talus::formats

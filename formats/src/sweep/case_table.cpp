@@ -1,4 +1,4 @@
-#include "case_table.h"
+#include "sweep/case_table.h"
 
 #include <charconv>
 #include <optional>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "portable_math.h"
+#include "sweep/portable_math.h"
 
 namespace talus::formats {
 

@@ -7,9 +7,9 @@
 #include <charconv>
 #include <cstdio>
 
-#include "scenario/document.h"
-#include "scenario/write_document.h"
 #include "talus/formats/sweep.h"
+#include "toml/document.h"
+#include "toml/write_document.h"
 
 namespace talus::formats {
 
@@ -45,8 +45,8 @@ std::string identityOf(const Sweep& sweep) {
     std::string text = std::string(toString(sweep.analysis)) + "\n" + std::to_string(sweep.seed) + "\n" +
                        (sweep.latin_hypercube ? "lhs " + std::to_string(sweep.samples) : "random");
     for (const SweepColumn& column : sweep.columns) text += describe(column);
-    const auto document = scenario::Document::parse(sweep.scenario_text, sweep.scenario_path);
-    text += "\n\n" + (document ? scenario::writeDocument(*document) : sweep.scenario_text);
+    const auto document = toml::Document::parse(sweep.scenario_text, sweep.scenario_path);
+    text += "\n\n" + (document ? toml::writeDocument(*document) : sweep.scenario_text);
     std::array<char, 17> hash{};
     std::snprintf(hash.data(), hash.size(), "%016llx",
                   static_cast<unsigned long long>(XXH3_64bits(text.data(), text.size())));

@@ -1,4 +1,4 @@
-#include "portable_math.h"
+#include "sweep/portable_math.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "random.h"
+#include "sweep/random.h"
 
 #include <algorithm>
 

@@ -3,20 +3,23 @@
 #include <algorithm>
 #include <map>
 
-#include "field_path.h"
-#include "random.h"
-#include "scenario/document.h"
+#include "scenario/fields.h"
 #include "scenario/read_document.h"
-#include "scenario/wording.h"
-#include "scenario/write_document.h"
+#include "sweep/random.h"
+#include "sweep/runs.h"
+#include "talus/formats/overrides.h"
 #include "talus/formats/sweep.h"
 #include "talus/simulation.h"
+#include "toml/document.h"
+#include "toml/field_path.h"
+#include "toml/wording.h"
+#include "toml/write_document.h"
 
 namespace talus::formats {
 
 namespace {
 
-using scenario::Document;
+using toml::Document;
 
 /// Drawn for this purpose and no other: the name decides the stream of random numbers.
 double draw(const Sweep& sweep, const SweepColumn& column, std::uint64_t sample, const std::string& name) {
@@ -29,12 +32,13 @@ double draw(const Sweep& sweep, const SweepColumn& column, std::uint64_t sample,
 
 std::optional<Error> put(Document& document, const std::string& target, const SweepValue& value,
                          bool may_append = false) {
-    const auto path = sweep::parseField(target);
+    const auto path = toml::parseField(target);
     if (!path) return Error{target, "is not the path of a field"};
     if (const auto fault = document.set(*path, value, may_append)) return Error{target, *fault};
     return std::nullopt;
 }
 
+/// The scenario's text with the run's values in it, but for its draws per interface.
 Result<Document> editedDocument(const Sweep& sweep, const SweepRun& run) {
     auto document = Document::parse(sweep.scenario_text, sweep.scenario_path);
     if (!document) return document.errors();
@@ -51,13 +55,95 @@ bool drawsPerInterface(const Sweep& sweep) {
                        [](const SweepColumn& column) { return column.per == SampledPer::interface; });
 }
 
+std::optional<double> numberIn(const SweepValue& value) {
+    if (const auto* real = std::get_if<double>(&value)) return *real;
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+    return std::nullopt;
+}
+
+/// The sweep's scenario with the run's values put into its model; nothing when one of them needs the reader, be it that
+/// it decides which blocks there are, or that it is wrong and the reader is to say so.
+std::optional<Scenario> overridden(const Sweep& sweep, const SweepRun& run) {
+    if (!sweep.base || !sweep.only_overrides) return std::nullopt;
+    Scenario scenario = *sweep.base;
+    for (std::size_t c = 0; c < sweep.columns.size(); ++c) {
+        if (sweep.columns[c].per == SampledPer::interface) continue;
+        const auto value = numberIn(run.values[c]);
+        for (const std::string& target : sweep.columns[c].targets)
+            if (!value || !applyOverride(scenario, target, *value)) return std::nullopt;
+    }
+    return scenario;
+}
+
+/// The run's scenario but for its draws per interface.
+Result<Scenario> plainScenario(const Sweep& sweep, const SweepRun& run) {
+    if (auto scenario = overridden(sweep, run)) return *std::move(scenario);
+    const auto document = editedDocument(sweep, run);
+    if (!document) return document.errors();
+    return scenario::readDocument(*document, "", sweep.scenario_path);
+}
+
 using NamePair = std::pair<std::string, std::string>;
+
+/// What was drawn for the interfaces, in the order of their blocks.
+struct InterfaceDraws {
+    std::vector<PairOverride> values;
+    std::vector<DrawnRange> ranges;  ///< one per column of draws per interface
+};
+
+void count(DrawnRange& drawn, double value) {
+    drawn.min = drawn.interfaces ? std::min(drawn.min, value) : value;
+    drawn.max = drawn.interfaces ? std::max(drawn.max, value) : value;
+    drawn.mean += value;
+    ++drawn.interfaces;
+}
+
+NamePair namesOf(const Model& model, std::int32_t block_a, std::int32_t block_b) {
+    return {model.blocks[static_cast<std::size_t>(block_a)].name,
+            model.blocks[static_cast<std::size_t>(block_b)].name};
+}
+
+/// Every interface of a column's joint gets its own draw.
+InterfaceDraws drawInterfaces(const Sweep& sweep, const SweepRun& run, const Model& model,
+                              const std::vector<TouchingPair>& pairs) {
+    InterfaceDraws draws;
+    std::vector<scenario::JointField> fields;
+    for (std::size_t c = 0; c < sweep.columns.size(); ++c) {
+        if (sweep.columns[c].per != SampledPer::interface) continue;
+        draws.ranges.push_back({c, 0, 0, 0, 0});
+        fields.push_back(*scenario::jointField(*toml::parseField(sweep.columns[c].targets.front())));
+    }
+    for (const TouchingPair& pair : pairs)
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+            if (model.joints[static_cast<std::size_t>(pair.joint)].name != fields[k].joint) continue;
+            const SweepColumn& column = sweep.columns[draws.ranges[k].column];
+            // By the blocks' names, so that an interface draws the same in a larger slope.
+            const NamePair names = namesOf(model, pair.block_a, pair.block_b);
+            const auto [first, second] = std::minmax(names.first, names.second);
+            const double value = draw(sweep, column, run.sample, column.name + "|" + first + "|" + second);
+            count(draws.ranges[k], value);
+            draws.values.push_back(
+                {pair.block_a, pair.block_b, pair.joint, *jointProperty(fields[k].key), value});
+        }
+    for (DrawnRange& drawn : draws.ranges)
+        if (drawn.interfaces > 0) drawn.mean /= static_cast<double>(drawn.interfaces);
+    return draws;
+}
+
+/// The draws of a run whose scenario is `plain`. Errors: its blocks cannot be built.
+Result<InterfaceDraws> drawnFor(const Sweep& sweep, const SweepRun& run, const Scenario& plain) {
+    if (!drawsPerInterface(sweep)) return InterfaceDraws{};
+    if (sweep.base_pairs) return drawInterfaces(sweep, run, plain.model, *sweep.base_pairs);
+    const auto pairs = touchingPairs(plain.model);
+    if (!pairs) return placed(plain, pairs.errors());
+    return drawInterfaces(sweep, run, plain.model, *pairs);
+}
 
 /// The [[interface]] entries of a document, by their blocks.
 std::map<NamePair, std::size_t> interfaceEntries(const Document& document) {
     std::map<NamePair, std::size_t> entries;
     const auto array = document.root().find("interface");
-    if (!array || array->kind() != scenario::Kind::array) return entries;
+    if (!array || array->kind() != toml::Kind::array) return entries;
     for (std::size_t i = 0; i < array->size(); ++i) {
         const auto between = array->at(i).find("between");
         entries[std::minmax(between->at(0).text(), between->at(1).text())] = i;
@@ -65,89 +151,32 @@ std::map<NamePair, std::size_t> interfaceEntries(const Document& document) {
     return entries;
 }
 
-/// Gives every interface of the columns' joints its own draws, as entries of the document.
-class InterfaceDraws {
- public:
-    InterfaceDraws(const Sweep& sweep, const SweepRun& run, Document& document)
-        : sweep_(sweep), run_(run), document_(document), entries_(interfaceEntries(document)) {
-        for (std::size_t c = 0; c < sweep.columns.size(); ++c)
-            if (sweep.columns[c].per == SampledPer::interface) drawn_.push_back({c, 0, 0, 0, 0});
+/// The draws as entries of the document.
+std::optional<Error> write(const InterfaceDraws& draws, const Model& model, Document& document) {
+    auto entries = interfaceEntries(document);
+    for (const PairOverride& drawn : draws.values) {
+        const NamePair names = namesOf(model, drawn.block_a, drawn.block_b);
+        const auto [place, is_new] =
+            entries.try_emplace(std::minmax(names.first, names.second), entries.size());
+        const std::string entry = toml::elementField("interface", place->second);
+        const std::string& joint = model.joints[static_cast<std::size_t>(drawn.joint)].name;
+        if (is_new && (put(document, entry + ".between[0]", names.first, true) ||
+                       put(document, entry + ".between[1]", names.second, true) ||
+                       put(document, entry + ".joint", joint)))
+            return Error{"interface", "cannot be added to the scenario"};
+        const std::string key(kJointProperties[drawn.property].key);
+        if (auto error = put(document, entry + "." + key, drawn.value)) return error;
     }
+    return std::nullopt;
+}
 
-    /// Errors: the pairs' own, an interface that cannot be edited.
-    std::vector<Error> apply(const Model& model) {
-        const auto pairs = touchingPairs(model);
-        if (!pairs) return pairs.errors();
-        for (const TouchingPair& pair : *pairs)
-            for (DrawnRange& drawn : drawn_)
-                if (auto error = applyTo(model, pair, drawn)) return {*error};
-        for (DrawnRange& drawn : drawn_)
-            if (drawn.interfaces > 0) drawn.mean /= static_cast<double>(drawn.interfaces);
-        return {};
-    }
-
-    std::vector<DrawnRange> takeDrawn() { return std::move(drawn_); }
-
- private:
-    std::optional<Error> applyTo(const Model& model, const TouchingPair& pair, DrawnRange& drawn) {
-        const SweepColumn& column = sweep_.columns[drawn.column];
-        const auto of_joint = *sweep::jointField(*sweep::parseField(column.targets.front()));
-        if (model.joints[static_cast<std::size_t>(pair.joint)].name != of_joint.joint) return std::nullopt;
-        const auto nameOf = [&](std::int32_t block) {
-            return model.blocks[static_cast<std::size_t>(block)].name;
-        };
-        const NamePair names{nameOf(pair.block_a), nameOf(pair.block_b)};
-        // By the blocks' names, so that an interface draws the same in a larger slope.
-        const NamePair sorted = std::minmax(names.first, names.second);
-        const double value =
-            draw(sweep_, column, run_.sample, column.name + "|" + sorted.first + "|" + sorted.second);
-        count(drawn, value);
-        const std::string entry = entryOf(names, sorted, of_joint.joint);
-        if (entry.empty()) return Error{"interface", "cannot be added to the scenario"};
-        return put(document_, entry + "." + of_joint.key, value);
-    }
-
-    /// "interface[3]", made if it is not there; "" if that cannot be.
-    std::string entryOf(const NamePair& names, const NamePair& sorted, const std::string& joint) {
-        const auto [place, is_new] = entries_.try_emplace(sorted, entries_.size());
-        const std::string entry = "interface[" + std::to_string(place->second) + "]";
-        if (is_new && (put(document_, entry + ".between[0]", names.first, true) ||
-                       put(document_, entry + ".between[1]", names.second, true) ||
-                       put(document_, entry + ".joint", joint)))
-            return "";
-        return entry;
-    }
-
-    static void count(DrawnRange& drawn, double value) {
-        drawn.min = drawn.interfaces ? std::min(drawn.min, value) : value;
-        drawn.max = drawn.interfaces ? std::max(drawn.max, value) : value;
-        drawn.mean += value;
-        ++drawn.interfaces;
-    }
-
-    const Sweep& sweep_;
-    const SweepRun& run_;
-    Document& document_;
-    std::map<NamePair, std::size_t> entries_;
-    std::vector<DrawnRange> drawn_;
-};
-
-/// The run's document, complete, and its draws per interface.
-struct Sampled {
-    Document document;
-    std::vector<DrawnRange> drawn;
-};
-
-Result<Sampled> sampled(const Sweep& sweep, const SweepRun& run) {
+/// The run as a document, complete.
+Result<Document> writtenRun(const Sweep& sweep, const SweepRun& run, const InterfaceDraws& draws,
+                            const Model& plain) {
     auto document = editedDocument(sweep, run);
-    if (!document) return document.errors();
-    if (!drawsPerInterface(sweep)) return Sampled{*document, {}};
-    const auto plain = scenario::readDocument(*document, "", sweep.scenario_path);
-    if (!plain) return plain.errors();
-    InterfaceDraws draws(sweep, run, *document);
-    const auto errors = draws.apply(plain->model);
-    if (!errors.empty()) return placed(*plain, errors);
-    return Sampled{*document, draws.takeDrawn()};
+    if (!document) return document;
+    if (auto error = write(draws, plain, *document)) return *error;
+    return document;
 }
 
 }  // namespace
@@ -171,18 +200,45 @@ SweepRun runOf(const Sweep& sweep, std::uint64_t index) {
     return run;
 }
 
+void prepareRuns(Sweep& sweep, std::shared_ptr<const Scenario> base) {
+    sweep.only_overrides = true;
+    bool same_joints = true;  // the joint between two blocks is the one with less friction
+    for (const SweepColumn& column : sweep.columns) {
+        if (column.per == SampledPer::interface) continue;
+        for (const std::string& target : column.targets) {
+            sweep.only_overrides = sweep.only_overrides && canOverride(*base, target);
+            const auto of_joint = scenario::jointField(*toml::parseField(target));
+            same_joints = same_joints && !(of_joint && of_joint->key == propertyOf(&Joint::friction).key);
+        }
+    }
+    if (sweep.only_overrides && same_joints && drawsPerInterface(sweep))
+        if (auto pairs = touchingPairs(base->model))
+            sweep.base_pairs = std::make_shared<const std::vector<TouchingPair>>(*std::move(pairs));
+    sweep.base = std::move(base);
+}
+
 Result<SampledScenario> scenarioOf(const Sweep& sweep, const SweepRun& run) {
-    auto whole = sampled(sweep, run);
-    if (!whole) return whole.errors();
-    auto scenario = scenario::readDocument(whole->document, "", sweep.scenario_path);
-    if (!scenario) return scenario.errors();
-    return SampledScenario{std::move(*scenario), std::move(whole->drawn)};
+    auto plain = plainScenario(sweep, run);
+    if (!plain) return plain.errors();
+    auto draws = drawnFor(sweep, run, *plain);
+    if (!draws) return draws.errors();
+    if (!draws->values.empty() && !overridePairs(*plain, draws->values)) {
+        const auto document = writtenRun(sweep, run, *draws, plain->model);  // the reader says what is wrong
+        if (!document) return document.errors();
+        plain = scenario::readDocument(*document, "", sweep.scenario_path);
+        if (!plain) return plain.errors();
+    }
+    return SampledScenario{*std::move(plain), std::move(draws->ranges)};
 }
 
 Result<std::string> scenarioTextOf(const Sweep& sweep, const SweepRun& run) {
-    auto whole = sampled(sweep, run);
-    if (!whole) return whole.errors();
-    return scenario::writeDocument(whole->document);
+    const auto plain = plainScenario(sweep, run);
+    if (!plain) return plain.errors();
+    const auto draws = drawnFor(sweep, run, *plain);
+    if (!draws) return draws.errors();
+    const auto document = writtenRun(sweep, run, *draws, plain->model);
+    if (!document) return document.errors();
+    return toml::writeDocument(*document);
 }
 
 }  // namespace talus::formats

@@ -6,30 +6,31 @@
 #include <limits>
 #include <map>
 
-#include "field_path.h"
-#include "scenario/document.h"
-#include "scenario/file_text.h"
-#include "scenario/table_reader.h"
-#include "scenario/wording.h"
-#include "variables.h"
+#include "sweep/runs.h"
+#include "sweep/variables.h"
+#include "toml/document.h"
+#include "toml/field_path.h"
+#include "toml/file_text.h"
+#include "toml/table_reader.h"
+#include "toml/wording.h"
 
 namespace talus::formats {
 
 namespace sweep {
 namespace {
 
-using namespace scenario;
+using namespace toml;
 
 constexpr std::size_t kMaxTried = 1000;  // values of one variable that are tried in advance
 constexpr double kNearlyCertain = 1e-9;  // share of a distribution beyond the ends that are tried
 constexpr std::int64_t kMaxSamples = 1'000'000'000;
 constexpr std::uint64_t kMaxRuns = 1'000'000'000'000;
 
-std::vector<std::string> jointNames(const Document& document) {
+std::vector<std::string> jointNames(const Scenario& scenario) {
     std::vector<std::string> names;
-    const auto joints = document.root().find("joint");
-    if (!joints || joints->kind() != Kind::table) return names;
-    for (const Entry& entry : joints->entries()) names.push_back(entry.key);
+    for (std::size_t j = 0; j < scenario.joint_origins.size(); ++j)
+        if (scenario.joint_origins[j].kind == JointOrigin::Kind::file)
+            names.push_back(scenario.model.joints[j].name);
     return names;
 }
 
@@ -72,14 +73,14 @@ class SweepReader {
         if (!name) return {};
         sweep_.scenario_path = besideFile(sweep_.path, *name);
         const auto text = readFileText(sweep_.scenario_path);
-        const auto scenario =
-            text ? parseScenario(*text, sweep_.scenario_path) : Result<Scenario>(text.errors());
+        auto scenario = text ? parseScenario(*text, sweep_.scenario_path) : Result<Scenario>(text.errors());
         if (!scenario) {
             errors_ = scenario.errors();
             return {};
         }
-        sweep_.scenario_text = *text;
-        return jointNames(*Document::parse(*text, sweep_.scenario_path));
+        sweep_.scenario_text = std::move(scenario->text);
+        base_ = std::make_shared<const Scenario>(*std::move(scenario));
+        return jointNames(*base_);
     }
 
     void readSampling(const Variables& variables) {
@@ -102,7 +103,7 @@ class SweepReader {
     void readReport() {
         auto table = root_.table("report", {"tilt_deg", "factor", "confidence"});
         if (!table) return;
-        constexpr Range kConfidence{0.5, 1, false, true};
+        constexpr Interval kConfidence{0.5, 1, false, true};
         sweep_.report.tilts_deg =
             table->numbers("tilt_deg", kTiltDeg, std::nullopt).value_or(std::vector<double>{});
         sweep_.report.factors =
@@ -134,6 +135,7 @@ class SweepReader {
 
     void tryValues(const std::vector<Variable>& list) {
         if (!report_.clean()) return;
+        prepareRuns(sweep_, base_);
         SweepRun first = runOf(sweep_, 0);
         for (std::size_t c = 0; c < list.size(); ++c)
             if (list[c].column.source == SweepSource::random && list[c].column.per != SampledPer::interface)
@@ -163,6 +165,7 @@ class SweepReader {
                 SweepRun all = first;
                 Sweep like = sweep_;
                 like.columns[c].per = SampledPer::run;
+                like.base_pairs = nullptr;
                 all.values[c] = value;
                 check(scenarioOf(like, all), list, &list[c], 0);
             } else {
@@ -222,6 +225,7 @@ class SweepReader {
     Report& report_;
     TableReader root_;
     Sweep sweep_;
+    std::shared_ptr<const Scenario> base_;
     std::vector<Error> errors_;
 };
 
@@ -244,15 +248,15 @@ std::string toString(const SweepValue& value) {
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
-    return scenario::numberText(std::get<double>(value));
+    return toml::numberText(std::get<double>(value));
 }
 
 Result<Sweep> readSweep(const std::string& path) {
-    const auto text = scenario::readFileText(path);
+    const auto text = toml::readFileText(path);
     if (!text) return text.errors();
-    const auto document = scenario::Document::parse(*text, path);
+    const auto document = toml::Document::parse(*text, path);
     if (!document) return document.errors();
-    scenario::Report report(path);
+    toml::Report report(path);
     auto sweep = sweep::SweepReader(report, document->root(), path).read();
     if (sweep) sweep->text = *text;
     return sweep;

@@ -1,26 +1,27 @@
-#include "variables.h"
+#include "sweep/variables.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
 
-#include "case_table.h"
-#include "field_path.h"
-#include "scenario/file_text.h"
+#include "scenario/fields.h"
 #include "scenario/properties.h"
-#include "scenario/wording.h"
+#include "sweep/case_table.h"
+#include "toml/field_path.h"
+#include "toml/file_text.h"
+#include "toml/wording.h"
 
 namespace talus::formats::sweep {
 
 namespace {
 
-using namespace scenario;
+using namespace toml;
 
 constexpr std::size_t kMaxValues = 1'000'000;  // of one grid
 constexpr const char* kNameColumn = "name";
 
-constexpr Range kNumber{};
+constexpr Interval kNumber{};
 
 std::optional<SweepValue> scalarOf(Report& report, const Node& node, const std::string& field) {
     switch (node.kind()) {
@@ -61,12 +62,12 @@ class VariablesReader {
         if (!path) {
             report_.add(
                 place, field,
-                "found " + scenario::quoted(written) +
+                "found " + toml::quoted(written) +
                     ", allowed: the path of a field of the scenario, like \"joint.default.friction_deg\" or "
                     "\"water[0].depth\"");
             return {};
         }
-        const auto of_joint = jointField(*path);
+        const auto of_joint = scenario::jointField(*path);
         if (!of_joint || of_joint->joint != "*") return {written};
         std::vector<std::string> targets;
         for (const std::string& joint : joints_)
@@ -79,7 +80,7 @@ class VariablesReader {
         for (const std::string& target : variable.column.targets) {
             if (claimed_.insert(target).second) continue;
             const std::string message =
-                "found " + scenario::quoted(target) + " again, allowed: each field once in a sweep";
+                "found " + toml::quoted(target) + " again, allowed: each field once in a sweep";
             if (variable.file.empty())
                 report_.add(variable.place, variable.field + ".field", message);
             else
@@ -92,7 +93,7 @@ class VariablesReader {
 
     void add(Variable variable) {
         if (variable.column.targets.empty() || !claim(variable)) return;
-        variable.column.unit = unitOf(variable.column.name);
+        variable.column.unit = scenario::unitOf(variable.column.name);
         variables_.list.push_back(std::move(variable));
     }
 
@@ -284,10 +285,10 @@ class VariablesReader {
             variable.column.targets = targetsOf(name, name, variable.place);
             variable.field = name;
         } else {
-            variables_.errors.push_back({"",
-                                         "found a column " + scenario::quoted(name) +
-                                             ", allowed: fields of the scenario, and \"name\"",
-                                         variable.file, variable.place.line, variable.place.column});
+            variables_.errors.push_back(
+                {"",
+                 "found a column " + toml::quoted(name) + ", allowed: fields of the scenario, and \"name\"",
+                 variable.file, variable.place.line, variable.place.column});
         }
         add(std::move(variable));
     }
@@ -319,15 +320,15 @@ class VariablesReader {
 
     bool checkJointFields(TableReader& table, const Variable& variable) {
         const auto known = [](const std::string& target) {
-            const auto of_joint = jointField(*parseField(target));
-            const auto& keys = jointKeys();
+            const auto of_joint = scenario::jointField(*parseField(target));
+            const auto& keys = scenario::jointKeys();
             return of_joint && std::find(keys.begin(), keys.end(), of_joint->key) != keys.end();
         };
         const auto& targets = variable.column.targets;
         if (std::all_of(targets.begin(), targets.end(), known)) return true;
-        table.error("per", "found draws per joint or interface of " + scenario::quoted(variable.column.name) +
+        table.error("per", "found draws per joint or interface of " + toml::quoted(variable.column.name) +
                                ", allowed there: \"joint.NAME.KEY\" or \"joint.*.KEY\" with KEY one of " +
-                               listed(jointKeys()));
+                               listed(scenario::jointKeys()));
         return false;
     }
 
@@ -381,8 +382,8 @@ class VariablesReader {
                             numberText(kFarTail) + " standard deviations of the mean");
     }
 
-    static constexpr Range kShape{0.01, 1e6, false, false};  ///< of a beta distribution
-    static constexpr double kFarTail = 8;                    ///< [sd]
+    static constexpr Interval kShape{0.01, 1e6, false, false};  ///< of a beta distribution
+    static constexpr double kFarTail = 8;                       ///< [sd]
 
     Report& report_;
     TableReader& root_;

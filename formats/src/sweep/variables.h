@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "scenario/table_reader.h"
 #include "talus/formats/sweep.h"
+#include "toml/table_reader.h"
 
 namespace talus::formats::sweep {
 
 /// A column of the sweep, and where each of its values stands, for messages.
 struct Variable {
     SweepColumn column;
-    std::string field;                    ///< "grid[0]"
-    scenario::Place place;                ///< of its field in the sweep file
-    std::string file;                     ///< where the values stand; empty: the sweep file
-    std::vector<scenario::Place> places;  ///< of each value
+    std::string field;                ///< "grid[0]"
+    toml::Place place;                ///< of its field in the sweep file
+    std::string file;                 ///< where the values stand; empty: the sweep file
+    std::vector<toml::Place> places;  ///< of each value
 };
 
 /// Reads all variables and the names of the table's cases. `joints` are the scenario's, for `joint.*`. Table files are
@@ -25,7 +25,7 @@ struct Variables {
     std::vector<std::string> case_names;
     std::vector<Error> errors;  ///< of the table's file
 };
-Variables readVariables(scenario::Report& report, scenario::TableReader& root, const std::string& path,
+Variables readVariables(toml::Report& report, toml::TableReader& root, const std::string& path,
                         const std::vector<std::string>& joints);
 
 /// `name` beside the file at `path`, unless it is absolute.

@@ -6,6 +6,7 @@
 
 #include "support/snapshots.h"
 #include "talus/analysis.h"
+#include "talus/formats/failing.h"
 
 using namespace talus;
 
@@ -73,6 +74,37 @@ TEST_CASE(
     const double a = 9.81 * (std::sin(20.1 * kDegree) - std::cos(20.1 * kDegree) * std::tan(20.0 * kDegree));
     const double t = lights.back().time;
     CHECK(way(lights.back()) == doctest::Approx(0.5 * a * t * t).epsilon(0.01));
+}
+
+TEST_CASE("a failing run computes what the search's continuation computed, to the bit") {
+    // The search hands out the hash at the end of its continuation; with its time step and duration the run ends there.
+    Control control;
+    control.keep_failing_state = true;
+    Model model = slidingBlock();
+    const auto playedOn = [&](const SearchResult& search, formats::FailingLoad load) {
+        load.contact_damping = search.failing->contact_damping;
+        load.duration = search.continuation_seconds;
+        load.frame_interval = 1;
+        Model failing = formats::failingModel(model, load);
+        failing.run.time_step = search.time_step;
+        const auto result = runFailing(failing, Control{}, RunOutput{}, search.failing->state, kInfinity);
+        REQUIRE(result.ok());
+        CHECK(static_cast<double>(result->steps) * search.time_step == search.continuation_seconds);
+        return result->state_hash;
+    };
+    const SearchResult angle = *criticalAngle(model, control);
+    REQUIRE(angle.failing != nullptr);
+    formats::FailingLoad tilted;
+    tilted.tilt = angle.failing->load;
+    CHECK(playedOn(angle, tilted) == angle.state_hash);
+
+    // tan(phi) over the factor is not the tangent of an angle: the strengths are the state's own.
+    model.gravity.tilt = 10 * 0.017453292519943295;
+    const SearchResult factor = *safetyFactor(model, control);
+    REQUIRE(factor.failing != nullptr);
+    formats::FailingLoad weakened;
+    weakened.factor = factor.failing->load;
+    CHECK(playedOn(factor, weakened) == factor.state_hash);
 }
 
 TEST_CASE("a damaged state is refused") {

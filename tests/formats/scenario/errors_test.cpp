@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scenario_texts.h"
+#include "talus/simulation.h"
 
 namespace talus::formats {
 
@@ -408,20 +409,28 @@ TEST_CASE("scenario errors: water") {
     checkFault({"joint = {}\n" + material() + stack(), 1, "joint", "missing; required: [joint.default]"});
 }
 
-TEST_CASE("scenario errors: water that overlaps other water") {
+TEST_CASE(
+    "scenario errors: water that overlaps other water is found by the engine, and has its place in the "
+    "file") {
+    const auto faultsOf = [](const std::string& text) {
+        const Scenario scenario = readGood(text);
+        return placed(scenario, checkModel(scenario.model));
+    };
     const auto two = [](const std::string& first, const std::string& second) {
         return properties() + stack() + "[[water]]\n" + first + "[[water]]\n" + second;
     };
     const auto overlaps = [&](const std::string& first, const std::string& second) {
-        const auto errors = readBad(two(first, second));
+        const auto errors = faultsOf(two(first, second));
         CAPTURE(all(errors));
         REQUIRE(errors.size() == 1);
         CHECK(errors[0].field == "water[1]");
         CHECK(errors[0].line == 12 + 1 + std::count(first.begin(), first.end(), '\n'));
-        CHECK(errors[0].message.find("that water[0] wets already") != std::string::npos);
+        CHECK(errors[0].message.find("overlaps that of water[0]") != std::string::npos);
     };
     const auto fits = [&](const std::string& first, const std::string& second) {
-        CHECK(readGood(two(first, second)).model.waters.size() == 2);
+        const auto errors = faultsOf(two(first, second));
+        CAPTURE(all(errors));
+        CHECK(errors.empty());
     };
     overlaps("fissure = 1\ndepth = 0.05\n", "fissure = 1\ndepth = 0.02\n");
     overlaps("fissure = 1\ndepth = 0.05\n", "fissure = 1\ndepth = 0.02\nbase = 0.04\n");
@@ -440,12 +449,12 @@ TEST_CASE("scenario errors: water that overlaps other water") {
     // 0.2.
     const std::string tilt = "[gravity]\ntilt_deg = 30\n";
     const std::string low = "fissure = 1\nelevation = 0.12\n";
-    readGood(tilt + two(low, "fissure = 1\ndepth = 0.02\nbase = 0.0232\n"));
-    CHECK(readBad(tilt + two(low, "fissure = 1\ndepth = 0.02\nbase = 0.0230\n"))[0].field == "water[1]");
-    // analysis.start_deg comes before gravity.tilt_deg.
-    CHECK(
-        readBad("[analysis]\nstart_deg = 0\n" + tilt + two(low, "fissure = 1\ndepth = 0.02\nbase = 0.0232\n"))
-            .size() == 1);
+    CHECK(faultsOf(tilt + two(low, "fissure = 1\ndepth = 0.02\nbase = 0.0232\n")).empty());
+    CHECK(faultsOf(tilt + two(low, "fissure = 1\ndepth = 0.02\nbase = 0.0230\n")).at(0).field == "water[1]");
+    // A search starts at analysis.start_deg.
+    CHECK(faultsOf("[analysis]\nstart_deg = 0\n" + tilt +
+                   two(low, "fissure = 1\ndepth = 0.02\nbase = 0.0232\n"))
+              .size() == 1);
 }
 
 }  // namespace talus::formats

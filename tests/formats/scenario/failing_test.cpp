@@ -58,6 +58,33 @@ TEST_CASE("strengths are divided wherever the file gives them; joints keep their
     CHECK(after->model.gravity.tilt == before.model.gravity.tilt);
 }
 
+TEST_CASE("the model is the search's to the bit; the text reads back as it but for the rounding of degrees") {
+    const Scenario before = original();
+    FailingLoad load;
+    load.tilt = 0.3;
+    load.factor = 1.37;
+    load.contact_damping = 1.0 / 3;
+    load.frame_interval = 0.01;
+    const auto after = failingScenario(before, load, "");
+    REQUIRE(after.ok());
+    CHECK(after->model.gravity.tilt == 0.3);
+    const auto read = parseScenario(after->text, "again.toml");
+    REQUIRE(read.ok());
+    REQUIRE(read->model.joints.size() == before.model.joints.size());
+    for (std::size_t j = 0; j < before.model.joints.size(); ++j)
+        for (const JointProperty& property : kJointProperties) {
+            CAPTURE(property.key);
+            const double exact = after->model.joints[j].*property.value;
+            CHECK(exact == reduced(before.model.joints[j], 1.37).*property.value);
+            CHECK(read->model.joints[j].*property.value == doctest::Approx(exact).epsilon(1e-15));
+        }
+    CHECK(read->model.gravity.tilt == doctest::Approx(0.3).epsilon(1e-15));
+    CHECK(read->model.damping.contact == 1.0 / 3);
+    CHECK(read->model.analysis.stop == doctest::Approx(after->model.analysis.stop).epsilon(1e-15));
+    CHECK(read->model.run.duration == after->model.run.duration);
+    for (const LevelPoint& point : after->model.waters[0].level) CHECK(point.value == 0.05);
+}
+
 TEST_CASE("the tilt is written out, and a search of the new text goes where that of the old one went") {
     const Scenario before = original();
     FailingLoad load;

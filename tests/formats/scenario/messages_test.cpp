@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scenario/wording.h"
 #include "scenario_texts.h"
+#include "toml/wording.h"
 
 namespace talus::formats {
 
@@ -232,7 +232,7 @@ TEST_CASE("scenario files: dots that are no deep keys") {
 }
 
 TEST_CASE("scenario messages: near words") {
-    using scenario::nearest;
+    using toml::nearest;
     const std::vector<std::string> keys = {"columns", "rows", "friction_deg", "duration_s"};
     CHECK(nearest("colunms", keys) == "columns");
     CHECK(nearest("COLUMNS", keys) == "columns");
@@ -242,13 +242,13 @@ TEST_CASE("scenario messages: near words") {
     CHECK(nearest("duraton", keys) == "duration_s");
     CHECK_FALSE(nearest("slices", keys).has_value());
     CHECK_FALSE(nearest("", keys).has_value());
-    CHECK(scenario::quoted("a\nb\x7f") == "\"a?b?\"");
-    CHECK(scenario::quoted(repeated("\xC3\xA4", 100)) == "\"" + repeated("\xC3\xA4", 30) + "...\"");
-    CHECK(scenario::quoted("x" + repeated("\xC3\xA4", 100)) == "\"x" + repeated("\xC3\xA4", 29) + "...\"");
-    CHECK(scenario::numberText(2e6) == "2000000");
-    CHECK(scenario::numberText(-0.5) == "-0.5");
-    CHECK(scenario::numberText(3.375e11) == "3.375e+11");
-    CHECK(scenario::numberText(1e-9) == "1e-09");
+    CHECK(toml::quoted("a\nb\x7f") == "\"a?b?\"");
+    CHECK(toml::quoted(repeated("\xC3\xA4", 100)) == "\"" + repeated("\xC3\xA4", 30) + "...\"");
+    CHECK(toml::quoted("x" + repeated("\xC3\xA4", 100)) == "\"x" + repeated("\xC3\xA4", 29) + "...\"");
+    CHECK(toml::numberText(2e6) == "2000000");
+    CHECK(toml::numberText(-0.5) == "-0.5");
+    CHECK(toml::numberText(3.375e11) == "3.375e+11");
+    CHECK(toml::numberText(1e-9) == "1e-09");
 }
 
 }  // namespace talus::formats

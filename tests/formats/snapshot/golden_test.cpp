@@ -39,7 +39,7 @@ TEST_CASE("the file of the first version is read with its values") {
     CHECK(full.interfaces.size() == 1);
     CHECK(full.points.size() == 9);
     CHECK(full.progress.time_step == doctest::Approx(0.002));
-    CHECK(full.laws.tan_dilation[0] == doctest::Approx(0.017455064928217585));
+    CHECK(full.laws.of(&Joint::dilation)[0] == doctest::Approx(0.017455064928217585));
     CHECK(full.loads.tilt == doctest::Approx(25 * 0.017453292519943295));
     REQUIRE(reader->end().has_value());
     CHECK(reader->end()->ended == "finished");

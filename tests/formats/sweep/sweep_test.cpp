@@ -8,9 +8,9 @@
 #include <set>
 
 #include "formats/scenario/scenario_texts.h"
-#include "scenario/document.h"
-#include "scenario/write_document.h"
 #include "talus/formats/sweep.h"
+#include "toml/document.h"
+#include "toml/write_document.h"
 #include "tools/program.h"
 
 namespace talus::formats {
@@ -227,9 +227,9 @@ TEST_CASE("a sample written back reads as the same model, ties between joints in
     CHECK(again.gravity.tilt == model.gravity.tilt);
     CHECK(again.waters[0].level.size() == 2);
     // And written once more it is the same text.
-    const auto document = scenario::Document::parse(*written, "");
+    const auto document = toml::Document::parse(*written, "");
     REQUIRE(document.ok());
-    CHECK(scenario::writeDocument(*document) == *written);
+    CHECK(toml::writeDocument(*document) == *written);
 }
 
 TEST_CASE("the identity changes with what decides the runs, and with nothing else") {

@@ -11,8 +11,8 @@
 
 namespace talus::formats {
 
-/// How each block moves, as the search saw it in a run that it kept; else up to this frame: `none` when it went less than a tenth of the farthest block's way, `toppling` when
-/// it turns about a pivot within reach of the moving group, else `sliding` (the rule of the failure analysis).
+/// How each block moves, as the search saw it in a run that it kept; else up to this frame, by the same rule
+/// (talus/motion_roles.h).
 std::vector<FailureMode> failureRoles(const SnapshotHeader& header, const LightFrame& frame);
 
 /// Vertices of all blocks where they are in a frame, in the header's order [m].

@@ -1,6 +1,6 @@
 #pragma once
-// A scenario as it fails: the tilt or the reduced strengths that a search has found, written out, so that the text of a
-// kept run says by itself what moves there.
+// A scenario as it fails: at the tilt or with the reduced strengths that a search has found. Its model is the search's, to
+// the bit; its text says the same to whoever reads a kept run.
 
 #include <optional>
 #include <string>
@@ -19,9 +19,12 @@ struct FailingLoad {
     double frame_interval = 0;   ///< [s]
 };
 
-/// The scenario at that load, read from its own new text, which starts with `remark` as comment lines. Water levels
-/// over time stay at their value at time 0, as in a search. What the scenario says of searches stays true of it.
-/// Errors: those of reading the text, should the load be outside of what a scenario may say.
+/// The model at that load, in the bits of the search. Water levels over time stay at their value at time 0, as in a search.
+Model failingModel(Model model, const FailingLoad& load);
+
+/// The same with a text of its own, which starts with `remark` as comment lines and reads back as that model but for the
+/// rounding of angles in degrees. What the scenario says of searches stays true of it. Errors: those of reading the text,
+/// should the load be outside of what a scenario may say.
 Result<Scenario> failingScenario(const Scenario& scenario, const FailingLoad& load,
                                  const std::string& remark);
 

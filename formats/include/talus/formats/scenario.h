@@ -11,6 +11,7 @@
 // analysis.factor_tolerance, and water[].stack, the name of the stack meant where there are several.
 // Limits: 64 MiB of text, two million blocks, 1000 vertices of a block placed by hand.
 
+#include <bitset>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -22,12 +23,32 @@
 
 namespace talus::formats {
 
+/// Properties of a joint, by their place in kJointProperties.
+using JointProperties = std::bitset<kJointPropertyCount>;
+
+/// Where a joint of the model comes from. Properties that are not given are those of the joint it is made from, or follow
+/// another property.
+struct JointOrigin {
+    enum class Kind : std::uint8_t {
+        file,        ///< [joint.NAME]
+        interface,   ///< an [[interface]] with properties of its own
+        bed_level,   ///< a level of a stack's bed_friction_deg
+        intact_rock  ///< what bonds the parts of one block
+    };
+    Kind kind = Kind::file;
+    std::int32_t base = 0;  ///< the file's joint it is made from; itself for one of the file
+    JointProperties given{};
+    bool has_bed_levels = false;  ///< some stack compares bed levels with its friction
+};
+
 /// A read scenario: the model, the text it came from, and where each field stands in it.
 struct Scenario {
     Model model;
     std::string path;  ///< as given, for messages
     std::string text;
     std::map<std::string, std::pair<int, int>> places;  ///< "stack[0].columns" -> (line, column), 1-based
+    std::vector<JointOrigin> joint_origins{};           ///< per joint of the model
+    std::vector<std::string> materials{};               ///< their names; blocks hold indices
     std::vector<std::string> warnings{};  ///< of cutting a rock mass: cuts left out, joints that cut nothing
 };
 

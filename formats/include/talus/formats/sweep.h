@@ -40,6 +40,7 @@
 #include "talus/formats/distribution.h"
 #include "talus/formats/scenario.h"
 #include "talus/result.h"
+#include "talus/simulation.h"
 
 namespace talus::formats {
 
@@ -78,6 +79,11 @@ struct Sweep {
     bool latin_hypercube = false;
     SweepReport report;
     std::string text, scenario_text;  ///< of the two files
+
+    // What runs start from, so that they need not read the text again.
+    std::shared_ptr<const Scenario> base{};  ///< the scenario as its file says
+    bool only_overrides = false;             ///< a run's values can all be put into its model (overrides.h)
+    std::shared_ptr<const std::vector<TouchingPair>> base_pairs{};  ///< of all runs, when they have the same
 
     std::uint64_t runs() const { return cases * samples; }
 };

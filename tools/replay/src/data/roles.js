@@ -1,15 +1,15 @@
-// What each block does in a failure, by the rules of the engine's failure mode (talus critical-angle): a block moves when
-// it goes a tenth of the farthest one's way, and topples when its rotation, at the size of the moving group, makes up
-// more than a quarter of its motion.
+// What each block does in a failure, by the rule of talus/motion_roles.h: the numbers come with the page. A block moves when
+// it goes a share of the farthest one's way and more than a share of the smallest block's size, since a file does not say
+// how much the joints gave at rest; it topples when its rotation, at the size of the moving group, makes up more than a
+// share of its motion.
 
 import { get, norm } from "./poses.js";
 
 export const Role = { fixed: 0, driven: 1, stands: 2, slides: 3, topples: 4 };
 export const roleNames = ["fixed", "driven", "stands", "slides", "topples"];
 
-const kMovingShare = 0.1;
-const kTopplingShare = 0.25;
-const kStandingShare = 1e-3; // of the smallest block's size: nobody has gone farther, so nothing fails
+const rule = JSON.parse(document.getElementById("motion-rule")?.textContent ?? "{}");
+const kStandingShare = rule.deflections * rule.deflectionOfSize; // of a block's size: less is no motion
 
 /** Way of a block since the start, of its farthest corner [m]. */
 export const motionOf = (frame, block, radius) =>
@@ -40,14 +40,14 @@ export function rolesAt(header, frame, radius) {
       motion === 1 ? Role.fixed : motion === 2 ? Role.driven : rolesOfSearch[header.failure.role[b]] ?? Role.stands);
   const motion = header.names.map((_, b) => (header.motion[b] === 0 ? motionOf(frame, b, radius) : 0));
   const largest = motion.reduce((most, value) => Math.max(most, value), 0);
-  const fails = largest > kStandingShare * smallestFree(header);
-  const moving = motion.map((way) => fails && way > kMovingShare * largest);
+  const least = Math.max(kStandingShare * smallestFree(header), rule.share * largest);
+  const moving = motion.map((way) => way > least);
   const extent = movingExtent(header, frame, radius, moving);
   return Uint8Array.from(motion, (way, b) => {
     if (header.motion[b] === 1) return Role.fixed;
     if (header.motion[b] === 2) return Role.driven;
     if (!moving[b]) return Role.stands;
-    return norm(get(frame.rotation, b)) * extent > kTopplingShare * way ? Role.topples : Role.slides;
+    return norm(get(frame.rotation, b)) * extent > rule.toppling * way ? Role.topples : Role.slides;
   });
 }
 
@@ -61,10 +61,10 @@ export function overallMode(header, roles) {
   });
   const all = sliding + toppling;
   if (all === 0) return "none";
-  return sliding >= 0.9 * all ? "sliding" : toppling >= 0.9 * all ? "toppling" : "mixed";
+  return sliding >= rule.pure * all ? "sliding" : toppling >= rule.pure * all ? "toppling" : "mixed";
 }
 
-/** Time at which a block had gone a thousandth of its size, or null. */
+/** Time at which a block had gone that share of its size, or null. */
 export function setOffTime(header, frames, block, radius) {
   const found = frames.find((frame) => motionOf(frame, block, radius) > kStandingShare * header.size[block]);
   return found ? found.time : null;

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "document.h"
+#include "toml/document.h"
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 class Report {
  public:
@@ -38,4 +38,4 @@ class Report {
     std::map<std::string, std::pair<int, int>> places_;
 };
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

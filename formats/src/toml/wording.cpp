@@ -1,11 +1,11 @@
-#include "wording.h"
+#include "toml/wording.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 namespace {
 
@@ -127,4 +127,4 @@ std::string suggestion(std::string_view found, const std::vector<std::string>& c
     return ", allowed: " + listed(candidates);
 }
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

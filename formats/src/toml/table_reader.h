@@ -10,33 +10,25 @@
 #include <string_view>
 #include <vector>
 
-#include "document.h"
-#include "report.h"
+#include "talus/interval.h"
 #include "talus/polyhedron.h"
+#include "toml/document.h"
+#include "toml/report.h"
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
-/// Numbers allowed: from `min` to `max`, without the ends that are open. Always finite.
-struct Range {
-    double min = -std::numeric_limits<double>::infinity();
-    double max = std::numeric_limits<double>::infinity();
-    bool open_min = false;
-    bool open_max = false;
-
-    bool contains(double value) const;
-    std::string allowed() const;  ///< "greater than 0 and at most 10"
-};
+std::string allowedText(const Interval& interval);  ///< "greater than 0 and at most 10"
 
 inline constexpr double kMaxLength =
     1e6;  ///< [m]; far beyond any slope, near enough that sums stay exact to 1e-9 m
 
-inline constexpr Range kAnyNumber{};
-inline constexpr Range kPositive{0, std::numeric_limits<double>::infinity(), true, false};
-inline constexpr Range kNotNegative{0, std::numeric_limits<double>::infinity(), false, false};
-inline constexpr Range kCoordinate{-kMaxLength, kMaxLength, false, false};  ///< [m]
-inline constexpr Range kSize{0, kMaxLength, true, false};                   ///< [m]
-inline constexpr Range kFrictionDeg{0, 90, false, true};
-inline constexpr Range kTiltDeg{-90, 90, true, true};
+inline constexpr Interval kAnyNumber{};
+inline constexpr Interval kPositive = Interval::positive();
+inline constexpr Interval kNotNegative = Interval::notNegative();
+inline constexpr Interval kLength{0, kMaxLength};                              ///< [m]
+inline constexpr Interval kCoordinate{-kMaxLength, kMaxLength, false, false};  ///< [m]
+inline constexpr Interval kSize{0, kMaxLength, true, false};                   ///< [m]
+inline constexpr Interval kTiltDeg{-90, 90, true, true};
 
 struct Bounds {
     std::int64_t min = 0;
@@ -53,13 +45,13 @@ struct FieldNode {
 };
 
 // One node each; `field` names it in messages.
-std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Range& range);
+std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Interval& range);
 std::optional<std::int64_t> readInteger(Report& report, Node node, const std::string& field, Bounds bounds);
 std::optional<std::string> readText(Report& report, Node node, const std::string& field);
 /// \param length the number of elements wanted, any when nothing
 std::optional<std::vector<double>> readNumbers(Report& report, Node node, const std::string& field,
-                                               const Range& range, std::optional<std::size_t> length);
-std::optional<Vec3> readVector(Report& report, Node node, const std::string& field, const Range& range);
+                                               const Interval& range, std::optional<std::size_t> length);
+std::optional<Vec3> readVector(Report& report, Node node, const std::string& field, const Interval& range);
 
 /// Adds `found X, allowed: Y`.
 void reportFound(Report& report, Node node, const std::string& field, const std::string& allowed);
@@ -89,13 +81,13 @@ class TableReader {
         const std::vector<std::string>& keys) const;  ///< those of `keys` that are there
 
     // Nothing when the key is missing or its value is not allowed (which is then reported).
-    std::optional<double> number(std::string_view key, const Range& range);
+    std::optional<double> number(std::string_view key, const Interval& range);
     std::optional<std::int64_t> integer(std::string_view key, Bounds bounds);
     std::optional<bool> boolean(std::string_view key);
     std::optional<std::string> text(std::string_view key);
     std::optional<std::size_t> choice(std::string_view key, const std::vector<std::string>& allowed);
-    std::optional<Vec3> vector(std::string_view key, const Range& range);
-    std::optional<std::vector<double>> numbers(std::string_view key, const Range& range,
+    std::optional<Vec3> vector(std::string_view key, const Interval& range);
+    std::optional<std::vector<double>> numbers(std::string_view key, const Interval& range,
                                                std::optional<std::size_t> length);
     std::optional<std::vector<std::string>> texts(std::string_view key, std::optional<std::size_t> length);
     std::optional<Node> array(std::string_view key);
@@ -114,4 +106,4 @@ class TableReader {
     std::vector<std::string> meant_;  ///< keys that misspelt ones stand for
 };
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

@@ -1,9 +1,10 @@
-#include "field_path.h"
+#include "toml/field_path.h"
 
-#include <array>
+#include <algorithm>
 #include <charconv>
+#include <string>
 
-namespace talus::formats::sweep {
+namespace talus::formats::toml {
 
 namespace {
 
@@ -57,54 +58,14 @@ class FieldParser {
     bool failed_ = false;
 };
 
+}  // namespace
+
 std::string_view lastKey(std::string_view field) {
     while (!field.empty() && field.back() == ']') field = field.substr(0, field.rfind('['));
     const auto dot = field.rfind('.');
     return dot == std::string_view::npos ? field : field.substr(dot + 1);
 }
 
-}  // namespace
-
 std::optional<FieldPath> parseField(std::string_view field) { return FieldParser(field).parse(); }
 
-std::optional<JointField> jointField(const FieldPath& path) {
-    if (path.size() != 3 || path[0] != scenario::PathPart(std::string("joint"))) return std::nullopt;
-    const auto* joint = std::get_if<std::string>(&path[1]);
-    const auto* key = std::get_if<std::string>(&path[2]);
-    if (!joint || !key) return std::nullopt;
-    return JointField{*joint, *key};
-}
-
-std::string unitOf(std::string_view field) {
-    struct Unit {
-        std::string_view key, unit;
-    };
-    static constexpr std::array kUnits{
-        Unit{"normal_stiffness", "Pa/m"},
-        Unit{"shear_stiffness", "Pa/m"},
-        Unit{"cohesion", "Pa"},
-        Unit{"tensile_strength", "Pa"},
-        Unit{"residual_cohesion", "Pa"},
-        Unit{"density", "kg/m^3"},
-        Unit{"depth", "m"},
-        Unit{"elevation", "m"},
-        Unit{"head", "m"},
-        Unit{"base", "m"},
-        Unit{"drains_at_aperture", "m"},
-        Unit{"block", "m"},
-        Unit{"origin", "m"},
-        Unit{"magnitude", "m/s^2"},
-        Unit{"velocity", "m/s"},
-        Unit{"mass", "1/s"},
-        Unit{"rotation", "1/s"},
-    };
-    const std::string_view key = lastKey(field);
-    if (key.ends_with("_deg")) return "deg";
-    if (key.ends_with("_s")) return "s";
-    if (key.ends_with("_m")) return "m";
-    for (const Unit& unit : kUnits)
-        if (unit.key == key) return std::string(unit.unit);
-    return "";
-}
-
-}  // namespace talus::formats::sweep
+}  // namespace talus::formats::toml

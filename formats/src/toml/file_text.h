@@ -5,9 +5,9 @@
 
 #include "talus/result.h"
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 /// Errors name the file: it cannot be opened, is a directory, cannot be read, or is larger than 64 MiB.
 Result<std::string> readFileText(const std::string& path);
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

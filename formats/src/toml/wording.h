@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 /// The shortest text that reads back as the same number.
 std::string numberText(double value);
@@ -31,4 +31,4 @@ std::optional<std::string> nearest(std::string_view found, const std::vector<std
 /// `, did you mean "columns"?` or `, allowed: ...`.
 std::string suggestion(std::string_view found, const std::vector<std::string>& candidates);
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

@@ -1,9 +1,9 @@
-#include "report.h"
+#include "toml/report.h"
 
 #include <algorithm>
 #include <tuple>
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 namespace {
 
@@ -41,4 +41,4 @@ std::optional<Place> Report::placeOf(std::string field) const {
     return std::nullopt;
 }
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

@@ -1,11 +1,11 @@
-#include "table_reader.h"
+#include "toml/table_reader.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "wording.h"
+#include "toml/wording.h"
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 namespace {
 
@@ -31,12 +31,8 @@ bool checkArray(Report& report, Node node, const std::string& field, const std::
 
 }  // namespace
 
-bool Range::contains(double value) const {
-    if (!std::isfinite(value)) return false;
-    return (open_min ? value > min : value >= min) && (open_max ? value < max : value <= max);
-}
-
-std::string Range::allowed() const {
+std::string allowedText(const Interval& interval) {
+    const auto& [min, max, open_min, open_max] = interval;
     std::string text;
     if (std::isfinite(min)) text = (open_min ? "greater than " : "at least ") + numberText(min);
     if (std::isfinite(min) && std::isfinite(max)) text += " and ";
@@ -48,16 +44,15 @@ void reportFound(Report& report, Node node, const std::string& field, const std:
     report.add(node.place(), field, "found " + describe(node) + ", allowed: " + allowed);
 }
 
-std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Range& range) {
-    const Kind kind = node.kind();
-    if (kind != Kind::integer && kind != Kind::real) {
+std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Interval& range) {
+    if (!node.isNumber()) {
         const bool any = !std::isfinite(range.min) && !std::isfinite(range.max);
-        reportFound(report, node, field, any ? "a number" : "a number, " + range.allowed());
+        reportFound(report, node, field, any ? "a number" : "a number, " + allowedText(range));
         return std::nullopt;
     }
-    const double value = kind == Kind::integer ? static_cast<double>(node.integer()) : node.real();
+    const double value = node.number();
     if (range.contains(value)) return value;
-    const std::string allowed = std::isfinite(value) ? range.allowed() : "a finite number";
+    const std::string allowed = std::isfinite(value) ? allowedText(range) : "a finite number";
     report.add(node.place(), field, "found " + valueText(node) + ", allowed: " + allowed);
     return std::nullopt;
 }
@@ -81,7 +76,7 @@ std::optional<std::string> readText(Report& report, Node node, const std::string
 }
 
 std::optional<std::vector<double>> readNumbers(Report& report, Node node, const std::string& field,
-                                               const Range& range, std::optional<std::size_t> length) {
+                                               const Interval& range, std::optional<std::size_t> length) {
     if (!checkArray(report, node, field, "number", length)) return std::nullopt;
     std::vector<double> values;
     values.reserve(node.size());
@@ -92,7 +87,7 @@ std::optional<std::vector<double>> readNumbers(Report& report, Node node, const 
     return values;
 }
 
-std::optional<Vec3> readVector(Report& report, Node node, const std::string& field, const Range& range) {
+std::optional<Vec3> readVector(Report& report, Node node, const std::string& field, const Interval& range) {
     const auto values = readNumbers(report, node, field, range, 3);
     if (!values) return std::nullopt;
     return Vec3((*values)[0], (*values)[1], (*values)[2]);
@@ -157,7 +152,7 @@ void TableReader::error(std::string_view key, std::string message) {
     report_.add(placeOf(key), fieldOf(key), std::move(message));
 }
 
-std::optional<double> TableReader::number(std::string_view key, const Range& range) {
+std::optional<double> TableReader::number(std::string_view key, const Interval& range) {
     const auto node = find(key);
     return node ? readNumber(report_, *node, fieldOf(key), range) : std::nullopt;
 }
@@ -192,12 +187,12 @@ std::optional<std::size_t> TableReader::choice(std::string_view key,
     return std::nullopt;
 }
 
-std::optional<Vec3> TableReader::vector(std::string_view key, const Range& range) {
+std::optional<Vec3> TableReader::vector(std::string_view key, const Interval& range) {
     const auto node = find(key);
     return node ? readVector(report_, *node, fieldOf(key), range) : std::nullopt;
 }
 
-std::optional<std::vector<double>> TableReader::numbers(std::string_view key, const Range& range,
+std::optional<std::vector<double>> TableReader::numbers(std::string_view key, const Interval& range,
                                                         std::optional<std::size_t> length) {
     const auto node = find(key);
     return node ? readNumbers(report_, *node, fieldOf(key), range, length) : std::nullopt;
@@ -279,4 +274,4 @@ std::optional<std::string> TableReader::name(std::string_view key, bool may_be_e
     return std::nullopt;
 }
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

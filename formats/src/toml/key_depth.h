@@ -5,13 +5,13 @@
 #include <optional>
 #include <string_view>
 
-#include "document.h"
+#include "toml/place.h"
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 inline constexpr int kMaxKeyDepth = 16;  ///< a scenario needs three ("material.granite.density")
 
 /// Place of the first dotted key of more than kMaxKeyDepth parts.
 std::optional<Place> tooDeepKey(std::string_view text);
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

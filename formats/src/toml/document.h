@@ -11,14 +11,9 @@
 #include <vector>
 
 #include "talus/result.h"
+#include "toml/place.h"
 
-namespace talus::formats::scenario {
-
-/// Where something stands in the text, 1-based; columns count code points.
-struct Place {
-    int line = 0;
-    int column = 0;
-};
+namespace talus::formats::toml {
 
 enum class Kind : std::uint8_t { table, array, text, integer, real, boolean, date };
 
@@ -36,6 +31,8 @@ class Node {
     std::int64_t integer() const;
     double real() const;
     bool boolean() const;
+    bool isNumber() const { return kind() == Kind::integer || kind() == Kind::real; }
+    double number() const { return kind() == Kind::integer ? static_cast<double>(integer()) : real(); }
     const std::string& text() const;
     std::size_t size() const;                              ///< of an array or a table
     Node at(std::size_t index) const;                      ///< of an array
@@ -85,4 +82,4 @@ class Document {
     std::shared_ptr<void> root_;  ///< a toml::node, namely a table
 };
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

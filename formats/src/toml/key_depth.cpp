@@ -1,8 +1,8 @@
-#include "key_depth.h"
+#include "toml/key_depth.h"
 
 #include <algorithm>
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::optional<Place> tooDeepKey(std::string_view text) {
     return std::nullopt;
 }
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

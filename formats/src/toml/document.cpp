@@ -1,4 +1,4 @@
-#include "document.h"
+#include "toml/document.h"
 
 #define TOML_HEADER_ONLY 0
 #include <toml++/toml.h>
@@ -6,23 +6,23 @@
 #include <algorithm>
 #include <tuple>
 
-#include "key_depth.h"
-#include "wording.h"
+#include "toml/key_depth.h"
+#include "toml/wording.h"
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 namespace {
 
-const toml::node& raw(const void* node) { return *static_cast<const toml::node*>(node); }
+const ::toml::node& raw(const void* node) { return *static_cast<const ::toml::node*>(node); }
 
-Place placeOf(const toml::source_region& region) {
+Place placeOf(const ::toml::source_region& region) {
     return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
 /// What stands at one part of a path, made when it is missing; nothing when it cannot be there.
 class Step {
  public:
-    Step(toml::node& parent, const PathPart& part) : parent_(parent), part_(part) {}
+    Step(::toml::node& parent, const PathPart& part) : parent_(parent), part_(part) {}
 
     /// Why this part leads nowhere, or nothing.
     std::optional<std::string> fault(bool may_append) const {
@@ -38,7 +38,7 @@ class Step {
                (size == 1 ? " element" : " elements");
     }
 
-    toml::node* find() const {
+    ::toml::node* find() const {
         if (const auto* key = std::get_if<std::string>(&part_)) return parent_.as_table()->get(*key);
         return parent_.as_array()->get(std::get<std::size_t>(part_));
     }
@@ -47,7 +47,7 @@ class Step {
     void put(T&& value) const {
         if (const auto* key = std::get_if<std::string>(&part_)) {
             parent_.as_table()->insert_or_assign(*key, std::forward<T>(value));
-        } else if (toml::array& array = *parent_.as_array(); std::get<std::size_t>(part_) < array.size()) {
+        } else if (::toml::array& array = *parent_.as_array(); std::get<std::size_t>(part_) < array.size()) {
             array.replace(array.cbegin() + static_cast<std::ptrdiff_t>(std::get<std::size_t>(part_)),
                           std::forward<T>(value));
         } else {
@@ -60,7 +60,7 @@ class Step {
     }
 
  private:
-    toml::node& parent_;
+    ::toml::node& parent_;
     const PathPart& part_;
 };
 
@@ -72,17 +72,17 @@ Error syntaxError(const std::string& path, Place place, std::string message) {
 
 Kind Node::kind() const {
     switch (raw(node_).type()) {
-        case toml::node_type::table:
+        case ::toml::node_type::table:
             return Kind::table;
-        case toml::node_type::array:
+        case ::toml::node_type::array:
             return Kind::array;
-        case toml::node_type::string:
+        case ::toml::node_type::string:
             return Kind::text;
-        case toml::node_type::integer:
+        case ::toml::node_type::integer:
             return Kind::integer;
-        case toml::node_type::floating_point:
+        case ::toml::node_type::floating_point:
             return Kind::real;
-        case toml::node_type::boolean:
+        case ::toml::node_type::boolean:
             return Kind::boolean;
         default:
             return Kind::date;
@@ -100,14 +100,14 @@ bool Node::boolean() const { return raw(node_).as_boolean()->get(); }
 const std::string& Node::text() const { return raw(node_).as_string()->get(); }
 
 std::size_t Node::size() const {
-    const toml::node& node = raw(node_);
+    const ::toml::node& node = raw(node_);
     return node.is_array() ? node.as_array()->size() : node.as_table()->size();
 }
 
 Node Node::at(std::size_t index) const { return Node(raw(node_).as_array()->get(index)); }
 
 std::optional<Node> Node::find(std::string_view key) const {
-    const toml::node* value = raw(node_).as_table()->get(key);
+    const ::toml::node* value = raw(node_).as_table()->get(key);
     return value ? std::optional<Node>(Node(value)) : std::nullopt;
 }
 
@@ -165,9 +165,9 @@ Result<Document> Document::parse(const std::string& text, const std::string& pat
                            "found a key of more than " + std::to_string(kMaxKeyDepth) + " dotted parts");
     try {
         auto table =
-            std::make_shared<toml::table>(toml::parse(std::string_view(text), std::string_view(path)));
-        return Document(std::shared_ptr<void>(table, static_cast<toml::node*>(table.get())));
-    } catch (const toml::parse_error& error) {
+            std::make_shared<::toml::table>(::toml::parse(std::string_view(text), std::string_view(path)));
+        return Document(std::shared_ptr<void>(table, static_cast<::toml::node*>(table.get())));
+    } catch (const ::toml::parse_error& error) {
         return syntaxError(path, placeOf(error.source()),
                            "not valid TOML: " + oneLine(std::string(error.description())));
     }
@@ -175,7 +175,7 @@ Result<Document> Document::parse(const std::string& text, const std::string& pat
 
 std::optional<std::string> Document::set(const std::vector<PathPart>& path, const Scalar& value,
                                          bool may_append) {
-    toml::node* node = static_cast<toml::node*>(root_.get());
+    ::toml::node* node = static_cast<::toml::node*>(root_.get());
     for (std::size_t i = 0; i < path.size(); ++i) {
         const Step step(*node, path[i]);
         if (auto fault = step.fault(may_append)) return fault;
@@ -185,9 +185,9 @@ std::optional<std::string> Document::set(const std::vector<PathPart>& path, cons
         }
         if (!step.find()) {
             if (std::holds_alternative<std::string>(path[i + 1]))
-                step.put(toml::table{});
+                step.put(::toml::table{});
             else if (may_append)
-                step.put(toml::array{});
+                step.put(::toml::array{});
             else
                 return "there is no such array";
         }
@@ -197,7 +197,7 @@ std::optional<std::string> Document::set(const std::vector<PathPart>& path, cons
 }
 
 void Document::erase(const std::vector<PathPart>& path) {
-    toml::node* node = static_cast<toml::node*>(root_.get());
+    ::toml::node* node = static_cast<::toml::node*>(root_.get());
     for (const PathPart& part : path) {
         const Step step(*node, part);
         if (step.fault(false)) return;
@@ -207,4 +207,4 @@ void Document::erase(const std::vector<PathPart>& path) {
     }
 }
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "document.h"
+#include "toml/document.h"
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 std::string writeDocument(const Document& document);
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

@@ -1,4 +1,4 @@
-#include "file_text.h"
+#include "toml/file_text.h"
 
 #include <array>
 #include <cerrno>
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 namespace {
 
@@ -37,4 +37,4 @@ Result<std::string> readFileText(const std::string& path) {
     return text;
 }
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

@@ -1,11 +1,11 @@
-#include "write_document.h"
+#include "toml/write_document.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 
-namespace talus::formats::scenario {
+namespace talus::formats::toml {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::string writeDocument(const Document& document) {
     return text;
 }
 
-}  // namespace talus::formats::scenario
+}  // namespace talus::formats::toml

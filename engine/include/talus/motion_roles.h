@@ -1,0 +1,41 @@
+#pragma once
+// How blocks move in a failure, read from how far they went: one rule for the search, exports and the replay page.
+
+#include <vector>
+
+#include "talus/analysis.h"
+#include "talus/polyhedron.h"
+
+namespace talus {
+
+/// The numbers of the rule. The replay page has them from the program that writes it.
+struct MotionRule {
+    /// A block moves when it goes this many times the deflection at rest, and this share of the farthest one's way. (A
+    /// larger share would leave out columns that slide behind others which rocking has given a start.)
+    static constexpr double kDeflections = 2.0, kShare = 0.02;
+    static constexpr double kToppling = 0.25;  ///< rotation times the moving group's extent, over the way
+    static constexpr double kPure = 0.9;       ///< share of the moving mass that gives the whole its mode
+    /// Where nobody knows the deflection at rest: of the smallest free block, whose joints give less by far.
+    static constexpr double kDeflectionOfSize = 5e-4;
+};
+
+/// A block's way since the start of the motion that is looked at.
+struct BlockWay {
+    bool free = true;
+    Vec3 position = Vec3::Zero();  ///< of the centroid now [m]
+    double radius = 0;             ///< to its farthest corner [m]
+    double translation = 0;        ///< of the centroid [m]
+    double rotation = 0;           ///< [rad]
+    double mass = 0;               ///< [kg]
+
+    double way() const { return translation + rotation * radius; }  ///< of its farthest corner, at most [m]
+};
+
+/// Per block: `none` when it stands (or is not free), `toppling` when it turns about a pivot within reach of the moving
+/// group, else `sliding`. \param deflection  how far the assembly has come at rest [m]
+std::vector<FailureMode> motionRoles(const std::vector<BlockWay>& blocks, double deflection);
+
+/// Of the whole, by moving mass.
+FailureMode overallMode(const std::vector<BlockWay>& blocks, const std::vector<FailureMode>& roles);
+
+}  // namespace talus

@@ -1,0 +1,67 @@
+#pragma once
+// Numbers of the tables that one value of the model stands for, other than a joint's (talus/joint.h): read, overridden and
+// named with their unit from here. And what a field of a scenario is, by its path.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "scenario/reading.h"
+#include "talus/model.h"
+#include "toml/field_path.h"
+
+namespace talus::formats::scenario {
+
+template <class Owner>
+struct NumberField {
+    std::string_view key;
+    double Owner::*value;   ///< in SI units and radians
+    std::string_view unit;  ///< of what stands under the key
+    Interval allowed;       ///< in that unit
+
+    constexpr double toSi() const { return unit == "deg" ? kRadPerDeg : 1.0; }
+};
+
+inline constexpr std::array kGravityFields{
+    NumberField<Gravity>{"magnitude", &Gravity::magnitude, "m/s^2", kNotNegative},
+    NumberField<Gravity>{"tilt_deg", &Gravity::tilt, "deg", kTiltDeg}};
+
+inline constexpr std::array kDampingFields{
+    NumberField<Damping>{"mass", &Damping::mass, "1/s", kNotNegative},
+    NumberField<Damping>{"rotation", &Damping::rotation, "1/s", kNotNegative},
+    NumberField<Damping>{"contact", &Damping::contact, "s", kNotNegative},
+    NumberField<Damping>{"local", &Damping::local, "", Interval{0, 1, false, true}}};
+
+/// What a [[water]] of any kind has.
+inline constexpr std::array kWaterFields{
+    NumberField<Water>{"density", &Water::density, "kg/m^3", kPositive},
+    NumberField<Water>{"drains_at_aperture", &Water::drains_at_aperture, "m", kPositive}};
+
+/// The keys, for a table's reader.
+template <class Fields>
+std::vector<std::string> keysOf(const Fields& fields) {
+    std::vector<std::string> keys;
+    for (const auto& field : fields) keys.emplace_back(field.key);
+    return keys;
+}
+
+/// Puts what the table gives into `owner`, in SI units; the rest stays as it is.
+template <class Fields, class Owner>
+void readNumbers(TableReader& table, const Fields& fields, Owner& owner) {
+    for (const auto& field : fields)
+        if (const auto given = table.number(field.key, field.allowed))
+            owner.*field.value = *given * field.toSi();
+}
+
+/// `joint.NAME.KEY` taken apart.
+struct JointField {
+    std::string joint;  ///< "*": all
+    std::string key;
+};
+std::optional<JointField> jointField(const FieldPath& path);
+
+/// The unit a field's value has, by its name: "deg", "s", "Pa", ...; "" when it has none.
+std::string unitOf(std::string_view field);
+
+}  // namespace talus::formats::scenario

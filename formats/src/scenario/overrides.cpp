@@ -1,0 +1,252 @@
+#include "talus/formats/overrides.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "scenario/fields.h"
+#include "scenario/properties.h"
+#include "scenario/settings.h"
+
+namespace talus::formats {
+
+namespace scenario {
+namespace {
+
+/// What a field stands for in a model. `put` takes the value in the file's unit and says whether it could.
+struct Target {
+    Interval allowed;
+    std::function<bool(Scenario&, double)> put;
+};
+
+bool isGiven(const Scenario& scenario, const std::string& field) { return scenario.places.count(field) > 0; }
+
+/// Joints made from `base` follow it in what they were not given.
+void settle(Scenario& scenario, std::size_t base) {
+    auto& joints = scenario.model.joints;
+    const JointProperties given = scenario.joint_origins[base].given;
+    inherit(joints[base], given, Joint{}, {});
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        const JointOrigin& origin = scenario.joint_origins[j];
+        if (j != base && static_cast<std::size_t>(origin.base) == base)
+            inherit(joints[j], origin.given, joints[base], given);
+    }
+}
+
+/// None in a rock mass with bonds, which take the stiffest joint's stiffness; and not the friction that bed levels are
+/// compared with, which decides whether they are joints of their own.
+std::optional<Target> jointTarget(const Scenario& scenario, const JointField& field) {
+    const auto p = jointProperty(field.key);
+    const auto& joints = scenario.model.joints;
+    const auto& origins = scenario.joint_origins;
+    const auto joint = std::find_if(joints.begin(), joints.end(),
+                                    [&](const Joint& candidate) { return candidate.name == field.joint; });
+    if (!p || joint == joints.end()) return std::nullopt;
+    const auto j = static_cast<std::size_t>(joint - joints.begin());
+    const bool is_friction = kJointProperties[*p].value == &Joint::friction;
+    if (origins[j].kind != JointOrigin::Kind::file || origins.back().kind == JointOrigin::Kind::intact_rock ||
+        (is_friction && origins[j].has_bed_levels))
+        return std::nullopt;
+    const JointProperty& property = kJointProperties[*p];
+    return Target{property.allowed, [j, p = *p](Scenario& changed, double value) {
+                      changed.model.joints[j].*kJointProperties[p].value = value * kJointProperties[p].toSi();
+                      changed.joint_origins[j].given.set(p);
+                      settle(changed, j);
+                      return true;
+                  }};
+}
+
+std::optional<Target> materialTarget(const Scenario& scenario, const std::string& name) {
+    const auto found = std::find(scenario.materials.begin(), scenario.materials.end(), name);
+    if (found == scenario.materials.end()) return std::nullopt;
+    const auto material = static_cast<std::int32_t>(found - scenario.materials.begin());
+    return Target{kPositive, [material](Scenario& changed, double value) {
+                      for (Block& block : changed.model.blocks)
+                          if (block.material == material) block.density = value;
+                      return true;
+                  }};
+}
+
+/// The number of one of the fields of a table; `owner` finds what holds it.
+template <class Fields, class Owner>
+std::optional<Target> numberTarget(const Fields& fields, const std::string& key, const Owner& owner) {
+    for (const auto& field : fields)
+        if (field.key == key)
+            return Target{field.allowed, [field, owner](Scenario& changed, double value) {
+                              owner(changed.model).*field.value = value * field.toSi();
+                              return true;
+                          }};
+    return std::nullopt;
+}
+
+/// Where a search starts and ends may follow from the tilt.
+bool putTilt(Scenario& scenario, double tilt_deg) {
+    Model& model = scenario.model;
+    const double tilt = tilt_deg * kRadPerDeg;
+    const bool has_start = isGiven(scenario, "analysis.start_deg");
+    const bool has_stop = isGiven(scenario, "analysis.stop_deg");
+    if (!has_start && has_stop && !(tilt < model.analysis.stop)) return false;
+    if (!has_start && !has_stop) model.analysis.stop = defaultStopDeg(tilt_deg) * kRadPerDeg;
+    model.gravity.tilt = tilt;
+    return true;
+}
+
+std::optional<Target> waterTarget(const Scenario& scenario, const FieldPath& path) {
+    const auto* index = path.size() > 2 ? std::get_if<std::size_t>(&path[1]) : nullptr;
+    const auto* key = path.size() > 2 ? std::get_if<std::string>(&path[2]) : nullptr;
+    if (!index || !key || *index >= scenario.model.waters.size()) return std::nullopt;
+    const std::size_t water = *index;
+    if (path.size() == 3)
+        if (auto target = numberTarget(kWaterFields, *key,
+                                       [water](Model& model) -> Water& { return model.waters[water]; }))
+            return target;
+    if (!isGiven(scenario, joinField(elementField("water", water), *key))) return std::nullopt;
+    if (const auto* end = path.size() == 4 && *key == "head" ? std::get_if<std::size_t>(&path[3]) : nullptr;
+        end && *end < 2)
+        return Target{kLength, [water, end = *end](Scenario& changed, double value) {
+                          changed.model.waters[water].head[end] = value;
+                          return true;
+                      }};
+    if (path.size() == 3 && (*key == "depth" || *key == "elevation"))
+        return Target{*key == "depth" ? kLength : kCoordinate, [water](Scenario& changed, double value) {
+                          changed.model.waters[water].level = {{0, value}};
+                          return true;
+                      }};
+    return std::nullopt;
+}
+
+std::optional<Target> targetOf(const Scenario& scenario, std::string_view field) {
+    const auto path = parseField(field);
+    if (!path || path->size() < 2 || !std::holds_alternative<std::string>(path->front())) return std::nullopt;
+    const std::string& table = std::get<std::string>(path->front());
+    if (table == "water") return waterTarget(scenario, *path);
+    if (const auto joint = jointField(*path)) return jointTarget(scenario, *joint);
+    const auto* second = std::get_if<std::string>(&(*path)[1]);
+    if (!second) return std::nullopt;
+    if (table == "material" && path->size() == 3 && path->back() == PathPart(std::string("density")))
+        return materialTarget(scenario, *second);
+    if (path->size() != 2) return std::nullopt;
+    if (table == "gravity" && *second == "tilt_deg") return Target{kTiltDeg, putTilt};
+    if (table == "gravity")
+        return numberTarget(kGravityFields, *second, [](Model& model) -> Gravity& { return model.gravity; });
+    if (table == "damping")
+        return numberTarget(kDampingFields, *second, [](Model& model) -> Damping& { return model.damping; });
+    return std::nullopt;
+}
+
+using BlockPair = std::pair<std::int32_t, std::int32_t>;
+
+BlockPair blocksOf(const PairJoint& pair) { return std::minmax(pair.block_a, pair.block_b); }
+
+/// The [[interface]] entries of a scenario as a list that can be extended, and the model made from it again. Joints stand
+/// in the order of the reader: those of the file, those of entries with properties of their own, all others.
+class InterfaceEntries {
+ public:
+    explicit InterfaceEntries(Scenario& scenario) : scenario_(scenario), model_(scenario.model) {
+        for (const PairJoint& pair : model_.pair_joints)
+            if (pair.must_touch) append(pair);
+    }
+
+    void set(const PairOverride& change) {
+        const auto found = places_.find(std::minmax(change.block_a, change.block_b));
+        if (found == places_.end())
+            append({change.block_a, change.block_b, change.joint, true,
+                    elementField("interface", entries_.size())});
+        Entry& entry = found == places_.end() ? entries_.back() : entries_[found->second];
+        if (!entry.own) {
+            entry.own = model_.joints[static_cast<std::size_t>(entry.pair.joint)];
+            entry.own->name += "@" + entry.pair.field;
+            entry.origin = {JointOrigin::Kind::interface, entry.pair.joint};
+        }
+        const JointProperty& property = kJointProperties[change.property];
+        (*entry.own).*property.value = change.value * property.toSi();
+        entry.origin.given.set(change.property);
+    }
+
+    void store() {
+        std::vector<Joint> joints;
+        std::vector<JointOrigin> origins;
+        const auto keep = [&](const Joint& joint, const JointOrigin& origin) {
+            joints.push_back(joint);
+            origins.push_back(origin);
+            return static_cast<std::int32_t>(joints.size()) - 1;
+        };
+        std::vector<std::int32_t> moved(model_.joints.size(), 0);
+        const auto keepAll = [&](bool of_file) {
+            for (std::size_t j = 0; j < moved.size(); ++j) {
+                const auto kind = scenario_.joint_origins[j].kind;
+                if (kind != JointOrigin::Kind::interface && (kind == JointOrigin::Kind::file) == of_file)
+                    moved[j] = keep(model_.joints[j], scenario_.joint_origins[j]);
+            }
+        };
+        keepAll(true);
+        for (Entry& entry : entries_) {
+            if (!entry.own) continue;
+            const auto base = static_cast<std::size_t>(entry.origin.base);
+            inherit(*entry.own, entry.origin.given, model_.joints[base], scenario_.joint_origins[base].given);
+            entry.pair.joint = keep(*entry.own, entry.origin);
+        }
+        keepAll(false);
+        renumber(moved);
+        model_.joints = std::move(joints);
+        scenario_.joint_origins = std::move(origins);
+    }
+
+ private:
+    struct Entry {
+        PairJoint pair;
+        std::optional<Joint> own;  ///< differs from a joint of the file
+        JointOrigin origin;
+    };
+
+    void append(const PairJoint& pair) {
+        const auto joint = static_cast<std::size_t>(pair.joint);
+        const JointOrigin& origin = scenario_.joint_origins[joint];
+        const bool has_own = origin.kind == JointOrigin::Kind::interface;
+        places_.emplace(blocksOf(pair), entries_.size());
+        entries_.push_back({pair, has_own ? std::optional(model_.joints[joint]) : std::nullopt, origin});
+    }
+
+    /// Faces, and pairs: those of entries come last and stand for all others of the same blocks.
+    void renumber(const std::vector<std::int32_t>& moved) {
+        for (Block& block : model_.blocks)
+            for (std::int32_t& joint : block.face_joint) joint = moved[static_cast<std::size_t>(joint)];
+        std::vector<PairJoint> pairs;
+        for (PairJoint& pair : model_.pair_joints) {
+            if (places_.count(blocksOf(pair)) > 0) continue;
+            pair.joint = moved[static_cast<std::size_t>(pair.joint)];
+            pairs.push_back(std::move(pair));
+        }
+        for (Entry& entry : entries_) pairs.push_back(std::move(entry.pair));
+        model_.pair_joints = std::move(pairs);
+    }
+
+    Scenario& scenario_;
+    Model& model_;
+    std::vector<Entry> entries_;
+    std::map<BlockPair, std::size_t> places_;
+};
+
+}  // namespace
+}  // namespace scenario
+
+bool canOverride(const Scenario& scenario, std::string_view field) {
+    return scenario::targetOf(scenario, field).has_value();
+}
+
+bool applyOverride(Scenario& scenario, std::string_view field, double value) {
+    const auto target = scenario::targetOf(scenario, field);
+    return target && target->allowed.contains(value) && target->put(scenario, value);
+}
+
+bool overridePairs(Scenario& scenario, const std::vector<PairOverride>& overrides) {
+    for (const PairOverride& change : overrides)
+        if (!kJointProperties[change.property].allowed.contains(change.value)) return false;
+    scenario::InterfaceEntries entries(scenario);
+    for (const PairOverride& change : overrides) entries.set(change);
+    entries.store();
+    return true;
+}
+
+}  // namespace talus::formats

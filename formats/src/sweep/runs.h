@@ -1,0 +1,13 @@
+#pragma once
+// What all runs of a sweep have in common, worked out once.
+
+#include <memory>
+
+#include "talus/formats/sweep.h"
+
+namespace talus::formats {
+
+/// Fills in the sweep's base, and what follows from it. \pre its columns are known
+void prepareRuns(Sweep& sweep, std::shared_ptr<const Scenario> base);
+
+}  // namespace talus::formats

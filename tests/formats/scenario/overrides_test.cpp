@@ -1,0 +1,178 @@
+// Values put into a model are the same as values put into the file: every field, and every joint that follows another.
+
+#include "talus/formats/overrides.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "formats/scenario/scenario_texts.h"
+#include "scenario/read_document.h"
+#include "toml/document.h"
+#include "toml/field_path.h"
+
+namespace talus::formats {
+
+namespace {
+
+void checkSame(const Joint& a, const Joint& b) {
+    CAPTURE(a.name);
+    CHECK(a.name == b.name);
+    for (const JointProperty& property : kJointProperties) {
+        CAPTURE(property.key);
+        CHECK(a.*property.value == b.*property.value);
+    }
+}
+
+/// All that an override may touch, to the bit.
+void checkSame(const Model& a, const Model& b) {
+    REQUIRE(a.joints.size() == b.joints.size());
+    for (std::size_t j = 0; j < a.joints.size(); ++j) checkSame(a.joints[j], b.joints[j]);
+    REQUIRE(a.pair_joints.size() == b.pair_joints.size());
+    for (std::size_t p = 0; p < a.pair_joints.size(); ++p) {
+        const PairJoint &x = a.pair_joints[p], &y = b.pair_joints[p];
+        CHECK(std::tie(x.block_a, x.block_b, x.joint, x.must_touch, x.field) ==
+              std::tie(y.block_a, y.block_b, y.joint, y.must_touch, y.field));
+    }
+    REQUIRE(a.blocks.size() == b.blocks.size());
+    for (std::size_t k = 0; k < a.blocks.size(); ++k) {
+        CHECK(a.blocks[k].density == b.blocks[k].density);
+        CHECK(a.blocks[k].face_joint == b.blocks[k].face_joint);
+    }
+    REQUIRE(a.waters.size() == b.waters.size());
+    for (std::size_t w = 0; w < a.waters.size(); ++w) {
+        REQUIRE(a.waters[w].level.size() == b.waters[w].level.size());
+        for (std::size_t k = 0; k < a.waters[w].level.size(); ++k)
+            CHECK(a.waters[w].level[k].value == b.waters[w].level[k].value);
+        CHECK(a.waters[w].head == b.waters[w].head);
+        CHECK(a.waters[w].density == b.waters[w].density);
+        CHECK(a.waters[w].drains_at_aperture == b.waters[w].drains_at_aperture);
+    }
+    CHECK(a.gravity.tilt == b.gravity.tilt);
+    CHECK(a.gravity.magnitude == b.gravity.magnitude);
+    CHECK(a.analysis.start == b.analysis.start);
+    CHECK(a.analysis.stop == b.analysis.stop);
+    CHECK(a.damping.contact == b.damping.contact);
+    CHECK(a.damping.local == b.damping.local);
+}
+
+/// The scenario with the value in its file.
+Scenario rewritten(const std::string& text, const std::vector<std::pair<std::string, double>>& values) {
+    auto document = toml::Document::parse(text, "written.toml");
+    REQUIRE(document.ok());
+    for (const auto& [field, value] : values) {
+        CAPTURE(field);
+        REQUIRE_FALSE(document->set(*toml::parseField(field), value, true).has_value());
+    }
+    const auto scenario = scenario::readDocument(*document, "", "written.toml");
+    for (const Error& error : scenario.errors()) FAIL_CHECK(format(error));
+    REQUIRE(scenario.ok());
+    return *scenario;
+}
+
+void checkOverrides(const std::string& text, const std::vector<std::pair<std::string, double>>& values) {
+    Scenario scenario = readGood(text);
+    for (const auto& [field, value] : values) {
+        CAPTURE(field);
+        CHECK(canOverride(scenario, field));
+        CHECK(applyOverride(scenario, field, value));
+    }
+    checkSame(scenario.model, rewritten(text, values).model);
+}
+
+/// Joints that follow others in every way there is, and waters of every kind.
+std::string slope() {
+    return joint("weak", "friction_deg = 22\nresidual_friction_deg = 15\ncohesion = 7") +
+           joint("default", "friction_deg = 30") + joint("bed", "friction_deg = 25") + material() +
+           "[material.marl]\ndensity = 2300.0\n" +
+           stack(
+               "row_material = [\"granite\", \"marl\"]\nmaterial = \"marl\"\nbed_joint = \"bed\"\n"
+               "bed_friction_deg = [20, 25]\n") +
+           "[[interface]]\nbetween = [\"c1r1s1\", \"c2r1s1\"]\njoint = \"weak\"\ncohesion = 10\n"
+           "[[interface]]\nbetween = [\"c2r1s1\", \"c3r1s1\"]\njoint = \"default\"\nfriction_deg = 12.5\n"
+           "[[interface]]\nbetween = [\"c1r2s1\", \"c2r2s1\"]\njoint = \"default\"\n"
+           "[[water]]\nfissure = 1\ndepth = 0.05\n"
+           "[[water]]\nfissure = 2\nelevation = 0.04\ndensity = 1010\n"
+           "[[water]]\nbetween = [\"c1r1s1\", \"floor\"]\nhead = [0.1, 0.02]\n"
+           "[[water]]\nfissure = 3\nlevels = [[0, 0.01], [1, 0.02]]\n";
+}
+
+}  // namespace
+
+TEST_CASE("each property of each joint, alone and after others") {
+    for (const std::string name : {"weak", "default", "bed"})
+        for (const JointProperty& property : kJointProperties) {
+            if (name == "bed" && property.value == &Joint::friction) continue;
+            const std::string field = "joint." + name + "." + std::string(property.key);
+            CAPTURE(field);
+            checkOverrides(slope(), {{field, 17.3}});
+            checkOverrides(slope(), {{"joint.default.friction_deg", 31.7}, {field, 0.7}});
+            checkOverrides(slope(), {{field, 11.1}, {"joint.default.residual_friction_deg", 9.9}});
+        }
+}
+
+TEST_CASE("materials, gravity, damping and water") {
+    checkOverrides(slope(), {{"material.marl.density", 2345.6}, {"material.granite.density", 2700.1}});
+    checkOverrides(slope(), {{"gravity.tilt_deg", 12.34}, {"gravity.magnitude", 9.80665}});
+    checkOverrides(slope(), {{"gravity.tilt_deg", 50}});  // the search's end follows
+    checkOverrides("[analysis]\nstop_deg = 40\n" + slope(), {{"gravity.tilt_deg", 39}});
+    checkOverrides("[analysis]\nstart_deg = 3\n" + slope(), {{"gravity.tilt_deg", 50}});
+    checkOverrides(slope(), {{"damping.contact", 1e-6}, {"damping.local", 0.3}});
+    checkOverrides(slope(), {{"water[0].depth", 0.0123}, {"water[1].elevation", 0.031}});
+    checkOverrides(slope(), {{"water[2].head[0]", 0.2}, {"water[2].head[1]", 0.0}});
+    checkOverrides(slope(), {{"water[1].density", 1030}, {"water[3].drains_at_aperture", 0.001}});
+}
+
+TEST_CASE("what a model does not hold as it is needs the reader, and so does what is not allowed") {
+    Scenario scenario = readGood("[analysis]\nstop_deg = 40\n" + slope());
+    const Model before = scenario.model;
+    for (const char* field :
+         {"stack[0].columns", "run.duration_s", "joint.none.cohesion", "joint.default.fricton_deg",
+          "joint.bed.friction_deg", "water[3].depth", "water[0].elevation", "water[9].depth",
+          "water[2].head[2]", "water[0].base", "material.sand.density", "gravity.tilt", "water[0", "",
+          "joint.default@20deg.cohesion", "analysis.stop_deg"}) {
+        CAPTURE(field);
+        CHECK_FALSE(canOverride(scenario, field));
+        CHECK_FALSE(applyOverride(scenario, field, 1));
+    }
+    CHECK_FALSE(applyOverride(scenario, "joint.default.friction_deg", 90));
+    CHECK_FALSE(applyOverride(scenario, "joint.default.cohesion", -1));
+    CHECK_FALSE(applyOverride(scenario, "joint.default.cohesion", kInfinity));
+    CHECK_FALSE(applyOverride(scenario, "water[0].depth", -0.1));
+    CHECK_FALSE(applyOverride(scenario, "gravity.tilt_deg", 40));  // where the search is to stop
+    CHECK_FALSE(overridePairs(scenario, {{1, 5, 1, *jointProperty("cohesion"), -1}}));
+    checkSame(scenario.model, before);
+}
+
+TEST_CASE("pairs get joints of their own as from [[interface]] tables") {
+    Scenario scenario = readGood(slope());
+    const auto blockOf = [&](const std::string& name) {
+        for (std::size_t b = 0; b < scenario.model.blocks.size(); ++b)
+            if (scenario.model.blocks[b].name == name) return static_cast<std::int32_t>(b);
+        return -1;
+    };
+    const std::size_t friction = *jointProperty("friction_deg"), cohesion = *jointProperty("cohesion");
+    // Two properties of a new pair, one of an entry that had none of its own, and one more new pair.
+    REQUIRE(overridePairs(scenario, {{blockOf("c1r1s2"), blockOf("c2r1s2"), 1, friction, 21.3},
+                                     {blockOf("c1r1s2"), blockOf("c2r1s2"), 1, cohesion, 33},
+                                     {blockOf("c1r2s1"), blockOf("c2r2s1"), 1, friction, 19.1},
+                                     {blockOf("c2r2s1"), blockOf("c3r2s1"), 0, friction, 5}}));
+    const Scenario read = readGood([&] {
+        std::string text = slope();
+        const std::string plain = "between = [\"c1r2s1\", \"c2r2s1\"]\njoint = \"default\"\n";
+        text.insert(text.find(plain) + plain.size(), "friction_deg = 19.1\n");
+        return text;
+    }() + "[[interface]]\nbetween = [\"c1r1s2\", \"c2r1s2\"]\njoint = \"default\"\nfriction_deg = "
+          "21.3\ncohesion = "
+          "33\n"
+          "[[interface]]\nbetween = [\"c2r2s1\", \"c3r2s1\"]\njoint = \"weak\"\nfriction_deg = 5\n");
+    checkSame(scenario.model, read.model);
+    // A joint that others were made from still leads them.
+    REQUIRE(applyOverride(scenario, "joint.default.tensile_strength", 4));
+    for (const Joint& own : scenario.model.joints)
+        if (own.name.starts_with("default")) CHECK(own.tensile_strength == 4);
+}
+
+}  // namespace talus::formats
