@@ -66,7 +66,7 @@ std::vector<Command> addCommands(CLI::App& root) {
     return {addPaper(root),  addCriticalAngle(root), addSafetyFactor(root), addRun(root),
             addReplay(root), addInspect(root),       addExport(root),       addBatch(root),
             addSample(root), addMerge(root),         addValidate(root),     addBlocks(root),
-            addTheory(root)};
+            addTheory(root), addLimitAnalysis(root)};
 }
 
 int execute(const std::vector<Command>& commands) {

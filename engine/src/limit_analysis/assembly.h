@@ -1,0 +1,59 @@
+#pragma once
+// What limit analysis knows of a slope: rigid bodies and the points where they touch at the start.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "state/arrays.h"
+
+namespace talus::limit {
+
+inline constexpr std::int32_t kFixed = -1;  ///< the body of blocks that do not give way
+
+/// One free block, or several whose bonds nothing here can break.
+struct Body {
+    Vec3 centroid = Vec3::Zero();  ///< [m]
+    double radius = 0;             ///< its farthest corner [m]
+    double weight = 0;             ///< [N]
+};
+
+/// Where forces pass from body a to body b.
+struct ContactPoint {
+    std::int32_t body_a = kFixed, body_b = kFixed;
+    Vec3 place = Vec3::Zero();  ///< [m]
+    Mat3 axes = Mat3::
+        Identity();   ///< columns: the tangent in the vertical plane of x, the other one, the normal to b
+    double area = 0;  ///< A_s [m^2]
+    std::int32_t joint = 0;
+};
+
+struct Assembly {
+    std::vector<Body> bodies;
+    std::vector<std::int32_t> body_of_block;  ///< kFixed for blocks that are not free
+    std::vector<ContactPoint> points;
+    /// Everything is its own mirror image in one plane y = constant. Then a force field and its mirror image halved are
+    /// a field in that plane, so that y, and turning about x and z, can be left out, and of two mirrored points one.
+    bool plane_section = false;
+
+    int rowsPerBody() const { return plane_section ? 3 : 6; }
+};
+
+/// Bodies and closed contact points of a state as `buildState` gives it. Joints without bond need only the outermost
+/// points of a patch: a force within them is one at each of them, none beyond its strength.
+Assembly assemble(const State& state);
+
+/// Force [N] and torque about the centroid [N m] on each body.
+struct BodyLoad {
+    Vec3 force = Vec3::Zero();
+    Vec3 torque = Vec3::Zero();
+};
+using Loads = std::vector<BodyLoad>;
+
+/// The blocks' masses in a field of this acceleration [m/s^2].
+Loads weightLoads(const State& state, const Assembly& assembly, const Vec3& acceleration);
+
+/// The water on them at a tilt [rad]. The state's tilt is that one afterwards.
+Loads waterLoads(State& state, const Assembly& assembly, double tilt);
+
+}  // namespace talus::limit
