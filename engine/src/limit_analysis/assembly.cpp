@@ -4,11 +4,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "stages/contacts.h"
-#include "stages/motion.h"
-#include "stages/patches.h"
-#include "stages/sharp_contacts.h"
-#include "stages/water.h"
+#include "contacts/limits.h"
+#include "forces/contact_forces.h"
+#include "forces/water.h"
+#include "state/incidence.h"
 #include "state/point_layout.h"
 
 namespace talus::limit {

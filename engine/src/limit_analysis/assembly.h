@@ -1,10 +1,10 @@
 #pragma once
 // What limit analysis knows of a slope: rigid bodies and the points where they touch at the start.
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "forces/wrench.h"
 #include "state/arrays.h"
 
 namespace talus::limit {
@@ -43,12 +43,8 @@ struct Assembly {
 /// points of a patch: a force within them is one at each of them, none beyond its strength.
 Assembly assemble(const State& state);
 
-/// Force [N] and torque about the centroid [N m] on each body.
-struct BodyLoad {
-    Vec3 force = Vec3::Zero();
-    Vec3 torque = Vec3::Zero();
-};
-using Loads = std::vector<BodyLoad>;
+/// On each body, about its centroid.
+using Loads = std::vector<stages::Wrench>;
 
 /// The blocks' masses in a field of this acceleration [m/s^2].
 Loads weightLoads(const State& state, const Assembly& assembly, const Vec3& acceleration);

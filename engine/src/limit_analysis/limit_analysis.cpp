@@ -6,8 +6,9 @@
 #include <cstdio>
 
 #include "analysis/threads.h"
+#include "build/build.h"
+#include "law/joint_laws.h"
 #include "limit_analysis/solver.h"
-#include "state/build.h"
 
 namespace talus {
 namespace {

@@ -72,7 +72,7 @@ class Programme {
     Strength strengthOf(const ContactPoint& point) const;
     double scaleOf(std::int32_t body) const;
     double scaleOf(const ContactPoint& point) const;
-    void writeLoad(Columns& columns, std::size_t body, const BodyLoad& load) const;
+    void writeLoad(Columns& columns, std::size_t body, const stages::Wrench& load) const;
     void writeForce(Columns& columns, std::int32_t body, const Vec3& place, const Vec3& force) const;
     void addForce(Columns& columns, std::size_t point, const Vec3& force, double most, int limit_row,
                   double share);

@@ -5,7 +5,7 @@
 #include <map>
 #include <memory>
 
-#include "command.h"
+#include "cli/command.h"
 
 namespace talus::tools {
 
