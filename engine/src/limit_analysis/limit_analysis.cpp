@@ -187,34 +187,41 @@ class LimitSearch {
 
     void findFactor() {
         const Loads loads = loadsAt(model_.gravity.tilt);
-        double stands = 0, falls = kInfinity;
+        FactorBracket bracket;
         double factor = 1;
-        const auto balances = [&](double at) -> std::optional<Balance> {
-            const Balance found = checkFactor(loads, at, Side::inside);
-            if (found.outcome != Outcome::optimal) return std::nullopt;
-            (found.balanced ? stands : falls) = at;
-            return found;
-        };
-        while (falls > stands * (1 + settings_.factor_width)) {
-            const std::optional<Balance> found = balances(factor);
-            if (!found) return;
-            if (stands >= kMostFactor || falls <= kLeastFactor) break;
-            factor = nextFactor(*found, factor, stands, falls);
+        while (bracket.falls > bracket.stands * (1 + settings_.factor_width)) {
+            const Balance found = checkFactor(loads, factor, Side::inside);
+            if (found.outcome != Outcome::optimal) return;
+            bracket.take(factor, found.balanced);
+            if (bracket.stands >= kMostFactor || bracket.falls <= kLeastFactor) break;
+            factor = nextFactor(found, factor, bracket);
         }
-        concludeFactor(loads, stands, falls);
+        concludeFactor(loads, bracket.stands, bracket.falls);
     }
 
-    /// From a factor that stands the next one up; from one that fails where its imbalance would be nothing, by Newton's
-    /// method in the factor's logarithm, a little less so that it stands.
-    double nextFactor(const Balance& found, double factor, double stands, double falls) const {
+    /// What stands and what fails so far.
+    struct FactorBracket {
+        double stands = 0, falls = kInfinity;
+        int stood = 0;  ///< times in a row
+
+        void take(double factor, bool balanced) {
+            (balanced ? stands : falls) = factor;
+            stood = balanced ? stood + 1 : 0;
+        }
+    };
+
+    /// From a factor that fails to where its imbalance would be nothing, by Newton's method in the factor's logarithm, and a
+    /// little less; from there up by the bracket's width. Where that does not close it, by halves.
+    double nextFactor(const Balance& found, double factor, const FactorBracket& bracket) const {
         const double width = settings_.factor_width;
-        if (falls == kInfinity) return std::min(2 * factor, kMostFactor);
-        const double least = std::max(stands, kLeastFactor);
-        if (found.balanced) return stands * (1 + std::min(width, 0.5 * (falls / stands - 1)));
+        if (bracket.falls == kInfinity) return std::min(2 * factor, kMostFactor);
+        const double least = std::max(bracket.stands, kLeastFactor);
+        const double half = std::sqrt(least * bracket.falls);
+        if (found.balanced) return bracket.stood > 1 ? half : std::min(half, factor * (1 + 0.9 * width));
         const double newton =
             found.growth > 0 ? factor * std::exp(-found.imbalance / found.growth) * (1 - 0.4 * width) : 0;
-        if (newton > stands && newton >= kLeastFactor) return newton;
-        return stands > 0 ? std::sqrt(least * falls) : std::max(newton, kLeastFactor);
+        if (newton > bracket.stands) return std::max(newton, kLeastFactor);
+        return bracket.stands > 0 ? half : kLeastFactor;
     }
 
     void concludeFactor(const Loads& loads, double stands, double falls) {
