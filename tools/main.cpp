@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "cli/command.h"
+#include "commands/limit_analysis.h"
 #include "talus/build_info.h"
 
 namespace talus::tools {

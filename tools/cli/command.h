@@ -51,7 +51,6 @@ struct Command {
 Command addRun(CLI::App& root);
 Command addCriticalAngle(CLI::App& root);
 Command addSafetyFactor(CLI::App& root);
-Command addLimitAnalysis(CLI::App& root);
 Command addValidate(CLI::App& root);
 Command addBlocks(CLI::App& root);
 Command addTheory(CLI::App& root);

@@ -5,7 +5,7 @@
 #include <map>
 #include <memory>
 
-#include "cli/command.h"
+#include "commands/limit_analysis.h"
 
 namespace talus::tools {
 

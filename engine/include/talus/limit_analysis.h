@@ -38,6 +38,7 @@ inline constexpr double kMovingShare = 0.01;
 struct LimitSettings {
     double factor_width = 1e-4;               ///< of the bracket of a factor, as a share of it
     std::size_t max_contact_points = 20'000;  ///< beyond that the programme is not made
+    std::vector<std::string> left_out{};      ///< blocks that are taken to be gone
 };
 
 /// The true limit of the associated problem lies between `lower` and `upper`: friction cones are taken as pyramids
@@ -60,11 +61,27 @@ struct LimitResult {
     std::vector<std::string> warnings;
 };
 
-/// How many contact points the model's programme has; what decides how long it takes.
-Result<std::size_t> limitAnalysisSize(const Model& model, const Control& control = {});
-
 /// Errors: those of the model; more contact points than `max_contact_points`.
 Result<LimitResult> limitAnalysis(const Model& model, LimitLoad load, const Control& control = {},
                                   const LimitSettings& settings = {});
+
+/// What a search's answer cannot be above: a tilt [rad] or a factor of safety.
+struct Ceiling {
+    std::optional<double> value;
+    std::string reason;  ///< why there is none
+};
+
+/// Up to how many contact points a ceiling is computed without being asked for: it then takes less than a second, and
+/// a small share of the search. A programme in space takes ten times as long as one of a plane section.
+inline constexpr std::size_t kCeilingPoints = 300;
+inline constexpr std::size_t kCeilingPointsInSection = 2000;
+
+/// The upper end of limit analysis. \param always whatever the model's size
+Result<Ceiling> limitCeiling(const Model& model, LimitLoad load, bool always, const Control& control = {},
+                             const LimitSettings& settings = {});
+
+/// Whether a load at which a search's assembly still stands is above a ceiling by more than the difference between joints
+/// that give a little and joints that do not: half a per cent of a factor, 0.05 degrees of a tilt.
+bool isAbove(double stands, const Ceiling& ceiling, LimitLoad load);
 
 }  // namespace talus

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "contacts/limits.h"
 #include "forces/contact_forces.h"
@@ -54,8 +55,16 @@ Companions bonded(const State& state) {
     return companions;
 }
 
-void makeBodies(const State& state, Assembly& assembly) {
-    constexpr std::int32_t kNone = -2;
+/// Of each block whether it is left out.
+std::vector<bool> absent(const State& state, const std::vector<std::string>& left_out) {
+    const std::set<std::string> names(left_out.begin(), left_out.end());
+    std::vector<bool> result;
+    for (const Block& block : state.geometry->model.blocks) result.push_back(names.count(block.name) > 0);
+    return result;
+}
+
+void makeBodies(const State& state, const std::vector<bool>& absent, Assembly& assembly) {
+    constexpr std::int32_t kNone = -3;
     Companions companions = bonded(state);
     const std::size_t n = state.blocks.size();
     std::vector<std::int32_t> body_of_first(n, kNone);
@@ -63,11 +72,11 @@ void makeBodies(const State& state, Assembly& assembly) {
         if (state.blocks.motion[b] != Motion::free) body_of_first[companions.find(b)] = kFixed;
     for (std::size_t b = 0; b < n; ++b) {
         std::int32_t& body = body_of_first[companions.find(b)];
-        if (body == kNone) {
+        if (body == kNone && !absent[b]) {
             body = static_cast<std::int32_t>(assembly.bodies.size());
             assembly.bodies.push_back({});
         }
-        assembly.body_of_block.push_back(body);
+        assembly.body_of_block.push_back(absent[b] ? kAbsent : body);
     }
 }
 
@@ -75,7 +84,7 @@ void makeBodies(const State& state, Assembly& assembly) {
 template <class Body>
 void forFreeBlocks(const Assembly& assembly, const Body& body) {
     for (std::size_t b = 0; b < assembly.body_of_block.size(); ++b)
-        if (assembly.body_of_block[b] != kFixed) body(b, static_cast<std::size_t>(assembly.body_of_block[b]));
+        if (assembly.body_of_block[b] >= 0) body(b, static_cast<std::size_t>(assembly.body_of_block[b]));
 }
 
 void measureBodies(const State& state, Assembly& assembly) {
@@ -136,7 +145,7 @@ void addPoints(const State& state, std::size_t i, Assembly& assembly) {
     const Interfaces& f = state.interfaces;
     const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
     const std::int32_t body_a = assembly.body_of_block[a], body_b = assembly.body_of_block[b];
-    if (body_a == body_b || stages::isIdle(f, i)) return;
+    if (body_a == body_b || std::min(body_a, body_b) == kAbsent || stages::isIdle(f, i)) return;
     const double closed = stages::kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
     const stages::RelativePose pose = stages::relativePose(state, i);
     std::vector<contact::PatchPoint> points;
@@ -217,9 +226,9 @@ Loads presentWater(const State& state, const Assembly& assembly) {
 
 }  // namespace
 
-Assembly assemble(const State& state) {
+Assembly assemble(const State& state, const std::vector<std::string>& left_out) {
     Assembly assembly;
-    makeBodies(state, assembly);
+    makeBodies(state, absent(state, left_out), assembly);
     measureBodies(state, assembly);
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) addPoints(state, i, assembly);
     const double same = kSame * state.geometry->length_scale;

@@ -2,6 +2,7 @@
 // What limit analysis knows of a slope: rigid bodies and the points where they touch at the start.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "forces/wrench.h"
@@ -9,7 +10,8 @@
 
 namespace talus::limit {
 
-inline constexpr std::int32_t kFixed = -1;  ///< the body of blocks that do not give way
+inline constexpr std::int32_t kFixed = -1;   ///< the body of blocks that do not give way
+inline constexpr std::int32_t kAbsent = -2;  ///< of blocks that are left out
 
 /// One free block, or several whose bonds nothing here can break.
 struct Body {
@@ -30,7 +32,7 @@ struct ContactPoint {
 
 struct Assembly {
     std::vector<Body> bodies;
-    std::vector<std::int32_t> body_of_block;  ///< kFixed for blocks that are not free
+    std::vector<std::int32_t> body_of_block;  ///< kFixed for blocks that are not free, kAbsent
     std::vector<ContactPoint> points;
     /// Everything is its own mirror image in one plane y = constant. Then a force field and its mirror image halved are
     /// a field in that plane, so that y, and turning about x and z, can be left out, and of two mirrored points one.
@@ -40,8 +42,9 @@ struct Assembly {
 };
 
 /// Bodies and closed contact points of a state as `buildState` gives it. Joints without bond need only the outermost
-/// points of a patch: a force within them is one at each of them, none beyond its strength.
-Assembly assemble(const State& state);
+/// points of a patch: a force within them is one at each of them, none beyond its strength. Blocks with names in
+/// `left_out` are gone.
+Assembly assemble(const State& state, const std::vector<std::string>& left_out);
 
 /// On each body, about its centroid.
 using Loads = std::vector<stages::Wrench>;

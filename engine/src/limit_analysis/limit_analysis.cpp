@@ -231,7 +231,6 @@ class LimitSearch {
                          : stands > 0          ? SearchStatus::found
                                                : SearchStatus::unstable_at_start;
         if (assembly_.plane_section || result_.status != SearchStatus::found) return;
-        const std::vector<BodyMotion> inside = solver_.mechanism();
         double step = settings_.factor_width;
         Balance outside = checkFactor(loads, falls, Side::outside);
         for (; outside.balanced && result_.upper < kMostFactor; step *= 2) {
@@ -258,7 +257,7 @@ class LimitSearch {
         if (solver_.mechanism().empty()) return;
         double fastest = 0;
         for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
-            if (assembly_.body_of_block[b] == kFixed) continue;
+            if (assembly_.body_of_block[b] < 0) continue;
             result_.mechanism.push_back(velocityOf(b));
             fastest = std::max(fastest, result_.mechanism.back().speed);
         }
@@ -274,9 +273,9 @@ class LimitSearch {
 
     void describeEffort() {
         result_.plane_section = assembly_.plane_section;
-        result_.blocks = static_cast<std::size_t>(
-            std::count_if(assembly_.body_of_block.begin(), assembly_.body_of_block.end(),
-                          [](std::int32_t body) { return body != kFixed; }));
+        result_.blocks = static_cast<std::size_t>(std::count_if(assembly_.body_of_block.begin(),
+                                                                assembly_.body_of_block.end(),
+                                                                [](std::int32_t body) { return body >= 0; }));
         result_.contact_points = assembly_.points.size();
         result_.rows = solver_.effort().rows;
         result_.columns = solver_.effort().columns;
@@ -298,42 +297,72 @@ Error tooLarge(std::size_t points, std::size_t most) {
                     " contact points; allowed: at most " + std::to_string(most)};
 }
 
+LimitResult analyse(State& state, const Assembly& assembly, LimitLoad load, const Control& control,
+                    const LimitSettings& settings) {
+    if (!assembly.bodies.empty()) return LimitSearch(state, assembly, control, settings).run(load);
+    LimitResult nothing_moves;
+    nothing_moves.status = SearchStatus::stable_to_stop;
+    return nothing_moves;
+}
+
 /// Builds the model and calls with its state and assembly.
 template <class T, class Body>
-Result<T> withAssembly(const Model& model, const Control& control, const Body& body) {
+Result<T> withAssembly(const Model& model, const Control& control, const LimitSettings& settings,
+                       const Body& body) {
     return analysis::inArena(control.threads, [&]() -> Result<T> {
         Result<State> built = buildState(keptByCaller(model), control.threads != 1);
         if (!built) return built.errors();
         built->load.gravity_share = built->load.water_share = 1;
-        return body(*built, assemble(*built));
+        return body(*built, assemble(*built, settings.left_out));
     });
 }
 
-}  // namespace
-
-Result<std::size_t> limitAnalysisSize(const Model& model, const Control& control) {
-    return withAssembly<std::size_t>(
-        model, control,
-        [](const State&, const Assembly& assembly) -> Result<std::size_t> { return assembly.points.size(); });
+std::string tooManyPoints(std::size_t points, std::size_t most, bool section) {
+    return "the model has " + std::to_string(points) + " contact points" +
+           (section ? " in its section" : "") + "; up to " + std::to_string(most) +
+           " limit analysis is made without being asked for";
 }
+
+Ceiling ceilingOf(const LimitResult& result) {
+    if (std::isfinite(result.upper)) return {result.upper, ""};
+    if (result.status == SearchStatus::stable_to_stop)
+        return {std::nullopt, "by limit analysis the assembly stands to the end of the search"};
+    return {std::nullopt, result.status == SearchStatus::interrupted ? "limit analysis was interrupted"
+                                                                     : "limit analysis ended undecided"};
+}
+
+}  // namespace
 
 Result<LimitResult> limitAnalysis(const Model& model, LimitLoad load, const Control& control,
                                   const LimitSettings& settings) {
     const auto begin = std::chrono::steady_clock::now();
     return withAssembly<LimitResult>(
-        model, control, [&](State& state, const Assembly& assembly) -> Result<LimitResult> {
+        model, control, settings, [&](State& state, const Assembly& assembly) -> Result<LimitResult> {
             if (assembly.points.size() > settings.max_contact_points)
                 return tooLarge(assembly.points.size(), settings.max_contact_points);
-            LimitResult result;
-            if (assembly.bodies.empty()) {
-                result.status = SearchStatus::stable_to_stop;
-                return result;
-            }
-            result = LimitSearch(state, assembly, control, settings).run(load);
+            LimitResult result = analyse(state, assembly, load, control, settings);
             result.wall_seconds =
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             return result;
         });
+}
+
+Result<Ceiling> limitCeiling(const Model& model, LimitLoad load, bool always, const Control& control,
+                             const LimitSettings& settings) {
+    return withAssembly<
+        Ceiling>(model, control, settings, [&](State& state, const Assembly& assembly) -> Result<Ceiling> {
+        const std::size_t most = assembly.plane_section ? kCeilingPointsInSection : kCeilingPoints;
+        if (!always && assembly.points.size() > most)
+            return Ceiling{std::nullopt, tooManyPoints(assembly.points.size(), most, assembly.plane_section)};
+        return ceilingOf(analyse(state, assembly, load, control, settings));
+    });
+}
+
+bool isAbove(double stands, const Ceiling& ceiling, LimitLoad load) {
+    constexpr double kTiltTolerance = 0.05 * M_PI / 180, kFactorTolerance = 0.005;
+    if (!ceiling.value) return false;
+    const double tolerance = load == LimitLoad::factor ? kFactorTolerance * *ceiling.value : kTiltTolerance;
+    return stands > *ceiling.value + tolerance;
 }
 
 }  // namespace talus

@@ -7,7 +7,7 @@ namespace talus::limit {
 namespace {
 
 constexpr double kTurn = 2 * M_PI;
-constexpr int kDirections = 8;     // of each pyramid at first
+constexpr int kDirections = 4;     // of each pyramid at first
 constexpr double kNearest = 1e-4;  // two directions [rad]
 
 }  // namespace

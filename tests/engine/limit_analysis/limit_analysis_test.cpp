@@ -294,14 +294,62 @@ TEST_SUITE("limit analysis") {
         CHECK((limitOf(flat, LimitLoad::tilt).status == SearchStatus::stable_to_stop));
     }
 
-    TEST_CASE("too many contact points are refused, and counted beforehand") {
+    TEST_CASE("too many contact points are refused") {
         const Model model = stackModel(2, 3, 1, 30);
-        const auto size = limitAnalysisSize(model);
-        REQUIRE(size.ok());
-        CHECK(*size == 2 * (2 * 3 + 3));  // two in the section of each interface
-        const auto refused = limitAnalysis(model, LimitLoad::tilt, {}, {.max_contact_points = *size - 1});
+        const std::size_t points = limitOf(model, LimitLoad::tilt).contact_points;
+        CHECK(points == 2 * (2 * 3 + 3));  // two in the section of each interface
+        const auto refused = limitAnalysis(model, LimitLoad::tilt, {}, {.max_contact_points = points - 1});
         REQUIRE_FALSE(refused.ok());
         CHECK(refused.errors()[0].message.find("18 contact points") != std::string::npos);
+    }
+
+    TEST_CASE("blocks that are left out neither fall nor hold") {
+        Model model = blockOnPlane(27, {1, 1, 0.5});
+        addBox(model, "loose", {3, 0, 0}, {0.1, 1, 2});
+        CHECK(limitOf(model, LimitLoad::tilt).upper == doctest::Approx(std::atan(0.05)));
+        const auto result = limitAnalysis(model, LimitLoad::tilt, {}, {.left_out = {"loose"}});
+        REQUIRE(result.ok());
+        CHECK(result->upper == doctest::Approx(radians(27)));
+        CHECK(result->blocks == 1);
+        CHECK(result->mechanism.size() == 1);
+    }
+
+    TEST_CASE("parts that are bonded beyond breaking are one body") {
+        // A block in two halves, one of them on ice: it stands as one on the other's friction.
+        Model model = blockOnPlane(40, {0.5, 1, 0.2});
+        addBox(model, "other", {-0.5, 0, 0}, {0.5, 1, 0.2});
+        model.joints.push_back(joint(40));
+        model.joints.back().cohesion = model.joints.back().tensile_strength = 1e12;
+        model.joints.push_back(joint(0));
+        model.pair_joints = {{1, 2, 1, true}, {0, 2, 2, true}};
+        CHECK(degrees(limitOf(model, LimitLoad::tilt).upper) > 20);
+        CHECK(limitOf(model, LimitLoad::tilt).moving_blocks == std::vector<std::string>{"block", "other"});
+        model.pair_joints[0].joint = 0;
+        CHECK(degrees(limitOf(model, LimitLoad::tilt).upper) < 1e-6);
+        CHECK(limitOf(model, LimitLoad::tilt).moving_blocks == std::vector<std::string>{"other"});
+    }
+
+    TEST_CASE("a ceiling: the upper end, or why there is none") {
+        const Model model = blockOnPlane(27, {1, 1, 0.5}, 20);
+        const auto factor = limitCeiling(model, LimitLoad::factor, false);
+        REQUIRE(factor.ok());
+        REQUIRE(factor->value.has_value());
+        const double limit = std::tan(radians(27)) / std::tan(radians(20));
+        CHECK(*factor->value == doctest::Approx(limit).epsilon(kFactorWidth));
+        CHECK_FALSE(isAbove(1.004 * limit, *factor, LimitLoad::factor));
+        CHECK(isAbove(1.006 * limit, *factor, LimitLoad::factor));
+
+        const Model large = stackModel(6, 10, 3, 19.5);
+        const auto none = limitCeiling(large, LimitLoad::tilt, false);
+        REQUIRE(none.ok());
+        CHECK_FALSE(none->value.has_value());
+        CHECK(none->reason.find("contact points") != std::string::npos);
+        CHECK_FALSE(isAbove(10, *none, LimitLoad::tilt));
+
+        const auto level = limitCeiling(blockOnPlane(27, {1, 1, 0.5}), LimitLoad::factor, false);
+        REQUIRE(level.ok());
+        CHECK_FALSE(level->value.has_value());
+        CHECK(level->reason.find("stands to the end") != std::string::npos);
     }
 
     TEST_CASE("it ends when it is asked to") {
