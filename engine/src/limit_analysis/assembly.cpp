@@ -8,6 +8,7 @@
 #include "contacts/limits.h"
 #include "forces/contact_forces.h"
 #include "forces/water.h"
+#include "limit_analysis/section.h"
 #include "state/incidence.h"
 #include "state/point_layout.h"
 
@@ -15,7 +16,6 @@ namespace talus::limit {
 namespace {
 
 constexpr double kUnbreakable = 1e4;  // strength of a bond over the weight of all free blocks
-constexpr double kSame = 1e-7;        // of the length scale: places that are each other's mirror image
 
 double freeWeight(const State& state) {
     double sum = 0;
@@ -159,60 +159,6 @@ void addPoints(const State& state, std::size_t i, Assembly& assembly) {
                                    tangentFrame(pose.e3), point.area, f.joint[i]});
 }
 
-bool sameInterface(const ContactPoint& p, const ContactPoint& q) {
-    return p.body_a == q.body_a && p.body_b == q.body_b && p.joint == q.joint;
-}
-
-/// Whether the points from `begin` to `end`, of one pair of bodies, are their own mirror image in y = `plane`.
-bool mirrored(const std::vector<ContactPoint>& points, std::size_t begin, std::size_t end, double plane,
-              double same) {
-    for (std::size_t p = begin; p < end; ++p) {
-        if (std::abs(points[p].axes(1, 2)) > kSame) return false;
-        const Vec3 image(points[p].place.x(), 2 * plane - points[p].place.y(), points[p].place.z());
-        bool found = false;
-        for (std::size_t q = begin; q < end && !found; ++q)
-            found = (points[q].place - image).norm() <= same &&
-                    (points[q].axes.col(2) - points[p].axes.col(2)).norm() <= kSame &&
-                    std::abs(points[q].area - points[p].area) <= 1e-6 * points[p].area;
-        if (!found) return false;
-    }
-    return true;
-}
-
-bool isPlaneSection(const Assembly& assembly, double same) {
-    if (assembly.bodies.empty()) return false;
-    const double plane = assembly.bodies.front().centroid.y();
-    for (const Body& body : assembly.bodies)
-        if (std::abs(body.centroid.y() - plane) > same) return false;
-    const auto& points = assembly.points;
-    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
-        while (end < points.size() && sameInterface(points[begin], points[end])) ++end;
-        if (!mirrored(points, begin, end, plane, same)) return false;
-    }
-    return true;
-}
-
-/// Leaves one of each two mirrored points, with the area of both.
-void fold(Assembly& assembly, double same) {
-    const double plane = assembly.bodies.front().centroid.y();
-    std::erase_if(assembly.points, [&](const ContactPoint& point) { return point.place.y() < plane - same; });
-    for (ContactPoint& point : assembly.points) {
-        if (point.place.y() > plane + same) point.area *= 2;
-        point.place.y() = plane;
-    }
-}
-
-bool loadsInPlane(const Loads& water, const Assembly& assembly) {
-    for (std::size_t body = 0; body < water.size(); ++body) {
-        const double weight = 1e-9 * assembly.bodies[body].weight;
-        const Vec3& torque = water[body].torque;
-        if (std::abs(water[body].force.y()) > weight ||
-            std::hypot(torque.x(), torque.z()) > weight * assembly.bodies[body].radius)
-            return false;
-    }
-    return true;
-}
-
 Loads presentWater(const State& state, const Assembly& assembly) {
     Loads loads(assembly.bodies.size());
     forFreeBlocks(assembly, [&](std::size_t b, std::size_t body) {
@@ -231,12 +177,9 @@ Assembly assemble(const State& state, const std::vector<std::string>& left_out) 
     makeBodies(state, absent(state, left_out), assembly);
     measureBodies(state, assembly);
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) addPoints(state, i, assembly);
-    const double same = kSame * state.geometry->length_scale;
     State wet = state;
-    assembly.plane_section =
-        isPlaneSection(assembly, same) && loadsInPlane(waterLoads(wet, assembly, state.load.tilt), assembly);
-    if (assembly.plane_section) fold(assembly, same);
-    return assembly;
+    const Loads water = waterLoads(wet, assembly, state.load.tilt);
+    return foldToSection(std::move(assembly), water, state.geometry->length_scale);
 }
 
 Loads weightLoads(const State& state, const Assembly& assembly, const Vec3& acceleration) {

@@ -34,8 +34,7 @@ struct Assembly {
     std::vector<Body> bodies;
     std::vector<std::int32_t> body_of_block;  ///< kFixed for blocks that are not free, kAbsent
     std::vector<ContactPoint> points;
-    /// Everything is its own mirror image in one plane y = constant. Then a force field and its mirror image halved are
-    /// a field in that plane, so that y, and turning about x and z, can be left out, and of two mirrored points one.
+    /// Solved in a plane y = constant (section.h): y, and turning about x and z, are left out.
     bool plane_section = false;
 
     int rowsPerBody() const { return plane_section ? 3 : 6; }
