@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "cli/command.h"
+#include "commands/limit_analysis.h"
 #include "talus/build_info.h"
 
 namespace talus::tools {
@@ -66,7 +67,7 @@ std::vector<Command> addCommands(CLI::App& root) {
     return {addPaper(root),  addCriticalAngle(root), addSafetyFactor(root), addRun(root),
             addReplay(root), addInspect(root),       addExport(root),       addBatch(root),
             addSample(root), addMerge(root),         addValidate(root),     addBlocks(root),
-            addTheory(root)};
+            addTheory(root), addLimitAnalysis(root)};
 }
 
 int execute(const std::vector<Command>& commands) {

@@ -26,7 +26,7 @@ const std::vector<House>& houses() {
     static const std::vector<House> all{
         {"engine/src",
          {"simd", "geometry", "rock_mass", "model", "law", "state", "forces", "measure", "step", "contacts",
-          "build", "frame", "analysis", "theory"}},
+          "build", "frame", "analysis", "limit_analysis", "theory"}},
         {"formats/src", {"toml", "mesh", "scenario", "sweep", "history", "mcap", "snapshot", "export"}},
     };
     return all;

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "commands/ceiling.h"
 #include "commands/search_report.h"
 
 namespace talus::tools {
@@ -14,6 +15,7 @@ struct CriticalAngleOptions {
     std::string scenario;
     bool verbose = false;
     KeepRunOptions keep;
+    CeilingOptions ceiling;
 };
 
 std::optional<TheoryFigure> theoryOf(const Model& model) {
@@ -37,12 +39,12 @@ int findCriticalAngle(const CriticalAngleOptions& options) {
     ProgressPrinter progress(options.common);
     Control control = controlOf(options.common, progress);
     control.keep_failing_state = keeper.wanted();
-    const SearchResult result = valueOf(criticalAngle(scenario.model, control), scenario);
-    SearchReport report{options.common,
-                        scenario,
-                        result,
-                        {"critical angle", "tilt_deg", " deg", kDegree, 3},
-                        theoryOf(scenario.model)};
+    SearchResult result = valueOf(criticalAngle(scenario.model, control), scenario);
+    const Ceiling ceiling = findCeiling(scenario, LimitLoad::tilt, options.ceiling, result, control);
+    holdUnder(ceiling, LimitLoad::tilt, result);
+    SearchReport report{
+        options.common,           scenario, result, {"critical angle", "tilt_deg", " deg", kDegree, 3},
+        theoryOf(scenario.model), ceiling};
     if (keeper.wanted()) report.kept = keeper.keep(result, SearchKind::critical_angle, control);
     progress.finish();
     if (options.common.json) {
@@ -61,6 +63,7 @@ Command addCriticalAngle(CLI::App& root) {
     app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
     app->add_flag("--verbose", options->verbose, "Also print every probe and every block's motion");
     addKeepRun(*app, options->keep);
+    addCeiling(*app, options->ceiling);
     addCommon(*app, options->common);
     app->footer(
         "Example:\n  talus critical-angle slope.toml --verbose\n  talus critical-angle slope.toml --json | "

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "commands/ceiling.h"
 #include "commands/search_report.h"
 
 namespace talus::tools {
@@ -15,6 +16,7 @@ struct SafetyFactorOptions {
     std::string scenario;
     bool verbose = false;
     KeepRunOptions keep;
+    CeilingOptions ceiling;
 };
 
 /// The closed formulas at reduced strength, at the model's own tilt.
@@ -78,9 +80,11 @@ int findSafetyFactor(const SafetyFactorOptions& options) {
     ProgressPrinter progress(options.common);
     Control control = controlOf(options.common, progress);
     control.keep_failing_state = keeper.wanted();
-    const SearchResult result = valueOf(safetyFactor(scenario.model, control), scenario);
-    SearchReport report{
-        options.common, scenario, result, {"safety factor", "factor", "", 1, 4}, theoryOf(scenario.model)};
+    SearchResult result = valueOf(safetyFactor(scenario.model, control), scenario);
+    const Ceiling ceiling = findCeiling(scenario, LimitLoad::factor, options.ceiling, result, control);
+    holdUnder(ceiling, LimitLoad::factor, result);
+    SearchReport report{options.common,           scenario, result, {"safety factor", "factor", "", 1, 4},
+                        theoryOf(scenario.model), ceiling};
     if (keeper.wanted()) report.kept = keeper.keep(result, SearchKind::safety_factor, control);
     progress.finish();
     if (options.common.json) {
@@ -100,6 +104,7 @@ Command addSafetyFactor(CLI::App& root) {
     app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
     app->add_flag("--verbose", options->verbose, "Also print every probe and every block's motion");
     addKeepRun(*app, options->keep);
+    addCeiling(*app, options->ceiling);
     addCommon(*app, options->common);
     app->footer(
         "Example:\n  talus safety-factor slope.toml\n  talus safety-factor slope.toml --json | jq "

@@ -67,6 +67,13 @@ std::string theoryText(const SearchReport& report) {
     return row("theory", line) + row("", report.theory->prediction.formula);
 }
 
+std::string ceilingText(const SearchReport& report) {
+    const Ceiling& ceiling = report.ceiling;
+    return row("ceiling", ceiling.value ? loadText(report, *ceiling.value) + report.load.unit +
+                                              "  (limit analysis, joints that open as they slide)"
+                                        : "none: " + ceiling.reason);
+}
+
 std::string movingText(const SearchResult& result) {
     if (result.moving_blocks.empty()) return "none";
     const std::string of =
@@ -182,6 +189,9 @@ Json theoryJson(const SearchReport& report) {
 
 void addSearchJson(Json& json, const SearchReport& report) {
     const SearchResult& result = report.result;
+    json["ceiling"] =
+        report.ceiling.value ? number(*report.ceiling.value / report.load.scale) : Json(nullptr);
+    json["ceiling_reason"] = report.ceiling.value ? Json(nullptr) : Json(report.ceiling.reason);
     json["failure_mode"] = toString(result.mode);
     json["moving_blocks"] = result.moving_blocks;
     json["theory"] = theoryJson(report);
@@ -207,7 +217,8 @@ void addSearchJson(Json& json, const SearchReport& report) {
 std::string searchText(const SearchReport& report, bool verbose) {
     const SearchResult& result = report.result;
     std::string table = row("scenario", report.scenario.path) + row(report.load.title, answerText(report)) +
-                        theoryText(report) + row("failure mode", toString(result.mode)) +
+                        theoryText(report) + ceilingText(report) +
+                        row("failure mode", toString(result.mode)) +
                         row("moving blocks", movingText(result)) + row("model", sizeText(result)) +
                         row("method", methodText(result)) + row("cost", costText(result)) +
                         row("state hash", hashText(result.state_hash));

@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "recording/keep_run.h"
 #include "talus/analysis.h"
+#include "talus/limit_analysis.h"
 #include "talus/theory.h"
 
 namespace talus::tools {
@@ -33,6 +34,7 @@ struct SearchReport {
     const SearchResult& result;
     LoadName load;
     std::optional<TheoryFigure> theory;
+    Ceiling ceiling{};
     std::optional<KeptRun> kept{};  ///< with --keep-run
 };
 

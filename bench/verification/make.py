@@ -1,0 +1,334 @@
+#!/usr/bin/env python3
+"""Writes the scenarios of this folder whose blocks come from a drawing: sections in x and z, slices 1 m thick.
+
+    bench/verification/make.py [FOLDER]        (default: this folder)
+
+Each function is one figure of the literature. A section is a list of corners (x, z) in either sense of rotation.
+"""
+import math
+import pathlib
+import sys
+
+FOLDER = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent)
+GRAVITY = 9.81
+
+
+def rad(degrees):
+    return math.radians(degrees)
+
+
+def number(value):
+    text = f"{value:.9f}".rstrip("0").rstrip(".")
+    return "0.0" if text in ("0", "-0") else text if "." in text else text + ".0"
+
+
+def point(*values):
+    return "[" + ", ".join(number(v) for v in values) + "]"
+
+
+def clip(section, normal, limit):
+    """The part of a convex section with normal . p <= limit."""
+    result = []
+    side = [normal[0] * x + normal[1] * z - limit for x, z in section]
+    for k, p in enumerate(section):
+        q, a, b = section[(k + 1) % len(section)], side[k], side[(k + 1) % len(section)]
+        if a <= 0:
+            result.append(p)
+        if a * b < 0:
+            share = a / (a - b)
+            result.append((p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])))
+    return result
+
+
+def joint(name, friction, normal=1e11, shear=1e10, cohesion=0.0):
+    lines = [f"[joint.{name}]", f"normal_stiffness = {normal:g}", f"shear_stiffness = {shear:g}",
+             f"friction_deg = {number(friction)}"]
+    if cohesion:
+        lines += [f"cohesion = {number(cohesion)}",
+                  f"residual_cohesion = {number(cohesion)}   # as limit equilibrium has it"]
+    return "\n".join(lines) + "\n"
+
+
+def material(unit_weight):
+    return f"[material.rock]\ndensity = {number(unit_weight * 1000 / GRAVITY)}   # {unit_weight:g} kN/m3\n"
+
+
+def block(name, section, fixed=False, joint=None, y=(0.0, 1.0)):
+    corners = [point(x, side, z) for side in y for x, z in section]
+    half = len(section)
+    lines = ["[[block]]", f'name = "{name}"', "vertices = ["]
+    lines += ["    " + ", ".join(corners[:half]) + ",", "    " + ", ".join(corners[half:]) + ",", "]"]
+    if joint:
+        lines.append(f'joint = "{joint}"')
+    if fixed:
+        lines.append("fixed = true")
+    return "\n".join(lines) + "\n"
+
+
+def box(name, x, z, fixed=False):
+    return block(name, [(x[0], z[0]), (x[1], z[0]), (x[1], z[1]), (x[0], z[1])], fixed)
+
+
+def between(a, b, joint):
+    return f'[[interface]]\nbetween = ["{a}", "{b}"]\njoint = "{joint}"\n'
+
+
+def write(name, comment, *parts):
+    lines = ["# " + line if line else "#" for line in comment.strip().splitlines()]
+    text = "\n".join(lines) + "\n\n" + "\n".join(part for part in parts if part)
+    (FOLDER / f"{name}.toml").write_text(text)
+
+
+def search(stop=45.0, start=None):
+    return "[analysis]\n" + (f"start_deg = {number(start)}\n" if start is not None else "") + \
+        f"stop_deg = {number(stop)}\n"
+
+
+# --- columns, arches, walls ------------------------------------------------------------------------------------------
+
+def columns():
+    for rows in (10, 20, 40):
+        for deep in (1, 3, 10):
+            name = f"column-{rows}" + ("" if deep == 1 else f"-{deep}-deep")
+            angle = math.degrees(math.atan(0.2 / (0.1 * rows)))
+            what = "A column" if deep == 1 else f"{deep} columns, one behind the other, each"
+            ceiling = "" if deep == 1 else """
+Limit analysis gives more: joints that open as they slide make the columns lean on each other."""
+            write(name, f"""
+{what} of {rows} blocks 0.2 m long and 0.1 m high, on a plane that is tilted. The first one overturns as one piece at
+atan(0.2 / {0.1 * rows:g}) = {angle:.3f} degrees (closed form), to be met within 0.02 degrees.{ceiling}
+  talus critical-angle bench/verification/{name}.toml""",
+                  material(25), joint("default", 35),
+                  f"[[stack]]\ncolumns = {deep}\nrows = {rows}\nslices = 1\nblock = [0.2, 1.0, 0.1]\n")
+
+
+def arch(name, comment, thickness, voussoirs=27, radius=10.0):
+    inner, outer = radius - thickness / 2, radius + thickness / 2
+    parts = [box("left", (-outer - 1, -inner + 1), (-1, 0), True), box("right", (inner - 1, outer + 1), (-1, 0), True)]
+    for k in range(voussoirs):
+        ends = [math.pi * (k + j) / voussoirs for j in (0, 1)]
+        corners = [(r * math.cos(a), r * math.sin(a)) for a, r in
+                   ((ends[0], inner), (ends[0], outer), (ends[1], outer), (ends[1], inner))]
+        parts.append(block(f"v{k + 1}", corners))
+    write(name, comment, search(), material(25), joint("default", 35), *parts)
+
+
+def arches():
+    head = """
+Semicircular arch, radius of its centre line 10 m, 27 voussoirs with straight faces, thickness {0} m, friction angle 35
+degrees. It stands by itself from a thickness of 1.067 m (J. Heyman's problem, for straight voussoirs; by limit analysis,
+which is exact for hinges)"""
+    for thickness, angle in ((1.1, 0.70), (1.5, 8.27)):
+        name = f"arch-27-{thickness}m"
+        arch(name, head.format(thickness) + f""", and on a plane that is tilted to {angle:.2f} degrees, to be met within
+0.05 degrees.
+  talus critical-angle bench/verification/{name}.toml""", thickness)
+    name = "arch-27-1.05m"
+    arch(name, head.format(1.05) + f""": this one falls.
+  talus critical-angle bench/verification/{name}.toml          (unstable_at_start)""", 1.05)
+
+
+def brick_walls():
+    for number_of, courses, load in ((1, 6, 0.6429), (2, 10, 0.5800)):
+        name = f"brick-wall-{number_of}"
+        parts = [box("floor", (-1, 3), (-0.5, 0), True)]
+        for course in range(courses):
+            z = (0.175 * course, 0.175 * (course + 1))
+            edges = [0.0, 0.2, 0.6, 1.0, 1.4, 1.8, 2.0] if course % 2 == 0 else [0.0, 0.4, 0.8, 1.2, 1.6, 2.0]
+            parts += [box(f"c{course + 1}b{k + 1}", (edges[k], edges[k + 1]), z) for k in range(len(edges) - 1)]
+        write(name, f"""
+Brick wall {number_of} of M. C. Ferris and F. Tin-Loi (Limit analysis of frictional block assemblies as a mathematical program
+with complementarity constraints, 2001): {courses} courses of bricks 0.4 x 0.175 m, tan(phi) 0.65, under a horizontal load.
+Load over weight by associated limit analysis {load:.4f}; no answer may be above, nor more than 5 % below.
+  talus limit-analysis bench/verification/{name}.toml --for horizontal""",
+              material(25), joint("default", math.degrees(math.atan(0.65))), *parts)
+
+
+# --- toppling ----------------------------------------------------------------------------------------------------------
+
+def goodman_bray():
+    heights = [4 * k for k in range(1, 11)] + [34, 28, 22, 16, 10, 4]
+    for friction, factor, udec in ((38.15, 1.000, None), (38.6598, 1.0185, 1.01)):
+        name = f"goodman-bray-slice-{friction:g}"
+        parts = []
+        for k, height in enumerate(heights):
+            x = (10.0 * k, 10.0 * (k + 1))
+            parts += [box(f"n{k + 1}", x, (k, k + height)), box(f"base{k + 1}", x, (-10, k), True)]
+        beside = f"; UDEC {udec}" if udec else ""
+        write(name, f"""
+Toppling slope of 16 blocks (R. E. Goodman and J. W. Bray, 1976) as goodman-bray.toml, a slice 1 m thick with the stiffness of
+published distinct-element runs, friction angle {friction:g} degrees. Factor of safety with limiting friction on every side
+{factor:.4f}{beside}; to be met within 1 %, or the range is stated.
+  talus safety-factor bench/verification/{name}.toml""",
+              "[gravity]\ntilt_deg = 30.0\n", material(25), joint("default", friction), *parts)
+
+
+def alejano_alonso():
+    """Columns above a base joint, numbered from the toe; the base is two fixed convex pieces."""
+    toe, top = (20.0, 10.0), (2.9393, 19.85)
+    section = [toe, (14.0, 19.85), top]
+    normal = (math.sin(rad(64)), -math.cos(rad(64)))
+    along = [normal[0] * x + normal[1] * z for x, z in section]
+    parts = [block("rock", [(0, 0), (30, 0), (30, 10), (0, 10)], True),
+             block("base", [(0, 10), toe, top, (0, 19.85)], True)]
+    first, last = along[0], min(along)
+    for k in range(math.ceil((first - last) / 1.6)):
+        column = clip(section, normal, first - 1.6 * k)
+        column = clip(column, (-normal[0], -normal[1]), -(first - 1.6 * (k + 1)))
+        if len(column) > 2:
+            parts.append(block(f"n{k + 1}", column))
+    write("alejano-alonso", """
+Toppling slope of L. R. Alejano and E. Alonso (2005): columns 1.6 m wide that dip 64 degrees into the slope, on a stepless
+base, friction angle 31 degrees. Factor of safety by Goodman and Bray 0.773 (in the paper 0.76), by another limit-equilibrium
+code 0.783, by finite elements (RS2) 0.86, by UDEC 0.87: to lie between 0.77 and the ceiling of limit analysis.
+  talus safety-factor bench/verification/alejano-alonso.toml""", material(25), joint("default", 31), *parts)
+
+
+def barla_table():
+    heights = [1, 3, 5, 7] + [9] * 10
+    write("barla-table", """
+Tilting table of G. Barla and others: blocks of 9 cm, 14 columns against a backstop, friction angle 38 degrees. Experiment 9
+degrees; RS2 9, UDEC 11 and 10.24, Goodman and Bray 7.6: to lie between 9 and 10.3 degrees.
+  talus critical-angle bench/verification/barla-table.toml""",
+          material(28), joint("default", 38, 5e9, 5e8),
+          "[[stack]]\norigin = [0.09, 0.0, 0.09]\ncolumns = 14\nrows = 9\nslices = 1\nblock = [0.09, 1.0, 0.09]\n"
+          f"heights = {heights}\n",
+          box("backstop", (1.35, 1.44), (0.09, 0.9), True))
+
+
+# --- slabs -------------------------------------------------------------------------------------------------------------
+
+def slab(name, comment, face, bedding, toe_joint, release):
+    """The first slab of a face 25 m high through the origin: its toe, below the release, and the rest of it. The two pieces of
+    the fixed rock run into each other, so that neither has a corner at the other's face."""
+    up = (-math.cos(rad(face)), math.sin(rad(face)))
+    reach = (25 - toe_joint[1]) / up[1]
+    back = (toe_joint[0] + reach * up[0], 25.0)
+    deeper = (toe_joint[0] - 3 * up[0], toe_joint[1] - 3 * up[1])
+    parts = [material(25), joint("default", bedding), joint("release", 20),
+             block("toe", [(0, 0), toe_joint, release[1], release[0]]),
+             block("slab", [release[0], release[1], back, (25 / up[1] * up[0], 25.0)]),
+             block("rock", [deeper, back, (back[0] - 4, 25.0), (deeper[0] - 4, deeper[1])], True),
+             block("foot", [(0, 0), (2 * toe_joint[0], 2 * toe_joint[1]), (0, -3), (3, -3), (3, 0)], True),
+             between("toe", "slab", "release"), between("toe", "foot", "release")]
+    write(name, comment, *parts)
+
+
+def slabs():
+    head = """
+Slab failure of a face 25 m high at {0} degrees (L. R. Alejano and others, 2011): bedding parallel to it every 1.5 m with a
+friction angle of {1} degrees, the first slab cut by two joints of 20 degrees. """
+    slab("alejano-slab-50", head.format(50, 30) + """Associated limit analysis 1.2148, UDEC 1.21:
+to lie between 1.20 and 1.2148.
+  talus safety-factor bench/verification/alejano-slab-50.toml""", 50, 30, (-1.14907, -0.964181),
+         ((-2.436253, 2.903412), (-2.62114, 0.790165)))
+    slab("alejano-slab-55", head.format(55, 25) + """Factor of safety 1.0002, UDEC 1.00: to be
+met within 0.5 %.
+  talus safety-factor bench/verification/alejano-slab-55.toml""", 55, 25, (-1.22852, -0.860663),
+         ((-2.22963, 3.18425), (-2.42975, 0.854877)))
+
+
+def bilinear_slab():
+    face, cut, foot = (-6.763195, 8.060062), (-9.061328, 6.131700), (-1.4649, 1.74595)
+    up = (-math.cos(rad(50)), math.sin(rad(50)))
+    crest = 50.0
+    reach = (crest - cut[1]) / up[1]
+    back = (cut[0] + reach * up[0], crest)
+    deeper = (cut[0] - 3 * up[0], cut[1] - 3 * up[1])  # the fixed pieces run into each other, as above
+    behind = (cut[0] + (cut[0] - foot[0]) / 2, cut[1] + (cut[1] - foot[1]) / 2)
+    write("bilinear-slab", """
+Bilinear slab: bedding at 50 degrees every 3 m with a friction angle of 30 degrees, the first slab cut and let out by joints
+of 40 degrees. UDEC 1.03: to lie between 1.01 and 1.05.
+  talus safety-factor bench/verification/bilinear-slab.toml""",
+          material(25), joint("default", 30), joint("release", 40),
+          block("toe", [face, cut, foot]),
+          block("slab", [face, cut, back, (-41.9549, crest)]),
+          block("rock", [deeper, back, (back[0] - 10, crest), (deeper[0] - 10, deeper[1])], True),
+          block("foot", [foot, behind, (behind[0], -10), (foot[0], -10)], True),
+          between("toe", "slab", "release"), between("toe", "foot", "release"))
+
+
+def parallel_slabs():
+    face = [(17.0, 8.2), (19.3571, 11.0095), (21.7143, 13.819), (26.9, 20.0)]
+    tops = [(33.2, 20.0), (31.7, 20.0), (30.2, 20.0)]
+    write("parallel-slabs", """
+Three parallel slabs on planes of 36.1 degrees below a face of 50 degrees, cohesion 1 kPa, friction angle 35 degrees, 19.62
+kN/m3. Factor of safety 1.008, UDEC 1.01: to be met within 0.5 %.
+  talus safety-factor bench/verification/parallel-slabs.toml""",
+          material(19.62), joint("default", 35, cohesion=1000),
+          block("low", [face[0], face[1], tops[1], tops[0]]),
+          block("middle", [face[1], face[2], tops[2], tops[1]]),
+          block("high", [face[2], face[3], tops[2]]),
+          block("rock", [face[0], tops[0], (40, 20), (40, 0), (17, 0)], True))
+
+
+# --- large slopes ------------------------------------------------------------------------------------------------------
+
+def joint_set(name, dip, towards, spacing, origin):
+    return (f'[[joint_set]]\nname = "{name}"\ndip_deg = {number(dip)}\ndip_direction_deg = {number(towards)}\n'
+            f"spacing = {number(spacing)}\norigin = {point(*origin)}\n")
+
+
+def large_slopes():
+    outline = [(0, 0), (700, 0), (700, 140), (560, 140), (377.785587, 400), (0, 400)]
+    region = ("[rock_mass]\nregion = { y = [0.0, 1.0], profile = [" + ", ".join(point(*p) for p in outline) + "] }\n"
+              'fixed = [{ boundary = "-z" }, { boundary = "-x" }, { boundary = "+x" }]\n')
+    east, west = 90, 270
+    write("forward-toppling", """
+Forward toppling of a slope 260 m high (L. Lorig and P. Varona, 2000): columns 20 m wide that dip 70 degrees into it, cross
+joints every 30 m that dip 20 degrees out of it, friction angle 40 degrees. UDEC 1.13 and 1.115: to lie between 1.10 and 1.16.
+  talus safety-factor bench/verification/forward-toppling.toml""", material(26.0946), joint("default", 40), region,
+          joint_set("columns", 70, west, 20, (0, 0, 0)), joint_set("cross", 20, east, 30, (0, 0, 0)))
+    write("backward-toppling", """
+Backward toppling of a slope 260 m high (L. Lorig and P. Varona, 2000): slabs 10 m thick that dip 55 degrees with the face,
+level joints every 40 m, friction angle 40 degrees. UDEC 1.70 and 1.80: to lie between 1.65 and 1.85.
+  talus safety-factor bench/verification/backward-toppling.toml""", material(26.1), joint("default", 40), region,
+          joint_set("slabs", 55, east, 10, (560, 0, 140)), joint_set("level", 0, 0, 40, (0, 0, 400)))
+
+
+# --- a wedge in space --------------------------------------------------------------------------------------------------
+
+def upward(dip, direction):
+    return (math.sin(rad(dip)) * math.sin(rad(direction)), math.sin(rad(dip)) * math.cos(rad(direction)),
+            math.cos(rad(dip)))
+
+
+def solve(planes):
+    """Where three planes n . x = d meet (Cramer's rule)."""
+    def cross(a, b):
+        return tuple(a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3] for k in range(3))
+    (n1, d1), (n2, d2), (n3, d3) = planes
+    volume = sum(a * b for a, b in zip(n1, cross(n2, n3)))
+    return tuple((d1 * a + d2 * b + d3 * c) / volume
+                 for a, b, c in zip(cross(n2, n3), cross(n3, n1), cross(n1, n2)))
+
+
+def wedge():
+    a, b, face, top = ((upward(*p), 0.0) for p in ((45, 105), (70, 235), (65, 185), (12, 195)))
+    height = 40.0
+    unit = solve((a, b, (top[0], 1.0)))
+    top = (top[0], height / unit[2])
+    toe, end = solve((a, b, face)), solve((a, b, top))
+    corner_a, corner_b = solve((a, face, top)), solve((b, face, top))
+
+    def hull(name, corners, fixed=False):
+        rows = ",\n    ".join(point(*p) for p in corners)
+        return f'[[block]]\nname = "{name}"\nvertices = [\n    {rows},\n]\n' + ("fixed = true\n" if fixed else "")
+
+    def below(name, corners, normal, thickness=10.0):
+        lower = [tuple(p - thickness * n for p, n in zip(corner, normal)) for corner in corners]
+        return hull(name, corners + lower, True)
+
+    write("wedge-hoek-bray", """
+A wedge 40 m high on the planes 45/105 and 70/235 (dip/dip direction) below a face 65/185 and an upper face 12/195, friction
+angle 35 degrees, dry. Factor of safety 1.7407 (E. Hoek and J. W. Bray's wedge), to be met within 0.5 %. It is for normal
+forces alone across the line of intersection; so joints are soft in shear here, as in wedge-phi-35.toml.
+  talus safety-factor bench/verification/wedge-hoek-bray.toml""",
+          material(25), joint("default", 35, 1e11, 1e9), hull("wedge", [toe, end, corner_a, corner_b]),
+          below("plane_a", [toe, end, corner_a], a[0]), below("plane_b", [toe, end, corner_b], b[0]))
+
+
+if __name__ == "__main__":
+    for figure in (columns, arches, brick_walls, goodman_bray, alejano_alonso, barla_table, slabs, bilinear_slab,
+                   parallel_slabs, large_slopes, wedge):
+        figure()

@@ -1,0 +1,87 @@
+#pragma once
+// Limit analysis of rigid blocks: the greatest load for which forces at the contact points exist that balance every
+// block and break no point's strength (friction associated: what slides also opens by tan(phi) of the slide).
+//
+// By the static theorem no equilibrium of the real, non-associated joints lies above that load (Drucker 1954; for
+// blocks Livesley 1978), so it is a ceiling for every critical angle and factor of safety, as long as blocks stay
+// about where they were at the start. It is near where blocks hinge or slide, and far where they interlock.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "talus/analysis.h"
+#include "talus/model.h"
+#include "talus/result.h"
+
+namespace talus {
+
+/// What grows until the assembly fails.
+enum class LimitLoad : std::uint8_t {
+    tilt,    ///< of gravity about y, from the search's start [rad]
+    factor,  ///< by which tan(phi) and C are divided, at the model's tilt
+    horizontal  ///< body force on free blocks over their weight, normal to gravity, towards -x, at the model's tilt
+};
+
+/// How one block moves in the mechanism. The greatest speed of a block is 1 m/s.
+struct BlockVelocity {
+    std::string block;
+    Vec3 velocity = Vec3::Zero();  ///< of its centroid [m/s]
+    Vec3 spin = Vec3::Zero();      ///< [rad/s]
+    double speed = 0;     ///< of its centroid, and with its spin of the corner farthest from it [m/s]
+    bool moving = false;  ///< speed at least `kMovingShare` of the fastest block's
+};
+inline constexpr double kMovingShare = 0.01;
+
+struct LimitSettings {
+    double factor_width = 1e-4;               ///< of the bracket of a factor, as a share of it
+    std::size_t max_contact_points = 20'000;  ///< beyond that the programme is not made
+    std::vector<std::string> left_out{};      ///< blocks that are taken to be gone
+};
+
+/// The true limit of the associated problem lies between `lower` and `upper`: friction cones are taken as pyramids
+/// inside and outside of them, which are refined where it matters. In a plane section both are the cone.
+struct LimitResult {
+    SearchStatus status = SearchStatus::undecided;
+    double lower = -kInfinity;  ///< [rad] for a tilt
+    double upper = kInfinity;
+    std::vector<std::string> moving_blocks;  ///< of the mechanism, sorted
+    std::vector<BlockVelocity>
+        mechanism;  ///< one per free block, in the order of the blocks; empty where none fails
+    bool plane_section =
+        false;               ///< everything is symmetric about one vertical plane: three equations a block
+    std::size_t blocks = 0;  ///< free ones
+    std::size_t contact_points = 0;     ///< in the programme
+    std::size_t rows = 0, columns = 0;  ///< of the largest programme
+    int programmes = 0;
+    std::int64_t iterations = 0;  ///< of the simplex method, in all
+    double wall_seconds = 0;
+    std::vector<std::string> warnings;
+};
+
+/// Errors: those of the model; more contact points than `max_contact_points`.
+Result<LimitResult> limitAnalysis(const Model& model, LimitLoad load, const Control& control = {},
+                                  const LimitSettings& settings = {});
+
+/// What a search's answer cannot be above: a tilt [rad] or a factor of safety.
+struct Ceiling {
+    std::optional<double> value;
+    std::string reason;  ///< why there is none
+};
+
+/// Up to how many contact points a ceiling is computed without being asked for: it then takes less than a second, and
+/// a small share of the search. A programme in space takes ten times as long as one of a plane section.
+inline constexpr std::size_t kCeilingPoints = 300;
+inline constexpr std::size_t kCeilingPointsInSection = 2000;
+
+/// The upper end of limit analysis. \param always whatever the model's size
+Result<Ceiling> limitCeiling(const Model& model, LimitLoad load, bool always, const Control& control = {},
+                             const LimitSettings& settings = {});
+
+/// Whether a load at which a search's assembly still stands is above a ceiling by more than the difference between joints
+/// that give a little and joints that do not: half a per cent of a factor, 0.05 degrees of a tilt.
+bool isAbove(double stands, const Ceiling& ceiling, LimitLoad load);
+
+}  // namespace talus

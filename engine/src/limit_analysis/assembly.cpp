@@ -1,0 +1,203 @@
+#include "limit_analysis/assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "contacts/limits.h"
+#include "forces/contact_forces.h"
+#include "forces/water.h"
+#include "limit_analysis/section.h"
+#include "state/incidence.h"
+#include "state/point_layout.h"
+
+namespace talus::limit {
+namespace {
+
+constexpr double kUnbreakable = 1e4;  // strength of a bond over the weight of all free blocks
+
+double freeWeight(const State& state) {
+    double sum = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free) sum += state.blocks.mass[b];
+    return sum * state.geometry->model.gravity.magnitude;
+}
+
+/// Parts of one block, which hold together by bonds: every block's lowest-numbered companion.
+class Companions {
+ public:
+    explicit Companions(std::size_t blocks) : first_(blocks) { std::iota(first_.begin(), first_.end(), 0); }
+
+    std::size_t find(std::size_t block) {
+        while (first_[block] != block) block = first_[block] = first_[first_[block]];
+        return block;
+    }
+    void join(std::size_t a, std::size_t b) {
+        a = find(a);
+        b = find(b);
+        first_[std::max(a, b)] = std::min(a, b);
+    }
+
+ private:
+    std::vector<std::size_t> first_;
+};
+
+Companions bonded(const State& state) {
+    const double unbreakable = kUnbreakable * freeWeight(state);
+    Companions companions(state.blocks.size());
+    const Interfaces& f = state.interfaces;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
+        if (std::min(law.cohesion, law.tensile_strength) * f.area[i] > unbreakable && !stages::isSharp(f, i))
+            companions.join(static_cast<std::size_t>(f.block_a[i]), static_cast<std::size_t>(f.block_b[i]));
+    }
+    return companions;
+}
+
+/// Of each block whether it is left out.
+std::vector<bool> absent(const State& state, const std::vector<std::string>& left_out) {
+    const std::set<std::string> names(left_out.begin(), left_out.end());
+    std::vector<bool> result;
+    for (const Block& block : state.geometry->model.blocks) result.push_back(names.count(block.name) > 0);
+    return result;
+}
+
+void makeBodies(const State& state, const std::vector<bool>& absent, Assembly& assembly) {
+    constexpr std::int32_t kNone = -3;
+    Companions companions = bonded(state);
+    const std::size_t n = state.blocks.size();
+    std::vector<std::int32_t> body_of_first(n, kNone);
+    for (std::size_t b = 0; b < n; ++b)
+        if (state.blocks.motion[b] != Motion::free) body_of_first[companions.find(b)] = kFixed;
+    for (std::size_t b = 0; b < n; ++b) {
+        std::int32_t& body = body_of_first[companions.find(b)];
+        if (body == kNone && !absent[b]) {
+            body = static_cast<std::int32_t>(assembly.bodies.size());
+            assembly.bodies.push_back({});
+        }
+        assembly.body_of_block.push_back(absent[b] ? kAbsent : body);
+    }
+}
+
+/// Calls with each free block and its body.
+template <class Body>
+void forFreeBlocks(const Assembly& assembly, const Body& body) {
+    for (std::size_t b = 0; b < assembly.body_of_block.size(); ++b)
+        if (assembly.body_of_block[b] >= 0) body(b, static_cast<std::size_t>(assembly.body_of_block[b]));
+}
+
+void measureBodies(const State& state, Assembly& assembly) {
+    const double g = state.geometry->model.gravity.magnitude;
+    auto& bodies = assembly.bodies;
+    forFreeBlocks(assembly, [&](std::size_t b, std::size_t body) {
+        bodies[body].weight += state.blocks.mass[b] * g;
+        bodies[body].centroid += state.blocks.mass[b] * g * state.blocks.position.get(b);
+    });
+    for (Body& body : bodies) body.centroid /= body.weight;
+    forFreeBlocks(assembly, [&](std::size_t b, std::size_t body) {
+        const double reach =
+            (state.blocks.position.get(b) - bodies[body].centroid).norm() + state.geometry->radius[b];
+        bodies[body].radius = std::max(bodies[body].radius, reach);
+    });
+}
+
+double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+    const Eigen::Vector2d u = b - a, v = c - a;
+    return u.x() * v.y() - u.y() * v.x();
+}
+
+/// The outermost of some points: corners of their hull, counter-clockwise (Andrew 1979).
+std::vector<contact::PatchPoint> outermost(std::vector<contact::PatchPoint> points) {
+    if (points.size() < 3) return points;
+    std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.position.x(), a.position.y()) < std::pair(b.position.x(), b.position.y());
+    });
+    const double extent = (points.back().position - points.front().position).norm();
+    const double flat = 1e-12 * extent * extent;
+    std::vector<contact::PatchPoint> hull;
+    for (int pass = 0; pass < 2; ++pass) {
+        const std::size_t first = hull.size();
+        for (const contact::PatchPoint& point : points) {
+            while (hull.size() >= first + 2 &&
+                   turn(hull[hull.size() - 2].position, hull.back().position, point.position) <= flat)
+                hull.pop_back();
+            hull.push_back(point);
+        }
+        hull.pop_back();
+        std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
+/// Tangents such that the first lies in the vertical plane of x, in which slopes fail, or else along y.
+Mat3 tangentFrame(const Vec3& normal) {
+    Vec3 first = Vec3::UnitY().cross(normal);
+    if (first.norm() < 1e-6) first = Vec3::UnitZ().cross(normal);
+    Mat3 axes;
+    axes.col(0) = first.normalized();
+    axes.col(1) = normal.cross(axes.col(0));
+    axes.col(2) = normal;
+    return axes;
+}
+
+void addPoints(const State& state, std::size_t i, Assembly& assembly) {
+    const Interfaces& f = state.interfaces;
+    const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
+    const std::int32_t body_a = assembly.body_of_block[a], body_b = assembly.body_of_block[b];
+    if (body_a == body_b || std::min(body_a, body_b) == kAbsent || stages::isIdle(f, i)) return;
+    const double closed = stages::kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
+    const stages::RelativePose pose = stages::relativePose(state, i);
+    std::vector<contact::PatchPoint> points;
+    for (const contact::PatchPoint& point : interfacePoints(f, i, state.geometry->model.points))
+        if (pose.gap.x() + point.position.x() * pose.gap.y() + point.position.y() * pose.gap.z() <= closed)
+            points.push_back(point);
+    if (!state.laws[static_cast<std::size_t>(f.joint[i])].bonded) points = outermost(std::move(points));
+    for (const contact::PatchPoint& point : points)
+        assembly.points.push_back({body_a, body_b,
+                                   pose.origin + point.position.x() * pose.e1 + point.position.y() * pose.e2,
+                                   tangentFrame(pose.e3), point.area, f.joint[i]});
+}
+
+Loads presentWater(const State& state, const Assembly& assembly) {
+    Loads loads(assembly.bodies.size());
+    forFreeBlocks(assembly, [&](std::size_t b, std::size_t body) {
+        const stages::Wrench water = stages::waterOn(state, b);
+        const Vec3 arm = state.blocks.position.get(b) - assembly.bodies[body].centroid;
+        loads[body].force += water.force;
+        loads[body].torque += water.torque + arm.cross(water.force);
+    });
+    return loads;
+}
+
+}  // namespace
+
+Assembly assemble(const State& state, const std::vector<std::string>& left_out) {
+    Assembly assembly;
+    makeBodies(state, absent(state, left_out), assembly);
+    measureBodies(state, assembly);
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i) addPoints(state, i, assembly);
+    State wet = state;
+    const Loads water = waterLoads(wet, assembly, state.load.tilt);
+    return foldToSection(std::move(assembly), water, state.geometry->length_scale);
+}
+
+Loads weightLoads(const State& state, const Assembly& assembly, const Vec3& acceleration) {
+    Loads loads(assembly.bodies.size());
+    forFreeBlocks(assembly, [&](std::size_t b, std::size_t body) {
+        const Vec3 force = state.blocks.mass[b] * acceleration;
+        const Vec3 arm = state.blocks.position.get(b) - assembly.bodies[body].centroid;
+        loads[body].force += force;
+        loads[body].torque += arm.cross(force);
+    });
+    return loads;
+}
+
+Loads waterLoads(State& state, const Assembly& assembly, double tilt) {
+    state.load.tilt = tilt;
+    state.load.water_share = 1;
+    stages::updateWater(state);
+    return presentWater(state, assembly);
+}
+
+}  // namespace talus::limit

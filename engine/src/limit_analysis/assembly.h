@@ -1,0 +1,57 @@
+#pragma once
+// What limit analysis knows of a slope: rigid bodies and the points where they touch at the start.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "forces/wrench.h"
+#include "state/arrays.h"
+
+namespace talus::limit {
+
+inline constexpr std::int32_t kFixed = -1;   ///< the body of blocks that do not give way
+inline constexpr std::int32_t kAbsent = -2;  ///< of blocks that are left out
+
+/// One free block, or several whose bonds nothing here can break.
+struct Body {
+    Vec3 centroid = Vec3::Zero();  ///< [m]
+    double radius = 0;             ///< its farthest corner [m]
+    double weight = 0;             ///< [N]
+};
+
+/// Where forces pass from body a to body b.
+struct ContactPoint {
+    std::int32_t body_a = kFixed, body_b = kFixed;
+    Vec3 place = Vec3::Zero();  ///< [m]
+    Mat3 axes = Mat3::
+        Identity();   ///< columns: the tangent in the vertical plane of x, the other one, the normal to b
+    double area = 0;  ///< A_s [m^2]
+    std::int32_t joint = 0;
+};
+
+struct Assembly {
+    std::vector<Body> bodies;
+    std::vector<std::int32_t> body_of_block;  ///< kFixed for blocks that are not free, kAbsent
+    std::vector<ContactPoint> points;
+    /// Solved in a plane y = constant (section.h): y, and turning about x and z, are left out.
+    bool plane_section = false;
+
+    int rowsPerBody() const { return plane_section ? 3 : 6; }
+};
+
+/// Bodies and closed contact points of a state as `buildState` gives it. Joints without bond need only the outermost
+/// points of a patch: a force within them is one at each of them, none beyond its strength. Blocks with names in
+/// `left_out` are gone.
+Assembly assemble(const State& state, const std::vector<std::string>& left_out);
+
+/// On each body, about its centroid.
+using Loads = std::vector<stages::Wrench>;
+
+/// The blocks' masses in a field of this acceleration [m/s^2].
+Loads weightLoads(const State& state, const Assembly& assembly, const Vec3& acceleration);
+
+/// The water on them at a tilt [rad]. The state's tilt is that one afterwards.
+Loads waterLoads(State& state, const Assembly& assembly, double tilt);
+
+}  // namespace talus::limit

@@ -1,0 +1,368 @@
+#include "talus/limit_analysis.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "analysis/threads.h"
+#include "build/build.h"
+#include "law/joint_laws.h"
+#include "limit_analysis/solver.h"
+
+namespace talus {
+namespace {
+
+using namespace limit;
+
+constexpr double kClose = 1e-5;      // of tilts [rad] and horizontal loads: a bracket that is good enough
+constexpr double kTiltWidth = 1e-8;  // [rad]; a water's wrench follows the tilt, so its limit is iterated for
+constexpr int kMostTilts = 60;
+constexpr double kSteepest = 1.5;     // farthest that gravity is turned in one programme [rad]
+constexpr double kLeastFactor = 0.1;  // as `safetyFactor`: from ten times the strength
+constexpr double kMostFactor = 102.4;
+constexpr double kMostHorizontal = 100;  // weights
+
+Vec3 downward(double tilt) { return {-std::sin(tilt), 0, -std::cos(tilt)}; }
+Vec3 forward(double tilt) { return {-std::cos(tilt), 0, std::sin(tilt)}; }  // normal to it, towards -x
+
+/// a + factor b.
+Loads sum(Loads a, const Loads& b, double factor = 1) {
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        a[k].force += factor * b[k].force;
+        a[k].torque += factor * b[k].torque;
+    }
+    return a;
+}
+
+std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+/// A limit from one side, or why there is none.
+struct Limit {
+    SearchStatus status = SearchStatus::undecided;
+    double value = 0;
+};
+
+class LimitSearch {
+ public:
+    LimitSearch(State& state, const Assembly& assembly, const Control& control, const LimitSettings& settings)
+        : state_(state),
+          assembly_(assembly),
+          model_(state.geometry->model),
+          control_(control),
+          settings_(settings),
+          solver_(assembly, state.laws, control) {}
+
+    LimitResult run(LimitLoad load) {
+        if (load == LimitLoad::tilt) findTilt();
+        if (load == LimitLoad::factor) findFactor();
+        if (load == LimitLoad::horizontal) findHorizontal();
+        if (control_.stop != nullptr && *control_.stop) result_.status = SearchStatus::interrupted;
+        if (result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start)
+            describeMechanism();
+        describeEffort();
+        return std::move(result_);
+    }
+
+ private:
+    void report(const std::string& detail) const {
+        constexpr double kExpected = 12;  // programmes
+        const double made = solver_.effort().programmes;
+        if (control_.progress) control_.progress({"limit analysis", made / (made + kExpected), detail});
+    }
+
+    Loads weight(const Vec3& direction) const {
+        return weightLoads(state_, assembly_, model_.gravity.magnitude * direction);
+    }
+    Loads loadsAt(double tilt) { return sum(weight(downward(tilt)), waterLoads(state_, assembly_, tilt)); }
+
+    /// Whether the assembly stands where the load begins to grow; sets the result if it does not.
+    bool stands(const Loads& loads, double start) {
+        const Balance inside = solver_.check(loads, Side::inside);
+        if (inside.balanced) return true;
+        if (inside.outcome != Outcome::optimal) return false;
+        const bool falls = assembly_.plane_section || !solver_.check(loads, Side::outside).balanced;
+        result_.status = falls ? SearchStatus::unstable_at_start : SearchStatus::undecided;
+        if (falls) result_.upper = start;
+        return false;
+    }
+
+    // --- tilt -----------------------------------------------------------------------------------------------------
+
+    void findTilt() {
+        const double start = model_.analysis.start.value_or(model_.gravity.tilt);
+        if (!stands(loadsAt(start), start)) return;
+        const Limit inside = tiltFrom(start, Side::inside);
+        result_.status = inside.status;
+        if (inside.status == SearchStatus::undecided) return;
+        result_.lower = inside.value;
+        if (inside.status == SearchStatus::stable_to_stop) return;
+        const Limit outside = assembly_.plane_section ? inside : tiltFrom(inside.value, Side::outside);
+        if (outside.status == SearchStatus::found) result_.upper = std::max(outside.value, result_.lower);
+        if (outside.status != SearchStatus::found) result_.status = SearchStatus::undecided;
+    }
+
+    /// How much farther gravity can turn, with the water of this tilt; nothing where the solver gave up.
+    std::optional<double> wayOn(double tilt, double least, double most, Side side) {
+        report("tilt " + formatted("%.4f deg", tilt * 180 / M_PI));
+        const Growth found =
+            solver_.grow(loadsAt(tilt), weight(forward(tilt)), std::tan(least), std::tan(most), side, kClose);
+        if (found.outcome == Outcome::infeasible) return least;
+        if (found.outcome != Outcome::optimal) return std::nullopt;
+        return std::atan(found.multiplier);
+    }
+
+    /// Without water and cohesion only the direction of the loads matters, so that the first programme finds the limit.
+    bool onlyDirectionMatters() const {
+        const bool bonds = std::any_of(
+            assembly_.points.begin(), assembly_.points.end(),
+            [&](const auto& point) { return state_.laws[static_cast<std::size_t>(point.joint)].bonded; });
+        return !bonds && state_.wet.size() == 0;
+    }
+
+    Limit tiltFrom(double start, Side side) {
+        const bool at_once = onlyDirectionMatters();
+        const double stop = model_.analysis.stop;
+        double stands = start, falls = kInfinity, tilt = start;
+        std::optional<std::pair<double, double>> last{};  // a tilt before and the way on from there
+        for (int k = 0; k < kMostTilts; ++k) {
+            const double most = std::clamp(stop - tilt, 0.0, kSteepest);
+            const std::optional<double> way = wayOn(tilt, k == 0 ? 0 : -kSteepest, most, side);
+            if (!way) return {};
+            const bool clipped = *way >= most * (1 - 1e-12);
+            if (clipped && tilt + most >= stop * (1 - 1e-12) && (at_once || most < kTiltWidth))
+                return {SearchStatus::stable_to_stop, stop};
+            if (at_once && !clipped) return {SearchStatus::found, tilt + *way};
+            (*way >= 0 ? stands : falls) = tilt;
+            if (std::abs(*way) < kTiltWidth || falls - stands < kTiltWidth)
+                return {SearchStatus::found, stands};
+            const double next = nextTilt(tilt, *way, last);
+            last = {tilt, *way};
+            tilt =
+                next > stands && next < falls ? std::min(next, stop) : 0.5 * (stands + std::min(falls, stop));
+        }
+        return {};
+    }
+
+    /// Where the way on becomes nothing, by the secant through two tilts.
+    static double nextTilt(double tilt, double way, const std::optional<std::pair<double, double>>& last) {
+        if (!last || last->second == way) return tilt + way;
+        return tilt - way * (tilt - last->first) / (way - last->second);
+    }
+
+    // --- horizontal load ------------------------------------------------------------------------------------------
+
+    void findHorizontal() {
+        const double tilt = model_.gravity.tilt;
+        const Loads fixed = loadsAt(tilt), growing = weight(forward(tilt));
+        if (!stands(fixed, 0)) return;
+        report("horizontal load");
+        const Growth inside = solver_.grow(fixed, growing, 0, kMostHorizontal, Side::inside);
+        if (inside.outcome != Outcome::optimal) return;
+        result_.lower = inside.multiplier;
+        result_.status = SearchStatus::stable_to_stop;
+        if (inside.multiplier >= kMostHorizontal) return;
+        result_.status = SearchStatus::found;
+        result_.upper = inside.multiplier;
+        if (assembly_.plane_section) return;
+        const Growth outside = solver_.grow(sum(fixed, growing, inside.multiplier), growing, 0,
+                                            kMostHorizontal, Side::outside, kClose);
+        if (outside.outcome == Outcome::optimal)
+            result_.upper = inside.multiplier + std::max(outside.multiplier, 0.0);
+        else
+            result_.status = SearchStatus::undecided;
+    }
+
+    // --- factor of safety -----------------------------------------------------------------------------------------
+
+    Balance checkFactor(const Loads& loads, double factor, Side side) {
+        report("factor " + formatted("%.5f", factor));
+        solver_.setLaws(jointLaws(model_.joints, factor));
+        return solver_.check(loads, side);
+    }
+
+    void findFactor() {
+        const Loads loads = loadsAt(model_.gravity.tilt);
+        FactorBracket bracket;
+        double factor = 1;
+        while (bracket.falls > bracket.stands * (1 + settings_.factor_width)) {
+            const Balance found = checkFactor(loads, factor, Side::inside);
+            if (found.outcome != Outcome::optimal) return;
+            bracket.take(factor, found.balanced);
+            if (bracket.stands >= kMostFactor || bracket.falls <= kLeastFactor) break;
+            factor = nextFactor(found, factor, bracket);
+        }
+        concludeFactor(loads, bracket.stands, bracket.falls);
+    }
+
+    /// What stands and what fails so far.
+    struct FactorBracket {
+        double stands = 0, falls = kInfinity;
+        int stood = 0;  ///< times in a row
+
+        void take(double factor, bool balanced) {
+            (balanced ? stands : falls) = factor;
+            stood = balanced ? stood + 1 : 0;
+        }
+    };
+
+    /// From a factor that fails to where its imbalance would be nothing, by Newton's method in the factor's logarithm, and a
+    /// little less; from there up by the bracket's width. Where that does not close it, by halves.
+    double nextFactor(const Balance& found, double factor, const FactorBracket& bracket) const {
+        const double width = settings_.factor_width;
+        if (bracket.falls == kInfinity) return std::min(2 * factor, kMostFactor);
+        const double least = std::max(bracket.stands, kLeastFactor);
+        const double half = std::sqrt(least * bracket.falls);
+        if (found.balanced) return bracket.stood > 1 ? half : std::min(half, factor * (1 + 0.9 * width));
+        const double newton =
+            found.growth > 0 ? factor * std::exp(-found.imbalance / found.growth) * (1 - 0.4 * width) : 0;
+        if (newton > bracket.stands) return std::max(newton, kLeastFactor);
+        return bracket.stands > 0 ? half : kLeastFactor;
+    }
+
+    void concludeFactor(const Loads& loads, double stands, double falls) {
+        result_.upper = falls;
+        if (stands > 0) result_.lower = stands;
+        result_.status = stands >= kMostFactor ? SearchStatus::stable_to_stop
+                         : stands > 0          ? SearchStatus::found
+                                               : SearchStatus::unstable_at_start;
+        if (assembly_.plane_section || result_.status != SearchStatus::found) return;
+        double step = settings_.factor_width;
+        Balance outside = checkFactor(loads, falls, Side::outside);
+        for (; outside.balanced && result_.upper < kMostFactor; step *= 2) {
+            result_.upper *= 1 + step;
+            outside = checkFactor(loads, result_.upper, Side::outside);
+        }
+        if (outside.outcome != Outcome::optimal) result_.status = SearchStatus::undecided;
+    }
+
+    // --- the mechanism --------------------------------------------------------------------------------------------
+
+    BlockVelocity velocityOf(std::size_t b) const {
+        const auto body = static_cast<std::size_t>(assembly_.body_of_block[b]);
+        const BodyMotion& motion = solver_.mechanism()[body];
+        const Vec3 arm = state_.blocks.position.get(b) - assembly_.bodies[body].centroid;
+        BlockVelocity velocity{.block = model_.blocks[b].name,
+                               .velocity = motion.velocity + motion.spin.cross(arm),
+                               .spin = motion.spin};
+        velocity.speed = velocity.velocity.norm() + velocity.spin.norm() * state_.geometry->radius[b];
+        return velocity;
+    }
+
+    void describeMechanism() {
+        if (solver_.mechanism().empty()) return;
+        double fastest = 0;
+        for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
+            if (assembly_.body_of_block[b] < 0) continue;
+            result_.mechanism.push_back(velocityOf(b));
+            fastest = std::max(fastest, result_.mechanism.back().speed);
+        }
+        for (BlockVelocity& velocity : result_.mechanism) {
+            velocity.velocity /= fastest;
+            velocity.spin /= fastest;
+            velocity.speed /= fastest;
+            velocity.moving = velocity.speed >= kMovingShare;
+            if (velocity.moving) result_.moving_blocks.push_back(velocity.block);
+        }
+        std::sort(result_.moving_blocks.begin(), result_.moving_blocks.end());
+    }
+
+    void describeEffort() {
+        result_.plane_section = assembly_.plane_section;
+        result_.blocks = static_cast<std::size_t>(std::count_if(assembly_.body_of_block.begin(),
+                                                                assembly_.body_of_block.end(),
+                                                                [](std::int32_t body) { return body >= 0; }));
+        result_.contact_points = assembly_.points.size();
+        result_.rows = solver_.effort().rows;
+        result_.columns = solver_.effort().columns;
+        result_.programmes = solver_.effort().programmes;
+        result_.iterations = solver_.effort().iterations;
+    }
+
+    State& state_;
+    const Assembly& assembly_;
+    const Model& model_;
+    const Control& control_;
+    const LimitSettings& settings_;
+    Solver solver_;
+    LimitResult result_;
+};
+
+Error tooLarge(std::size_t points, std::size_t most) {
+    return {"", "limit analysis: the model has " + std::to_string(points) +
+                    " contact points; allowed: at most " + std::to_string(most)};
+}
+
+LimitResult analyse(State& state, const Assembly& assembly, LimitLoad load, const Control& control,
+                    const LimitSettings& settings) {
+    if (!assembly.bodies.empty()) return LimitSearch(state, assembly, control, settings).run(load);
+    LimitResult nothing_moves;
+    nothing_moves.status = SearchStatus::stable_to_stop;
+    return nothing_moves;
+}
+
+/// Builds the model and calls with its state and assembly.
+template <class T, class Body>
+Result<T> withAssembly(const Model& model, const Control& control, const LimitSettings& settings,
+                       const Body& body) {
+    return analysis::inArena(control.threads, [&]() -> Result<T> {
+        Result<State> built = buildState(keptByCaller(model), control.threads != 1);
+        if (!built) return built.errors();
+        built->load.gravity_share = built->load.water_share = 1;
+        return body(*built, assemble(*built, settings.left_out));
+    });
+}
+
+std::string tooManyPoints(std::size_t points, std::size_t most, bool section) {
+    return "the model has " + std::to_string(points) + " contact points" +
+           (section ? " in its section" : "") + "; up to " + std::to_string(most) +
+           " limit analysis is made without being asked for";
+}
+
+Ceiling ceilingOf(const LimitResult& result) {
+    if (std::isfinite(result.upper)) return {result.upper, ""};
+    if (result.status == SearchStatus::stable_to_stop)
+        return {std::nullopt, "by limit analysis the assembly stands to the end of the search"};
+    return {std::nullopt, result.status == SearchStatus::interrupted ? "limit analysis was interrupted"
+                                                                     : "limit analysis ended undecided"};
+}
+
+}  // namespace
+
+Result<LimitResult> limitAnalysis(const Model& model, LimitLoad load, const Control& control,
+                                  const LimitSettings& settings) {
+    const auto begin = std::chrono::steady_clock::now();
+    return withAssembly<LimitResult>(
+        model, control, settings, [&](State& state, const Assembly& assembly) -> Result<LimitResult> {
+            if (assembly.points.size() > settings.max_contact_points)
+                return tooLarge(assembly.points.size(), settings.max_contact_points);
+            LimitResult result = analyse(state, assembly, load, control, settings);
+            result.wall_seconds =
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            return result;
+        });
+}
+
+Result<Ceiling> limitCeiling(const Model& model, LimitLoad load, bool always, const Control& control,
+                             const LimitSettings& settings) {
+    return withAssembly<
+        Ceiling>(model, control, settings, [&](State& state, const Assembly& assembly) -> Result<Ceiling> {
+        const std::size_t most = assembly.plane_section ? kCeilingPointsInSection : kCeilingPoints;
+        if (!always && assembly.points.size() > most)
+            return Ceiling{std::nullopt, tooManyPoints(assembly.points.size(), most, assembly.plane_section)};
+        return ceilingOf(analyse(state, assembly, load, control, settings));
+    });
+}
+
+bool isAbove(double stands, const Ceiling& ceiling, LimitLoad load) {
+    constexpr double kTiltTolerance = 0.05 * M_PI / 180, kFactorTolerance = 0.005;
+    if (!ceiling.value) return false;
+    const double tolerance = load == LimitLoad::factor ? kFactorTolerance * *ceiling.value : kTiltTolerance;
+    return stands > *ceiling.value + tolerance;
+}
+
+}  // namespace talus

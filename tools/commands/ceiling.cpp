@@ -1,0 +1,37 @@
+#include "commands/ceiling.h"
+
+namespace talus::tools {
+
+namespace {
+
+/// A load for people.
+std::string said(double value, LimitLoad load) {
+    return load == LimitLoad::factor ? "factor " + text(value, 4) : text(degrees(value), 3) + " deg";
+}
+
+}  // namespace
+
+void addCeiling(CLI::App& app, CeilingOptions& options) {
+    CLI::Option* never = app.add_flag("--no-ceiling", options.never, "Leave limit analysis out");
+    app.add_flag("--ceiling", options.always,
+                 "Limit analysis beside the answer whatever the size (default: up to " +
+                     std::to_string(kCeilingPointsInSection) + " contact points in a plane section, " +
+                     std::to_string(kCeilingPoints) + " in space)")
+        ->excludes(never);
+}
+
+Ceiling findCeiling(const formats::Scenario& scenario, LimitLoad load, const CeilingOptions& options,
+                    const SearchResult& result, const Control& control) {
+    if (options.never) return {std::nullopt, "not wanted (--no-ceiling)"};
+    if (result.status == SearchStatus::interrupted) return {std::nullopt, "the search was interrupted"};
+    return valueOf(limitCeiling(scenario.model, load, options.always, control), scenario);
+}
+
+void holdUnder(const Ceiling& ceiling, LimitLoad load, SearchResult& result) {
+    if (!isAbove(result.low, ceiling, load)) return;
+    result.status = SearchStatus::undecided;
+    result.warnings.push_back("the answer is wrong: the search has it stand at " + said(result.low, load) +
+                              ", above the ceiling of limit analysis, " + said(*ceiling.value, load));
+}
+
+}  // namespace talus::tools

@@ -1,0 +1,162 @@
+// talus limit-analysis: the greatest tilt, factor of safety or horizontal load of the associated rigid-block problem.
+
+#include "talus/limit_analysis.h"
+
+#include <map>
+#include <memory>
+
+#include "commands/limit_analysis.h"
+
+namespace talus::tools {
+
+namespace {
+
+struct LimitOptions {
+    Common common;
+    std::string scenario;
+    LimitLoad load = LimitLoad::tilt;
+    std::size_t max_points = LimitSettings{}.max_contact_points;
+};
+
+/// How a load is said, and its unit.
+struct LoadWords {
+    const char* name;
+    const char* title;
+    const char* unit;
+    double scale;
+    int decimals;
+};
+
+LoadWords wordsOf(LimitLoad load) {
+    switch (load) {
+        case LimitLoad::factor:
+            return {"factor", "factor of safety", "", 1, 4};
+        case LimitLoad::horizontal:
+            return {"horizontal", "horizontal load", " of the weight", 1, 5};
+        case LimitLoad::tilt:
+            break;
+    }
+    return {"tilt", "critical angle", " deg", kDegree, 4};
+}
+
+Json mechanismJson(const LimitResult& result) {
+    Json list = Json::array();
+    for (const BlockVelocity& block : result.mechanism)
+        list.push_back({{"block", block.block},
+                        {"moving", block.moving},
+                        {"velocity_m_s", vector(block.velocity)},
+                        {"spin_rad_s", vector(block.spin)},
+                        {"speed_m_s", number(block.speed)}});
+    return list;
+}
+
+Json toJson(const LimitOptions& options, const LimitResult& result) {
+    const LoadWords words = wordsOf(options.load);
+    return {{"status", toString(result.status)},
+            {"for", words.name},
+            {"unit", options.load == LimitLoad::tilt ? Json("deg") : Json(nullptr)},
+            {"lower", number(result.lower / words.scale)},
+            {"upper", number(result.upper / words.scale)},
+            {"moving_blocks", result.moving_blocks},
+            {"mechanism", mechanismJson(result)},
+            {"plane_section", result.plane_section},
+            {"blocks", result.blocks},
+            {"contact_points", result.contact_points},
+            {"rows", result.rows},
+            {"columns", result.columns},
+            {"programmes", result.programmes},
+            {"iterations", result.iterations},
+            {"wall_seconds", number(result.wall_seconds)},
+            {"interrupted", result.status == SearchStatus::interrupted},
+            {"provenance", provenance(options.common, options.scenario)}};
+}
+
+std::string answerText(const LimitOptions& options, const LimitResult& result) {
+    const LoadWords words = wordsOf(options.load);
+    const auto say = [&](double value) { return text(value / words.scale, words.decimals) + words.unit; };
+    switch (result.status) {
+        case SearchStatus::found:
+            return say(result.lower) + (result.upper > result.lower ? " to " + say(result.upper) : "");
+        case SearchStatus::unstable_at_start:
+            return "none: no forces balance the loads at the start";
+        case SearchStatus::stable_to_stop:
+            return "none: forces balance the loads up to " + say(result.lower);
+        default:
+            return "undecided";
+    }
+}
+
+std::string row(std::string label, const std::string& content) {
+    label.resize(std::max<std::size_t>(label.size(), 16), ' ');
+    return label + content + "\n";
+}
+
+std::string movingText(const LimitResult& result) {
+    constexpr std::size_t kShown = 12;
+    std::string names;
+    for (std::size_t k = 0; k < std::min(kShown, result.moving_blocks.size()); ++k)
+        names += (k == 0 ? "" : " ") + result.moving_blocks[k];
+    const std::size_t more = result.moving_blocks.size() - std::min(kShown, result.moving_blocks.size());
+    return std::to_string(result.moving_blocks.size()) + " of " + std::to_string(result.blocks) + ": " +
+           names + (more > 0 ? " and " + std::to_string(more) + " more" : "");
+}
+
+std::string toText(const LimitOptions& options, const LimitResult& result) {
+    const std::string kind = result.plane_section ? "plane section" : "in space";
+    return row("scenario", options.scenario) + row(wordsOf(options.load).title, answerText(options, result)) +
+           (result.moving_blocks.empty() ? "" : row("moving blocks", movingText(result))) +
+           row("programme", kind + ", " + std::to_string(result.contact_points) + " contact points, " +
+                                std::to_string(result.rows) + " equations, " +
+                                std::to_string(result.columns) + " columns") +
+           row("cost", std::to_string(result.programmes) + " programmes, " +
+                           std::to_string(result.iterations) + " iterations, " +
+                           text(result.wall_seconds, 2) + " s");
+}
+
+int exitCode(SearchStatus status) {
+    if (status == SearchStatus::interrupted) return kInterrupted;
+    return status == SearchStatus::undecided ? kUndecided : kDone;
+}
+
+int analyse(const LimitOptions& options) {
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    ProgressPrinter progress(options.common);
+    LimitSettings settings;
+    settings.max_contact_points = options.max_points;
+    const LimitResult result = valueOf(
+        limitAnalysis(scenario.model, options.load, controlOf(options.common, progress), settings), scenario);
+    progress.finish();
+    if (options.common.json)
+        printJson(toJson(options, result));
+    else
+        printText(toText(options, result));
+    return exitCode(result.status);
+}
+
+}  // namespace
+
+Command addLimitAnalysis(CLI::App& root) {
+    auto options = std::make_shared<LimitOptions>();
+    CLI::App* app = root.add_subcommand(
+        "limit-analysis", "A ceiling for the other answers: the limit of the associated rigid-block problem");
+    app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
+    const std::map<std::string, LimitLoad> loads{
+        {"tilt", LimitLoad::tilt}, {"factor", LimitLoad::factor}, {"horizontal", LimitLoad::horizontal}};
+    app->add_option("--for", options->load,
+                    "What grows: tilt, factor (of safety), horizontal (load over weight)")
+        ->transform(CLI::Transformer(loads))
+        ->required();
+    app->add_option("--max-points", options->max_points, "Refuse models with more contact points")
+        ->capture_default_str();
+    addCommon(*app, options->common);
+    app->footer(
+        "Example:\n  talus limit-analysis slope.toml --for factor\n  talus limit-analysis arch.toml --for "
+        "tilt "
+        "--json | jq .upper\n\nA linear programme over the contact points as they are at the start, with "
+        "joints that open by\ntan(phi) of their slide. No equilibrium of real joints lies above it. It is "
+        "near where blocks\nhinge or slide, and far where they interlock. `lower` and `upper` bracket it "
+        "(friction cones as\npyramids from inside and from outside).");
+    return {app, [options] { return analyse(*options); }};
+}
+
+}  // namespace talus::tools
