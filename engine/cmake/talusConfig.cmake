@@ -1,6 +1,21 @@
-# find_package(talus) brings the target talus::talus.
+# find_package(talus) brings the target talus::talus; with COMPONENTS formats also talus::formats, which needs more packages.
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)
 find_dependency(TBB)
 find_dependency(Eigen3 3.4 NO_MODULE)
 include(${CMAKE_CURRENT_LIST_DIR}/talusTargets.cmake)
+
+foreach(component IN LISTS talus_FIND_COMPONENTS)
+    if(component STREQUAL "formats")
+        find_dependency(tomlplusplus 3)
+        find_dependency(nlohmann_json 3)
+        find_dependency(FlatBuffers 2 CONFIG)
+        find_dependency(zstd 1.5 CONFIG)
+        find_dependency(ZLIB)
+        include(${CMAKE_CURRENT_LIST_DIR}/talusFormatsTargets.cmake)
+        set(talus_formats_FOUND TRUE)
+    elseif(talus_FIND_REQUIRED_${component})
+        set(talus_FOUND FALSE)
+        set(talus_NOT_FOUND_MESSAGE "talus has no component \"${component}\", but \"formats\"")
+    endif()
+endforeach()
