@@ -63,10 +63,12 @@ std::string unknownCommand(const std::string& word, const std::vector<Command>& 
 }
 
 std::vector<Command> addCommands(CLI::App& root) {
-    return {addPaper(root),  addCriticalAngle(root), addSafetyFactor(root), addRun(root),
-            addReplay(root), addInspect(root),       addExport(root),       addBatch(root),
-            addSample(root), addMerge(root),         addValidate(root),     addBlocks(root),
-            addTheory(root)};
+    std::vector<Command> commands{addPaper(root)};
+    for (const LoadSearch& search : loadSearches()) commands.push_back(addSearch(root, search));
+    for (const auto add : {addRun, addReplay, addInspect, addExport, addBatch, addSample, addMerge,
+                           addValidate, addBlocks, addTheory})
+        commands.push_back(add(root));
+    return commands;
 }
 
 int execute(const std::vector<Command>& commands) {

@@ -18,6 +18,7 @@
 #include "talus/analysis.h"
 #include "talus/formats/scenario.h"
 #include "talus/result.h"
+#include "talus/searches.h"
 
 namespace talus::tools {
 
@@ -49,8 +50,7 @@ struct Command {
 };
 
 Command addRun(CLI::App& root);
-Command addCriticalAngle(CLI::App& root);
-Command addSafetyFactor(CLI::App& root);
+Command addSearch(CLI::App& root, const LoadSearch& search);
 Command addValidate(CLI::App& root);
 Command addBlocks(CLI::App& root);
 Command addTheory(CLI::App& root);
