@@ -5,7 +5,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "cli/command.h"
+#include "commands/commands.h"
 #include "talus/build_info.h"
 
 namespace talus::tools {

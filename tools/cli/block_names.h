@@ -7,7 +7,7 @@
 
 namespace talus::tools {
 
-/// A stack block's name, taken apart: "wall c12r3s1".
+/// A stack block's name, taken apart: "leftc12r3s1".
 struct StackName {
     std::string prefix;
     int column = 0, row = 0, slice = 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "cli/command.h"
+#include "commands/commands.h"
 #include "report/blocks_files.h"
 
 namespace talus::tools {
@@ -26,7 +26,7 @@ Sizes sizesOf(const Model& model) {
     Sizes sizes;
     for (const Block& block : model.blocks) {
         sizes.volume.push_back(massProperties(block.shape).volume);
-        sizes.thickness.push_back(smallestExtent(block.shape));
+        sizes.thickness.push_back(blockThickness(block.shape));
         sizes.total += sizes.volume.back();
     }
     std::sort(sizes.volume.begin(), sizes.volume.end());

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "cli/command.h"
+#include "commands/commands.h"
 #include "talus/formats/sweep.h"
 
 namespace talus::tools {

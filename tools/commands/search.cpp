@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "cli/command.h"
+#include "commands/commands.h"
 #include "commands/search_report.h"
 
 namespace talus::tools {

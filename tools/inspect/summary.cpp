@@ -6,6 +6,7 @@
 
 #include "cli/block_names.h"
 #include "inspect/views.h"
+#include "talus/searches.h"
 
 namespace talus::tools {
 

@@ -10,6 +10,7 @@
 
 #include "cli/command.h"
 #include "recording/run_output.h"
+#include "talus/searches.h"
 
 namespace talus::tools {
 

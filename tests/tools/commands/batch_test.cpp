@@ -131,6 +131,9 @@ TEST_CASE("safety factors, histories, and their probabilities") {
     CHECK(failure["interval"][0] < 0.25);
     CHECK(failure["interval"][1] > 0.25);
     CHECK(summary["sensitivity"][0]["rank_correlation"] > 0.999);
+    const std::string factors = factor.out() + "/results.csv";
+    CHECK(std::stod(cellOf(factors, 3, "theory_factor")) ==
+          doctest::Approx(std::stod(cellOf(factors, 3, "safety_factor"))).epsilon(0.001));
 
     const BatchFolder history(kGrid, "run",
                               blockScenario(20, 12, "[run]\nduration_s = 0.01\nwatch = [\"key\"]\n"));
@@ -165,6 +168,20 @@ TEST_CASE("the results of another sweep are not touched") {
     CHECK(other.exit_code == 2);
     CHECK(other.err.find("another sweep") != std::string::npos);
     CHECK(contentOf(batch.out() + "/results.csv") == before);
+}
+
+TEST_CASE("rows with other columns, of another version, are not touched") {
+    const BatchFolder batch(draws(2));
+    REQUIRE(batch.run().exit_code == 0);
+    const std::string results = batch.out() + "/results.csv", description = batch.out() + "/batch.json";
+    const std::string before = contentOf(results);
+    auto info = nlohmann::json::parse(contentOf(description));
+    info["columns"].erase(info["columns"].size() - 2);
+    std::ofstream(description) << info.dump();
+    const Outcome other = batch.run();
+    CHECK(other.exit_code == 2);
+    CHECK(other.err.find("other columns") != std::string::npos);
+    CHECK(contentOf(results) == before);
 }
 
 TEST_CASE("a run that fails is a row with its reason, the batch goes on, and --retry computes it again") {
