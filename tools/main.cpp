@@ -5,8 +5,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "cli/command.h"
-#include "commands/limit_analysis.h"
+#include "commands/commands.h"
 #include "talus/build_info.h"
 
 namespace talus::tools {
@@ -64,10 +63,12 @@ std::string unknownCommand(const std::string& word, const std::vector<Command>& 
 }
 
 std::vector<Command> addCommands(CLI::App& root) {
-    return {addPaper(root),  addCriticalAngle(root), addSafetyFactor(root), addRun(root),
-            addReplay(root), addInspect(root),       addExport(root),       addBatch(root),
-            addSample(root), addMerge(root),         addValidate(root),     addBlocks(root),
-            addTheory(root), addLimitAnalysis(root)};
+    std::vector<Command> commands{addPaper(root)};
+    for (const LoadSearch& search : loadSearches()) commands.push_back(addSearch(root, search));
+    for (const auto add : {addRun, addReplay, addInspect, addExport, addBatch, addSample, addMerge,
+                           addValidate, addBlocks, addTheory, addLimitAnalysis})
+        commands.push_back(add(root));
+    return commands;
 }
 
 int execute(const std::vector<Command>& commands) {

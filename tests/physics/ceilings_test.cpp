@@ -14,7 +14,7 @@ using namespace talus::test;
 
 namespace {
 
-LimitResult limitOf(const std::string& name, LimitLoad load) {
+LimitResult limitOf(const std::string& name, Varied load) {
     CAPTURE(name);
     const auto scenario = formats::readScenario(TALUS_SOURCE_DIR "/bench/verification/" + name + ".toml");
     REQUIRE(scenario.ok());
@@ -24,9 +24,9 @@ LimitResult limitOf(const std::string& name, LimitLoad load) {
 }
 
 /// A figure [deg, or none] within a share of what is published.
-void checkFigure(const std::string& name, LimitLoad load, double published, double share) {
+void checkFigure(const std::string& name, Varied load, double published, double share) {
     const LimitResult result = limitOf(name, load);
-    const double unit = load == LimitLoad::tilt ? radians(1) : 1;
+    const double unit = load == Varied::tilt ? radians(1) : 1;
     MESSAGE(name << ": " << result.lower / unit << " to " << result.upper / unit << ", published "
                  << published);
     CHECK((result.status == SearchStatus::found));
@@ -35,9 +35,9 @@ void checkFigure(const std::string& name, LimitLoad load, double published, doub
 }
 
 /// At or above what a non-associated analysis found, and not by more than a share.
-void checkCeiling(const std::string& name, LimitLoad load, double published, double share) {
+void checkCeiling(const std::string& name, Varied load, double published, double share) {
     const LimitResult result = limitOf(name, load);
-    const double unit = load == LimitLoad::tilt ? radians(1) : 1;
+    const double unit = load == Varied::tilt ? radians(1) : 1;
     MESSAGE(name << ": ceiling " << result.upper / unit << ", published " << published);
     CHECK((result.status == SearchStatus::found));
     CHECK(result.upper / unit >= published);
@@ -48,29 +48,29 @@ void checkCeiling(const std::string& name, LimitLoad load, double published, dou
 
 TEST_SUITE("physics") {
     TEST_CASE("limit analysis: arches, walls, single columns, slabs") {
-        checkFigure("arch-27-1.1m", LimitLoad::tilt, 0.70, 0.01);
-        checkFigure("arch-27-1.5m", LimitLoad::tilt, 8.27, 1e-3);
-        CHECK((limitOf("arch-27-1.05m", LimitLoad::tilt).status == SearchStatus::unstable_at_start));
-        checkFigure("brick-wall-1", LimitLoad::horizontal, 0.6429, 1e-4);
-        checkFigure("brick-wall-2", LimitLoad::horizontal, 0.5800, 1e-4);
-        checkFigure("column-10", LimitLoad::tilt, degrees(std::atan(0.2)), 1e-6);
-        checkFigure("column-20", LimitLoad::tilt, degrees(std::atan(0.1)), 1e-6);
-        checkFigure("column-40", LimitLoad::tilt, degrees(std::atan(0.05)), 1e-6);
-        checkFigure("alejano-slab-50", LimitLoad::factor, 1.2148, 2e-4);
-        checkFigure("alejano-slab-55", LimitLoad::factor, 1.0002, 2e-3);
-        checkFigure("parallel-slabs", LimitLoad::factor, 1.008, 1e-3);
-        checkFigure("goodman-bray-slice-38.15", LimitLoad::factor, 1.19, 2e-3);
+        checkFigure("arch-27-1.1m", Varied::tilt, 0.70, 0.01);
+        checkFigure("arch-27-1.5m", Varied::tilt, 8.27, 1e-3);
+        CHECK((limitOf("arch-27-1.05m", Varied::tilt).status == SearchStatus::unstable_at_start));
+        checkFigure("brick-wall-1", Varied::horizontal, 0.6429, 1e-4);
+        checkFigure("brick-wall-2", Varied::horizontal, 0.5800, 1e-4);
+        checkFigure("column-10", Varied::tilt, degrees(std::atan(0.2)), 1e-6);
+        checkFigure("column-20", Varied::tilt, degrees(std::atan(0.1)), 1e-6);
+        checkFigure("column-40", Varied::tilt, degrees(std::atan(0.05)), 1e-6);
+        checkFigure("alejano-slab-50", Varied::factor, 1.2148, 2e-4);
+        checkFigure("alejano-slab-55", Varied::factor, 1.0002, 2e-3);
+        checkFigure("parallel-slabs", Varied::factor, 1.008, 1e-3);
+        checkFigure("goodman-bray-slice-38.15", Varied::factor, 1.19, 2e-3);
     }
 
     TEST_CASE("limit analysis: no analysis of real joints is above it") {
-        checkCeiling("column-40-10-deep", LimitLoad::tilt, degrees(std::atan(0.05)), 1.0);
-        checkCeiling("goodman-bray-slice-38.6598", LimitLoad::factor, 1.0185, 0.25);
-        checkCeiling("alejano-alonso", LimitLoad::factor, 0.87, 0.3);
-        checkCeiling("barla-table", LimitLoad::tilt, 11, 1.0);
-        checkCeiling("bilinear-slab", LimitLoad::factor, 1.03, 0.02);
-        checkCeiling("forward-toppling", LimitLoad::factor, 1.13, 0.4);
-        checkCeiling("backward-toppling", LimitLoad::factor, 1.80, 0.02);
-        checkCeiling("wedge-hoek-bray", LimitLoad::factor, 1.7407, 0.15);
-        checkCeiling("wedge-phi-40", LimitLoad::factor, 1.275, 0.15);
+        checkCeiling("column-40-10-deep", Varied::tilt, degrees(std::atan(0.05)), 1.0);
+        checkCeiling("goodman-bray-slice-38.6598", Varied::factor, 1.0185, 0.25);
+        checkCeiling("alejano-alonso", Varied::factor, 0.87, 0.3);
+        checkCeiling("barla-table", Varied::tilt, 11, 1.0);
+        checkCeiling("bilinear-slab", Varied::factor, 1.03, 0.02);
+        checkCeiling("forward-toppling", Varied::factor, 1.13, 0.4);
+        checkCeiling("backward-toppling", Varied::factor, 1.80, 0.02);
+        checkCeiling("wedge-hoek-bray", Varied::factor, 1.7407, 0.15);
+        checkCeiling("wedge-phi-40", Varied::factor, 1.275, 0.15);
     }
 }

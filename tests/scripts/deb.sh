@@ -8,7 +8,8 @@ trap 'rm -rf "$work"' EXIT
 "$cpack" --config "$build/CPackConfig.cmake" -G DEB -B "$work" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 package=$(echo "$work"/talus_*.deb)
 dpkg-deb -c "$package" >"$work/files"
-for file in ./usr/bin/talus ./usr/share/bash-completion/completions/talus ./usr/include/talus/model.h; do
+for file in ./usr/bin/talus ./usr/share/bash-completion/completions/talus ./usr/include/talus/model.h \
+    ./usr/include/talus/formats/scenario.h; do
     grep -q " $file\$" "$work/files" || { echo "$file is missing"; exit 1; }
 done
 [[ $(dpkg-deb -f "$package" Depends) == *libtbb* ]] || { echo "its dependencies lack TBB"; exit 1; }

@@ -5,7 +5,6 @@
 
 #include "cli/block_names.h"
 #include "talus/simulation.h"
-#include "talus/theory.h"
 
 namespace talus::tools::batch {
 
@@ -14,7 +13,6 @@ namespace {
 using formats::SampledPer;
 using formats::SampledScenario;
 using formats::Sweep;
-using formats::SweepAnalysis;
 using formats::SweepRun;
 
 /// A row that is filled by the columns' names, so that no order has to be kept in two places.
@@ -25,7 +23,7 @@ class RowWriter {
     void set(const std::string& column, std::string text) {
         if (const auto index = info_.find(column)) cells_[*index] = std::move(text);
     }
-    void set(const std::string& column, double value) { set(column, numberCell(value)); }
+    void set(const std::string& column, double value) { set(column, csvNumber(value)); }
     void set(const std::string& column, std::int64_t value) { set(column, std::to_string(value)); }
     void addReason(const std::string& text) {
         std::string& cell = cells_.back();
@@ -49,7 +47,7 @@ void writeKeys(const Sweep& sweep, const SweepRun& run, RowWriter& row) {
     for (std::size_t c = 0; c < sweep.columns.size(); ++c)
         if (sweep.columns[c].per != SampledPer::interface) {
             const auto* real = std::get_if<double>(&run.values[c]);
-            row.set(sweep.columns[c].name, real ? numberCell(*real) : formats::toString(run.values[c]));
+            row.set(sweep.columns[c].name, real ? csvNumber(*real) : formats::toString(run.values[c]));
         }
 }
 
@@ -69,18 +67,12 @@ void fail(RowWriter& row, const std::vector<Error>& errors) {
         row.addReason((error.field.empty() ? "" : error.field + ": ") + error.message);
 }
 
-void writeSearch(const SearchResult& result, SweepAnalysis analysis, const Model& model, RowWriter& row) {
-    const bool is_angle = analysis == SweepAnalysis::critical_angle;
-    const double unit = is_angle ? kDegree : 1;
-    const std::string suffix = is_angle ? "_deg" : "";
+void writeSearch(const SearchResult& result, const LoadSearch& search, const Model& model, RowWriter& row) {
     row.set("status", std::string(toString(result.status)));
-    if (result.status == SearchStatus::found)
-        row.set(is_angle ? "critical_angle_deg" : "safety_factor", result.answer / unit);
-    row.set("bracket_low" + suffix, result.low / unit);
-    row.set("bracket_high" + suffix, result.high / unit);
-    if (is_angle)
-        if (const auto prediction = theory::predict(model))
-            row.set("theory_deg", degrees(prediction->critical_tilt));
+    if (result.status == SearchStatus::found) row.set(search.answer_key, result.answer / search.scale);
+    row.set(search.keyInUnit("bracket_low"), result.low / search.scale);
+    row.set(search.keyInUnit("bracket_high"), result.high / search.scale);
+    if (const auto theory = search.theory(model)) row.set(search.theory_key, theory->value / search.scale);
     row.set("failure_mode", std::string(toString(result.mode)));
     row.set("moving_count", static_cast<std::int64_t>(result.moving_blocks.size()));
     row.set("moving_blocks", compactNames(result.moving_blocks));
@@ -107,25 +99,24 @@ void writeRun(const RunResult& result, RowWriter& row) {
 }
 
 /// False when it was interrupted.
-bool analyse(const SampledScenario& sampled, SweepAnalysis analysis, const std::atomic<bool>& stop,
+bool analyse(const SampledScenario& sampled, const LoadSearch* search, const std::atomic<bool>& stop,
              RowWriter& row, bool& failed) {
     const Control control{{}, &stop, 1};
     const Model& model = sampled.scenario.model;
-    if (analysis == SweepAnalysis::run) {
+    if (!search) {
         const auto result = run(model, control, [](const HistoryRecord&) {});
         if (result && result->interrupted) return false;
         failed = !result;
         failed ? fail(row, result.errors()) : writeRun(*result, row);
         return true;
     }
-    const auto result = analysis == SweepAnalysis::critical_angle ? criticalAngle(model, control)
-                                                                  : safetyFactor(model, control);
+    const auto result = search->find(model, control, {});
     // A probe that was cut short is undecided, too.
     if (result &&
         (result->status == SearchStatus::interrupted || (result->status == SearchStatus::undecided && stop)))
         return false;
     failed = !result || result->status == SearchStatus::undecided;
-    result ? writeSearch(*result, analysis, model, row) : fail(row, result.errors());
+    result ? writeSearch(*result, *search, model, row) : fail(row, result.errors());
     return true;
 }
 
@@ -148,7 +139,7 @@ std::optional<ComputedRow> computeRun(const Sweep& sweep, const BatchInfo& info,
         const auto sampled = formats::scenarioOf(sweep, run);
         if (sampled) {
             writeDrawn(sweep, *sampled, row);
-            if (!analyse(*sampled, sweep.analysis, stop, row, failed)) return std::nullopt;
+            if (!analyse(*sampled, sweep.search, stop, row, failed)) return std::nullopt;
         } else {
             fail(row, sampled.errors());
         }

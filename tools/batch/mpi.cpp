@@ -42,7 +42,7 @@ Unpacked unpacked(const std::string& text) {
     const auto first = text.find(' ');
     std::string line = text.substr(first + 3);
     line.pop_back();
-    return {std::stoull(text.substr(0, first)), text[first + 1] == '1', csvCells(line)};
+    return {std::stoull(text.substr(0, first)), text[first + 1] == '1', csvFields(line)};
 }
 
 /// Process 0: the main thread talks, a second one computes.

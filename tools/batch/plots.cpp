@@ -91,7 +91,7 @@ void drawMeans(Svg& svg, const std::map<double, Mean>& means, const Axis& x, con
     for (const auto& [value, mean] : means)
         svg.circle(
             {x.at(value), y.at(mean.mean())}, 3.5, "dem",
-            numberCell(value) + ": " + text(mean.mean(), 4) + ", " + std::to_string(mean.count) + " runs");
+            csvNumber(value) + ": " + text(mean.mean(), 4) + ", " + std::to_string(mean.count) + " runs");
 }
 
 std::string heatClass(double share) {
@@ -125,8 +125,8 @@ Svg plotHistogram(const Summary& summary) {
                      {x.at(right), y.at(top)},
                      {x.at(right), y.at(0)}},
                     "bar",
-                    numberCell(left) + " to " + numberCell(right) + ": " +
-                        std::to_string(histogram.counts[i]) + " runs");
+                    csvNumber(left) + " to " + csvNumber(right) + ": " + std::to_string(histogram.counts[i]) +
+                        " runs");
     }
     drawThresholds(svg, summary, x, y);
     return svg;
@@ -137,7 +137,7 @@ Svg plotDistribution(const Summary& summary) {
     Svg svg(720, 400, "Share of the runs that have failed",
             "Empirical distribution of the " + summary.info.answerTitle() + " with its confidence band.");
     const Axis x = answerAxis(summary, 64, 704);
-    const Axis y{0,   1, 345, 16, summary.info.isSearch() ? "probability of failure" : "share of the runs",
+    const Axis y{0,   1, 345, 16, summary.info.search() ? "probability of failure" : "share of the runs",
                  0.2, 1};
     std::vector<Spot> steps, low, high;
     const std::size_t stride = std::max<std::size_t>(1, sorted.size() / 400);
@@ -234,7 +234,7 @@ Svg plotHeatMap(const Summary& summary, std::size_t x_value, std::size_t y_value
                          {x.at(left + 1), y.at(bottom + 1)},
                          {x.at(left + 1), y.at(bottom)}},
                         heatClass(share),
-                        numberCell(columns[c]) + ", " + numberCell(rows[r]) + ": " + text(mean, 4));
+                        csvNumber(columns[c]) + ", " + csvNumber(rows[r]) + ": " + text(mean, 4));
             if (has_labels)
                 svg.label({x.at(left + 0.5), y.at(bottom + 0.5) + 4}, text(mean, 2), "middle",
                           share < 0.5 ? "heat-light" : "heat-dark");
@@ -242,9 +242,9 @@ Svg plotHeatMap(const Summary& summary, std::size_t x_value, std::size_t y_value
     drawAxes(svg, x, y);
     const std::size_t stride = 1 + columns.size() / 16;
     for (std::size_t c = 0; c < columns.size(); c += stride)
-        svg.label({x.at(static_cast<double>(c) + 0.5), y.from + 18}, numberCell(columns[c]), "middle");
+        svg.label({x.at(static_cast<double>(c) + 0.5), y.from + 18}, csvNumber(columns[c]), "middle");
     for (std::size_t r = 0; r < rows.size(); r += 1 + rows.size() / 16)
-        svg.label({x.from - 8, y.at(static_cast<double>(r) + 0.5) + 4}, numberCell(rows[r]), "end");
+        svg.label({x.from - 8, y.at(static_cast<double>(r) + 0.5) + 4}, csvNumber(rows[r]), "end");
     return svg;
 }
 

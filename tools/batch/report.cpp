@@ -26,8 +26,8 @@ std::string shareText(const FailureShare& share) {
 }
 
 std::string thresholdTitle(const BatchInfo& info, double threshold) {
-    return info.analysis == "critical-angle" ? "failed at " + numberCell(threshold) + "\u00b0"
-                                             : "factor below " + numberCell(threshold);
+    return std::string(info.search() ? info.search()->answer : "") + " below " + csvNumber(threshold) +
+           info.unitSymbol();
 }
 
 /// Four digits that count.
@@ -108,7 +108,7 @@ std::string distribution(const Summary& summary) {
         page += paragraph(
             "Probabilities of failure with their confidence intervals of " +
                 text(100 * summary.info.confidence, 0) +
-                " % (Clopper and Pearson). Runs whose search did not reach the tilt or factor in question "
+                " % (Clopper and Pearson). Runs whose search did not reach the value in question "
                 "are not "
                 "counted." +
                 (summary.info.latin_hypercube

@@ -1,9 +1,6 @@
 #include "batch/rows.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 
 namespace talus::tools::batch {
 
@@ -11,7 +8,6 @@ namespace {
 
 using formats::SampledPer;
 using formats::Sweep;
-using formats::SweepAnalysis;
 using formats::SweepColumn;
 using formats::SweepSource;
 using Role = Column::Role;
@@ -44,16 +40,15 @@ void addVaried(const SweepColumn& column, std::vector<Column>& columns) {
                            std::string(words) + " of the draws per interface", Role::varied, "interfaces"});
 }
 
-void addSearchColumns(bool is_angle, std::vector<Column>& columns) {
-    const std::string unit = is_angle ? "deg" : "";
-    const std::string suffix = is_angle ? "_deg" : "";
-    columns.push_back({is_angle ? "critical_angle_deg" : "safety_factor", "number", unit,
-                       "middle of the bracket; empty unless found"});
-    columns.push_back({"bracket_low" + suffix, "number", unit, "last that stood; empty at an open end"});
-    columns.push_back({"bracket_high" + suffix, "number", unit, "first that failed; empty at an open end"});
-    if (is_angle)
-        columns.push_back(
-            {"theory_deg", "number", "deg", "limit equilibrium; empty where no formula applies"});
+void addSearchColumns(const LoadSearch& search, std::vector<Column>& columns) {
+    const std::string unit = search.unit;
+    columns.push_back({search.answer_key, "number", unit, "middle of the bracket; empty unless found"});
+    columns.push_back(
+        {search.keyInUnit("bracket_low"), "number", unit, "last that stood; empty at an open end"});
+    columns.push_back(
+        {search.keyInUnit("bracket_high"), "number", unit, "first that failed; empty at an open end"});
+    columns.push_back(
+        {search.theory_key, "number", unit, "limit equilibrium; empty where no formula applies"});
     columns.push_back({"failure_mode", "string", "", "none, sliding, toppling or mixed"});
     columns.push_back({"moving_count", "integer", "", "blocks that move at failure"});
     columns.push_back({"moving_blocks", "string", "", "their names; c1-3 r1-5 s1 for a box of them"});
@@ -81,13 +76,12 @@ std::vector<Column> columnsOf(const Sweep& sweep) {
     if (!sweep.case_names.empty()) columns.push_back({"name", "string", "", "of the case", Role::key});
     for (const SweepColumn& column : sweep.columns) addVaried(column, columns);
     columns.push_back({"status", "string", "",
-                       sweep.analysis == SweepAnalysis::run
-                           ? "finished or failed"
-                           : "found, unstable_at_start, stable_to_stop, undecided or failed"});
-    if (sweep.analysis == SweepAnalysis::run)
-        addRunColumns(sweep, columns);
+                       sweep.search ? "found, unstable_at_start, stable_to_stop, undecided or failed"
+                                    : "finished or failed"});
+    if (sweep.search)
+        addSearchColumns(*sweep.search, columns);
     else
-        addSearchColumns(sweep.analysis == SweepAnalysis::critical_angle, columns);
+        addRunColumns(sweep, columns);
     columns.push_back({"steps", "integer", "", "time steps computed"});
     columns.push_back({"cpu_seconds", "number", "s", "processor time of the run"});
     columns.push_back({"state_hash", "string", "", "of the state at the end of the last step"});
@@ -110,14 +104,21 @@ Json toJson(const Column& column) {
 
 }  // namespace
 
-std::string BatchInfo::answerName() const {
-    if (analysis == "critical-angle") return "critical_angle_deg";
-    return analysis == "safety-factor" ? "safety_factor" : "kinetic_energy_j";
-}
+std::string BatchInfo::answerName() const { return search() ? search()->answer_key : "kinetic_energy_j"; }
 
 std::string BatchInfo::answerTitle() const {
-    if (analysis == "critical-angle") return "critical angle (\u00b0)";
-    return analysis == "safety-factor" ? "factor of safety" : "kinetic energy at the end (J)";
+    if (!search()) return "kinetic energy at the end (J)";
+    const std::string symbol = unitSymbol();
+    return search()->answer + (symbol.empty() ? "" : " (" + symbol + ")");
+}
+
+std::string BatchInfo::unitSymbol() const {
+    const std::string unit = search() ? search()->unit : "";
+    return unit == "deg" ? "\u00b0" : unit;
+}
+
+std::string BatchInfo::keyInUnit(std::string_view key) const {
+    return search() ? search()->keyInUnit(key) : std::string(key);
 }
 
 std::optional<std::size_t> BatchInfo::find(std::string_view column) const {
@@ -129,7 +130,7 @@ std::optional<std::size_t> BatchInfo::find(std::string_view column) const {
 BatchInfo describe(const Sweep& sweep) {
     BatchInfo info;
     info.identity = formats::identityOf(sweep);
-    info.analysis = toString(sweep.analysis);
+    info.analysis = sweep.analysis();
     info.sweep = sweep.path;
     info.scenario = sweep.scenario_path;
     info.sweep_text = sweep.text;
@@ -140,9 +141,9 @@ BatchInfo describe(const Sweep& sweep) {
     info.seed = sweep.seed;
     info.latin_hypercube = sweep.latin_hypercube;
     info.case_names = sweep.case_names;
-    info.thresholds =
-        sweep.analysis == SweepAnalysis::critical_angle ? sweep.report.tilts_deg : sweep.report.factors;
-    if (sweep.analysis == SweepAnalysis::safety_factor && info.thresholds.empty()) info.thresholds = {1.0};
+    info.thresholds = sweep.report.thresholds;
+    if (sweep.search && sweep.search->threshold && info.thresholds.empty())
+        info.thresholds = {*sweep.search->threshold};
     info.confidence = sweep.report.confidence;
     info.columns = columnsOf(sweep);
     return info;
@@ -193,44 +194,10 @@ BatchInfo infoFromJson(const Json& json) {
     return info;
 }
 
-std::string csvLine(const Row& cells) {
-    std::string line;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (i > 0) line += ',';
-        if (cells[i].find_first_of(",\"\r\n") == std::string::npos) {
-            line += cells[i];
-            continue;
-        }
-        line += '"';
-        // One row, one line: that is what makes a row whole or absent after a crash.
-        for (const char c : cells[i])
-            line += c == '"' ? "\"\"" : c == '\n' || c == '\r' ? std::string(" ") : std::string(1, c);
-        line += '"';
-    }
-    return line + '\n';
-}
-
 std::string csvHeader(const BatchInfo& info) {
     Row names;
     for (const Column& column : info.columns) names.push_back(column.name);
     return csvLine(names);
-}
-
-Row csvCells(std::string_view line) {
-    Row cells(1);
-    bool inside = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char c = line[i];
-        if (c == '"' && inside && i + 1 < line.size() && line[i + 1] == '"')
-            cells.back() += line[i++];
-        else if (c == '"')
-            inside = !inside;
-        else if (c == ',' && !inside)
-            cells.emplace_back();
-        else if (c != '\r')
-            cells.back() += c;
-    }
-    return cells;
 }
 
 Json csvMetadata(const BatchInfo& info, const std::string& file) {
@@ -245,12 +212,6 @@ Json csvMetadata(const BatchInfo& info, const std::string& file) {
             {"url", file},
             {"dc:title", "talus batch, " + info.analysis + " of " + info.scenario},
             {"tableSchema", {{"columns", columns}}}};
-}
-
-std::string numberCell(double value) {
-    if (!std::isfinite(value)) return "";
-    std::array<char, 40> buffer;
-    return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
 bool isFailure(std::string_view status) { return status == "failed" || status == "undecided"; }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "report/csv.h"
 #include "talus/formats/sweep.h"
 
 namespace talus::tools::batch {
@@ -30,13 +31,15 @@ struct BatchInfo {
     std::uint64_t runs = 0, cases = 1, samples = 1, seed = 1;
     bool latin_hypercube = false;
     std::vector<std::string> case_names;
-    std::vector<double> thresholds;  ///< tilts [deg] or factors of safety at which failure is asked for
+    std::vector<double> thresholds;  ///< of the answer, in its unit, at which failure is asked for
     double confidence = 0.95;
     std::vector<Column> columns;
 
-    bool isSearch() const { return analysis != "run"; }
+    const LoadSearch* search() const { return loadSearch(analysis); }  ///< nullptr: time histories
     std::string answerName() const;   ///< the column that is the answer: "critical_angle_deg", ...
-    std::string answerTitle() const;  ///< "critical angle (deg)"
+    std::string answerTitle() const;  ///< "critical angle (°)"
+    std::string unitSymbol() const;   ///< of the answer, behind a figure: "°"
+    std::string keyInUnit(std::string_view key) const;  ///< "bracket_low" -> "bracket_low_deg"
     std::optional<std::size_t> find(std::string_view column) const;
 };
 
@@ -47,15 +50,10 @@ BatchInfo infoFromJson(const Json& json);  ///< throws nlohmann's errors
 /// Cells of one run's row, in the order of the columns.
 using Row = std::vector<std::string>;
 
-std::string csvLine(const Row& cells);  ///< with its line feed; quotes where needed
 std::string csvHeader(const BatchInfo& info);
-Row csvCells(std::string_view line);  ///< of a line without its line feed
 
 /// Types and units of the columns, as the standard CSV on the Web (https://www.w3.org/TR/tabular-metadata/) has them.
 Json csvMetadata(const BatchInfo& info, const std::string& file);
-
-/// A number so that it reads back as the same one; "" when it is not finite.
-std::string numberCell(double value);
 
 /// Whether a run with this status counts as failed: it has no result, or an undecided one.
 bool isFailure(std::string_view status);

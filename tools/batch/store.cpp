@@ -121,7 +121,10 @@ void Store::prepare() {
                                  there.identity + " instead of " + info_.identity +
                                  "); choose another folder",
                              folder_});
-    // More samples, other tilts to report on: the same runs, so the description follows the sweep.
+    if (csvHeader(there) != csvHeader(info_))
+        throw BadInput(Error{
+            "--output", "holds rows with other columns, of another version; choose another folder", folder_});
+    // More samples, other thresholds to report on: the same runs, so the description follows the sweep.
     if (toJson(there) != toJson(info_) && there.runs <= info_.runs)
         writeFile(path, toJson(info_).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -177,7 +180,7 @@ void Store::readNewRows() {
 }
 
 void Store::noteRow(std::string_view line) {
-    const Row cells = csvCells(line);
+    const Row cells = csvFields(line);
     const auto run = runNumber(cells);
     if (!run || *run >= state_.size() || cells.size() != info_.columns.size()) return;
     const State state = isFailure(cells[*info_.find("status")]) ? kFailedRow : kDoneRow;
@@ -263,7 +266,7 @@ void keepBetter(StoredBatch& stored, std::uint64_t run, std::string line) {
     const auto [there, is_new] = stored.lines.try_emplace(run, std::move(line));
     if (is_new) return;
     // try_emplace leaves a line it has no use for as it was.
-    const bool worse = isFailure(csvCells(line)[status]) && !isFailure(csvCells(there->second)[status]);
+    const bool worse = isFailure(csvFields(line)[status]) && !isFailure(csvFields(there->second)[status]);
     if (!worse) there->second = std::move(line);
 }
 
@@ -285,7 +288,7 @@ StoredBatch readStored(const std::string& folder) {
             throw BadInput(Error{"", "has other columns than its batch.json says", file, 1, 1});
         std::string_view rest = std::string_view(text).substr(header.size());
         for (auto end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
-            const Row cells = csvCells(rest.substr(0, end));
+            const Row cells = csvFields(rest.substr(0, end));
             const auto run = runNumber(cells);
             if (run && cells.size() == stored.info.columns.size())
                 keepBetter(stored, *run, std::string(rest.substr(0, end)));

@@ -91,7 +91,7 @@ struct StoredBatch {
     std::unordered_map<std::uint64_t, std::string>
         lines;  ///< by run: its row, as text, since a million may come
 
-    Row row(std::uint64_t run) const { return csvCells(lines.at(run)); }
+    Row row(std::uint64_t run) const { return csvFields(lines.at(run)); }
 };
 StoredBatch readStored(const std::string& folder);
 

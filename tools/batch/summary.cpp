@@ -1,7 +1,6 @@
 #include "batch/summary.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace talus::tools::batch {
@@ -12,12 +11,8 @@ constexpr std::uint64_t kMostCases = 500;
 constexpr std::size_t kMostFailures = 20;
 constexpr double kShares[] = {0.01, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99};
 
-double numberOf(const std::string& cell) {
-    double value = 0;
-    const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    const bool whole = read.ec == std::errc() && read.ptr == cell.data() + cell.size() && !cell.empty();
-    return whole ? value : std::nan("");
-}
+/// NaN when the cell is empty.
+double numberOf(const std::string& cell) { return numberIn(cell).value_or(std::nan("")); }
 
 /// Reads one row's cells by the columns' names.
 class RowReader {
@@ -52,12 +47,11 @@ Observation observationOf(const Summary& summary, std::uint64_t run, const Row& 
     seen.run = run;
     seen.case_index = run % info.cases;
     const std::string& status = cells.text("status");
-    const std::string suffix = info.analysis == "critical-angle" ? "_deg" : "";
     seen.answer = status == "unstable_at_start" ? -kInfinity
                   : status == "stable_to_stop"  ? kInfinity
                                                 : cells.number(info.answerName());
-    seen.low = cells.number("bracket_low" + suffix);
-    seen.high = cells.number("bracket_high" + suffix);
+    seen.low = cells.number(info.keyInUnit("bracket_low"));
+    seen.high = cells.number(info.keyInUnit("bracket_high"));
     seen.mode = cells.text("failure_mode");
     for (const std::size_t column : summary.value_columns) seen.values.push_back(numberOf(row[column]));
     return seen;
@@ -131,7 +125,7 @@ Json toJson(const Interval& interval) { return Json::array({number(interval.low)
 Json quantilesJson(const Group& group) {
     Json quantiles = Json::object();
     if (group.sorted.empty()) return quantiles;
-    for (const double share : kShares) quantiles[numberCell(share)] = number(quantileOf(group.sorted, share));
+    for (const double share : kShares) quantiles[csvNumber(share)] = number(quantileOf(group.sorted, share));
     return quantiles;
 }
 

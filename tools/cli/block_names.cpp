@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 
 namespace talus::tools {
 
 namespace {
-
-struct StackName {
-    std::string prefix;
-    int column = 0, row = 0, slice = 0;
-};
 
 struct Item {
     std::string text;
@@ -33,14 +27,6 @@ std::optional<int> takeNumber(std::string& name, char letter) {
     if (error != std::errc{} || stop != end) return std::nullopt;
     name.resize(at);
     return value;
-}
-
-std::optional<StackName> parse(std::string name) {
-    const auto slice = takeNumber(name, 's');
-    const auto row = slice ? takeNumber(name, 'r') : std::nullopt;
-    const auto column = row ? takeNumber(name, 'c') : std::nullopt;
-    if (!column) return std::nullopt;
-    return StackName{name, *column, *row, *slice};
 }
 
 std::string range(char letter, int low, int high) {
@@ -100,11 +86,19 @@ std::vector<Item> boxes(const std::string& prefix, const std::map<int, Cells>& c
 
 }  // namespace
 
+std::optional<StackName> stackName(std::string name) {
+    const auto slice = takeNumber(name, 's');
+    const auto row = slice ? takeNumber(name, 'r') : std::nullopt;
+    const auto column = row ? takeNumber(name, 'c') : std::nullopt;
+    if (!column) return std::nullopt;
+    return StackName{name, *column, *row, *slice};
+}
+
 std::string compactNames(const std::vector<std::string>& names, std::size_t limit) {
     std::map<std::string, std::map<int, Cells>> stacks;
     std::vector<Item> items, others;
     for (const std::string& name : names) {
-        if (const auto cell = parse(name)) {
+        if (const auto cell = stackName(name)) {
             stacks[cell->prefix][cell->column].emplace(cell->row, cell->slice);
         } else {
             others.push_back({name});

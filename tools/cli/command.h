@@ -1,6 +1,6 @@
 #pragma once
-// What the subcommands of the command line share. Each subcommand is one file that offers one `addX(root)`; it fills a
-// CLI::App and returns the function that does the work. Failures are thrown (BadInput, FileRefused) and turned into
+// What the subcommands of the command line share. Each subcommand is one file that offers one `addX(root)`
+// (commands/commands.h); it fills a CLI::App and returns the function that does the work. Failures are thrown (BadInput, FileRefused) and turned into
 // messages and exit codes in one place, main.cpp. The library underneath never throws, prints or exits.
 
 #include <CLI/CLI.hpp>
@@ -47,20 +47,6 @@ struct Command {
     CLI::App* app = nullptr;
     std::function<int()> execute;
 };
-
-Command addRun(CLI::App& root);
-Command addCriticalAngle(CLI::App& root);
-Command addSafetyFactor(CLI::App& root);
-Command addValidate(CLI::App& root);
-Command addBlocks(CLI::App& root);
-Command addTheory(CLI::App& root);
-Command addPaper(CLI::App& root);
-Command addInspect(CLI::App& root);
-Command addExport(CLI::App& root);
-Command addBatch(CLI::App& root);
-Command addSample(CLI::App& root);
-Command addMerge(CLI::App& root);
-Command addReplay(CLI::App& root);
 
 // --- failures: throw these, main prints them (on stderr, and as JSON on stdout with --json) and exits ---------------
 

@@ -7,7 +7,7 @@
 #include "batch/report.h"
 #include "batch/schedule.h"
 #include "batch/store.h"
-#include "cli/command.h"
+#include "commands/commands.h"
 
 namespace talus::tools {
 

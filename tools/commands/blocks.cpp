@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "cli/command.h"
+#include "commands/commands.h"
 #include "report/blocks_files.h"
 
 namespace talus::tools {

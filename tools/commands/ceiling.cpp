@@ -5,8 +5,8 @@ namespace talus::tools {
 namespace {
 
 /// A load for people.
-std::string said(double value, LimitLoad load) {
-    return load == LimitLoad::factor ? "factor " + text(value, 4) : text(degrees(value), 3) + " deg";
+std::string said(double value, Varied load) {
+    return load == Varied::factor ? "factor " + text(value, 4) : text(degrees(value), 3) + " deg";
 }
 
 }  // namespace
@@ -20,14 +20,14 @@ void addCeiling(CLI::App& app, CeilingOptions& options) {
         ->excludes(never);
 }
 
-Ceiling findCeiling(const formats::Scenario& scenario, LimitLoad load, const CeilingOptions& options,
+Ceiling findCeiling(const formats::Scenario& scenario, Varied load, const CeilingOptions& options,
                     const SearchResult& result, const Control& control) {
     if (options.never) return {std::nullopt, "not wanted (--no-ceiling)"};
     if (result.status == SearchStatus::interrupted) return {std::nullopt, "the search was interrupted"};
     return valueOf(limitCeiling(scenario.model, load, options.always, control), scenario);
 }
 
-void holdUnder(const Ceiling& ceiling, LimitLoad load, SearchResult& result) {
+void holdUnder(const Ceiling& ceiling, Varied load, SearchResult& result) {
     if (!isAbove(result.low, ceiling, load)) return;
     result.status = SearchStatus::undecided;
     result.warnings.push_back("the answer is wrong: the search has it stand at " + said(result.low, load) +

@@ -17,10 +17,10 @@ struct CeilingOptions {
 void addCeiling(CLI::App& app, CeilingOptions& options);
 
 /// A search's ceiling; without value when it is not wanted or the search was interrupted.
-Ceiling findCeiling(const formats::Scenario& scenario, LimitLoad load, const CeilingOptions& options,
+Ceiling findCeiling(const formats::Scenario& scenario, Varied load, const CeilingOptions& options,
                     const SearchResult& result, const Control& control);
 
 /// An answer above the ceiling is wrong, whatever led to it: it becomes undecided, and a warning says both figures.
-void holdUnder(const Ceiling& ceiling, LimitLoad load, SearchResult& result);
+void holdUnder(const Ceiling& ceiling, Varied load, SearchResult& result);
 
 }  // namespace talus::tools

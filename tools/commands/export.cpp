@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "commands/commands.h"
 #include "recording/snapshot_view.h"
 #include "talus/formats/export.h"
 

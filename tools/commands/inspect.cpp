@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "commands/commands.h"
 #include "inspect/views.h"
 
 namespace talus::tools {

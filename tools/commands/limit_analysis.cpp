@@ -5,7 +5,7 @@
 #include <map>
 #include <memory>
 
-#include "commands/limit_analysis.h"
+#include "commands/commands.h"
 
 namespace talus::tools {
 
@@ -14,7 +14,7 @@ namespace {
 struct LimitOptions {
     Common common;
     std::string scenario;
-    LimitLoad load = LimitLoad::tilt;
+    Varied load = Varied::tilt;
     std::size_t max_points = LimitSettings{}.max_contact_points;
 };
 
@@ -27,13 +27,13 @@ struct LoadWords {
     int decimals;
 };
 
-LoadWords wordsOf(LimitLoad load) {
+LoadWords wordsOf(Varied load) {
     switch (load) {
-        case LimitLoad::factor:
+        case Varied::factor:
             return {"factor", "factor of safety", "", 1, 4};
-        case LimitLoad::horizontal:
+        case Varied::horizontal:
             return {"horizontal", "horizontal load", " of the weight", 1, 5};
-        case LimitLoad::tilt:
+        case Varied::tilt:
             break;
     }
     return {"tilt", "critical angle", " deg", kDegree, 4};
@@ -54,7 +54,7 @@ Json toJson(const LimitOptions& options, const LimitResult& result) {
     const LoadWords words = wordsOf(options.load);
     return {{"status", toString(result.status)},
             {"for", words.name},
-            {"unit", options.load == LimitLoad::tilt ? Json("deg") : Json(nullptr)},
+            {"unit", options.load == Varied::tilt ? Json("deg") : Json(nullptr)},
             {"lower", number(result.lower / words.scale)},
             {"upper", number(result.upper / words.scale)},
             {"moving_blocks", result.moving_blocks},
@@ -140,8 +140,8 @@ Command addLimitAnalysis(CLI::App& root) {
     CLI::App* app = root.add_subcommand(
         "limit-analysis", "A ceiling for the other answers: the limit of the associated rigid-block problem");
     app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
-    const std::map<std::string, LimitLoad> loads{
-        {"tilt", LimitLoad::tilt}, {"factor", LimitLoad::factor}, {"horizontal", LimitLoad::horizontal}};
+    const std::map<std::string, Varied> loads{
+        {"tilt", Varied::tilt}, {"factor", Varied::factor}, {"horizontal", Varied::horizontal}};
     app->add_option("--for", options->load,
                     "What grows: tilt, factor (of safety), horizontal (load over weight)")
         ->transform(CLI::Transformer(loads))

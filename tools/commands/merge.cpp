@@ -5,7 +5,7 @@
 
 #include "batch/report.h"
 #include "batch/store.h"
-#include "cli/command.h"
+#include "commands/commands.h"
 
 namespace talus::tools {
 

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "cli/command.h"
+#include "commands/commands.h"
 #include "reproduction/cases.h"
 #include "reproduction/data.h"
 #include "reproduction/kept.h"

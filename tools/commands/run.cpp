@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "cli/command.h"
+#include "commands/commands.h"
 #include "recording/run_output.h"
 
 namespace talus::tools {

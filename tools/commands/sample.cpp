@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "cli/command.h"
+#include "commands/commands.h"
 #include "talus/formats/sweep.h"
 
 namespace talus::tools {
@@ -19,7 +19,7 @@ std::string headOf(const formats::Sweep& sweep, const formats::SweepRun& run) {
     std::string head = "# Run " + std::to_string(run.index) + " of the sweep " + sweep.path + " (case " +
                        std::to_string(run.case_index) + ", sample " + std::to_string(run.sample) + ", seed " +
                        std::to_string(sweep.seed) + ", identity " + formats::identityOf(sweep) +
-                       ").\n#   talus " + toString(sweep.analysis) + " computes it again.\n";
+                       ").\n#   talus " + sweep.analysis() + " computes it again.\n";
     for (char& c : head)
         if (static_cast<unsigned char>(c) < 0x20 && c != '\n') c = ' ';
     return head;

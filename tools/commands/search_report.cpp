@@ -4,13 +4,31 @@
 #include <cmath>
 
 #include "cli/block_names.h"
+#include "report/numbers.h"
 
 namespace talus::tools {
 
 namespace {
 
-std::string loadText(const SearchReport& report, double value) {
-    return text(value / report.load.scale, report.load.decimals);
+/// As in JSON; "undecided" when interrupted.
+std::string statusText(SearchStatus status) {
+    return toString(status == SearchStatus::interrupted ? SearchStatus::undecided : status);
+}
+
+bool wasInterrupted(const SearchResult& result) {
+    // A probe that was cut short is undecided, too.
+    return result.status == SearchStatus::interrupted ||
+           (result.status == SearchStatus::undecided && stopRequested());
+}
+
+/// A load, or a difference of loads, without its unit.
+std::string figureOf(const SearchReport& report, double load) {
+    return loadFigure(report.search, load, report.search.decimals);
+}
+
+/// " deg" or "".
+std::string unitOf(const SearchReport& report) {
+    return *report.search.unit == '\0' ? "" : " " + std::string(report.search.unit);
 }
 
 /// A line of the table: the label in its column, then the content.
@@ -37,20 +55,20 @@ std::string scientific(double value) {
 std::string bracketText(const SearchReport& report) {
     const bool stands = std::isfinite(report.result.low), fails = std::isfinite(report.result.high);
     if (!stands && !fails) return "nothing is known yet";
-    return (stands ? "stands at " + loadText(report, report.result.low) : "") +
-           (stands && fails ? ", " : "") + (fails ? "fails at " + loadText(report, report.result.high) : "");
+    return (stands ? "stands at " + figureOf(report, report.result.low) : "") +
+           (stands && fails ? ", " : "") + (fails ? "fails at " + figureOf(report, report.result.high) : "");
 }
 
 std::string answerText(const SearchReport& report) {
     const SearchResult& result = report.result;
-    const std::string unit = report.load.unit;
+    const std::string unit = unitOf(report);
     switch (result.status) {
         case SearchStatus::found:
-            return loadText(report, result.answer) + unit + "  (" + bracketText(report) + ")";
+            return figureOf(report, result.answer) + unit + "  (" + bracketText(report) + ")";
         case SearchStatus::unstable_at_start:
-            return "none: unstable at the start of the search, " + loadText(report, result.high) + unit;
+            return "none: unstable at the start of the search, " + figureOf(report, result.high) + unit;
         case SearchStatus::stable_to_stop:
-            return "none: stands to the end of the search, " + loadText(report, result.low) + unit;
+            return "none: stands to the end of the search, " + figureOf(report, result.low) + unit;
         case SearchStatus::interrupted:
         case SearchStatus::undecided:
             break;
@@ -60,16 +78,16 @@ std::string answerText(const SearchReport& report) {
 
 std::string theoryText(const SearchReport& report) {
     if (!report.theory) return row("theory", "no closed formula applies");
-    std::string line = loadText(report, report.theory->value) + report.load.unit;
+    std::string line = figureOf(report, report.theory->value) + unitOf(report);
     if (report.result.status == SearchStatus::found)
-        line += "  (computed minus theory: " + loadText(report, report.result.answer - report.theory->value) +
+        line += "  (computed minus theory: " + figureOf(report, report.result.answer - report.theory->value) +
                 ")";
     return row("theory", line) + row("", report.theory->prediction.formula);
 }
 
 std::string ceilingText(const SearchReport& report) {
     const Ceiling& ceiling = report.ceiling;
-    return row("ceiling", ceiling.value ? loadText(report, *ceiling.value) + report.load.unit +
+    return row("ceiling", ceiling.value ? figureOf(report, *ceiling.value) + unitOf(report) +
                                               "  (limit analysis, joints that open as they slide)"
                                         : "none: " + ceiling.reason);
 }
@@ -98,12 +116,12 @@ std::string sizeText(const SearchResult& result) {
 }
 
 std::string probeTable(const SearchReport& report) {
-    std::string table = "\n" + figure("probe", 5) + figure(std::string("load") + report.load.unit, 12) +
-                        "  " + word("verdict", 10) + figure("steps", 10) + figure("unbalanced", 12) +
+    std::string table = "\n" + figure("probe", 5) + figure("load" + unitOf(report), 12) + "  " +
+                        word("verdict", 10) + figure("steps", 10) + figure("unbalanced", 12) +
                         figure("moved m", 10) + "  reason\n";
     for (std::size_t i = 0; i < report.result.probes.size(); ++i) {
         const Probe& probe = report.result.probes[i];
-        table += figure(std::to_string(i + 1), 5) + figure(loadText(report, probe.load), 12) + "  " +
+        table += figure(std::to_string(i + 1), 5) + figure(figureOf(report, probe.load), 12) + "  " +
                  word(toString(probe.verdict), 10) + figure(std::to_string(probe.steps), 10) +
                  figure(scientific(probe.out_of_balance), 12) + figure(scientific(probe.displacement), 10) +
                  "  " + probe.reason + "\n";
@@ -125,7 +143,7 @@ std::string motionTable(const SearchResult& result) {
 }
 
 Json probeJson(const SearchReport& report, const Probe& probe) {
-    return {{report.load.probe_key, number(probe.load / report.load.scale)},
+    return {{report.search.load_key, number(probe.load / report.search.scale)},
             {"verdict", toString(probe.verdict)},
             {"steps", probe.steps},
             {"out_of_balance", number(probe.out_of_balance)},
@@ -144,39 +162,16 @@ Json motionJson(const BlockMotion& motion) {
             {"mobilised_friction", number(motion.mobilised_friction)}};
 }
 
-template <class T, class F>
-Json list(const std::vector<T>& items, F&& json_of) {
-    Json result = Json::array();
-    for (const T& item : items) result.push_back(json_of(item));
-    return result;
-}
-
-}  // namespace
-
-std::string statusText(SearchStatus status) {
-    return toString(status == SearchStatus::interrupted ? SearchStatus::undecided : status);
-}
-
-bool wasInterrupted(const SearchResult& result) {
-    // A probe that was cut short is undecided, too.
-    return result.status == SearchStatus::interrupted ||
-           (result.status == SearchStatus::undecided && stopRequested());
-}
-
-int exitCode(const SearchReport& report) {
-    if (wasInterrupted(report.result)) return kInterrupted;
-    if (report.kept && report.kept->exit_code != kDone) return report.kept->exit_code;
-    return report.result.status == SearchStatus::undecided ? kUndecided : kDone;
-}
-
+/// Null unless found.
 Json answerJson(const SearchReport& report) {
     if (report.result.status != SearchStatus::found) return nullptr;
-    return number(report.result.answer / report.load.scale);
+    return number(report.result.answer / report.search.scale);
 }
 
+/// [low, high], null at an open end.
 Json bracketJson(const SearchReport& report) {
     return Json::array(
-        {number(report.result.low / report.load.scale), number(report.result.high / report.load.scale)});
+        {number(report.result.low / report.search.scale), number(report.result.high / report.search.scale)});
 }
 
 Json theoryJson(const SearchReport& report) {
@@ -187,10 +182,31 @@ Json theoryJson(const SearchReport& report) {
             {"applies_because", prediction.applies_because}};
 }
 
-void addSearchJson(Json& json, const SearchReport& report) {
+template <class T, class F>
+Json list(const std::vector<T>& items, F&& json_of) {
+    Json result = Json::array();
+    for (const T& item : items) result.push_back(json_of(item));
+    return result;
+}
+
+}  // namespace
+
+int exitCode(const SearchReport& report) {
+    if (wasInterrupted(report.result)) return kInterrupted;
+    if (report.kept && report.kept->exit_code != kDone) return report.kept->exit_code;
+    return report.result.status == SearchStatus::undecided ? kUndecided : kDone;
+}
+
+Json searchJson(const SearchReport& report) {
+    const LoadSearch& search = report.search;
     const SearchResult& result = report.result;
-    json["ceiling"] =
-        report.ceiling.value ? number(*report.ceiling.value / report.load.scale) : Json(nullptr);
+    Json json{
+        {"status", statusText(result.status)},
+        {search.answer_key, answerJson(report)},
+        {search.keyInUnit("bracket"), bracketJson(report)},
+        {search.theory_key, report.theory ? number(report.theory->value / search.scale) : Json(nullptr)}};
+    if (search.load != Varied::tilt) json["tilt_deg"] = number(degrees(report.scenario.model.gravity.tilt));
+    json["ceiling"] = report.ceiling.value ? number(*report.ceiling.value / search.scale) : Json(nullptr);
     json["ceiling_reason"] = report.ceiling.value ? Json(nullptr) : Json(report.ceiling.reason);
     json["failure_mode"] = toString(result.mode);
     json["moving_blocks"] = result.moving_blocks;
@@ -212,13 +228,14 @@ void addSearchJson(Json& json, const SearchReport& report) {
     json["evidence"] = list(result.motions, motionJson);
     if (report.kept) json["kept_run"] = keptRunJson(*report.kept);
     json["provenance"] = provenance(report.common, report.scenario.path);
+    return json;
 }
 
 std::string searchText(const SearchReport& report, bool verbose) {
     const SearchResult& result = report.result;
-    std::string table = row("scenario", report.scenario.path) + row(report.load.title, answerText(report)) +
-                        theoryText(report) + ceilingText(report) +
-                        row("failure mode", toString(result.mode)) +
+    std::string table = row("scenario", report.scenario.path) +
+                        row(report.search.answer, answerText(report)) + theoryText(report) +
+                        ceilingText(report) + row("failure mode", toString(result.mode)) +
                         row("moving blocks", movingText(result)) + row("model", sizeText(result)) +
                         row("method", methodText(result)) + row("cost", costText(result)) +
                         row("state hash", hashText(result.state_hash));

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "cli/command.h"
+#include "commands/commands.h"
 #include "commands/theory_formulas.h"
 
 namespace talus::tools {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "cli/command.h"
+#include "commands/commands.h"
 #include "talus/simulation.h"
 
 namespace talus::tools {

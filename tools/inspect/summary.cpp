@@ -6,6 +6,7 @@
 
 #include "cli/block_names.h"
 #include "inspect/views.h"
+#include "talus/searches.h"
 
 namespace talus::tools {
 
@@ -80,9 +81,9 @@ Json failureJson(const formats::SnapshotHeader& header) {
         if (failure.roles[b] == FailureMode::sliding) slides.push_back(header.names[b]);
         if (failure.roles[b] == FailureMode::toppling) topples.push_back(header.names[b]);
     }
-    const bool tilt = failure.analysis == "critical-angle";
+    const LoadSearch* search = loadSearch(failure.analysis);  // nullptr: of a later version
     return {{"analysis", failure.analysis},
-            {tilt ? "tilt_deg" : "factor", number(tilt ? degrees(failure.load) : failure.load)},
+            {search ? search->load_key : "load", number(failure.load / (search ? search->scale : 1))},
             {"mode", toString(failure.mode)},
             {"slides", compactNames(slides)},
             {"topples", compactNames(topples)}};

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "cli/block_names.h"
+#include "report/numbers.h"
 #include "talus/formats/failing.h"
 
 namespace talus::tools {
@@ -22,13 +23,23 @@ double ownTime(double block_size, double gravity) {
     return gravity > 0 ? std::sqrt(block_size / gravity) : 1.0;
 }
 
-const char* analysisName(SearchKind kind) {
-    return kind == SearchKind::critical_angle ? "critical-angle" : "safety-factor";
+/// With one decimal more than the answer's, because it lies a fraction of the bracket beyond it.
+std::string loadText(const KeptRun& kept) {
+    return talus::tools::loadText(*kept.search, kept.failure.load, kept.search->decimals + 1);
 }
 
-std::string loadText(const KeptRun& kept) {
-    return kept.kind == SearchKind::critical_angle ? "tilt " + text(degrees(kept.failure.load), 4) + " deg"
-                                                   : "strengths divided by " + text(kept.failure.load, 5);
+/// How the load is written into a scenario.
+void setLoad(Varied load, double value, formats::FailingLoad& failing) {
+    switch (load) {
+        case Varied::tilt:
+            failing.tilt = value;
+            return;
+        case Varied::factor:
+            failing.factor = value;
+            return;
+        case Varied::horizontal:
+            return;  // no search varies it
+    }
 }
 
 std::string whyNothing(const SearchResult& result) {
@@ -60,7 +71,7 @@ void addRoles(const SearchResult& result, const Model& model, KeptRun& kept) {
 
 std::string remarkOn(const formats::Scenario& scenario, const FailingState& failing, const KeptRun& kept) {
     std::string remark = scenario.path + " as it fails: " + loadText(kept) +
-                         ", just beyond the first that fails.\nWritten by talus " + analysisName(kept.kind) +
+                         ", just beyond the first that fails.\nWritten by talus " + kept.search->name +
                          " --keep-run. The dashpots in [damping] only take out the rattle of the contacts.";
     if (!scenario.model.waters.empty() && failing.state.loads.water_share < 1)
         remark += "\nIt fails under its weight already: in the kept run no water pushes.";
@@ -112,8 +123,7 @@ FailureKeeper::FailureKeeper(const KeepRunOptions& options, const Common& common
 void FailureKeeper::play(const FailingState& failing, KeptRun& kept, const Control& control) {
     const double time = ownTime(failing.block_size, scenario_.model.gravity.magnitude);
     formats::FailingLoad load;
-    if (kept.kind == SearchKind::critical_angle) load.tilt = failing.load;
-    if (kept.kind == SearchKind::safety_factor) load.factor = failing.load;
+    setLoad(kept.search->load, failing.load, load);
     load.contact_damping = failing.contact_damping;
     load.duration = options_.seconds.value_or(kMostTimes * time);
     load.frame_interval = options_.seconds ? *options_.seconds / kFramesInGivenTime : time / kFramesPerTime;
@@ -142,14 +152,14 @@ void FailureKeeper::play(const FailingState& failing, KeptRun& kept, const Contr
     if (kept.run.interrupted) kept.exit_code = kInterrupted, kept.reason = "interrupted";
 }
 
-KeptRun FailureKeeper::keep(const SearchResult& result, SearchKind kind, const Control& control) {
+KeptRun FailureKeeper::keep(const SearchResult& result, const LoadSearch& search, const Control& control) {
     KeptRun kept;
-    kept.kind = kind;
+    kept.search = &search;
     if (!result.failing) {
         kept.reason = whyNothing(result);
         return kept;
     }
-    kept.failure = {analysisName(kind), result.failing->load, result.mode, {}};
+    kept.failure = {search.name, result.failing->load, result.mode, {}};
     addRoles(result, scenario_.model, kept);
     try {
         play(*result.failing, kept, control);
@@ -167,10 +177,9 @@ KeptRun FailureKeeper::keep(const SearchResult& result, SearchKind kind, const C
 
 Json keptRunJson(const KeptRun& kept) {
     if (kept.file.empty()) return {{"file", nullptr}, {"reason", kept.reason}};
-    const bool tilt = kept.kind == SearchKind::critical_angle;
     return {{"file", kept.file},
             {"reason", kept.reason.empty() ? Json(nullptr) : Json(kept.reason)},
-            {tilt ? "tilt_deg" : "factor", number(tilt ? degrees(kept.failure.load) : kept.failure.load)},
+            {kept.search->load_key, number(kept.failure.load / kept.search->scale)},
             {"simulated_seconds", number(kept.run.simulated_seconds)},
             {"steps", kept.run.steps},
             {"time_step_s", number(kept.run.time_step)},

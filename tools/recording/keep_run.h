@@ -10,6 +10,7 @@
 
 #include "cli/command.h"
 #include "recording/run_output.h"
+#include "talus/searches.h"
 
 namespace talus::tools {
 
@@ -22,14 +23,12 @@ struct KeepRunOptions {
 /// Adds --keep-run, --keep-run-time and --force to a subcommand.
 void addKeepRun(CLI::App& app, KeepRunOptions& options);
 
-enum class SearchKind : std::uint8_t { critical_angle, safety_factor };
-
 /// What was kept, or why nothing was.
 struct KeptRun {
     std::string file;    ///< empty when nothing was kept
     std::string reason;  ///< why nothing was kept, or what went wrong on the way
     int exit_code = kDone;
-    SearchKind kind = SearchKind::critical_angle;
+    const LoadSearch* search = nullptr;               ///< that saw it fail
     formats::SnapshotFailure failure;                 ///< load, mode, and each block's role
     std::vector<std::string> slides, topples, stays;  ///< names of the free blocks by role
     RunResult run;
@@ -61,7 +60,7 @@ class FailureKeeper {
 
     /// Plays the failure on. What goes wrong is told in the result, so that what was found is not lost with it.
     /// \pre wanted(), and the search was made with Control::keep_failing_state
-    KeptRun keep(const SearchResult& result, SearchKind kind, const Control& control);
+    KeptRun keep(const SearchResult& result, const LoadSearch& search, const Control& control);
 
  private:
     void play(const FailingState& failing, KeptRun& kept, const Control& control);

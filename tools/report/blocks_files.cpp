@@ -1,28 +1,15 @@
 #include "report/blocks_files.h"
 
 #include <algorithm>
-#include <charconv>
+
+#include "report/csv.h"
 
 namespace talus::tools {
 
 namespace {
 
-/// The shortest text that reads back as the same number.
-void append(std::string& out, double value) {
-    char buffer[32];
-    out.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
-}
-
 const char* motionName(Motion motion) {
     return motion == Motion::fixed ? "fixed" : motion == Motion::driven ? "driven" : "free";
-}
-
-/// Quoted where CSV asks for it.
-std::string csvField(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
 }
 
 }  // namespace
@@ -47,13 +34,7 @@ std::string blocksObj(const Model& model, std::string_view comments) {
     for (const Block& block : model.blocks) {
         out += "o " + block.name + "\n";
         for (const Vec3& v : block.shape.vertices) {
-            out += "v ";
-            append(out, v.x());
-            out += ' ';
-            append(out, v.y());
-            out += ' ';
-            append(out, v.z());
-            out += '\n';
+            out += "v " + csvNumber(v.x()) + " " + csvNumber(v.y()) + " " + csvNumber(v.z()) + "\n";
         }
         for (const auto& face : block.shape.faces) {
             out += 'f';
@@ -70,14 +51,10 @@ std::string blocksCsv(const Model& model, std::string_view comments) {
     std::string out = std::string(comments) + "name,motion,volume_m3,x_m,y_m,z_m,faces,thickness_m\n";
     for (const Block& block : model.blocks) {
         const MassProperties mass = massProperties(block.shape);
-        out += csvField(block.name) + "," + motionName(block.motion);
-        for (const double value : {mass.volume, mass.centroid.x(), mass.centroid.y(), mass.centroid.z()}) {
-            out += ',';
-            append(out, value);
-        }
-        out += "," + std::to_string(block.shape.faces.size()) + ",";
-        append(out, blockThickness(block.shape));
-        out += '\n';
+        out +=
+            csvLine({block.name, motionName(block.motion), csvNumber(mass.volume),
+                     csvNumber(mass.centroid.x()), csvNumber(mass.centroid.y()), csvNumber(mass.centroid.z()),
+                     std::to_string(block.shape.faces.size()), csvNumber(blockThickness(block.shape))});
     }
     return out;
 }

@@ -15,4 +15,13 @@ std::string shownSigned(std::optional<double> value, int decimals) {
     return (*value > 0 ? "+" : "") + text(*value, decimals);
 }
 
+std::string loadFigure(const LoadSearch& search, double load, int decimals) {
+    return text(load / search.scale, decimals);
+}
+
+std::string loadText(const LoadSearch& search, double load, int decimals) {
+    const std::string unit = search.unit;
+    return search.load_text + (" " + loadFigure(search, load, decimals)) + (unit.empty() ? "" : " " + unit);
+}
+
 }  // namespace talus::tools

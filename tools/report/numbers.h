@@ -4,10 +4,18 @@
 #include <optional>
 #include <string>
 
+#include "talus/searches.h"
+
 namespace talus::tools {
 
 /// Fixed notation, "-" for nothing.
 std::string shown(std::optional<double> value, int decimals);
 std::string shownSigned(std::optional<double> value, int decimals);  ///< "+0.01"; a rounded zero has no sign
+
+/// A search's load (SI) in its unit: "19.512".
+std::string loadFigure(const LoadSearch& search, double load, int decimals);
+
+/// With the words that go with it: "tilt 19.512 deg", "strengths divided by 1.0133".
+std::string loadText(const LoadSearch& search, double load, int decimals);
 
 }  // namespace talus::tools

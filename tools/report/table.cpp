@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "report/csv.h"
+
 namespace talus::tools {
 
 namespace {
@@ -21,16 +23,9 @@ std::string shown(const Json& value) {
     return value.dump();
 }
 
-std::string quoted(const std::string& value) {
-    if (value.find_first_of(",\"\n") == std::string::npos) return value;
-    std::string out = "\"";
-    for (const char c : value) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + '"';
-}
-
 std::string csvCell(const Json& value) {
     if (value.is_null()) return "";
-    return value.is_string() ? quoted(value.get<std::string>()) : value.dump();
+    return value.is_string() ? csvField(value.get<std::string>()) : value.dump();
 }
 
 }  // namespace
@@ -60,7 +55,7 @@ std::string Table::text() const {
 
 std::string Table::csv() const {
     std::string out;
-    for (std::size_t k = 0; k < columns.size(); ++k) out += (k > 0 ? "," : "") + quoted(columns[k]);
+    for (std::size_t k = 0; k < columns.size(); ++k) out += (k > 0 ? "," : "") + csvField(columns[k]);
     out += "\n";
     for (const auto& row : rows) {
         for (std::size_t k = 0; k < row.size(); ++k) out += (k > 0 ? "," : "") + csvCell(row[k]);

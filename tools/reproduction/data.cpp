@@ -1,5 +1,6 @@
 #include "reproduction/data.h"
 
+#include "report/csv.h"
 #include "reproduction/laboratory.h"
 
 namespace talus::tools {
@@ -40,12 +41,6 @@ Json caseJson(const PaperRun& run) {
     if (!run.search.warnings.empty()) json["warnings"] = run.search.warnings;
     if (!run.errors.empty()) json["errors"] = errorsJson(run.errors)["errors"];
     return json;
-}
-
-std::string csvLine(const std::vector<std::string>& fields) {
-    std::string line;
-    for (std::size_t i = 0; i < fields.size(); ++i) line += (i > 0 ? "," : "") + csvField(fields[i]);
-    return line + '\n';
 }
 
 std::string cell(std::optional<double> value, int decimals) {
@@ -139,13 +134,6 @@ Json paperJson(const PaperResults& results) {
                 {"wall_seconds", results.wall_seconds},
                 {"threads", results.threads},
                 {"provenance", results.provenance}};
-}
-
-std::string csvField(const std::string& field) {
-    if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
-    std::string quoted = "\"";
-    for (const char letter : field) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    return quoted + '"';
 }
 
 std::string paperCsv(const PaperResults& results) {

@@ -16,7 +16,4 @@ std::string paperCsv(const PaperResults& results);
 /// The laboratory's tests of the paper's Table 1 in the same form.
 std::string laboratoryCsv(const PaperResults& results);
 
-/// A field as CSV wants it: quoted when it holds a comma, a quote or a line break.
-std::string csvField(const std::string& field);
-
 }  // namespace talus::tools

@@ -1,25 +1,13 @@
 #include "reproduction/results.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 
+#include "cli/block_names.h"
+
 namespace talus::tools {
 namespace {
-
-/// Column and row of a stack block's name, "c12r3s1"; nothing for other names.
-std::optional<std::pair<int, int>> placeOf(const std::string& name) {
-    int column = 0, row = 0;
-    const char* const end = name.data() + name.size();
-    const auto first = name.starts_with('c')
-                           ? std::from_chars(name.data() + 1, end, column)
-                           : std::from_chars_result{name.data(), std::errc::invalid_argument};
-    if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'r') return std::nullopt;
-    const auto second = std::from_chars(first.ptr + 1, end, row);
-    if (second.ec != std::errc() || second.ptr == end || *second.ptr != 's') return std::nullopt;
-    return std::pair{column, row};
-}
 
 /// "3", "1-3", or "1-2, 5" for gaps.
 std::string rangesText(const std::set<int>& numbers) {
@@ -119,9 +107,9 @@ std::string movingText(const PaperRun& run) {
 std::string columnsText(const std::vector<std::string>& blocks, const std::optional<StackShape>& stack) {
     std::set<int> columns, rows;
     for (const std::string& block : blocks) {
-        if (const auto place = placeOf(block)) {
-            columns.insert(place->first);
-            rows.insert(place->second);
+        if (const auto place = stackName(block)) {
+            columns.insert(place->column);
+            rows.insert(place->row);
         }
     }
     if (columns.empty()) return "none";

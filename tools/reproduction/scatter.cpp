@@ -1,7 +1,6 @@
 #include "reproduction/scatter.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "batch/report.h"
 #include "batch/schedule.h"
@@ -42,12 +41,6 @@ std::string writeSweep(std::uint64_t samples, const std::string& folder) {
     return folder + "/" + kSweep + ".toml";
 }
 
-std::optional<double> numberOf(const std::string& cell) {
-    double value = 0;
-    const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    return read.ec == std::errc() && !cell.empty() ? std::optional(value) : std::nullopt;
-}
-
 /// The sweep's cases are the laboratory's series, in the same order.
 Scatter read(const batch::StoredBatch& stored) {
     Scatter scatter;
@@ -59,13 +52,13 @@ Scatter read(const batch::StoredBatch& stored) {
     for (const auto& [run, line] : stored.lines) {
         const batch::Row row = stored.row(run);
         ScatterCase& one = scatter.cases.at(run % stored.info.cases);
-        const auto found = numberOf(row[angle]);
+        const auto found = numberIn(row[angle]);
         ++one.runs;
         if (found)
             one.angles_deg.push_back(*found);
         else
             ++one.failed;
-        scatter.cpu_seconds += numberOf(row[cpu]).value_or(0);
+        scatter.cpu_seconds += numberIn(row[cpu]).value_or(0);
     }
     for (ScatterCase& one : scatter.cases) std::sort(one.angles_deg.begin(), one.angles_deg.end());
     return scatter;

@@ -29,6 +29,14 @@ struct Control {
     bool keep_failing_state = false;  ///< a search also hands out SearchResult::failing
 };
 
+/// What an analysis varies until the assembly fails. Where a scenario is written at such a load, or a model put under one, each
+/// has its own rule.
+enum class Varied : std::uint8_t {
+    tilt,       ///< of gravity about y [rad]
+    factor,     ///< by which tan(phi) and C, peak and residual, are divided
+    horizontal  ///< body force on free blocks over their weight, normal to gravity, towards -x (limit analysis)
+};
+
 enum class SearchStatus { found, unstable_at_start, stable_to_stop, undecided, interrupted };
 enum class FailureMode { none, sliding, toppling, mixed };
 enum class Verdict { stable, failing, undecided };

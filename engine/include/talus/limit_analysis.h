@@ -18,13 +18,6 @@
 
 namespace talus {
 
-/// What grows until the assembly fails.
-enum class LimitLoad : std::uint8_t {
-    tilt,    ///< of gravity about y, from the search's start [rad]
-    factor,  ///< by which tan(phi) and C are divided, at the model's tilt
-    horizontal  ///< body force on free blocks over their weight, normal to gravity, towards -x, at the model's tilt
-};
-
 /// How one block moves in the mechanism. The greatest speed of a block is 1 m/s.
 struct BlockVelocity {
     std::string block;
@@ -62,7 +55,7 @@ struct LimitResult {
 };
 
 /// Errors: those of the model; more contact points than `max_contact_points`.
-Result<LimitResult> limitAnalysis(const Model& model, LimitLoad load, const Control& control = {},
+Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control& control = {},
                                   const LimitSettings& settings = {});
 
 /// What a search's answer cannot be above: a tilt [rad] or a factor of safety.
@@ -77,11 +70,11 @@ inline constexpr std::size_t kCeilingPoints = 300;
 inline constexpr std::size_t kCeilingPointsInSection = 2000;
 
 /// The upper end of limit analysis. \param always whatever the model's size
-Result<Ceiling> limitCeiling(const Model& model, LimitLoad load, bool always, const Control& control = {},
+Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const Control& control = {},
                              const LimitSettings& settings = {});
 
 /// Whether a load at which a search's assembly still stands is above a ceiling by more than the difference between joints
 /// that give a little and joints that do not: half a per cent of a factor, 0.05 degrees of a tilt.
-bool isAbove(double stands, const Ceiling& ceiling, LimitLoad load);
+bool isAbove(double stands, const Ceiling& ceiling, Varied load);
 
 }  // namespace talus

@@ -57,10 +57,10 @@ class LimitSearch {
           settings_(settings),
           solver_(assembly, state.laws, control) {}
 
-    LimitResult run(LimitLoad load) {
-        if (load == LimitLoad::tilt) findTilt();
-        if (load == LimitLoad::factor) findFactor();
-        if (load == LimitLoad::horizontal) findHorizontal();
+    LimitResult run(Varied load) {
+        if (load == Varied::tilt) findTilt();
+        if (load == Varied::factor) findFactor();
+        if (load == Varied::horizontal) findHorizontal();
         if (control_.stop != nullptr && *control_.stop) result_.status = SearchStatus::interrupted;
         if (result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start)
             describeMechanism();
@@ -297,7 +297,7 @@ Error tooLarge(std::size_t points, std::size_t most) {
                     " contact points; allowed: at most " + std::to_string(most)};
 }
 
-LimitResult analyse(State& state, const Assembly& assembly, LimitLoad load, const Control& control,
+LimitResult analyse(State& state, const Assembly& assembly, Varied load, const Control& control,
                     const LimitSettings& settings) {
     if (!assembly.bodies.empty()) return LimitSearch(state, assembly, control, settings).run(load);
     LimitResult nothing_moves;
@@ -333,7 +333,7 @@ Ceiling ceilingOf(const LimitResult& result) {
 
 }  // namespace
 
-Result<LimitResult> limitAnalysis(const Model& model, LimitLoad load, const Control& control,
+Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control& control,
                                   const LimitSettings& settings) {
     const auto begin = std::chrono::steady_clock::now();
     return withAssembly<LimitResult>(
@@ -347,7 +347,7 @@ Result<LimitResult> limitAnalysis(const Model& model, LimitLoad load, const Cont
         });
 }
 
-Result<Ceiling> limitCeiling(const Model& model, LimitLoad load, bool always, const Control& control,
+Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const Control& control,
                              const LimitSettings& settings) {
     return withAssembly<
         Ceiling>(model, control, settings, [&](State& state, const Assembly& assembly) -> Result<Ceiling> {
@@ -358,10 +358,10 @@ Result<Ceiling> limitCeiling(const Model& model, LimitLoad load, bool always, co
     });
 }
 
-bool isAbove(double stands, const Ceiling& ceiling, LimitLoad load) {
+bool isAbove(double stands, const Ceiling& ceiling, Varied load) {
     constexpr double kTiltTolerance = 0.05 * M_PI / 180, kFactorTolerance = 0.005;
     if (!ceiling.value) return false;
-    const double tolerance = load == LimitLoad::factor ? kFactorTolerance * *ceiling.value : kTiltTolerance;
+    const double tolerance = load == Varied::factor ? kFactorTolerance * *ceiling.value : kTiltTolerance;
     return stands > *ceiling.value + tolerance;
 }
 

@@ -42,7 +42,7 @@ std::string describe(const SweepColumn& column) {
 }  // namespace
 
 std::string identityOf(const Sweep& sweep) {
-    std::string text = std::string(toString(sweep.analysis)) + "\n" + std::to_string(sweep.seed) + "\n" +
+    std::string text = std::string(sweep.analysis()) + "\n" + std::to_string(sweep.seed) + "\n" +
                        (sweep.latin_hypercube ? "lhs " + std::to_string(sweep.samples) : "random");
     for (const SweepColumn& column : sweep.columns) text += describe(column);
     const auto document = toml::Document::parse(sweep.scenario_text, sweep.scenario_path);

@@ -3,6 +3,7 @@
 #include "talus/formats/sweep.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -49,8 +50,7 @@ class SweepReader {
         root_.require({"scenario", "analysis"});
         const auto joints = readScenarioText();
         if (!errors_.empty()) return errors_;
-        sweep_.analysis = static_cast<SweepAnalysis>(
-            root_.choice("analysis", {"critical-angle", "safety-factor", "run"}).value_or(0));
+        readAnalysis();
         Variables variables = readVariables(report_, root_, sweep_.path, joints);
         readSampling(variables);
         readReport();
@@ -100,19 +100,29 @@ class SweepReader {
         sweep_.latin_hypercube = root_.choice("sampling", {"random", "latin-hypercube"}).value_or(0) == 1;
     }
 
+    void readAnalysis() {
+        std::vector<std::string> names;
+        for (const LoadSearch& search : loadSearches()) names.push_back(search.name);
+        names.push_back("run");
+        const std::size_t chosen = root_.choice("analysis", names).value_or(0);
+        sweep_.search = chosen < loadSearches().size() ? &loadSearches()[chosen] : nullptr;
+    }
+
     void readReport() {
-        auto table = root_.table("report", {"tilt_deg", "factor", "confidence"});
+        std::vector<std::string> keys{"confidence"};
+        for (const LoadSearch& search : loadSearches()) keys.push_back(search.load_key);
+        auto table = root_.table("report", keys);
         if (!table) return;
         constexpr Interval kConfidence{0.5, 1, false, true};
-        sweep_.report.tilts_deg =
-            table->numbers("tilt_deg", kTiltDeg, std::nullopt).value_or(std::vector<double>{});
-        sweep_.report.factors =
-            table->numbers("factor", kPositive, std::nullopt).value_or(std::vector<double>{});
         sweep_.report.confidence = table->number("confidence", kConfidence).value_or(0.95);
-        if (table->has("tilt_deg") && sweep_.analysis != SweepAnalysis::critical_angle)
-            table->error("tilt_deg", "found in another analysis, allowed: with \"critical-angle\"");
-        if (table->has("factor") && sweep_.analysis != SweepAnalysis::safety_factor)
-            table->error("factor", "found in another analysis, allowed: with \"safety-factor\"");
+        for (const LoadSearch& search : loadSearches()) {
+            const Interval range{search.lowest, search.highest, true, std::isfinite(search.highest)};
+            auto thresholds = table->numbers(search.load_key, range, std::nullopt);
+            if (&search == sweep_.search && thresholds) sweep_.report.thresholds = std::move(*thresholds);
+            if (&search != sweep_.search && table->has(search.load_key))
+                table->error(search.load_key,
+                             "found in another analysis, allowed: with \"" + std::string(search.name) + "\"");
+        }
     }
 
     /// \pre nothing is wrong so far
@@ -231,18 +241,6 @@ class SweepReader {
 
 }  // namespace
 }  // namespace sweep
-
-const char* toString(SweepAnalysis analysis) {
-    switch (analysis) {
-        case SweepAnalysis::critical_angle:
-            return "critical-angle";
-        case SweepAnalysis::safety_factor:
-            return "safety-factor";
-        case SweepAnalysis::run:
-            return "run";
-    }
-    return "";
-}
 
 std::string toString(const SweepValue& value) {
     if (const auto* text = std::get_if<std::string>(&value)) return *text;

@@ -15,14 +15,14 @@ using namespace talus::test;
 
 namespace {
 
-LimitResult limitOf(const Model& model, LimitLoad load) {
+LimitResult limitOf(const Model& model, Varied load) {
     const auto result = limitAnalysis(model, load);
     REQUIRE(result.ok());
     return *result;
 }
 
 /// Found, and both ends of the bracket within `tolerance` of a share of what is expected.
-void checkLimit(const Model& model, LimitLoad load, double expected, double tolerance = 1e-6) {
+void checkLimit(const Model& model, Varied load, double expected, double tolerance = 1e-6) {
     const LimitResult result = limitOf(model, load);
     CHECK((result.status == SearchStatus::found));
     CHECK(result.lower <= result.upper);
@@ -144,8 +144,8 @@ double wedgeFactor(double friction_deg) {
 TEST_SUITE("limit analysis") {
     TEST_CASE("a block slides at its friction angle, and opens by it") {
         const Model model = blockOnPlane(27, {1, 1, 0.5});
-        checkLimit(model, LimitLoad::tilt, radians(27));
-        const LimitResult result = limitOf(model, LimitLoad::tilt);
+        checkLimit(model, Varied::tilt, radians(27));
+        const LimitResult result = limitOf(model, Varied::tilt);
         CHECK(result.plane_section);
         REQUIRE(result.mechanism.size() == 1);
         const Vec3 velocity = result.mechanism[0].velocity;
@@ -156,9 +156,9 @@ TEST_SUITE("limit analysis") {
     }
 
     TEST_CASE("a slender block overturns, whatever its friction") {
-        checkLimit(blockOnPlane(40, {0.4, 1, 1}), LimitLoad::tilt, std::atan(0.4));
-        checkLimit(blockOnPlane(40, {0.4, 1, 1}), LimitLoad::horizontal, 0.4);
-        const LimitResult result = limitOf(blockOnPlane(40, {0.4, 1, 1}), LimitLoad::tilt);
+        checkLimit(blockOnPlane(40, {0.4, 1, 1}), Varied::tilt, std::atan(0.4));
+        checkLimit(blockOnPlane(40, {0.4, 1, 1}), Varied::horizontal, 0.4);
+        const LimitResult result = limitOf(blockOnPlane(40, {0.4, 1, 1}), Varied::tilt);
         REQUIRE(result.mechanism.size() == 1);
         CHECK(result.mechanism[0].spin.y() < 0);  // over its edge at the smaller x
     }
@@ -167,15 +167,15 @@ TEST_SUITE("limit analysis") {
         const Vec3 size(1, 1, 0.3);
         Model model = blockOnPlane(30, size, 20);
         const double friction = std::tan(radians(30)) / std::tan(radians(20));
-        checkLimit(model, LimitLoad::factor, friction, kFactorWidth);
+        checkLimit(model, Varied::factor, friction, kFactorWidth);
         model.joints[0].cohesion = 3000;
         const double held = 3000 / (weightOf(size) * std::sin(radians(20)));
-        checkLimit(model, LimitLoad::factor, friction + held, kFactorWidth);
+        checkLimit(model, Varied::factor, friction + held, kFactorWidth);
     }
 
     TEST_CASE("a horizontal load is normal to gravity") {
         const Vec3 size(1, 1, 0.2);
-        checkLimit(blockOnPlane(30, size, 10), LimitLoad::horizontal, std::tan(radians(20)));
+        checkLimit(blockOnPlane(30, size, 10), Varied::horizontal, std::tan(radians(20)));
     }
 
     TEST_CASE("tension holds a block from overturning, its points adding up to the patch's modulus") {
@@ -184,7 +184,7 @@ TEST_SUITE("limit analysis") {
         model.joints[0].cohesion = 1e6;
         model.joints[0].tensile_strength = 5000;
         // Moment about the edge: k W h / 2 = W b / 2 + sigma_t b d b / 2.
-        checkLimit(model, LimitLoad::horizontal, 0.4 * (1 + 5000 * 0.4 / weightOf(size)));
+        checkLimit(model, Varied::horizontal, 0.4 * (1 + 5000 * 0.4 / weightOf(size)));
     }
 
     TEST_CASE("the tilt with cohesion is iterated for") {
@@ -193,23 +193,23 @@ TEST_SUITE("limit analysis") {
         model.joints[0].cohesion = 1000;
         // sin(b) = cos(b) tan(phi) + C A / W, so sin(b - phi) = C A cos(phi) / W.
         const double phi = radians(20);
-        checkLimit(model, LimitLoad::tilt, phi + std::asin(1000 * std::cos(phi) / weightOf(size)));
+        checkLimit(model, Varied::tilt, phi + std::asin(1000 * std::cos(phi) / weightOf(size)));
     }
 
     TEST_CASE("a column of many blocks overturns as one") {
         for (const int rows : {10, 20, 40})
-            checkLimit(stackModel(1, rows, 1, 35), LimitLoad::tilt, std::atan(0.2 / (0.1 * rows)));
+            checkLimit(stackModel(1, rows, 1, 35), Varied::tilt, std::atan(0.2 / (0.1 * rows)));
     }
 
     TEST_CASE("columns that lean on each other stand more than one of them: a ceiling, not the answer") {
-        const LimitResult result = limitOf(stackModel(3, 20, 1, 35), LimitLoad::tilt);
+        const LimitResult result = limitOf(stackModel(3, 20, 1, 35), Varied::tilt);
         CHECK((result.status == SearchStatus::found));
         CHECK(result.lower > 1.2 * std::atan(0.2 / 2.0));
     }
 
     TEST_CASE(
         "slices side by side are one section; without their symmetry the same limit is found in space") {
-        const LimitResult section = limitOf(stackModel(3, 4, 3, 19.5), LimitLoad::tilt);
+        const LimitResult section = limitOf(stackModel(3, 4, 3, 19.5), Varied::tilt);
         CHECK(section.plane_section);
         CHECK(section.blocks == 36);
         CHECK(section.mechanism.size() == 36);
@@ -220,7 +220,7 @@ TEST_SUITE("limit analysis") {
         // A heavier block on top of one slice.
         Model model = stackModel(2, 3, 2, 19.5);
         model.blocks.back().density *= 2;
-        const LimitResult space = limitOf(model, LimitLoad::tilt);
+        const LimitResult space = limitOf(model, Varied::tilt);
         CHECK_FALSE(space.plane_section);
         CHECK(degrees(space.lower) == doctest::Approx(19.5).epsilon(1e-5));
         CHECK(degrees(space.upper) == doctest::Approx(19.5).epsilon(1e-4));
@@ -230,7 +230,7 @@ TEST_SUITE("limit analysis") {
         Model model = stackModel(1, 1, 2, 19.5);
         model.waters = {waterOn(model, 1, Vec3::UnitY(), 0.1), waterOn(model, 2, -Vec3::UnitY(), 0.1)};
         for (Joint& joint : model.joints) joint.friction = 0.001;
-        const LimitResult result = limitOf(model, LimitLoad::tilt);
+        const LimitResult result = limitOf(model, Varied::tilt);
         CHECK_FALSE(result.plane_section);
         CHECK((result.status == SearchStatus::unstable_at_start));
     }
@@ -240,14 +240,14 @@ TEST_SUITE("limit analysis") {
         Model model = blockOnPlane(25, {1, 1, 0.3});
         for (Block& block : model.blocks)
             for (Vec3& v : block.shape.vertices) v = turnAbout(Vec3::UnitX(), 15) * v;
-        CHECK_FALSE(limitOf(model, LimitLoad::tilt).plane_section);
-        checkLimit(model, LimitLoad::tilt, std::acos(std::cos(radians(25)) / std::cos(radians(15))), 1e-4);
-        checkLimit(model, LimitLoad::factor, std::tan(radians(25)) / std::tan(radians(15)), 3e-4);
+        CHECK_FALSE(limitOf(model, Varied::tilt).plane_section);
+        checkLimit(model, Varied::tilt, std::acos(std::cos(radians(25)) / std::cos(radians(15))), 1e-4);
+        checkLimit(model, Varied::factor, std::tan(radians(25)) / std::tan(radians(15)), 3e-4);
     }
 
     TEST_CASE("a wedge on two planes: no direction in which it could open both while it falls") {
         const Model model = scenario("wedge-phi-35.toml");
-        const LimitResult result = limitOf(model, LimitLoad::factor);
+        const LimitResult result = limitOf(model, Varied::factor);
         REQUIRE((result.status == SearchStatus::found));
         MESSAGE("wedge: " << result.lower << " to " << result.upper);
         const double expected = wedgeFactor(35);
@@ -262,27 +262,26 @@ TEST_SUITE("limit analysis") {
         Model model = blockOnPlane(40, {1, 1, 1});
         model.waters = {waterOn(model, 1, Vec3::UnitX(), 1.0)};
         const double sliding = std::atan(std::tan(radians(40)) - 1000.0 / (2 * 2700));
-        checkLimit(model, LimitLoad::tilt, sliding, 1e-6);
+        checkLimit(model, Varied::tilt, sliding, 1e-6);
     }
 
     TEST_CASE("an arch of 27 voussoirs, by its thickness over its radius") {
         const double expected[][2] = {{0.11, 0.70}, {0.12, 2.77}, {0.15, 8.27}};
         for (const auto& [thickness, angle] : expected) {
-            const LimitResult result = limitOf(arch(27, 10 * thickness, 35), LimitLoad::tilt);
+            const LimitResult result = limitOf(arch(27, 10 * thickness, 35), Varied::tilt);
             MESSAGE("thickness " << thickness << ": " << degrees(result.lower) << " deg, expected " << angle);
             CHECK((result.status == SearchStatus::found));
             CHECK(std::abs(degrees(result.upper) - angle) < 0.006);
             CHECK(std::abs(degrees(result.lower) - angle) < 0.006);
         }
-        CHECK((limitOf(arch(27, 1.067 * 1.002, 35), LimitLoad::tilt).status == SearchStatus::found));
-        CHECK((limitOf(arch(27, 1.067 * 0.998, 35), LimitLoad::tilt).status ==
-               SearchStatus::unstable_at_start));
+        CHECK((limitOf(arch(27, 1.067 * 1.002, 35), Varied::tilt).status == SearchStatus::found));
+        CHECK((limitOf(arch(27, 1.067 * 0.998, 35), Varied::tilt).status == SearchStatus::unstable_at_start));
     }
 
     TEST_CASE("brick walls under a horizontal load (M. C. Ferris and F. Tin-Loi, 2001)") {
-        CHECK(limitOf(brickWall(6, 5, 0.65), LimitLoad::horizontal).upper ==
+        CHECK(limitOf(brickWall(6, 5, 0.65), Varied::horizontal).upper ==
               doctest::Approx(0.6429).epsilon(1e-4));
-        CHECK(limitOf(brickWall(10, 5, 0.65), LimitLoad::horizontal).upper ==
+        CHECK(limitOf(brickWall(10, 5, 0.65), Varied::horizontal).upper ==
               doctest::Approx(0.5800).epsilon(1e-4));
     }
 
@@ -290,33 +289,33 @@ TEST_SUITE("limit analysis") {
         const double expected[] = {1.544, 1.464, 1.363, 1.247, 1.119};
         for (int depth = 0; depth <= 4; ++depth) {
             const std::string name = "hoek-bray-crack-" + std::to_string(depth) + "m.toml";
-            CHECK(limitOf(scenario(name), LimitLoad::factor).upper ==
+            CHECK(limitOf(scenario(name), Varied::factor).upper ==
                   doctest::Approx(expected[depth]).epsilon(1e-3));
         }
     }
 
     TEST_CASE("what ends without a limit says so") {
         Model steep = blockOnPlane(30, {1, 1, 0.3}, 35);
-        const LimitResult falls = limitOf(steep, LimitLoad::tilt);
+        const LimitResult falls = limitOf(steep, Varied::tilt);
         CHECK((falls.status == SearchStatus::unstable_at_start));
         CHECK(falls.lower == -kInfinity);
         CHECK(falls.upper == doctest::Approx(radians(35)));
         CHECK(falls.moving_blocks == std::vector<std::string>{"block"});
-        CHECK((limitOf(steep, LimitLoad::horizontal).status == SearchStatus::unstable_at_start));
+        CHECK((limitOf(steep, Varied::horizontal).status == SearchStatus::unstable_at_start));
 
         Model flat = blockOnPlane(30, {1, 1, 0.3});
-        const LimitResult stands = limitOf(flat, LimitLoad::factor);
+        const LimitResult stands = limitOf(flat, Varied::factor);
         CHECK((stands.status == SearchStatus::stable_to_stop));
         CHECK(stands.upper == kInfinity);
         flat.analysis.stop = radians(29);
-        CHECK((limitOf(flat, LimitLoad::tilt).status == SearchStatus::stable_to_stop));
+        CHECK((limitOf(flat, Varied::tilt).status == SearchStatus::stable_to_stop));
     }
 
     TEST_CASE("too many contact points are refused") {
         const Model model = stackModel(2, 3, 1, 30);
-        const std::size_t points = limitOf(model, LimitLoad::tilt).contact_points;
+        const std::size_t points = limitOf(model, Varied::tilt).contact_points;
         CHECK(points == 2 * (2 * 3 + 3));  // two in the section of each interface
-        const auto refused = limitAnalysis(model, LimitLoad::tilt, {}, {.max_contact_points = points - 1});
+        const auto refused = limitAnalysis(model, Varied::tilt, {}, {.max_contact_points = points - 1});
         REQUIRE_FALSE(refused.ok());
         CHECK(refused.errors()[0].message.find("18 contact points") != std::string::npos);
     }
@@ -324,8 +323,8 @@ TEST_SUITE("limit analysis") {
     TEST_CASE("blocks that are left out neither fall nor hold") {
         Model model = blockOnPlane(27, {1, 1, 0.5});
         addBox(model, "loose", {3, 0, 0}, {0.1, 1, 2});
-        CHECK(limitOf(model, LimitLoad::tilt).upper == doctest::Approx(std::atan(0.05)));
-        const auto result = limitAnalysis(model, LimitLoad::tilt, {}, {.left_out = {"loose"}});
+        CHECK(limitOf(model, Varied::tilt).upper == doctest::Approx(std::atan(0.05)));
+        const auto result = limitAnalysis(model, Varied::tilt, {}, {.left_out = {"loose"}});
         REQUIRE(result.ok());
         CHECK(result->upper == doctest::Approx(radians(27)));
         CHECK(result->blocks == 1);
@@ -340,32 +339,32 @@ TEST_SUITE("limit analysis") {
         model.joints.back().cohesion = model.joints.back().tensile_strength = 1e12;
         model.joints.push_back(joint(0));
         model.pair_joints = {{1, 2, 1, true}, {0, 2, 2, true}};
-        CHECK(degrees(limitOf(model, LimitLoad::tilt).upper) > 20);
-        CHECK(limitOf(model, LimitLoad::tilt).moving_blocks == std::vector<std::string>{"block", "other"});
+        CHECK(degrees(limitOf(model, Varied::tilt).upper) > 20);
+        CHECK(limitOf(model, Varied::tilt).moving_blocks == std::vector<std::string>{"block", "other"});
         model.pair_joints[0].joint = 0;
-        CHECK(degrees(limitOf(model, LimitLoad::tilt).upper) < 1e-6);
-        CHECK(limitOf(model, LimitLoad::tilt).moving_blocks == std::vector<std::string>{"other"});
+        CHECK(degrees(limitOf(model, Varied::tilt).upper) < 1e-6);
+        CHECK(limitOf(model, Varied::tilt).moving_blocks == std::vector<std::string>{"other"});
     }
 
     TEST_CASE("a ceiling: the upper end, or why there is none") {
         const Model model = blockOnPlane(27, {1, 1, 0.5}, 20);
-        const auto factor = limitCeiling(model, LimitLoad::factor, false);
+        const auto factor = limitCeiling(model, Varied::factor, false);
         REQUIRE(factor.ok());
         REQUIRE(factor->value.has_value());
         const double limit = std::tan(radians(27)) / std::tan(radians(20));
         CHECK(*factor->value == doctest::Approx(limit).epsilon(kFactorWidth));
-        CHECK_FALSE(isAbove(1.004 * limit, *factor, LimitLoad::factor));
-        CHECK(isAbove(1.006 * limit, *factor, LimitLoad::factor));
+        CHECK_FALSE(isAbove(1.004 * limit, *factor, Varied::factor));
+        CHECK(isAbove(1.006 * limit, *factor, Varied::factor));
 
         Model large = stackModel(6, 10, 2, 19.5);
         large.blocks.back().density *= 2;  // not a section
-        const auto none = limitCeiling(large, LimitLoad::tilt, false);
+        const auto none = limitCeiling(large, Varied::tilt, false);
         REQUIRE(none.ok());
         CHECK_FALSE(none->value.has_value());
         CHECK(none->reason.find("contact points") != std::string::npos);
-        CHECK_FALSE(isAbove(10, *none, LimitLoad::tilt));
+        CHECK_FALSE(isAbove(10, *none, Varied::tilt));
 
-        const auto level = limitCeiling(blockOnPlane(27, {1, 1, 0.5}), LimitLoad::factor, false);
+        const auto level = limitCeiling(blockOnPlane(27, {1, 1, 0.5}), Varied::factor, false);
         REQUIRE(level.ok());
         CHECK_FALSE(level->value.has_value());
         CHECK(level->reason.find("stands to the end") != std::string::npos);
@@ -373,7 +372,7 @@ TEST_SUITE("limit analysis") {
 
     TEST_CASE("it ends when it is asked to") {
         const std::atomic<bool> stop{true};
-        const auto result = limitAnalysis(stackModel(3, 10, 1, 30), LimitLoad::tilt, {.stop = &stop});
+        const auto result = limitAnalysis(stackModel(3, 10, 1, 30), Varied::tilt, {.stop = &stop});
         REQUIRE(result.ok());
         CHECK((result->status == SearchStatus::interrupted));
     }

@@ -16,7 +16,6 @@ namespace talus::tools::testing {
 
 namespace {
 
-using batch::csvCells;
 using batch::Row;
 
 const std::string kGrid = "[[grid]]\nfield = \"joint.default.friction_deg\"\nvalues = [10.0, 15.0]\n";
@@ -58,24 +57,24 @@ std::vector<std::string> linesOf(const std::string& path) {
 std::map<int, std::string> rowsOf(const std::string& path) {
     const auto lines = linesOf(path);
     REQUIRE(!lines.empty());
-    const Row header = csvCells(lines[0]);
+    const Row header = csvFields(lines[0]);
     const auto time = std::find(header.begin(), header.end(), "cpu_seconds") - header.begin();
     std::map<int, std::string> rows;
     for (std::size_t i = 1; i < lines.size(); ++i) {
-        Row cells = csvCells(lines[i]);
+        Row cells = csvFields(lines[i]);
         REQUIRE(cells.size() == header.size());
         cells[static_cast<std::size_t>(time)].clear();
-        CHECK(rows.emplace(std::stoi(cells[0]), batch::csvLine(cells)).second);
+        CHECK(rows.emplace(std::stoi(cells[0]), csvLine(cells)).second);
     }
     return rows;
 }
 
 std::string cellOf(const std::string& path, int run, const std::string& column) {
     const auto lines = linesOf(path);
-    const Row header = csvCells(lines.at(0));
+    const Row header = csvFields(lines.at(0));
     const auto index = std::find(header.begin(), header.end(), column) - header.begin();
     for (std::size_t i = 1; i < lines.size(); ++i) {
-        const Row cells = csvCells(lines[i]);
+        const Row cells = csvFields(lines[i]);
         if (cells[0] == std::to_string(run)) return cells.at(static_cast<std::size_t>(index));
     }
     return "no such run";
@@ -102,7 +101,7 @@ TEST_CASE("a grid of friction angles slides at each of them") {
     CHECK(std::stod(cellOf(results, 1, "critical_angle_deg")) == doctest::Approx(15).epsilon(0.001));
     CHECK(cellOf(results, 1, "failure_mode") == "sliding");
     const auto metadata = nlohmann::json::parse(contentOf(results + "-metadata.json"));
-    CHECK(metadata["tableSchema"]["columns"].size() == csvCells(linesOf(results)[0]).size());
+    CHECK(metadata["tableSchema"]["columns"].size() == csvFields(linesOf(results)[0]).size());
     CHECK(metadata["tableSchema"]["columns"][3]["schema:unitText"] == "deg");
     CHECK(contentOf(batch.out() + "/report.html").find("</html>") != std::string::npos);
 }
@@ -132,6 +131,9 @@ TEST_CASE("safety factors, histories, and their probabilities") {
     CHECK(failure["interval"][0] < 0.25);
     CHECK(failure["interval"][1] > 0.25);
     CHECK(summary["sensitivity"][0]["rank_correlation"] > 0.999);
+    const std::string factors = factor.out() + "/results.csv";
+    CHECK(std::stod(cellOf(factors, 3, "theory_factor")) ==
+          doctest::Approx(std::stod(cellOf(factors, 3, "safety_factor"))).epsilon(0.001));
 
     const BatchFolder history(kGrid, "run",
                               blockScenario(20, 12, "[run]\nduration_s = 0.01\nwatch = [\"key\"]\n"));
@@ -166,6 +168,20 @@ TEST_CASE("the results of another sweep are not touched") {
     CHECK(other.exit_code == 2);
     CHECK(other.err.find("another sweep") != std::string::npos);
     CHECK(contentOf(batch.out() + "/results.csv") == before);
+}
+
+TEST_CASE("rows with other columns, of another version, are not touched") {
+    const BatchFolder batch(draws(2));
+    REQUIRE(batch.run().exit_code == 0);
+    const std::string results = batch.out() + "/results.csv", description = batch.out() + "/batch.json";
+    const std::string before = contentOf(results);
+    auto info = nlohmann::json::parse(contentOf(description));
+    info["columns"].erase(info["columns"].size() - 2);
+    std::ofstream(description) << info.dump();
+    const Outcome other = batch.run();
+    CHECK(other.exit_code == 2);
+    CHECK(other.err.find("other columns") != std::string::npos);
+    CHECK(contentOf(results) == before);
 }
 
 TEST_CASE("a run that fails is a row with its reason, the batch goes on, and --retry computes it again") {

@@ -85,18 +85,18 @@ TEST_CASE("a search has its ceiling beside the answer, unless it is left out") {
 TEST_CASE("an answer above its ceiling is undecided and says both") {
     const Ceiling ceiling{1.2, ""};
     SearchResult below = standsAt(1.2);
-    tools::holdUnder(ceiling, LimitLoad::factor, below);
+    tools::holdUnder(ceiling, Varied::factor, below);
     CHECK((below.status == SearchStatus::found));
     CHECK(below.warnings.empty());
 
     SearchResult above = standsAt(1.21);
-    tools::holdUnder(ceiling, LimitLoad::factor, above);
+    tools::holdUnder(ceiling, Varied::factor, above);
     CHECK((above.status == SearchStatus::undecided));
     REQUIRE(above.warnings.size() == 1);
     CHECK(above.warnings[0].find("1.2100") != std::string::npos);
     CHECK(above.warnings[0].find("1.2000") != std::string::npos);
 
     SearchResult unlimited = standsAt(100);
-    tools::holdUnder({}, LimitLoad::factor, unlimited);
+    tools::holdUnder({}, Varied::factor, unlimited);
     CHECK((unlimited.status == SearchStatus::found));
 }

@@ -7,6 +7,7 @@
 #include "replay/page.h"
 #include "replay/terminal.h"
 #include "support/snapshots.h"
+#include "talus/searches.h"
 #include "tools/program.h"
 
 using namespace talus::tools::testing;
@@ -71,6 +72,13 @@ TEST_CASE("replay -o: the page holds the file, byte for byte, and nothing from e
         CHECK(head.find(word) == std::string::npos);
     }
     CHECK(runTalus({"replay", file().path, "-o", file().page}).exit_code == 0);  // a page may be made again
+}
+
+TEST_CASE("the page has words for the load of every search") {
+    for (const talus::LoadSearch& search : talus::loadSearches()) {
+        CAPTURE(search.name);
+        CHECK(talus::tools::kReplayPage.find('"' + std::string(search.name) + '"') != std::string_view::npos);
+    }
 }
 
 TEST_CASE("replay -o: bytes of any length survive base64, large files go in pieces") {

@@ -109,12 +109,6 @@ TEST_CASE("the laboratory's CSV keeps the dry line's empty first field") {
     CHECK(lines[2] == "1,0.35,4.5,4.6,4.3,4.5");
 }
 
-TEST_CASE("CSV fields are quoted when they have to be") {
-    CHECK(csvField("plain") == "plain");
-    CHECK(csvField("a,b") == "\"a,b\"");
-    CHECK(csvField("say \"x\"") == "\"say \"\"x\"\"\"");
-}
-
 TEST_CASE("plots and drawings are well-formed, with and without answers") {
     for (const std::string& svg : markup(samples::results())) CHECK(samples::markupFault(svg, {}) == "");
     for (const std::string& svg : markup(gapped())) CHECK(samples::markupFault(svg, {}) == "");

@@ -4,7 +4,7 @@
 //
 //   format = 1
 //   scenario = "slope.toml"        # beside the sweep file
-//   analysis = "critical-angle"    # "safety-factor", "run"
+//   analysis = "critical-angle"    # any search of talus/searches.h ("safety-factor", ...), or "run"
 //   samples = 1000                 # of the random variables
 //   seed = 1                       # default 1
 //   sampling = "random"            # or "latin-hypercube"
@@ -40,12 +40,10 @@
 #include "talus/formats/distribution.h"
 #include "talus/formats/scenario.h"
 #include "talus/result.h"
+#include "talus/searches.h"
 #include "talus/simulation.h"
 
 namespace talus::formats {
-
-enum class SweepAnalysis : std::uint8_t { critical_angle, safety_factor, run };
-const char* toString(SweepAnalysis analysis);
 
 using SweepValue = std::variant<bool, std::int64_t, double, std::string>;
 std::string toString(const SweepValue& value);  ///< the shortest text that reads back as the same value
@@ -65,13 +63,13 @@ struct SweepColumn {
 };
 
 struct SweepReport {
-    std::vector<double> tilts_deg, factors;
+    std::vector<double> thresholds;  ///< of the search's answer, in its unit
     double confidence = 0.95;
 };
 
 struct Sweep {
     std::string path, scenario_path;
-    SweepAnalysis analysis = SweepAnalysis::critical_angle;
+    const LoadSearch* search = nullptr;  ///< what is asked of each run; nullptr: its time history
     std::vector<SweepColumn> columns;
     std::vector<std::string> case_names;  ///< of the table's rows; may be empty
     std::uint64_t cases = 1, samples = 1;
@@ -86,6 +84,7 @@ struct Sweep {
     std::shared_ptr<const std::vector<TouchingPair>> base_pairs{};  ///< of all runs, when they have the same
 
     std::uint64_t runs() const { return cases * samples; }
+    const char* analysis() const { return search ? search->name : "run"; }
 };
 
 /// Reads and checks a sweep file, its scenario and its table. Every value of a table or grid is tried, and the median

@@ -79,8 +79,12 @@ export function interfaceText({ header, full, frames, i }) {
     `<th>P</th><th>area</th><th>state</th><th>used</th></tr></thead><tbody>${points.join("")}</tbody></table></div>`;
 }
 
-const loadText = ({ analysis, load }) =>
-  analysis === "safety-factor" ? `strengths divided by ${ratio(load)}` : `failing at ${angle(load, 4)}`;
+// By the names of engine/src/analysis/searches.cpp (a test of the program holds that none is missing).
+const loadTexts = {
+  "critical-angle": (load) => `failing at ${angle(load, 4)}`,
+  "safety-factor": (load) => `strengths divided by ${ratio(load)}`,
+};
+const loadText = ({ analysis, load }) => loadTexts[analysis]?.(load) ?? `load ${ratio(load)}`;
 
 /** What the file says of the run: for the panel's last section. */
 export function runText(file, mode) {

@@ -1,0 +1,62 @@
+// talus critical-angle, talus safety-factor, and whatever else can be searched for: a command per entry of
+// talus/searches.h.
+
+#include <memory>
+
+#include "commands/ceiling.h"
+#include "commands/commands.h"
+#include "commands/search_report.h"
+
+namespace talus::tools {
+
+namespace {
+
+struct SearchOptions {
+    Common common;
+    std::string scenario;
+    bool verbose = false;
+    KeepRunOptions keep;
+    CeilingOptions ceiling;
+};
+
+int find(const LoadSearch& search, const SearchOptions& options) {
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    FailureKeeper keeper(options.keep, options.common, scenario);
+    ProgressPrinter progress(options.common);
+    Control control = controlOf(options.common, progress);
+    control.keep_failing_state = keeper.wanted();
+    SearchResult result = valueOf(search.find(scenario.model, control, {}), scenario);
+    const Ceiling ceiling = findCeiling(scenario, search.load, options.ceiling, result, control);
+    holdUnder(ceiling, search.load, result);
+    SearchReport report{options.common, scenario, search, result, search.theory(scenario.model), ceiling};
+    if (keeper.wanted()) report.kept = keeper.keep(result, search, control);
+    progress.finish();
+    if (options.common.json) {
+        printJson(searchJson(report));
+    } else {
+        printText(searchText(report, options.verbose));
+    }
+    return exitCode(report);
+}
+
+std::string footerOf(const LoadSearch& search) {
+    const std::string call = "  talus " + std::string(search.name) + " slope.toml ";
+    return "Example:\n" + call + "--verbose\n" + call + "--json | jq ." + search.answer_key + "\n" + call +
+           "--keep-run failing.mcap && talus replay failing.mcap -o failing.html\n\n" + search.details;
+}
+
+}  // namespace
+
+Command addSearch(CLI::App& root, const LoadSearch& search) {
+    auto options = std::make_shared<SearchOptions>();
+    CLI::App* app = root.add_subcommand(search.name, search.about);
+    app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
+    app->add_flag("--verbose", options->verbose, "Also print every probe and every block's motion");
+    addKeepRun(*app, options->keep);
+    addCeiling(*app, options->ceiling);
+    addCommon(*app, options->common);
+    app->footer(footerOf(search));
+    return {app, [&search, options] { return find(search, *options); }};
+}
+
+}  // namespace talus::tools
