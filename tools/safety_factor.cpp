@@ -14,6 +14,7 @@ struct SafetyFactorOptions {
     Common common;
     std::string scenario;
     bool verbose = false;
+    int groups = 1;
     KeepRunOptions keep;
 };
 
@@ -73,12 +74,28 @@ std::optional<TheoryFigure> theoryOf(const Model& model) {
     return at_limit ? std::optional(TheoryFigure{high, *prediction}) : std::nullopt;
 }
 
+Json groupsJson(const SearchResult& result) {
+    Json groups = Json::array();
+    for (const BlockGroup& group : result.groups)
+        groups.push_back({{"factor", number(group.factor)}, {"blocks", group.blocks}});
+    return groups;
+}
+
+std::string groupsText(const SearchResult& result) {
+    std::string text_of_groups;
+    for (std::size_t k = 1; k < result.groups.size(); ++k)
+        text_of_groups += "then at           " + text(result.groups[k].factor, 4) + ": " +
+                          compactNames(result.groups[k].blocks) + "\n";
+    return text_of_groups;
+}
+
 Json toJson(const SearchReport& report) {
     Json json{{"status", statusText(report.result.status)},
               {"safety_factor", answerJson(report)},
               {"bracket", bracketJson(report)},
               {"theory_factor", report.theory ? number(report.theory->value) : Json(nullptr)},
               {"tilt_deg", number(degrees(report.scenario.model.gravity.tilt))}};
+    json["groups"] = groupsJson(report.result);
     addSearchJson(json, report);
     return json;
 }
@@ -89,6 +106,7 @@ int findSafetyFactor(const SafetyFactorOptions& options) {
     ProgressPrinter progress(options.common);
     Control control = controlOf(options.common, progress);
     control.keep_failing_state = keeper.wanted();
+    control.groups = options.groups;
     const SearchResult result = valueOf(safetyFactor(scenario.model, control), scenario);
     SearchReport report{
         options.common, scenario, result, {"safety factor", "factor", "", 1, 4}, theoryOf(scenario.model)};
@@ -97,7 +115,7 @@ int findSafetyFactor(const SafetyFactorOptions& options) {
     if (options.common.json) {
         printJson(toJson(report));
     } else {
-        printText(searchText(report, options.verbose));
+        printText(searchText(report, options.verbose) + groupsText(result));
     }
     return exitCode(report);
 }
@@ -110,6 +128,11 @@ Command addSafetyFactor(CLI::App& root) {
                                         "Factor of safety by strength reduction, at the scenario's tilt");
     app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
     app->add_flag("--verbose", options->verbose, "Also print every probe and every block's motion");
+    app->add_option(
+           "--groups", options->groups,
+           "How many groups of blocks to follow: after the answer, the search goes on without those that "
+           "have gone, at the cost of a search each")
+        ->check(CLI::Range(1, 1000));
     addKeepRun(*app, options->keep);
     addCommon(*app, options->common);
     app->footer(

@@ -74,6 +74,12 @@ std::string movingText(const SearchResult& result) {
     return std::to_string(result.moving_blocks.size()) + of + ": " + compactNames(result.moving_blocks);
 }
 
+std::string fallenText(const SearchResult& result) {
+    if (result.fallen_at_start.empty()) return "";
+    return row("fallen at start",
+               std::to_string(result.fallen_at_start.size()) + ": " + compactNames(result.fallen_at_start));
+}
+
 std::string costText(const SearchResult& result) {
     return std::to_string(result.probes.size()) + " probes, " + std::to_string(result.steps) + " steps, " +
            text(result.wall_seconds, 2) + " s";
@@ -184,6 +190,7 @@ void addSearchJson(Json& json, const SearchReport& report) {
     const SearchResult& result = report.result;
     json["failure_mode"] = toString(result.mode);
     json["moving_blocks"] = result.moving_blocks;
+    json["fallen_at_start"] = result.fallen_at_start;
     json["theory"] = theoryJson(report);
     json["probes"] = result.probes.size();
     json["steps"] = result.steps;
@@ -208,9 +215,9 @@ std::string searchText(const SearchReport& report, bool verbose) {
     const SearchResult& result = report.result;
     std::string table = row("scenario", report.scenario.path) + row(report.load.title, answerText(report)) +
                         theoryText(report) + row("failure mode", toString(result.mode)) +
-                        row("moving blocks", movingText(result)) + row("model", sizeText(result)) +
-                        row("method", methodText(result)) + row("cost", costText(result)) +
-                        row("state hash", hashText(result.state_hash));
+                        row("moving blocks", movingText(result)) + fallenText(result) +
+                        row("model", sizeText(result)) + row("method", methodText(result)) +
+                        row("cost", costText(result)) + row("state hash", hashText(result.state_hash));
     for (const std::string& warning : result.warnings) table += row("warning", warning);
     if (report.kept)
         for (const auto& [label, content] : keptRunLines(*report.kept)) table += row(label, content);
