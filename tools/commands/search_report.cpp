@@ -99,6 +99,12 @@ std::string movingText(const SearchResult& result) {
     return std::to_string(result.moving_blocks.size()) + of + ": " + compactNames(result.moving_blocks);
 }
 
+std::string fallenText(const SearchResult& result) {
+    if (result.fallen_at_start.empty()) return "";
+    return row("fallen at start",
+               std::to_string(result.fallen_at_start.size()) + ": " + compactNames(result.fallen_at_start));
+}
+
 std::string costText(const SearchResult& result) {
     return std::to_string(result.probes.size()) + " probes, " + std::to_string(result.steps) + " steps, " +
            text(result.wall_seconds, 2) + " s";
@@ -182,6 +188,21 @@ Json theoryJson(const SearchReport& report) {
             {"applies_because", prediction.applies_because}};
 }
 
+Json groupsJson(const SearchResult& result) {
+    Json groups = Json::array();
+    for (const BlockGroup& group : result.groups)
+        groups.push_back({{"factor", number(group.factor)}, {"blocks", group.blocks}});
+    return groups;
+}
+
+std::string groupsText(const SearchResult& result) {
+    std::string lines;
+    for (std::size_t k = 1; k < result.groups.size(); ++k)
+        lines +=
+            row("then at", text(result.groups[k].factor, 4) + ": " + compactNames(result.groups[k].blocks));
+    return lines;
+}
+
 template <class T, class F>
 Json list(const std::vector<T>& items, F&& json_of) {
     Json result = Json::array();
@@ -210,6 +231,8 @@ Json searchJson(const SearchReport& report) {
     json["ceiling_reason"] = report.ceiling.value ? Json(nullptr) : Json(report.ceiling.reason);
     json["failure_mode"] = toString(result.mode);
     json["moving_blocks"] = result.moving_blocks;
+    json["fallen_at_start"] = result.fallen_at_start;
+    if (search.load == Varied::factor) json["groups"] = groupsJson(result);
     json["theory"] = theoryJson(report);
     json["probes"] = result.probes.size();
     json["steps"] = result.steps;
@@ -236,9 +259,9 @@ std::string searchText(const SearchReport& report, bool verbose) {
     std::string table = row("scenario", report.scenario.path) +
                         row(report.search.answer, answerText(report)) + theoryText(report) +
                         ceilingText(report) + row("failure mode", toString(result.mode)) +
-                        row("moving blocks", movingText(result)) + row("model", sizeText(result)) +
-                        row("method", methodText(result)) + row("cost", costText(result)) +
-                        row("state hash", hashText(result.state_hash));
+                        row("moving blocks", movingText(result)) + groupsText(result) + fallenText(result) +
+                        row("model", sizeText(result)) + row("method", methodText(result)) +
+                        row("cost", costText(result)) + row("state hash", hashText(result.state_hash));
     for (const std::string& warning : result.warnings) table += row("warning", warning);
     if (report.kept)
         for (const auto& [label, content] : keptRunLines(*report.kept)) table += row(label, content);
