@@ -99,6 +99,21 @@ std::string movingText(const SearchResult& result) {
     return std::to_string(result.moving_blocks.size()) + of + ": " + compactNames(result.moving_blocks);
 }
 
+std::string fallenText(const SearchResult& result) {
+    if (result.fallen_at_start.empty()) return "";
+    return row("fallen at start",
+               std::to_string(result.fallen_at_start.size()) + ": " + compactNames(result.fallen_at_start));
+}
+
+/// The groups after the first, which is the answer.
+std::string groupsText(const SearchResult& result) {
+    std::string rows;
+    for (std::size_t k = 1; k < result.groups.size(); ++k)
+        rows += row("then go",
+                    "at " + text(result.groups[k].factor, 4) + ": " + compactNames(result.groups[k].blocks));
+    return rows;
+}
+
 std::string costText(const SearchResult& result) {
     return std::to_string(result.probes.size()) + " probes, " + std::to_string(result.steps) + " steps, " +
            text(result.wall_seconds, 2) + " s";
@@ -149,6 +164,10 @@ Json probeJson(const SearchReport& report, const Probe& probe) {
             {"out_of_balance", number(probe.out_of_balance)},
             {"displacement_m", number(probe.displacement)},
             {"reason", probe.reason}};
+}
+
+Json groupJson(const BlockGroup& group) {
+    return {{"factor", number(group.factor)}, {"blocks", group.blocks}};
 }
 
 Json motionJson(const BlockMotion& motion) {
@@ -210,6 +229,8 @@ Json searchJson(const SearchReport& report) {
     json["ceiling_reason"] = report.ceiling.value ? Json(nullptr) : Json(report.ceiling.reason);
     json["failure_mode"] = toString(result.mode);
     json["moving_blocks"] = result.moving_blocks;
+    json["fallen_at_start"] = result.fallen_at_start;
+    if (search.load == Varied::factor) json["groups"] = list(result.groups, groupJson);
     json["theory"] = theoryJson(report);
     json["probes"] = result.probes.size();
     json["steps"] = result.steps;
@@ -236,9 +257,9 @@ std::string searchText(const SearchReport& report, bool verbose) {
     std::string table = row("scenario", report.scenario.path) +
                         row(report.search.answer, answerText(report)) + theoryText(report) +
                         ceilingText(report) + row("failure mode", toString(result.mode)) +
-                        row("moving blocks", movingText(result)) + row("model", sizeText(result)) +
-                        row("method", methodText(result)) + row("cost", costText(result)) +
-                        row("state hash", hashText(result.state_hash));
+                        row("moving blocks", movingText(result)) + fallenText(result) + groupsText(result) +
+                        row("model", sizeText(result)) + row("method", methodText(result)) +
+                        row("cost", costText(result)) + row("state hash", hashText(result.state_hash));
     for (const std::string& warning : result.warnings) table += row("warning", warning);
     if (report.kept)
         for (const auto& [label, content] : keptRunLines(*report.kept)) table += row(label, content);

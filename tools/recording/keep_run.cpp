@@ -43,6 +43,8 @@ void setLoad(Varied load, double value, formats::FailingLoad& failing) {
 }
 
 std::string whyNothing(const SearchResult& result) {
+    if (!result.fallen_at_start.empty())
+        return "blocks that fall at the start were taken out, and the scenario still has them";
     switch (result.status) {
         case SearchStatus::stable_to_stop:
             return "the slope stands to the end of the search";

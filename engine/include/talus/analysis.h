@@ -27,6 +27,7 @@ struct Control {
     const std::atomic<bool>* stop = nullptr;  ///< set it to end early; what was found so far is returned
     int threads = 1;
     bool keep_failing_state = false;  ///< a search also hands out SearchResult::failing
+    int groups = 1;  ///< most groups of SearchResult::groups; each further one is a search more
 };
 
 /// What an analysis varies until the assembly fails. Where a scenario is written at such a load, or a model put under one, each
@@ -75,6 +76,12 @@ struct FailingState {
     double block_size = 0;       ///< median of the blocks' smallest extents [m]
 };
 
+/// Blocks that go together when strength is reduced.
+struct BlockGroup {
+    double factor = 0;                ///< of safety
+    std::vector<std::string> blocks;  ///< sorted
+};
+
 struct SearchResult {
     SearchStatus status = SearchStatus::undecided;
     double answer = 0;  ///< midpoint of the bracket: tilt [rad] or factor of safety; valid when found
@@ -83,8 +90,11 @@ struct SearchResult {
     FailureMode mode = FailureMode::none;
     std::vector<std::string> moving_blocks;  ///< sorted
     std::vector<BlockMotion> motions;        ///< evidence, one per free block, in the order of the blocks
-    double continuation_seconds = 0;         ///< simulated time of the continuation with true inertia [s]
-    bool confirmed = false;                  ///< the continuation bore the failure out
+    std::vector<std::string>
+        fallen_at_start;             ///< fall whatever the strength: taken out before the search; sorted
+    std::vector<BlockGroup> groups;  ///< of `safetyFactor`: who goes at which factor; the first is the answer
+    double continuation_seconds = 0;  ///< simulated time of the continuation with true inertia [s]
+    bool confirmed = false;           ///< the continuation bore the failure out
     std::vector<Probe> probes;
     std::int64_t steps = 0;
     double wall_seconds = 0;
@@ -114,5 +124,8 @@ Result<SearchResult> criticalAngle(const Model& model, const Control& control = 
 /// Strength reduction (tan phi and C, peak and residual, over F) at the model's own tilt.
 Result<SearchResult> safetyFactor(const Model& model, const Control& control = {},
                                   const QuasiStatic& settings = {});
+
+/// The model as if these blocks had been removed before the start: what joined or wetted only them goes with them.
+Model withoutBlocks(const Model& model, const std::vector<std::string>& names);
 
 }  // namespace talus

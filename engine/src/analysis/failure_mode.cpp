@@ -16,12 +16,15 @@ namespace talus::analysis {
 namespace {
 
 constexpr double kDashpot = 0.5;  // damping ratio of the fastest mode: takes out the rattle only
-// The motion is looked at when it has gone these many times the deflection at rest, doubling, until two looks agree on a
-// pure mode: close to toppling, elastic rocking takes part in a slide at first and is left behind by it.
+// The motion is looked at when it has gone these many times the deflection at rest, doubling, until two looks agree:
+// close to toppling, elastic rocking takes part in a slide at first and is left behind by it.
 constexpr double kFirstTarget = 10.0, kLastTarget = 640.0;
 constexpr double kLeastMotion = 5.0;  // of the deflection at rest, else it is no failure
+constexpr double kFarEnough = 0.1;    // of a block's size: what is not clear by then stays mixed
+constexpr double kAgreement = 0.02;   // share of the moving mass that may change its role between two looks
+constexpr double kGathers = 1.1;      // speed in the last third of the time over that in the third before
+constexpr double kFallsAlong = 0.1;   // of the farthest block's way: what has gone less is only pushed
 constexpr int kStepsPerLook = 20;
-constexpr std::int64_t kMostSteps = 400'000;
 constexpr std::int64_t kStepsPerRestCheck = 20'000;
 constexpr double kAtRest = 1e-3;  // of the largest kinetic energy seen: the motion has come to rest
 
@@ -114,36 +117,136 @@ void describeFailure(const State& state, const Poses& start, double deflection, 
     failure.mode = overallMode(ways, roles);
 }
 
+/// Mass of the moving blocks, and of those whose role is another one than at the look before [kg].
+struct Agreement {
+    double moving = 0, changed = 0;
+
+    Agreement(const State& state, const Failure& before, const Failure& now) {
+        std::size_t k = 0;
+        for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+            if (state.blocks.motion[b] != Motion::free) continue;
+            const FailureMode was = k < before.motions.size() ? before.motions[k].mode : FailureMode::none;
+            const FailureMode is = now.motions[k++].mode;
+            if (is != FailureMode::none) moving += state.blocks.mass[b];
+            if (is != was) changed += state.blocks.mass[b];
+        }
+    }
+};
+
+/// Two looks agree when they give the same mode to the whole and, but for a little mass, to each block.
+bool agree(const State& state, const Failure& before, const Failure& now) {
+    const Agreement roles(state, before, now);
+    return now.mode == before.mode && now.mode != FailureMode::none &&
+           roles.changed <= kAgreement * roles.moving;
+}
+
+/// A failing state that is let go, watched.
+class Continuation {
+ public:
+    Continuation(State& state, const Evidence& wanted, const Control& control, bool parallel)
+        : state_(state), wanted_(wanted), control_(control), parallel_(parallel) {
+        failure_.time_step = makeDynamic(state, parallel);
+        start_ = {state.blocks.position, state.blocks.orientation};
+    }
+
+    Failure run() {
+        double next_look = 1;
+        bool clear = false;
+        while (!failure_.at_rest && failure_.steps < wanted_.most_steps && !interrupted()) {
+            goOn();
+            const double progress = progressOf();
+            if (!clear && progress >= next_look) {
+                clear = look();
+                next_look = 2 * progress;
+            }
+            const bool far = progress >= kLastTarget / kFirstTarget || share_ >= kFarEnough;
+            if ((clear || far) && borneOut()) break;
+        }
+        failure_.confirmed = borneOut();
+        failure_.seconds = static_cast<double>(failure_.steps) * failure_.time_step;
+        describeFailure(state_, start_, wanted_.deflection, failure_);
+        nameFalling();
+        return std::move(failure_);
+    }
+
+ private:
+    bool interrupted() const {
+        return control_.stop != nullptr && control_.stop->load(std::memory_order_relaxed);
+    }
+
+    void goOn() {
+        stages::advance(state_, {failure_.time_step, parallel_}, kStepsPerLook);
+        failure_.steps += kStepsPerLook;
+        stages::refreshInterfaces(state_, parallel_, kStepsPerLook * failure_.time_step);
+        measure();
+        const double energy = stages::kineticEnergy(state_);
+        if (failure_.steps % kStepsPerRestCheck == 0) failure_.at_rest = energy < kAtRest * most_energy_;
+        most_energy_ = std::max(most_energy_, energy);
+    }
+
+    void measure() {
+        failure_.motion = share_ = 0;
+        for (std::size_t b = 0; b < state_.blocks.size(); ++b) {
+            if (state_.blocks.motion[b] != Motion::free) continue;
+            const double way = motionSince(state_, start_, b);
+            failure_.motion = std::max(failure_.motion, way);
+            share_ = std::max(share_, way / state_.geometry->size[b]);
+        }
+        ways_.push_back(failure_.motion);
+    }
+
+    /// How far it has come of the way after which it is looked at for the first time.
+    double progressOf() const {
+        const double of_share = share_ / wanted_.share;
+        if (!(wanted_.deflection > 0)) return of_share;
+        return std::min(of_share, failure_.motion / (kFirstTarget * wanted_.deflection));
+    }
+
+    /// Reads the motion once more. \return whether it says the same as before
+    bool look() {
+        Failure now = failure_;
+        describeFailure(state_, start_, wanted_.deflection, now);
+        const bool same = agree(state_, failure_, now);
+        failure_ = std::move(now);
+        return same;
+    }
+
+    /// A block that falls, slides or topples gathers speed; one that settles has gone through its greatest speed.
+    bool gathersSpeed() const {
+        const std::size_t n = ways_.size();
+        if (n < 3) return false;
+        const double first = ways_[n / 3], second = ways_[2 * n / 3];
+        return ways_.back() - second > kGathers * (second - first);
+    }
+
+    bool borneOut() const {
+        return share_ >= wanted_.share && failure_.motion >= kLeastMotion * wanted_.deflection &&
+               gathersSpeed();
+    }
+
+    void nameFalling() {
+        for (std::size_t b = 0; b < state_.blocks.size(); ++b) {
+            if (state_.blocks.motion[b] != Motion::free) continue;
+            const double way = motionSince(state_, start_, b);
+            if (failure_.confirmed && way >= kFallsAlong * failure_.motion) failure_.falling.push_back(b);
+        }
+    }
+
+    State& state_;
+    const Evidence& wanted_;
+    const Control& control_;
+    bool parallel_;
+    Poses start_{};
+    Failure failure_{};
+    std::vector<double> ways_{};  ///< of the farthest-moved block, at each look [m]
+    double share_ = 0;            ///< largest way of a block over its own size
+    double most_energy_ = 0;
+};
+
 }  // namespace
 
-Failure continueFailure(State& state, double deflection, const Control& control, bool parallel) {
-    Failure failure;
-    failure.time_step = makeDynamic(state, parallel);
-    const Poses start{state.blocks.position, state.blocks.orientation};
-    double most_energy = 0;
-    bool clear = false;
-    for (double target = kFirstTarget; target <= kLastTarget && !clear && !failure.at_rest; target *= 2) {
-        while (failure.motion < target * deflection && failure.steps < kMostSteps && !failure.at_rest) {
-            if (control.stop != nullptr && control.stop->load(std::memory_order_relaxed)) break;
-            stages::advance(state, {failure.time_step, parallel}, kStepsPerLook);
-            failure.steps += kStepsPerLook;
-            stages::refreshInterfaces(state, parallel, kStepsPerLook * failure.time_step);
-            failure.motion = largestMotion(state, start);
-            if (failure.steps % kStepsPerRestCheck == 0)
-                failure.at_rest = stages::kineticEnergy(state) < kAtRest * most_energy;
-            most_energy = std::max(most_energy, stages::kineticEnergy(state));
-        }
-        if (failure.motion < target * deflection) break;  // out of steps, interrupted or at rest
-        Failure now = failure;
-        describeFailure(state, start, deflection, now);
-        clear = now.mode == failure.mode && now.mode != FailureMode::mixed &&
-                now.moving_blocks == failure.moving_blocks;
-        failure = std::move(now);
-    }
-    failure.confirmed = failure.motion >= kLeastMotion * deflection;
-    failure.seconds = static_cast<double>(failure.steps) * failure.time_step;
-    describeFailure(state, start, deflection, failure);
-    return failure;
+Failure continueFailure(State& state, const Evidence& wanted, const Control& control, bool parallel) {
+    return Continuation(state, wanted, control, parallel).run();
 }
 
 }  // namespace talus::analysis

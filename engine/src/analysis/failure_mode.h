@@ -20,13 +20,21 @@ struct Failure {
     double seconds = 0;                      ///< simulated
     double time_step = 0;                    ///< [s]
     std::int64_t steps = 0;
-    double motion = 0;       ///< of the farthest-moved block [m]
-    bool confirmed = false;  ///< it went several times the deflection at rest
-    bool at_rest = false;    ///< and came to rest again
+    double motion = 0;                 ///< of the farthest-moved block [m]
+    bool confirmed = false;            ///< it went as far as was wanted and gathers speed
+    bool at_rest = false;              ///< it came to rest
+    std::vector<std::size_t> falling;  ///< of a confirmed failure: blocks that go with the farthest one
 };
 
-/// Lets a failing state go on from rest until it has moved many times `deflection`, the way it has come at rest [m], and
-/// it is clear how it moves. The state is advanced.
-Failure continueFailure(State& state, double deflection, const Control& control, bool parallel);
+/// What has to be seen before a motion counts as failure, and what may be spent on it.
+struct Evidence {
+    double deflection = 0;        ///< the way the assembly has come at rest [m]: several times that
+    double share = 0;             ///< a block has gone this share of its own size
+    std::int64_t most_steps = 0;  ///< then the continuation ends, whatever it has seen
+};
+
+/// Lets a failing state go on from rest with true inertia until the motion is seen to be a failure and it is clear how it
+/// moves, or the steps are used up. The state is advanced.
+Failure continueFailure(State& state, const Evidence& wanted, const Control& control, bool parallel);
 
 }  // namespace talus::analysis

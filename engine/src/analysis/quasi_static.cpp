@@ -24,6 +24,8 @@ constexpr int kLevelWindows = 3;   // as many such windows in a row
 constexpr int kWindowsInSpan = 4;  // where it is not flat: windows per span, and spans are compared
 constexpr double kPlateau = 0.8;   // out-of-balance force of a span over that of the span before
 constexpr double kSteady = 0.9;    // motion of a window over that of the window before: it does not slow down
+constexpr double kGone = 0.1;      // of a block's own size: it has left its place
+constexpr int kStepsPerGlance = 100;  // ... which is looked at this often
 constexpr double kShareOfTolerance =
     0.01;  // at rest, the imbalance is worth this share of the load's tolerance
 constexpr double kSlowPeriodGrowth = 8.0;  // slip makes the observed period longer; not without bound
@@ -39,6 +41,18 @@ double largestMotion(const State& state, const PositionArray& position, const Qu
         largest = std::max(largest, shift + turn * state.geometry->radius[b]);
     }
     return largest;
+}
+
+/// Whether a block has gone so far that, come to rest or not, the assembly is no longer the one that was loaded: what has
+/// fallen off may lie still at the foot of the slope.
+bool hasGone(const State& state, const PositionArray& position, const QuaternionArray& orientation) {
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        const double shift = (state.blocks.position.get(b) - position.get(b)).norm();
+        const double turn = stages::rotationFrom(orientation, state.blocks.orientation, b);
+        if (shift + turn * state.geometry->radius[b] > kGone * state.geometry->size[b]) return true;
+    }
+    return false;
 }
 
 /// What is seen of the out-of-balance force over some time.
@@ -297,6 +311,19 @@ QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control
     return work;
 }
 
+QuasiStaticWork patient(const QuasiStaticWork& work, double drag_share, double watch_periods) {
+    QuasiStaticWork patient = work;
+    patient.settings.watch_periods = std::max(watch_periods, work.settings.watch_periods);
+    patient.settings.drag_ratio *= drag_share;
+    patient.steps = 0;
+    return patient;
+}
+
+void learnPeriod(QuasiStaticWork& work, const State& before, const State& now) {
+    const double period = observedPeriod(now, before.blocks.position, externalLoad(before));
+    work.slow_period = std::clamp(period, work.slow_period, work.slow_period_limit);
+}
+
 void takeBack(State& state, const QuasiStaticWork& work) {
     setAtRest(state.blocks);
     setInertia(state, work.inertia_scale);
@@ -327,6 +354,12 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     while (!decided && !interrupted(work) && probe.steps < work.settings.max_steps_per_probe) {
         takeSteps(state, work, probe);
         decided = watch.look(probe);
+        if (!decided && probe.steps % kStepsPerGlance == 0 && hasGone(state, position, orientation)) {
+            probe.verdict = Verdict::failing;
+            probe.reason = describe("a block has left its place: out-of-balance force", probe.out_of_balance,
+                                    probe.steps);
+            decided = true;
+        }
         if (probe.steps < next_tuning) continue;
         tuner.tune(state, work);
         next_tuning = probe.steps + steps_per_tuning;

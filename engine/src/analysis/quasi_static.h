@@ -39,6 +39,13 @@ QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control
 /// Gives a state that has gone on with true inertia back to quasi-static work, at rest.
 void takeBack(State& state, const QuasiStaticWork& work);
 
+/// The same work with a share of the drag and windows of so many slowest periods: what looks like failure to the hasty,
+/// because a mode is many times slower than the slowest known one, is seen to slow down. Its steps are its own.
+QuasiStaticWork patient(const QuasiStaticWork& work, double drag_share, double watch_periods);
+
+/// Learns the slowest period from what the loads have moved between two states at rest.
+void learnPeriod(QuasiStaticWork& work, const State& before, const State& now);
+
 /// Changes a load: called with 0 < share <= 1 of the way.
 using Ramp = std::function<void(State&, double share)>;
 
@@ -47,7 +54,8 @@ using Ramp = std::function<void(State&, double share)>;
 ///  - failing: motion without resistance: the out-of-balance force stays on a plateau, or grows, while the blocks do
 ///    not slow down. Either flat to a few per cent over a window of some slowest periods (an oscillation of up to
 ///    thirty times that period would not look so), or level from window to window under some noise, or noisy but no
-///    lower over a span of several windows than before;
+///    lower over a span of several windows than before.
+///    Or a block has gone a tenth of its own size;
 ///  - undecided: neither within the allowed steps, or interrupted.
 /// At rest the velocities are set to zero.
 Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp);

@@ -1,14 +1,18 @@
 // Critical angle and factor of safety: one search over a load that only grows, each probe from the last stable state.
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <memory>
+#include <span>
 
 #include "analysis/bracket.h"
 #include "analysis/failure_mode.h"
 #include "analysis/initial_state.h"
+#include "analysis/loose_blocks.h"
 #include "analysis/quasi_static.h"
 #include "analysis/threads.h"
 #include "build/build.h"
@@ -22,15 +26,23 @@ namespace {
 
 constexpr double kOverload = 8.0;  // cells beyond the failing load at which the continuation runs
 constexpr int kAttempts = 3;  // with half the time step and longer windows, when a failure is not confirmed
+constexpr int kAttemptsAtStart = 2;
 constexpr int kMostReopenings = 3;  // times a failing motion may come to rest before the search gives up
 constexpr double kMorePatience = 3.0;
 constexpr double kSettlingDrag = 0.125;
 constexpr double kSettlingPeriods = 3.0;
+constexpr double kStartPeriods = 20.0;  // nothing is known of the slowest period yet but a guess
+// A failure is a failure when blocks have been seen to go this share of their size and gather speed. Near the critical
+// load that takes long; at the start, where no deflection at rest is known to compare with, more is asked for.
+constexpr double kSeenShare = 2e-4, kSeenAtStart = 0.01;
+// Steps of the continuation: as many as the probes took, but a number that shows something, and not without bound.
+constexpr std::int64_t kLeastSteps = 40'000, kMostSteps = 400'000, kMostStepsAtStart = 100'000;
 
 /// The load that is searched over. Probes stand on a grid of cells no wider than the tolerance, so that the bracket
 /// found is one of these cells whatever way led to it.
 struct Axis {
     double start = 0;
+    bool tenfold_at_start = false;   ///< at the start joints have ten times their strength
     std::int64_t stop = 0;           ///< [cells from the start]
     double cell = 0;                 ///< width of the bracket
     double imbalance_tolerance = 0;  ///< out-of-balance force over weight that a change by one cell is worth
@@ -61,16 +73,31 @@ class Search {
           work_(analysis::prepare(last_stable_, settings, control, axis.imbalance_tolerance, parallel)) {}
 
     SearchResult run() {
-        result_.low = -kInfinity;
-        result_.high = kInfinity;
-        if (loadGravityAndWater())
+        if (start())
             for (int k = 0; k <= kMostReopenings && searchUpwards(); ++k) {
             }
-        else if (result_.status == SearchStatus::unstable_at_start)
-            continueToFailure();
         finish();
         return std::move(result_);
     }
+
+    /// Gravity and water; what fails goes on until it is seen to. True when the assembly stands.
+    bool start() {
+        result_.low = -kInfinity;
+        result_.high = kInfinity;
+        if (loadGravityAndWater()) return true;
+        if (result_.status != SearchStatus::unstable_at_start || interrupted()) return false;
+        continueToFailure();
+        if (result_.confirmed || interrupted() || !restsAfterAll()) return false;
+        result_.status = SearchStatus::undecided;
+        result_.high = kInfinity;
+        result_.low = axis_.start;
+        return true;
+    }
+
+    std::int64_t steps() const { return probe_steps_ + continuation_steps_; }
+
+    /// Blocks that were seen to fall in the continuation.
+    const std::vector<std::size_t>& falling() const { return falling_; }
 
  private:
     bool interrupted() const {
@@ -95,7 +122,7 @@ class Search {
     Verdict probe(const std::string& stage, double load, State state, analysis::QuasiStaticWork& work,
                   const analysis::Ramp& ramp) {
         Probe probe = analysis::bringOn(state, work, ramp);
-        work_.steps += &work == &work_ ? 0 : probe.steps;
+        probe_steps_ += probe.steps;
         probe.load = load;
         result_.probes.push_back(probe);
         report(stage, load, probe.verdict);
@@ -112,37 +139,79 @@ class Search {
         return verdict;
     }
 
-    /// Weight at the start's tilt. Close below the angle at which a column topples, weight that is laid on at that tilt
-    /// sets off a rocking so slow that it looks like failure; so what fails is tried once more from level ground, the
-    /// tilt coming in parts from which the slowest period is learnt.
+    /// Weight at the start's tilt. What fails is watched on patiently, as other failures are, and then tried once more from
+    /// the beginning, slowly.
     Verdict loadGravity() {
-        const auto weight = [](State& state, double share) { state.load.gravity_share = share; };
         const State unloaded = last_stable_;
-        const Verdict at_once = probe("gravity", axis_.start, weight);
-        const double tilt = unloaded.load.tilt;
-        if (at_once != Verdict::failing || tilt == 0) return at_once;
+        Verdict verdict = probe("gravity", axis_.start,
+                                [](State& state, double share) { state.load.gravity_share = share; });
+        if (verdict == Verdict::failing && restIsFound(last_moving_, axis_.start, kStartPeriods)) {
+            analysis::learnPeriod(work_, unloaded, last_stable_);
+            verdict = Verdict::stable;
+        }
+        if (verdict == Verdict::stable || interrupted()) return verdict;
         last_stable_ = unloaded;
+        return loadGravityInParts();
+    }
+
+    /// Weight in parts on level ground, then the tilt in parts: from each the slowest period is learnt. Laid on at once,
+    /// close below the angle at which a column topples, weight sets off a rocking so slow that it looks like failure.
+    Verdict loadGravityInParts() {
+        constexpr std::array<double, 5> kParts{0.125, 0.25, 0.5, 0.75, 1.0};
+        const double tilt = last_stable_.load.tilt;
         last_stable_.load.tilt = 0;
-        Verdict verdict = probe("gravity, level", axis_.start, weight);
+        const Verdict level = bringOnInParts(
+            "gravity in parts", kParts, [](State& state, double share) { state.load.gravity_share = share; });
+        if (level != Verdict::stable || tilt == 0) return level;
+        return bringOnInParts("tilting", kParts,
+                              [tilt](State& state, double share) { state.load.tilt = share * tilt; });
+    }
+
+    /// Ends with the first part that does not come to rest, however patiently it is watched.
+    Verdict bringOnInParts(const std::string& stage, std::span<const double> parts,
+                           const analysis::Ramp& load) {
+        Verdict verdict = Verdict::stable;
         double from = 0;
-        for (const double to : {0.125, 0.25, 0.5, 0.75, 1.0}) {
+        for (const double to : parts) {
             if (verdict != Verdict::stable || interrupted()) break;
-            verdict = probe("tilting", axis_.start, [&](State& state, double share) {
-                state.load.tilt = (from + share * (to - from)) * tilt;
-            });
+            const State before = last_stable_;
+            verdict = probe(stage, axis_.start,
+                            [&](State& state, double share) { load(state, from + share * (to - from)); });
+            if (verdict == Verdict::failing && restIsFound(last_moving_, axis_.start, kStartPeriods)) {
+                analysis::learnPeriod(work_, before, last_stable_);
+                verdict = Verdict::stable;
+            }
             from = to;
         }
         return verdict;
     }
 
+    Verdict loadWater() {
+        const Verdict verdict =
+            probe("water", axis_.start, [](State& state, double share) { state.load.water_share = share; });
+        const bool rests =
+            verdict == Verdict::failing && restIsFound(last_moving_, axis_.start, kStartPeriods);
+        return rests ? Verdict::stable : verdict;
+    }
+
+    /// Whether what went on under its full weight and was not borne out comes to rest where it has got to.
+    bool restsAfterAll() {
+        State moved = last_moving_;
+        axis_.apply(moved, axis_.start);
+        if (moved.load.gravity_share < 1 || moved.load.tilt != start_tilt_) return false;
+        analysis::takeBack(moved, work_);
+        if (!restIsFound(moved, axis_.start, kStartPeriods)) return false;
+        const bool dry = last_stable_.geometry->model.waters.empty() || last_stable_.load.water_share == 1;
+        return dry || loadWater() == Verdict::stable;
+    }
+
     /// Gravity at the start, then water. True when the assembly stands.
     bool loadGravityAndWater() {
         axis_.apply(last_stable_, axis_.start);
+        start_tilt_ = last_stable_.load.tilt;
         last_stable_.load.gravity_share = last_stable_.load.water_share = 0;
         Verdict verdict = loadGravity();
-        if (verdict == Verdict::stable && !last_stable_.geometry->model.waters.empty())
-            verdict = probe("water", axis_.start,
-                            [](State& state, double share) { state.load.water_share = share; });
+        if (verdict == Verdict::stable && !last_stable_.geometry->model.waters.empty()) verdict = loadWater();
         if (verdict == Verdict::failing) {
             result_.status = SearchStatus::unstable_at_start;
             result_.high = axis_.start;
@@ -158,27 +227,26 @@ class Search {
         findFailure();
         narrow();
         if (result_.status != SearchStatus::found) return false;
-        if (!settles(last_moving_)) {
+        const double load = axis_.load(*bracket_.high());
+        if (!restIsFound(last_moving_, load)) {
             continueToFailure();
             if (result_.confirmed || interrupted()) return false;
             State moved = last_moving_;
-            axis_.apply(moved, axis_.load(*bracket_.high()));
+            axis_.apply(moved, load);
             analysis::takeBack(moved, work_);
-            if (!settles(moved)) return false;
+            if (!restIsFound(moved, load)) return false;
         }
         bracket_.reopen();
         return true;
     }
 
-    /// Whether a state that was moving at the failing load comes to rest when it is watched for longer; it is the last
-    /// stable one then. A mode many times slower than the slowest known one looks like failure for a while: close below
-    /// the load at which a column topples its stiffness goes to zero.
-    bool settles(const State& moving) {
-        analysis::QuasiStaticWork patient = work_;
-        patient.settings.watch_periods = kSettlingPeriods;
-        patient.settings.drag_ratio *= kSettlingDrag;
+    /// Whether a state that moves at a load has an equilibrium near; it is the last stable one then. Asked before a failure
+    /// counts: a mode many times slower than the slowest known one looks like failure for a while, and close below the
+    /// load at which a column topples its stiffness goes to zero.
+    bool restIsFound(const State& moving, double load, double watch_periods = kSettlingPeriods) {
+        analysis::QuasiStaticWork patient = analysis::patient(work_, kSettlingDrag, watch_periods);
         const auto hold = [](State&, double) {};
-        return probe("settling", axis_.load(*bracket_.high()), moving, patient, hold) == Verdict::stable;
+        return probe("settling", load, moving, patient, hold) == Verdict::stable;
     }
 
     /// Up from the start until a probe fails or the end is reached.
@@ -208,7 +276,7 @@ class Search {
             result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start;
         const State& last = fails ? last_moving_ : last_stable_;
         if (!fails) result_.failing = nullptr;
-        result_.steps = work_.steps + continuation_steps_;
+        result_.steps = steps();
         result_.state_hash = stages::stateHash(last);
         result_.inertia_scaled = work_.inertia_scaled;
         result_.damping_local = work_.settings.local_damping;
@@ -233,14 +301,16 @@ class Search {
             "formulas for rigid joints give higher values");
     }
 
-    /// How far the assembly has come at rest; when it fails before it has stood, what one slowest period of its own
-    /// weight would move it stands in for that [m].
-    double deflectionAtRest() const {
-        double sum = 0;
+    /// What is to be seen of a failure: at the start, a block that has gone a share of its size; else less of that, but
+    /// several times what the assembly has moved at rest.
+    analysis::Evidence evidence() const {
+        const std::int64_t most = std::clamp(probe_steps_, kLeastSteps, kMostSteps);
+        if (!bracket_.high())
+            return {.deflection = 0, .share = kSeenAtStart, .most_steps = kMostStepsAtStart};
+        double deflection = 0;
         for (const Probe& p : result_.probes)
-            if (p.verdict == Verdict::stable) sum += p.displacement;
-        const double g = last_moving_.geometry->model.gravity.magnitude;
-        return sum > 0 ? sum : g * std::pow(work_.slow_period / (2.0 * M_PI), 2);
+            if (p.verdict == Verdict::stable) deflection += p.displacement;
+        return {.deflection = deflection, .share = kSeenShare, .most_steps = most};
     }
 
     void continueToFailure() {
@@ -251,8 +321,7 @@ class Search {
         if (control_.keep_failing_state)
             failing = std::make_shared<FailingState>(
                 FailingState{fullFrameOf(last_moving_), load + kOverload * axis_.cell});
-        analysis::Failure failure =
-            analysis::continueFailure(last_moving_, deflectionAtRest(), control_, parallel_);
+        analysis::Failure failure = analysis::continueFailure(last_moving_, evidence(), control_, parallel_);
         if (failing) {
             failing->contact_damping = last_moving_.damping.contact;
             failing->block_size = last_moving_.geometry->length_scale;
@@ -265,6 +334,7 @@ class Search {
         result_.time_step = failure.time_step;
         continuation_steps_ += failure.steps;
         result_.confirmed = failure.confirmed;
+        falling_ = std::move(failure.falling);
         if (failure.confirmed && failure.at_rest)
             last_moving_.warnings.push_back("the failing motion came to rest after " +
                                             formatted("%.3g", failure.motion) +
@@ -279,32 +349,44 @@ class Search {
     State last_moving_;
     analysis::QuasiStaticWork work_;
     SearchResult result_;
-    std::int64_t continuation_steps_ = 0;
+    double start_tilt_ = 0;  ///< [rad]
+    std::vector<std::size_t> falling_{};
+    std::int64_t probe_steps_ = 0, continuation_steps_ = 0;
 };
 
 bool claimsFailure(const SearchResult& result) {
     return result.status == SearchStatus::found || result.status == SearchStatus::unstable_at_start;
 }
 
+struct Outcome {
+    SearchResult result;
+    std::vector<std::size_t> falling;  ///< blocks of the state that were seen to fall
+};
+
+bool stopped(const Control& control) {
+    return control.stop != nullptr && control.stop->load(std::memory_order_relaxed);
+}
+
 /// A failure that the continuation with true inertia does not bear out was one of the numbers (contacts that chatter at
 /// too long a step, a mode far slower than its estimate): the search is made again with half the step and longer windows,
 /// and is undecided if that does not help.
-SearchResult searchConfirmed(const State& state, const Axis& axis, const Control& control,
-                             QuasiStatic settings, bool parallel) {
+Outcome searchConfirmed(const State& state, const Axis& axis, const Control& control, QuasiStatic settings,
+                        bool parallel) {
     std::int64_t steps = 0;
     for (int attempt = 1;; ++attempt) {
-        SearchResult result = Search(state, axis, control, settings, parallel).run();
+        Search search(state, axis, control, settings, parallel);
+        SearchResult result = search.run();
         result.steps += steps;
-        if (!claimsFailure(result) || result.confirmed) return result;
-        if (attempt == kAttempts) {
+        if (!claimsFailure(result) || result.confirmed) return {std::move(result), search.falling()};
+        if (attempt == (result.status == SearchStatus::found ? kAttempts : kAttemptsAtStart)) {
             result.status = SearchStatus::undecided;
             result.warnings.push_back(
                 "the failing motion is not borne out by the continuation with true inertia");
-            return result;
+            return {std::move(result), {}};
         }
-        if (control.stop != nullptr && control.stop->load(std::memory_order_relaxed)) {
+        if (stopped(control)) {
             result.status = SearchStatus::interrupted;
-            return result;
+            return {std::move(result), {}};
         }
         steps = result.steps;
         settings.step_safety *= 0.5;
@@ -321,18 +403,131 @@ void warnOfFreeBlocks(State& state) {
         }
 }
 
+/// Searches, and searches again without the blocks that fall at the start whatever the strength.
+class SearchOfTheRest {
+ public:
+    /// \param without blocks that are not to take part
+    SearchOfTheRest(const Model& model, const Axis& axis, const Control& control, const QuasiStatic& settings,
+                    const std::vector<std::string>& without)
+        : model_(model),
+          axis_(axis),
+          control_(control),
+          settings_(settings),
+          gone_(analysis::blocksNamed(model, without)) {}
+
+    Result<SearchResult> run() {
+        std::int64_t steps = 0;
+        for (;;) {
+            Result<State> built = buildState(left(), control_.threads != 1);
+            if (!built) return built.errors();
+            const bool parallel = analysis::worthThreads(*built, control_.threads);
+            warnOfFreeBlocks(*built);
+            Outcome outcome = searchConfirmed(*built, axis_, control_, settings_, parallel);
+            if (outcome.result.status == SearchStatus::unstable_at_start && !axis_.tenfold_at_start)
+                outcome.falling = fallingAtTenfoldStrength(*built, parallel, steps);
+            outcome.result.steps += steps;
+            if (outcome.result.status != SearchStatus::unstable_at_start || !letGo(outcome.falling))
+                return named(std::move(outcome.result));
+            steps = outcome.result.steps;
+        }
+    }
+
+ private:
+    std::shared_ptr<const Model> left() const {
+        const bool all = std::find(gone_.begin(), gone_.end(), 1) == gone_.end();
+        return all ? keptByCaller(model_)
+                   : std::make_shared<const Model>(analysis::withoutBlocks(model_, gone_));
+    }
+
+    std::vector<std::size_t> fallingAtTenfoldStrength(State strong, bool parallel,
+                                                      std::int64_t& steps) const {
+        strong.laws = jointLaws(model_.joints, analysis::kTenfoldStrength);
+        Search search(strong, axis_, control_, settings_, parallel);
+        search.start();
+        steps += search.steps();
+        return search.falling();
+    }
+
+    /// Takes out what falls, counted in blocks that are left. False when there is nothing, or too much for loose blocks.
+    bool letGo(const std::vector<std::size_t>& falling) {
+        if (falling.empty() || stopped(control_)) return false;
+        std::vector<char> loose = loose_.empty() ? std::vector<char>(gone_.size(), 0) : loose_;
+        std::size_t left = 0;
+        auto next = falling.begin();
+        for (std::size_t b = 0; b < gone_.size() && next != falling.end(); ++b) {
+            if (gone_[b] || left++ != *next) continue;
+            loose[b] = 1;
+            ++next;
+        }
+        if (analysis::looseShare(model_, loose) > analysis::kMostLoose) return false;
+        loose_ = std::move(loose);
+        for (std::size_t b = 0; b < gone_.size(); ++b) gone_[b] = gone_[b] || loose_[b];
+        return true;
+    }
+
+    SearchResult named(SearchResult result) const {
+        for (std::size_t b = 0; b < loose_.size(); ++b)
+            if (loose_[b]) result.fallen_at_start.push_back(model_.blocks[b].name);
+        std::sort(result.fallen_at_start.begin(), result.fallen_at_start.end());
+        if (result.fallen_at_start.empty()) return result;
+        result.failing = nullptr;  // its blocks are not the model's
+        result.warnings.push_back(std::to_string(result.fallen_at_start.size()) +
+                                  " of the blocks fall at the start whatever the strength (" +
+                                  result.fallen_at_start.front() +
+                                  " for one): the answer is for the rest, without them");
+        return result;
+    }
+
+    const Model& model_;
+    const Axis& axis_;
+    const Control& control_;
+    const QuasiStatic& settings_;
+    std::vector<char> gone_;     ///< per block: not in the search
+    std::vector<char> loose_{};  ///< per block: because it falls; empty: none
+};
+
 Result<SearchResult> search(const Model& model, const Axis& axis, const Control& control,
-                            const QuasiStatic& settings) {
+                            const QuasiStatic& settings, const std::vector<std::string>& without = {}) {
     return analysis::inArena(control.threads, [&]() -> Result<SearchResult> {
         const auto begin = std::chrono::steady_clock::now();
-        Result<State> built = buildState(keptByCaller(model), control.threads != 1);
-        if (!built) return built.errors();
-        const bool parallel = analysis::worthThreads(*built, control.threads);
-        warnOfFreeBlocks(*built);
-        SearchResult result = searchConfirmed(*built, axis, control, settings, parallel);
-        result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        Result<SearchResult> result = SearchOfTheRest(model, axis, control, settings, without).run();
+        if (!result) return result;
+        result->wall_seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
     });
+}
+
+/// The groups that go one after the other: the search is made again without those that have gone. What then falls at the
+/// start whatever the strength goes with the group before it; a group that fails at a lower factor than the one before
+/// goes at that one's.
+void addGroups(const Model& model, const Axis& axis, const Control& control, const QuasiStatic& settings,
+               SearchResult& result) {
+    if (result.status != SearchStatus::found) return;
+    result.groups.push_back({result.answer, result.moving_blocks});
+    std::vector<std::string> gone = result.fallen_at_start;
+    const auto goes = [&](const std::vector<std::string>& blocks) {
+        gone.insert(gone.end(), blocks.begin(), blocks.end());
+    };
+    goes(result.moving_blocks);
+    const auto free = static_cast<std::size_t>(
+        std::count_if(model.blocks.begin(), model.blocks.end(),
+                      [](const Block& block) { return block.motion == Motion::free; }));
+    while (static_cast<int>(result.groups.size()) < control.groups && gone.size() < free &&
+           !stopped(control)) {
+        const Result<SearchResult> next = search(model, axis, control, settings, gone);
+        if (!next) return;
+        result.steps += next->steps;
+        result.wall_seconds += next->wall_seconds;
+        BlockGroup& last = result.groups.back();
+        last.blocks.insert(last.blocks.end(), next->fallen_at_start.begin(), next->fallen_at_start.end());
+        std::sort(last.blocks.begin(), last.blocks.end());
+        if (!claimsFailure(*next) || next->moving_blocks.empty()) return;
+        const double factor = next->status == SearchStatus::found ? next->answer : last.factor;
+        result.groups.push_back({std::max(factor, last.factor), next->moving_blocks});
+        goes(next->fallen_at_start);
+        goes(next->moving_blocks);
+    }
 }
 
 /// Halvings of `step` until it is no wider than the tolerance.
@@ -357,10 +552,11 @@ Result<SearchResult> criticalAngle(const Model& model, const Control& control, c
 }
 
 Result<SearchResult> safetyFactor(const Model& model, const Control& control, const QuasiStatic& settings) {
-    constexpr double kStart = 0.1;  // ten times the strength; then twice the factor until it fails
+    constexpr double kStart = analysis::kTenfoldStrength;  // then twice the factor until it fails
     constexpr int kDoublings = 10;
     Axis axis;
     axis.start = kStart;
+    axis.tenfold_at_start = true;
     const std::int64_t cells = std::int64_t{1} << halvings(kStart, model.analysis.factor_tolerance);
     axis.cell = kStart / static_cast<double>(cells);
     axis.stop = ((std::int64_t{1} << kDoublings) - 1) * cells;
@@ -369,7 +565,9 @@ Result<SearchResult> safetyFactor(const Model& model, const Control& control, co
     axis.next = [cells](std::int64_t cell) { return 2 * cell + cells; };
     axis.apply = [&model](State& state, double factor) { state.laws = jointLaws(model.joints, factor); };
     axis.say = [](double factor) { return formatted("factor %.4f", factor); };
-    return search(model, axis, control, settings);
+    Result<SearchResult> result = search(model, axis, control, settings);
+    if (result) addGroups(model, axis, control, settings, *result);
+    return result;
 }
 
 const char* toString(SearchStatus status) {

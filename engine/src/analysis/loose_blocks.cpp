@@ -1,0 +1,77 @@
+#include "analysis/loose_blocks.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <unordered_set>
+
+#include "talus/polyhedron.h"
+
+namespace talus::analysis {
+namespace {
+
+/// New index of each block, -1 for those that are gone.
+std::vector<std::int32_t> renumbered(const std::vector<char>& gone) {
+    std::vector<std::int32_t> index;
+    std::int32_t next = 0;
+    for (const char is_gone : gone) index.push_back(is_gone ? -1 : next++);
+    return index;
+}
+
+bool renumber(std::int32_t& block, const std::vector<std::int32_t>& index) {
+    block = index[static_cast<std::size_t>(block)];
+    return block >= 0;
+}
+
+/// \return whether the water has a wall left
+bool renumber(Water& water, const std::vector<std::int32_t>& index) {
+    if (water.pair) return renumber(water.pair->first, index) && renumber(water.pair->second, index);
+    std::erase_if(water.walls, [&](WetFace& wall) { return !renumber(wall.block, index); });
+    return !water.walls.empty();
+}
+
+}  // namespace
+
+std::vector<char> blocksNamed(const Model& model, const std::vector<std::string>& names) {
+    const std::unordered_set<std::string> wanted(names.begin(), names.end());
+    std::vector<char> marked;
+    for (const Block& block : model.blocks) marked.push_back(wanted.count(block.name) > 0 ? 1 : 0);
+    return marked;
+}
+
+Model withoutBlocks(const Model& model, const std::vector<char>& gone) {
+    Model left = model;
+    const std::vector<std::int32_t> index = renumbered(gone);
+    left.blocks.clear();
+    for (std::size_t b = 0; b < gone.size(); ++b)
+        if (!gone[b]) left.blocks.push_back(model.blocks[b]);
+    left.pair_joints.clear();
+    for (PairJoint pair : model.pair_joints)
+        if (renumber(pair.block_a, index) && renumber(pair.block_b, index)) left.pair_joints.push_back(pair);
+    left.waters.clear();
+    for (Water water : model.waters)
+        if (renumber(water, index)) left.waters.push_back(std::move(water));
+    left.stack.reset();
+    return left;
+}
+
+double looseShare(const Model& model, const std::vector<char>& gone) {
+    double all = 0, loose = 0;
+    for (std::size_t b = 0; b < gone.size(); ++b) {
+        const Block& block = model.blocks[b];
+        if (block.motion != Motion::free) continue;
+        const double mass = block.density * massProperties(block.shape).volume;
+        all += mass;
+        if (gone[b]) loose += mass;
+    }
+    return all > 0 ? loose / all : 0.0;
+}
+
+}  // namespace talus::analysis
+
+namespace talus {
+
+Model withoutBlocks(const Model& model, const std::vector<std::string>& names) {
+    return analysis::withoutBlocks(model, analysis::blocksNamed(model, names));
+}
+
+}  // namespace talus
