@@ -42,14 +42,6 @@ BlockWay waySince(const State& state, const Poses& start, std::size_t b) {
             .mass = state.blocks.mass[b]};
 }
 
-double largestMotion(const State& state, const Poses& start) {
-    double largest = 0;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
-        if (state.blocks.motion[b] == Motion::free)
-            largest = std::max(largest, waySince(state, start, b).way());
-    return largest;
-}
-
 /// True inertia, at rest, with dashpots that only take out the rattle. Returns the time step [s].
 double makeDynamic(State& state, bool parallel) {
     setInertia(state, std::vector<double>(state.blocks.size(), 1.0));
@@ -188,7 +180,7 @@ class Continuation {
         failure_.motion = share_ = 0;
         for (std::size_t b = 0; b < state_.blocks.size(); ++b) {
             if (state_.blocks.motion[b] != Motion::free) continue;
-            const double way = motionSince(state_, start_, b);
+            const double way = waySince(state_, start_, b).way();
             failure_.motion = std::max(failure_.motion, way);
             share_ = std::max(share_, way / state_.geometry->size[b]);
         }
@@ -227,7 +219,7 @@ class Continuation {
     void nameFalling() {
         for (std::size_t b = 0; b < state_.blocks.size(); ++b) {
             if (state_.blocks.motion[b] != Motion::free) continue;
-            const double way = motionSince(state_, start_, b);
+            const double way = waySince(state_, start_, b).way();
             if (failure_.confirmed && way >= kFallsAlong * failure_.motion) failure_.falling.push_back(b);
         }
     }
