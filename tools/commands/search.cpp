@@ -20,6 +20,15 @@ struct SearchOptions {
     CeilingOptions ceiling;
 };
 
+/// Of what the answer is for: without the blocks that fall at the start.
+Ceiling ceilingOf(const formats::Scenario& scenario, Varied load, const CeilingOptions& options,
+                  const SearchResult& result, const Control& control) {
+    if (result.fallen_at_start.empty()) return findCeiling(scenario, load, options, result, control);
+    formats::Scenario rest = scenario;
+    rest.model = withoutBlocks(scenario.model, result.fallen_at_start);
+    return findCeiling(rest, load, options, result, control);
+}
+
 int find(const LoadSearch& search, const SearchOptions& options) {
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
     FailureKeeper keeper(options.keep, options.common, scenario);
@@ -28,7 +37,7 @@ int find(const LoadSearch& search, const SearchOptions& options) {
     control.keep_failing_state = keeper.wanted();
     control.groups = options.groups;
     SearchResult result = valueOf(search.find(scenario.model, control, {}), scenario);
-    const Ceiling ceiling = findCeiling(scenario, search.load, options.ceiling, result, control);
+    const Ceiling ceiling = ceilingOf(scenario, search.load, options.ceiling, result, control);
     holdUnder(ceiling, search.load, result);
     SearchReport report{options.common, scenario, search, result, search.theory(scenario.model), ceiling};
     if (keeper.wanted()) report.kept = keeper.keep(result, search, control);
@@ -57,7 +66,7 @@ Command addSearch(CLI::App& root, const LoadSearch& search) {
     if (search.load == Varied::factor)
         app->add_option(
                "--groups", options->groups,
-               "How many groups of blocks to follow: after the answer, the search goes on without those "
+               "How many groups of blocks to follow: after the answer the search goes on without those "
                "that have gone, at the cost of a search each")
             ->check(CLI::Range(1, 1000));
     addKeepRun(*app, options->keep);

@@ -105,6 +105,15 @@ std::string fallenText(const SearchResult& result) {
                std::to_string(result.fallen_at_start.size()) + ": " + compactNames(result.fallen_at_start));
 }
 
+/// The groups after the first, which is the answer.
+std::string groupsText(const SearchResult& result) {
+    std::string rows;
+    for (std::size_t k = 1; k < result.groups.size(); ++k)
+        rows += row("then go",
+                    "at " + text(result.groups[k].factor, 4) + ": " + compactNames(result.groups[k].blocks));
+    return rows;
+}
+
 std::string costText(const SearchResult& result) {
     return std::to_string(result.probes.size()) + " probes, " + std::to_string(result.steps) + " steps, " +
            text(result.wall_seconds, 2) + " s";
@@ -157,6 +166,10 @@ Json probeJson(const SearchReport& report, const Probe& probe) {
             {"reason", probe.reason}};
 }
 
+Json groupJson(const BlockGroup& group) {
+    return {{"factor", number(group.factor)}, {"blocks", group.blocks}};
+}
+
 Json motionJson(const BlockMotion& motion) {
     return {{"block", motion.block},
             {"mode", toString(motion.mode)},
@@ -188,21 +201,6 @@ Json theoryJson(const SearchReport& report) {
             {"applies_because", prediction.applies_because}};
 }
 
-Json groupsJson(const SearchResult& result) {
-    Json groups = Json::array();
-    for (const BlockGroup& group : result.groups)
-        groups.push_back({{"factor", number(group.factor)}, {"blocks", group.blocks}});
-    return groups;
-}
-
-std::string groupsText(const SearchResult& result) {
-    std::string lines;
-    for (std::size_t k = 1; k < result.groups.size(); ++k)
-        lines +=
-            row("then at", text(result.groups[k].factor, 4) + ": " + compactNames(result.groups[k].blocks));
-    return lines;
-}
-
 template <class T, class F>
 Json list(const std::vector<T>& items, F&& json_of) {
     Json result = Json::array();
@@ -232,7 +230,7 @@ Json searchJson(const SearchReport& report) {
     json["failure_mode"] = toString(result.mode);
     json["moving_blocks"] = result.moving_blocks;
     json["fallen_at_start"] = result.fallen_at_start;
-    if (search.load == Varied::factor) json["groups"] = groupsJson(result);
+    if (search.load == Varied::factor) json["groups"] = list(result.groups, groupJson);
     json["theory"] = theoryJson(report);
     json["probes"] = result.probes.size();
     json["steps"] = result.steps;
@@ -259,7 +257,7 @@ std::string searchText(const SearchReport& report, bool verbose) {
     std::string table = row("scenario", report.scenario.path) +
                         row(report.search.answer, answerText(report)) + theoryText(report) +
                         ceilingText(report) + row("failure mode", toString(result.mode)) +
-                        row("moving blocks", movingText(result)) + groupsText(result) + fallenText(result) +
+                        row("moving blocks", movingText(result)) + fallenText(result) + groupsText(result) +
                         row("model", sizeText(result)) + row("method", methodText(result)) +
                         row("cost", costText(result)) + row("state hash", hashText(result.state_hash));
     for (const std::string& warning : result.warnings) table += row("warning", warning);

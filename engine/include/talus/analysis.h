@@ -125,4 +125,7 @@ Result<SearchResult> criticalAngle(const Model& model, const Control& control = 
 Result<SearchResult> safetyFactor(const Model& model, const Control& control = {},
                                   const QuasiStatic& settings = {});
 
+/// The model as if these blocks had been removed before the start: what joined or wetted only them goes with them.
+Model withoutBlocks(const Model& model, const std::vector<std::string>& names);
+
 }  // namespace talus

@@ -45,7 +45,11 @@ BlockWay waySince(const State& state, const Poses& start, std::size_t b) {
 /// True inertia, at rest, with dashpots that only take out the rattle. Returns the time step [s].
 double makeDynamic(State& state, bool parallel) {
     setInertia(state, std::vector<double>(state.blocks.size(), 1.0));
-    setAtRest(state.blocks);
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        state.blocks.velocity.set(b, Vec3::Zero());
+        state.blocks.angular_momentum.set(b, Vec3::Zero());
+    }
     const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
     const double bound = *std::max_element(bounds.begin(), bounds.end());
     const double omega_squared = bound > 0 ? bound : 1.0;

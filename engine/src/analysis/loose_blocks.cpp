@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <unordered_set>
 
 #include "talus/polyhedron.h"
 
@@ -29,6 +30,13 @@ bool renumber(Water& water, const std::vector<std::int32_t>& index) {
 }
 
 }  // namespace
+
+std::vector<char> blocksNamed(const Model& model, const std::vector<std::string>& names) {
+    const std::unordered_set<std::string> wanted(names.begin(), names.end());
+    std::vector<char> marked;
+    for (const Block& block : model.blocks) marked.push_back(wanted.count(block.name) > 0 ? 1 : 0);
+    return marked;
+}
 
 Model withoutBlocks(const Model& model, const std::vector<char>& gone) {
     Model left = model;
@@ -59,3 +67,11 @@ double looseShare(const Model& model, const std::vector<char>& gone) {
 }
 
 }  // namespace talus::analysis
+
+namespace talus {
+
+Model withoutBlocks(const Model& model, const std::vector<std::string>& names) {
+    return analysis::withoutBlocks(model, analysis::blocksNamed(model, names));
+}
+
+}  // namespace talus

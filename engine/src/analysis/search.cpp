@@ -406,14 +406,14 @@ void warnOfFreeBlocks(State& state) {
 /// Searches, and searches again without the blocks that fall at the start whatever the strength.
 class SearchOfTheRest {
  public:
-    SearchOfTheRest(const Model& model, const Axis& axis, const Control& control, const QuasiStatic& settings)
-        : model_(model), axis_(axis), control_(control), settings_(settings), gone_(model.blocks.size(), 0) {}
-
-    /// Blocks that are not to take part: taken out before the search.
-    void takeOut(const std::vector<std::string>& names) {
-        for (std::size_t b = 0; b < gone_.size(); ++b)
-            if (std::find(names.begin(), names.end(), model_.blocks[b].name) != names.end()) gone_[b] = 1;
-    }
+    /// \param without blocks that are not to take part
+    SearchOfTheRest(const Model& model, const Axis& axis, const Control& control, const QuasiStatic& settings,
+                    const std::vector<std::string>& without)
+        : model_(model),
+          axis_(axis),
+          control_(control),
+          settings_(settings),
+          gone_(analysis::blocksNamed(model, without)) {}
 
     Result<SearchResult> run() {
         std::int64_t steps = 0;
@@ -490,9 +490,7 @@ Result<SearchResult> search(const Model& model, const Axis& axis, const Control&
                             const QuasiStatic& settings, const std::vector<std::string>& without = {}) {
     return analysis::inArena(control.threads, [&]() -> Result<SearchResult> {
         const auto begin = std::chrono::steady_clock::now();
-        SearchOfTheRest rest(model, axis, control, settings);
-        rest.takeOut(without);
-        Result<SearchResult> result = rest.run();
+        Result<SearchResult> result = SearchOfTheRest(model, axis, control, settings, without).run();
         if (!result) return result;
         result->wall_seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

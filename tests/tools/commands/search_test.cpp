@@ -20,7 +20,7 @@ bool isStateHash(const nlohmann::json& value) {
 void checkCommonKeys(const nlohmann::json& json) {
     for (const char* key : {"failure_mode", "moving_blocks", "theory", "probes", "steps", "wall_seconds",
                             "state_hash", "probe_list", "evidence", "provenance", "warnings", "time_step_s",
-                            "inertia_scaled", "damping_local", "interrupted"}) {
+                            "inertia_scaled", "damping_local", "interrupted", "fallen_at_start"}) {
         CAPTURE(key);
         CHECK(json.contains(key));
     }
