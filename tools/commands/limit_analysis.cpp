@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "cli/block_names.h"
 #include "commands/commands.h"
 
 namespace talus::tools {
@@ -92,13 +93,8 @@ std::string row(std::string label, const std::string& content) {
 }
 
 std::string movingText(const LimitResult& result) {
-    constexpr std::size_t kShown = 12;
-    std::string names;
-    for (std::size_t k = 0; k < std::min(kShown, result.moving_blocks.size()); ++k)
-        names += (k == 0 ? "" : " ") + result.moving_blocks[k];
-    const std::size_t more = result.moving_blocks.size() - std::min(kShown, result.moving_blocks.size());
-    return std::to_string(result.moving_blocks.size()) + " of " + std::to_string(result.blocks) + ": " +
-           names + (more > 0 ? " and " + std::to_string(more) + " more" : "");
+    return std::to_string(result.moving_blocks.size()) + " of " + std::to_string(result.blocks) +
+           " free: " + compactNames(result.moving_blocks);
 }
 
 std::string toText(const LimitOptions& options, const LimitResult& result) {

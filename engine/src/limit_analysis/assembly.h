@@ -2,11 +2,10 @@
 // What limit analysis knows of a slope: rigid bodies and the points where they touch at the start.
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "forces/wrench.h"
-#include "state/arrays.h"
+#include "talus/polyhedron.h"
 
 namespace talus::limit {
 
@@ -40,18 +39,7 @@ struct Assembly {
     int rowsPerBody() const { return plane_section ? 3 : 6; }
 };
 
-/// Bodies and closed contact points of a state as `buildState` gives it. Joints without bond need only the outermost
-/// points of a patch: a force within them is one at each of them, none beyond its strength. Blocks with names in
-/// `left_out` are gone.
-Assembly assemble(const State& state, const std::vector<std::string>& left_out);
-
 /// On each body, about its centroid.
 using Loads = std::vector<stages::Wrench>;
-
-/// The blocks' masses in a field of this acceleration [m/s^2].
-Loads weightLoads(const State& state, const Assembly& assembly, const Vec3& acceleration);
-
-/// The water on them at a tilt [rad]. The state's tilt is that one afterwards.
-Loads waterLoads(State& state, const Assembly& assembly, double tilt);
 
 }  // namespace talus::limit

@@ -8,6 +8,7 @@
 #include "analysis/threads.h"
 #include "build/build.h"
 #include "law/joint_laws.h"
+#include "limit_analysis/assemble.h"
 #include "limit_analysis/solver.h"
 
 namespace talus {

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "law/law.h"
 #include "limit_analysis/assembly.h"
 #include "limit_analysis/linear_program.h"
 #include "limit_analysis/pyramids.h"

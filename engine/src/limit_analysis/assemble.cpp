@@ -1,4 +1,4 @@
-#include "limit_analysis/assembly.h"
+#include "limit_analysis/assemble.h"
 
 #include <algorithm>
 #include <cmath>
