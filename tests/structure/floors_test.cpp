@@ -120,9 +120,8 @@ TEST_CASE("no include runs up") {
         REQUIRE(includes.size() > 10);
         for (const auto& [module, seen] : includes)
             for (const std::string& other : seen) {
-                CAPTURE(house.root);
-                CAPTURE(module);
-                CAPTURE(other);
+                const std::string arrow = std::string(house.root) + ": " + module + " -> " + other;
+                CAPTURE(arrow);
                 CHECK(floorOf(house, other) <= floorOf(house, module));
             }
     }

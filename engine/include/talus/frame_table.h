@@ -129,11 +129,6 @@ inline constexpr auto kWaterFields =
                     frameField("load_drained", &FrameWaters::load_drained, Item::water),
                     frameField("drained", &FrameWaters::drained, Item::water));
 
-/// Names of the laws' parameters, in the order of kJointProperties.
-inline constexpr std::array<std::string_view, kJointPropertyCount> kLawNames{
-    "normal_stiffness", "shear_stiffness",   "tan_friction",          "cohesion",
-    "tensile_strength", "residual_cohesion", "residual_tan_friction", "tan_dilation"};
-
 /// Calls visit(table, field, array) for every array of a frame; `table` is the field of Full that holds it.
 template <class Frame, class Visit>
 void eachFrameArray(Frame& frame, const Visit& visit) {
@@ -147,7 +142,7 @@ void eachFrameArray(Frame& frame, const Visit& visit) {
     all("waters", kWaterFields, frame.waters);
     using Values = std::vector<double>;
     for (std::size_t p = 0; p < kJointPropertyCount; ++p)
-        visit("laws", FrameField<FrameLaws, Values>{kLawNames[p], nullptr, Item::joint, "", {}},
+        visit("laws", FrameField<FrameLaws, Values>{kJointProperties[p].in_law, nullptr, Item::joint, "", {}},
               frame.laws.parameters[p]);
     visit("laws", frameField("bonded", &FrameLaws::bonded, Item::joint), frame.laws.bonded);
     visit("search", frameField("position", &FullFrame::search_position, Item::block, "m"),

@@ -36,7 +36,8 @@ struct JointProperty {
     enum class Default { required, zero, same_as } when_absent = Default::zero;
     double Joint::*same_as = nullptr;  ///< the property it follows unless it is given
     bool is_reduced = false;           ///< the factor of safety divides it, an angle by its tangent
-    std::string_view what;             ///< for people
+    std::string_view in_law;  ///< what the law calls what it takes of it; so it is called in snapshots, too
+    std::string_view what;    ///< for people
 
     /// The law takes an angle's tangent.
     constexpr bool isAngle() const { return unit == "deg"; }
@@ -57,12 +58,14 @@ inline constexpr std::array kJointProperties{
                   .unit = "Pa/m",
                   .allowed = Interval::positive(),
                   .when_absent = detail::Default::required,
+                  .in_law = "normal_stiffness",
                   .what = "normal stress per closure"},
     JointProperty{.key = "shear_stiffness",
                   .value = &Joint::shear_stiffness,
                   .unit = "Pa/m",
                   .allowed = Interval::positive(),
                   .when_absent = detail::Default::required,
+                  .in_law = "shear_stiffness",
                   .what = "shear stress per slip before sliding"},
     JointProperty{.key = "friction_deg",
                   .value = &Joint::friction,
@@ -70,23 +73,27 @@ inline constexpr std::array kJointProperties{
                   .allowed = detail::kFrictionDeg,
                   .when_absent = detail::Default::required,
                   .is_reduced = true,
+                  .in_law = "tan_friction",
                   .what = "angle of friction, peak"},
     JointProperty{.key = "cohesion",
                   .value = &Joint::cohesion,
                   .unit = "Pa",
                   .allowed = Interval::notNegative(),
                   .is_reduced = true,
+                  .in_law = "cohesion",
                   .what = "shear strength without normal stress, peak"},
     JointProperty{.key = "tensile_strength",
                   .value = &Joint::tensile_strength,
                   .unit = "Pa",
                   .allowed = Interval::notNegative(),
+                  .in_law = "tensile_strength",
                   .what = "tension at which it opens"},
     JointProperty{.key = "residual_cohesion",
                   .value = &Joint::residual_cohesion,
                   .unit = "Pa",
                   .allowed = Interval::notNegative(),
                   .is_reduced = true,
+                  .in_law = "residual_cohesion",
                   .what = "cohesion after the first slip or opening"},
     JointProperty{.key = "residual_friction_deg",
                   .value = &Joint::residual_friction,
@@ -95,11 +102,13 @@ inline constexpr std::array kJointProperties{
                   .when_absent = detail::Default::same_as,
                   .same_as = &Joint::friction,
                   .is_reduced = true,
+                  .in_law = "residual_tan_friction",
                   .what = "angle of friction after the first slip"},
     JointProperty{.key = "dilation_deg",
                   .value = &Joint::dilation,
                   .unit = "deg",
                   .allowed = detail::kFrictionDeg,
+                  .in_law = "tan_dilation",
                   .what = "opening per slip, as an angle"},
 };
 inline constexpr std::size_t kJointPropertyCount = kJointProperties.size();

@@ -17,6 +17,8 @@ inline constexpr std::array<double contact::JointLaw::*, kJointPropertyCount> kL
     &contact::JointLaw::tensile_strength,      &contact::JointLaw::residual_cohesion,
     &contact::JointLaw::residual_tan_friction, &contact::JointLaw::tan_dilation};
 
+static_assert(kLawParameters.back() != nullptr, "a property without a parameter of the law");
+
 /// The joints' laws with their strengths over `factor`.
 std::vector<contact::JointLaw> jointLaws(const std::vector<Joint>& joints, double factor = 1.0);
 

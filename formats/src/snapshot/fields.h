@@ -127,6 +127,8 @@ inline constexpr std::array<std::vector<double> fb::LawsT::*, kJointPropertyCoun
     &fb::LawsT::tensile_strength,      &fb::LawsT::residual_cohesion,
     &fb::LawsT::residual_tan_friction, &fb::LawsT::tan_dilation};
 
+static_assert(kJointMessages.back() != nullptr && kLawMessages.back() != nullptr);
+
 template <class Move>
 void eachField(FrameLaws& f, fb::LawsT& m, const Move& move) {
     for (std::size_t p = 0; p < kJointPropertyCount; ++p) move(f.parameters[p], m.*kLawMessages[p]);

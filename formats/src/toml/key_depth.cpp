@@ -1,6 +1,7 @@
 #include "toml/key_depth.h"
 
 #include <algorithm>
+#include <string>
 
 namespace talus::formats::toml {
 

@@ -63,7 +63,8 @@ Scenario rewritten(const std::string& text, const std::vector<std::pair<std::str
     auto document = toml::Document::parse(text, "written.toml");
     REQUIRE(document.ok());
     for (const auto& [field, value] : values) {
-        CAPTURE(field);
+        const std::string& name = field;
+        CAPTURE(name);
         REQUIRE_FALSE(document->set(*toml::parseField(field), value, true).has_value());
     }
     const auto scenario = scenario::readDocument(*document, "", "written.toml");
@@ -75,7 +76,8 @@ Scenario rewritten(const std::string& text, const std::vector<std::pair<std::str
 void checkOverrides(const std::string& text, const std::vector<std::pair<std::string, double>>& values) {
     Scenario scenario = readGood(text);
     for (const auto& [field, value] : values) {
-        CAPTURE(field);
+        const std::string& name = field;
+        CAPTURE(name);
         CHECK(canOverride(scenario, field));
         CHECK(applyOverride(scenario, field, value));
     }

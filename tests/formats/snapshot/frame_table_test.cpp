@@ -155,8 +155,8 @@ TEST_CASE("the schema has the table's arrays, with their types, and no others") 
     });
     for (const auto& [table, names] : seen)
         for (const auto& [name, field] : fieldsOf(typeOf(*in_full.at(table)))) {
-            CAPTURE(table);
-            CAPTURE(name);
+            const std::string place = table + "." + name;
+            CAPTURE(place);
             const bool is_array =
                 field->type()->base_type() == BaseType::Vector || field->type()->base_type() == BaseType::Obj;
             CHECK((names.count(name) == 1) == is_array);
