@@ -26,7 +26,7 @@ Sizes sizesOf(const Model& model) {
     Sizes sizes;
     for (const Block& block : model.blocks) {
         sizes.volume.push_back(massProperties(block.shape).volume);
-        sizes.thickness.push_back(blockThickness(block.shape));
+        sizes.thickness.push_back(smallestExtent(block.shape));
         sizes.total += sizes.volume.back();
     }
     std::sort(sizes.volume.begin(), sizes.volume.end());

@@ -1,7 +1,5 @@
 #include "report/blocks_files.h"
 
-#include <algorithm>
-
 #include "report/csv.h"
 
 namespace talus::tools {
@@ -13,20 +11,6 @@ const char* motionName(Motion motion) {
 }
 
 }  // namespace
-
-double blockThickness(const Polyhedron& shape) {
-    double thinnest = kInfinity;
-    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
-        const Vec3 normal = shape.faceNormal(f);
-        double low = kInfinity, high = -kInfinity;
-        for (const Vec3& v : shape.vertices) {
-            low = std::min(low, normal.dot(v));
-            high = std::max(high, normal.dot(v));
-        }
-        thinnest = std::min(thinnest, high - low);
-    }
-    return thinnest;
-}
 
 std::string blocksObj(const Model& model, std::string_view comments) {
     std::string out(comments);
@@ -54,7 +38,7 @@ std::string blocksCsv(const Model& model, std::string_view comments) {
         out +=
             csvLine({block.name, motionName(block.motion), csvNumber(mass.volume),
                      csvNumber(mass.centroid.x()), csvNumber(mass.centroid.y()), csvNumber(mass.centroid.z()),
-                     std::to_string(block.shape.faces.size()), csvNumber(blockThickness(block.shape))});
+                     std::to_string(block.shape.faces.size()), csvNumber(smallestExtent(block.shape))});
     }
     return out;
 }

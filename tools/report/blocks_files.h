@@ -23,7 +23,4 @@ struct View {
 /// Parallel projection as SVG: the faces that can be seen, free blocks in the colours of rock, fixed ones in grey.
 std::string blocksSvg(const Model& model, const View& view, std::string_view title);
 
-/// Thinnest extent of a block along its face normals [m].
-double blockThickness(const Polyhedron& shape);
-
 }  // namespace talus::tools

@@ -72,4 +72,7 @@ Result<Polyhedron> convexHull(const std::vector<Vec3>& points);
 
 MassProperties massProperties(const Polyhedron& shape);
 
+/// How thick it is: the smallest of its extents along its face normals [m].
+double smallestExtent(const Polyhedron& shape);
+
 }  // namespace talus

@@ -24,21 +24,6 @@ Mat3 principalAxes(const Mat3& inertia, Vec3& moments) {
     return axes;
 }
 
-/// Smallest extent over the face normals: how thick the block is [m].
-double smallestExtent(const Polyhedron& shape) {
-    double smallest = kInfinity;
-    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
-        const Vec3 normal = shape.faceNormal(f);
-        double low = kInfinity, high = -kInfinity;
-        for (const Vec3& v : shape.vertices) {
-            low = std::min(low, normal.dot(v));
-            high = std::max(high, normal.dot(v));
-        }
-        smallest = std::min(smallest, high - low);
-    }
-    return smallest;
-}
-
 /// Slopes are often given in survey coordinates, millions of metres from their origin, where a double resolves no more
 /// than the overlap of a stiff joint. Far from the origin the state's own origin is the middle of the model.
 Vec3 originFor(const Model& model) {

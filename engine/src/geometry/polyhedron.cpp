@@ -1,9 +1,11 @@
 #include "talus/polyhedron.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace talus {
 namespace {
@@ -76,6 +78,21 @@ Result<Polyhedron> makeBox(const Vec3& min, const Vec3& max) {
                                  {0, 2, 6, 4}, {1, 5, 7, 3}};  // -z, +z
     box.faces = kFaces;
     return box;
+}
+
+double smallestExtent(const Polyhedron& shape) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    double smallest = kInfinity;
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+        const Vec3 normal = shape.faceNormal(f);
+        double low = kInfinity, high = -kInfinity;
+        for (const Vec3& v : shape.vertices) {
+            low = std::min(low, normal.dot(v));
+            high = std::max(high, normal.dot(v));
+        }
+        smallest = std::min(smallest, high - low);
+    }
+    return smallest;
 }
 
 }  // namespace talus
