@@ -143,6 +143,13 @@ TEST_CASE("validate: whatever is wrong in a state is found") {
         {"no such face", [](State& s) { s.interfaces.face_b[2] = 6; }},
         {"no such joint", [](State& s) { s.interfaces.joint[2] = -1; }},
         {"its area is not", [=](State& s) { s.interfaces.area[0] = nan; }},
+        {"its kind",
+         [](State& s) {
+             s.interfaces.kind[0] = s.interfaces.kind[0] == InterfaceKind::faces ? InterfaceKind::vertex_edge
+                                                                                 : InterfaceKind::faces;
+         }},
+        {"what places for vertices", [=](State& s) { s.interfaces.idle[patch] = 1; }},
+        {"what places for vertices", [=](State& s) { s.interfaces.travel_left[patch] = 0.1; }},
         {"not orthonormal",
          [=](State& s) {
              InterfaceFrame frame = s.interfaces.frame(patch);
