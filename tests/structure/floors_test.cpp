@@ -26,8 +26,8 @@ struct House {
 const std::vector<House>& houses() {
     static const std::vector<House> all{
         {"engine/src",
-         {"simd", "geometry", "rock_mass", "model", "law", "state", "forces", "measure", "step", "contacts",
-          "build", "frame", "analysis", "limit_analysis", "theory"}},
+         {"simd", "geometry", "rock_mass", "model", "law", "state", "forces", "measure", "validate", "step",
+          "contacts", "build", "frame", "analysis", "limit_analysis", "theory"}},
         {"formats/src", {"toml", "mesh", "scenario", "sweep", "history", "mcap", "snapshot", "export"}},
         {"tools", {"cli", "report", "recording", "inspect", "replay", "batch", "reproduction", "commands"}},
     };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <set>
@@ -193,6 +194,8 @@ OldInterfaces takeInterfaces(State& state) {
 }
 
 CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
+    assert(ahead >= 0 && old.depth.size() == state.blocks.size());
+    assert(old.points.remembers() == state.points.remembers());
     const Interfaces& f = state.interfaces;
     std::map<Key, std::size_t> faces;  // of face to face interfaces
     std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> slots;  // of pairs of blocks
@@ -208,7 +211,10 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
         if (isSharp(f, n)) {
             const auto pair = pairOfBlocks(f, n);
             const auto found = slots.find(pair);
-            if (found != slots.end()) carrySlot(old, found->second[next_slot[pair]++], state, n);
+            if (found == slots.end()) continue;
+            std::size_t& next = next_slot[pair];
+            assert(next < found->second.size());
+            carrySlot(old, found->second[next++], state, n);
             continue;
         }
         const auto found = faces.find(keyOf(f, n));

@@ -28,7 +28,8 @@ OldInterfaces takeInterfaces(State& state);
 /// the same blocks that were there before, else as having slid since the last look. No interface is pressed deeper than its blocks' deepest contact was: one that
 /// is found late counts its gap from there until it opens.
 /// Adds the shear force that was lost because its interface is gone or open to the state's.
-/// \param ahead time between two looks [s]
+/// \param ahead time between two looks, not negative [s]
+/// \pre `old` was taken out of this state, whose interfaces are new and whose points are made (makePoints)
 /// \return what Lps carried that are gone, for the slots
 CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead);
 

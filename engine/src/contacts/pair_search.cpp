@@ -1,6 +1,7 @@
 #include "contacts/pair_search.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <span>
 
@@ -173,6 +174,7 @@ std::vector<BoxPair> nearPairs(const PlacedShapes& placed, double margin, bool p
 void examinePairs(const State& state, double margin, const SlotPairs& with_slots, bool initial, bool parallel,
                   const std::function<void(const PairFinding&)>& take) {
     constexpr std::size_t kPiece = 16384;
+    assert(margin > 0 && std::is_sorted(with_slots.begin(), with_slots.end()));
     const PlacedShapes placed = placeShapes(state, parallel);
     const std::vector<BoxPair> pairs = nearPairs(placed, margin, parallel);
     std::vector<PairFinding> findings;

@@ -25,9 +25,10 @@ struct PairFinding {
 using SlotPairs = std::vector<BoxPair>;
 SlotPairs pairsWithSlots(const Interfaces& interfaces);
 
+/// \pre margin > 0
 /// Examines all pairs of blocks nearer than `margin` [m] and hands what it finds to `take`, pair by pair in order. In
 /// pieces: of a million blocks' thirteen million pairs all findings at once would take more memory than the state.
-/// \param with_slots pairs that keep their slots as long as they are near
+/// \param with_slots pairs that keep their slots as long as they are near, sorted
 /// \param initial    whether the blocks stand as the model has them: then overlaps are looked for
 void examinePairs(const State& state, double margin, const SlotPairs& with_slots, bool initial, bool parallel,
                   const std::function<void(const PairFinding&)>& take);

@@ -1,7 +1,9 @@
 #include "contacts/update.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <cstdio>
 
 #include "contacts/gap_recovery.h"
 #include "contacts/interfaces.h"
@@ -9,8 +11,10 @@
 #include "contacts/vertex_edge.h"
 #include "forces/contact_forces.h"
 #include "forces/sum.h"
+#include "measure/measure.h"
 #include "state/block_motion.h"
 #include "state/incidence.h"
+#include "validate/validate.h"
 
 namespace talus::stages {
 namespace {
@@ -54,10 +58,24 @@ bool movedTooFar(const State& state, double margin) {
     return false;
 }
 
+#ifndef NDEBUG
+/// Whether there are none; else the first is named, which the assertion itself cannot.
+bool areNone(const std::vector<std::string>& findings) {
+    if (!findings.empty()) std::fprintf(stderr, "invalid state: %s\n", findings.front().c_str());
+    return findings.empty();
+}
+
+/// A motion that has run off into infinity is for its run to report, not for an assertion.
+bool isSound(const State& state) { return !isFinite(state) || areNone(validate(state)); }
+bool haveSoundForces(const State& state) { return !isFinite(state) || areNone(validateForces(state)); }
+#endif
+
 }  // namespace
 
 std::vector<Error> findInterfaces(State& state, bool initial, bool parallel) {
-    return makeInterfaces(state, searchMargin(state, 0.0), 0.0, initial, parallel);
+    std::vector<Error> errors = makeInterfaces(state, searchMargin(state, 0.0), 0.0, initial, parallel);
+    assert(!errors.empty() || isSound(state));
+    return errors;
 }
 
 bool refreshInterfaces(State& state, bool parallel, double ahead) {
@@ -65,12 +83,14 @@ bool refreshInterfaces(State& state, bool parallel, double ahead) {
     const bool search = movedTooFar(state, margin) || updateSharpContacts(state, ahead, parallel);
     if (!search) {
         recoverGaps(state);
+        assert(isSound(state));
         return false;
     }
     makeInterfaces(state, margin, ahead, false, parallel);
     // Forces are there again before anything looks at them.
     updateContacts(state, {0, state.interfaces.groups.size()});
     updateBlockForces(state);
+    assert(isSound(state) && haveSoundForces(state));
     return true;
 }
 

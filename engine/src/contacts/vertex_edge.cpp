@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -24,7 +25,8 @@ constexpr double kSamePlace = 1e-9;  // of the smaller block's size: the same ve
 constexpr double kNearPlace =
     0.1;  // of the smaller block's size: what an Lp carried goes to a new one this near
 constexpr double kSameNormal = 0.9;  // cosine, likewise
-constexpr std::size_t kSlots = SharpPoints::kMost;
+constexpr std::size_t kSlots = kPlacesOfPair;
+static_assert(kSlots == SharpPoints::kMost);
 
 /// A block where it is, with its face normals.
 struct Placed {
@@ -267,6 +269,7 @@ std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t i)
 }
 
 void appendSharpSlots(State& state, std::int32_t block_1, std::int32_t block_2) {
+    assert(block_1 != block_2);
     Interfaces& f = state.interfaces;
     const double area =
         sharpArea(*state.geometry, static_cast<std::size_t>(block_1), static_cast<std::size_t>(block_2));
@@ -301,6 +304,7 @@ void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
         for (std::size_t g = range.begin; g < range.end; ++g) {
             const InterfaceGroup& group = f.groups[g];
             if (!isSharp(f, static_cast<std::size_t>(group.begin))) continue;
+            assert(group.size % static_cast<std::int32_t>(kSlots) == 0);
             for (std::int32_t i = 0; i < group.size; i += static_cast<std::int32_t>(kSlots))
                 each(static_cast<std::size_t>(group.begin + i));
         }
@@ -310,6 +314,7 @@ void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
 }  // namespace
 
 bool updateSharpContacts(State& state, double ahead, bool parallel) {
+    assert(ahead >= 0);
     std::atomic<bool> changes = false;
     forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
         Interfaces& f = state.interfaces;
@@ -330,6 +335,7 @@ bool updateSharpContacts(State& state, double ahead, bool parallel) {
 }
 
 void renewSharpContacts(State& state, double ahead, bool parallel, const CarriedPoints& carried) {
+    assert(ahead >= 0 && state.incidence.interface_begin.size() == state.blocks.size() + 1);
     forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
         const Look look = lookAtPair(state, begin, ahead, true);
         state.interfaces.faces_are_apart[begin] = look.no_faces ? 1 : 0;

@@ -25,13 +25,14 @@ using CarriedPoints = std::map<std::pair<std::int32_t, std::int32_t>, std::vecto
 /// What the closed Lps of an interface carry [N, J].
 std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t interface);
 
-/// Appends the idle slots of a pair of blocks.
+/// Appends the idle slots of a pair of blocks. \pre it has none yet
 void appendSharpSlots(State& state, std::int32_t block_1, std::int32_t block_2);
 
 /// Looks at every pair with slots again. A contact at the same vertex and face stays as it is, to the bit; others take
 /// over the shear force of what was there before, and no more energy than it had: a contact found late is not pressed
 /// into its new place, but counts its gap from where it is until it opens.
-/// \param ahead   time until the next look [s]
+/// \param ahead   time until the next look, not negative [s]
+/// \pre incidence is that of the interfaces
 /// Reads:  poses, velocities, shapes
 /// Writes: slots, their Lps, incidence
 /// \return whether a contact of faces has become one of a vertex or edge or the other way round, which only a new search

@@ -1,5 +1,7 @@
 #include "forces/contact_forces.h"
 
+#include <cassert>
+
 #include "forces/contact_view.h"
 #include "forces/relative_pose.h"
 #include "law/points.h"
@@ -73,6 +75,7 @@ double affineAt(const Vec3& f, const Eigen::Vector2d& place) {
 }  // namespace
 
 RelativePose relativePose(const Blocks& blocks, const Interfaces& f, std::size_t i) {
+    assert(i < f.size());
     const InterfaceFrame frame = f.frame(i);
     const FramesOf<double> frames{triple(frame.origin_a),     triple(frame.e1_a), triple(frame.e2_a),
                                   triple(frame.origin_b),     triple(frame.e1_b), triple(frame.e2_b),
@@ -88,6 +91,8 @@ RelativePose relativePose(const State& state, std::size_t i) {
 }
 
 void updateContacts(State& state, Range groups) {
+    assert(groups.begin <= groups.end && groups.end <= state.interfaces.groups.size());
+    assert(state.damping.contact == 0 || state.blocks.angular_velocity.size() == state.blocks.size());
     simd::buildFor(state.instructions, updateContactsScalar, updateContactsAvx2, updateContactsAvx512)(
         contactView(state), groups.begin, groups.end);
 }

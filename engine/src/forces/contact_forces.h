@@ -9,7 +9,8 @@
 
 namespace talus::stages {
 
-/// \pre  interfaces, points and block poses are those of one instant; with contact damping angular_velocity too
+/// \pre  groups of the state; interfaces, points and block poses are those of one instant; with contact damping
+///       angular_velocity too
 /// Reads:  blocks.position, orientation (and velocity, angular_velocity with contact damping); interfaces' frames and
 ///         patches; laws; release
 /// Writes: points' memory; interfaces.force, moment_a, moment_b

@@ -15,6 +15,7 @@
 #include "state/incidence.h"
 #include "state/point_layout.h"
 #include "talus/frame_table.h"
+#include "validate/validate.h"
 
 namespace talus {
 namespace {
@@ -94,10 +95,12 @@ bool pointsFit(const FullFrame& frame, const PointRule& rule, bool dilates) {
     for (const double area : f.area)
         if (!(area > 0)) return false;
     if (f.dilation.size() != (dilates ? f.size() : 0)) return false;
-    for (std::size_t i = 0; i < frame.interfaces.size(); ++i)
-        if (frame.interfaces.point_begin[i + 1] - frame.interfaces.point_begin[i] !=
-            static_cast<std::int64_t>(contact::pointCount(outlineOf(frame.interfaces, i), rule)))
+    for (std::size_t i = 0; i < frame.interfaces.size(); ++i) {
+        const std::vector<Eigen::Vector2d> outline = outlineOf(frame.interfaces, i);
+        if (outline.size() == 2 || frame.interfaces.point_begin[i + 1] - frame.interfaces.point_begin[i] !=
+                                       static_cast<std::int64_t>(contact::pointCount(outline, rule)))
             return false;
+    }
     return true;
 }
 
@@ -122,6 +125,9 @@ void restorePatches(const FullFrame& frame, State& state) {
     Interfaces& interfaces = state.interfaces;
     interfaces.groups.clear();
     interfaces.slot.clear();
+    interfaces.frames = LaneArray(kFrameQuantities);
+    interfaces.corners = LaneArray(kCornerQuantities);
+    interfaces.wrenches.clear();
     for (std::size_t i = 0; i < f.size(); ++i) {
         const std::vector<Eigen::Vector2d> outline = outlineOf(f, i);
         addToGroups(interfaces, outline.size(),
@@ -209,6 +215,8 @@ std::vector<Error> restoreFrame(const FullFrame& frame, State& state) {
     stages::finishWalls(state);
     if (stages::stateHash(state) != frame.state_hash)
         return {{"full.state_hash", "is not the hash of the frame's own values: the frame is damaged"}};
+    if (const std::vector<std::string> findings = validate(state); !findings.empty())
+        return {{"full", findings.front() + "; allowed: a frame as a run writes it"}};
     return {};
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "contacts/vertex_edge_points.h"
+#include "state/incidence.h"
 
 namespace talus {
 namespace {
 
-constexpr std::size_t kPlaces = SharpPoints::kMost;
+constexpr std::size_t kPlaces = stages::kPlacesOfPair;
 
 /// Which of its pair's places an interface is.
 std::size_t placeOf(const Interfaces& f, std::size_t i) {

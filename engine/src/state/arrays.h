@@ -4,6 +4,7 @@
 // back to the last stable state.
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -152,7 +153,10 @@ struct ContactPoints {
         memory.set(slot, 1, along_2);
     }
     /// \pre remembers()
-    void setBond(std::size_t slot, double bond) { memory.set(slot, 2, bond); }
+    void setBond(std::size_t slot, double bond) {
+        assert(remembers());
+        memory.set(slot, 2, bond);
+    }
 };
 
 /// Walls that water pushes on: polygons fixed to a block.

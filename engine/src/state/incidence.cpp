@@ -1,10 +1,23 @@
 #include "state/incidence.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace talus::stages {
+namespace {
 
-bool isSharp(const Interfaces& f, std::size_t i) { return f.kind[i] == InterfaceKind::vertex_edge; }
+#ifndef NDEBUG
+bool isBlockOf(const Incidence& incidence, std::int32_t block) {
+    return block >= 0 && static_cast<std::size_t>(block) + 1 < incidence.interface_begin.size();
+}
+#endif
+
+}  // namespace
+
+bool isSharp(const Interfaces& f, std::size_t i) {
+    assert(i < f.size());
+    return f.kind[i] == InterfaceKind::vertex_edge;
+}
 
 bool isIdle(const Interfaces& f, std::size_t i) { return f.idle[i] != 0; }
 
@@ -22,6 +35,7 @@ void buildIncidence(State& state) {
     Incidence& incidence = state.incidence;
     const Interfaces& f = state.interfaces;
     const std::size_t n = state.blocks.size();
+    assert(f.block_b.size() == f.size() && f.slot.size() == f.size());
     incidence.interface_begin.assign(n + 1, 0);
     for (std::size_t i = 0; i < f.size(); ++i) {
         ++incidence.interface_begin[static_cast<std::size_t>(f.block_a[i]) + 1];
@@ -43,6 +57,7 @@ void buildIncidence(State& state) {
 
 std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int32_t block_2) {
     const Incidence& incidence = state.incidence;
+    assert(isBlockOf(incidence, block_1) && isBlockOf(incidence, block_2));
     // The block with fewer interfaces knows them all: a floor may have thousands.
     const auto count = [&](std::int32_t b) {
         return incidence.interface_begin[static_cast<std::size_t>(b) + 1] -
@@ -68,6 +83,7 @@ std::int32_t interfaceOfFaces(const State& state, std::int32_t block_1, std::int
                               std::int32_t block_2, std::int32_t face_2) {
     const Incidence& incidence = state.incidence;
     const Interfaces& f = state.interfaces;
+    assert(isBlockOf(incidence, block_1) && isBlockOf(incidence, block_2));
     const auto rowBegin = [&](std::int32_t b) {
         return incidence.interface_begin[static_cast<std::size_t>(b)];
     };

@@ -5,6 +5,9 @@
 
 namespace talus::stages {
 
+/// Interfaces that a pair of blocks has for its vertices and edges, if it has any.
+inline constexpr std::size_t kPlacesOfPair = 4;
+
 /// Whether an interface is a place for a vertex or an edge, and whether that place touches nothing now.
 bool isSharp(const Interfaces& interfaces, std::size_t interface);
 bool isIdle(const Interfaces& interfaces, std::size_t interface);

@@ -2,6 +2,7 @@
 // Records of interfaces, corners and Lps as the kernels read them: kLanes of them side by side, quantity by quantity, so
 // that a register takes one quantity of several with one load and everything one group needs lies in one piece.
 
+#include <cassert>
 #include <cstddef>
 
 #include "simd/scalar.h"
@@ -9,7 +10,7 @@
 
 namespace talus {
 
-/// `Quantities` doubles in each slot. Slots come in rows of kLanes; quantity q of slot s lies at
+/// `quantities` doubles in each slot. Slots come in rows of kLanes; quantity q of slot s lies at
 /// row * Quantities * kLanes + q * kLanes + lane.
 class LaneArray {
  public:
@@ -19,7 +20,10 @@ class LaneArray {
     std::size_t slots() const { return values_.size() / quantities_; }
     std::size_t quantities() const { return quantities_; }
     /// Makes more slots; the new ones are zero. \pre slots is a multiple of kLanes, and not less than slots()
-    void grow(std::size_t slots) { values_.grow(slots * quantities_); }
+    void grow(std::size_t slots) {
+        assert(slots % kWidth == 0 && slots >= this->slots());
+        values_.grow(slots * quantities_);
+    }
 
     double get(std::size_t slot, std::size_t quantity) const { return values_[place(slot, quantity)]; }
     double& at(std::size_t slot, std::size_t quantity) { return values_[place(slot, quantity)]; }
@@ -34,6 +38,7 @@ class LaneArray {
     static constexpr auto kWidth = static_cast<std::size_t>(simd::kLanes);
 
     std::size_t place(std::size_t slot, std::size_t quantity) const {
+        assert(slot < slots() && quantity < quantities_);
         return slot / kWidth * kWidth * quantities_ + quantity * kWidth + slot % kWidth;
     }
 

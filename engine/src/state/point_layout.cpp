@@ -1,12 +1,14 @@
 #include "state/point_layout.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "law/points.h"
 
 namespace talus {
 
 void addToGroups(Interfaces& f, std::size_t corners, std::size_t points) {
+    assert((corners >= 3 && points >= 1) || (corners == 1 && points == 1));
     const auto m = static_cast<std::int32_t>(corners), n = static_cast<std::int32_t>(points);
     if (f.groups.empty() || f.groups.back().size == simd::kLanes || f.groups.back().corners != m ||
         f.groups.back().points != n) {
@@ -26,6 +28,7 @@ void addToGroups(Interfaces& f, std::size_t corners, std::size_t points) {
 }
 
 void placeCorners(Interfaces& f, std::size_t i, const std::vector<Eigen::Vector2d>& outline) {
+    assert(i < f.slot.size() && outline.size() == f.cornerCount(i));
     const std::size_t slots = static_cast<std::size_t>(f.groupOf(i).first_corner) +
                               outline.size() * static_cast<std::size_t>(simd::kLanes);
     if (f.corners.slots() < slots) f.corners.grow(slots);
@@ -69,6 +72,7 @@ std::vector<contact::PatchPoint> interfacePoints(const Interfaces& f, std::size_
 
 void makePoints(State& state) {
     const Interfaces& f = state.interfaces;
+    assert(f.slot.size() == f.size() && f.area.size() == f.size());
     ContactPoints& points = state.points;
     points = {};
     std::size_t slots = 0;
@@ -87,6 +91,7 @@ void makePoints(State& state) {
     for (std::size_t i = 0; i < f.size(); ++i) {
         std::size_t k = 0;
         for (const contact::PatchPoint& point : interfacePoints(f, i, rule)) {
+            assert(k < f.pointCount(i));
             const std::size_t slot = f.pointSlot(i, k++);
             points.places.set(slot, 0, point.position.x());
             points.places.set(slot, 1, point.position.y());

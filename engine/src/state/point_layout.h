@@ -9,9 +9,10 @@
 namespace talus {
 
 /// Puts the next interface into a group: the last one if it has room and the shape is the same, else a new one.
+/// \pre corners >= 3, or one corner and one point
 void addToGroups(Interfaces& interfaces, std::size_t corners, std::size_t points);
 
-/// Stores the patch of an interface whose group is known; corners counter-clockwise from its origin along e1, e2 [m].
+/// Stores the patch of an interface whose group is known and has as many corners; corners counter-clockwise from its origin along e1, e2 [m].
 void placeCorners(Interfaces& interfaces, std::size_t interface, const std::vector<Eigen::Vector2d>& outline);
 
 /// The corners again.

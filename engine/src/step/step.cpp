@@ -1,5 +1,8 @@
 #include "step/step.h"
 
+#include <cassert>
+#include <cmath>
+
 #include "forces/contact_forces.h"
 #include "forces/sum.h"
 #include "state/block_motion.h"
@@ -23,6 +26,7 @@ void updateForces(State& state, bool parallel) {
 
 void advance(State& state, const StepOptions& options, int steps, const SetLoad& set_load) {
     const double dt = options.time_step;
+    assert(steps >= 0 && dt > 0 && std::isfinite(dt));
     const auto onBlocks = [&](void (*stage)(State&, Range, double)) {
         forRange(state.blocks.size(), kBlocksPerTask, options.parallel,
                  [&](Range range) { stage(state, range, dt); });

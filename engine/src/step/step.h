@@ -27,6 +27,7 @@ using SetLoad = std::function<void(int k)>;
 /// Forces for the state as it stands (at the start, or after loads changed by hand); poses and velocities stay.
 void updateForces(State& state, bool parallel);
 
+/// \pre a positive time step; forces of the state as it stands
 /// Steps of kick-drift-kick; the same bits however many are taken at once. No allocation.
 void advance(State& state, const StepOptions& options, int steps = 1, const SetLoad& set_load = {});
 

@@ -9,17 +9,6 @@ using namespace talus::test;
 
 namespace {
 
-/// A polyhedron with its normals: owns what a WorldShape refers to.
-struct Placed {
-    Polyhedron shape;
-    std::vector<Vec3> normals;
-
-    explicit Placed(Polyhedron polyhedron) : shape(std::move(polyhedron)) {
-        for (std::size_t f = 0; f < shape.faces.size(); ++f) normals.push_back(shape.faceNormal(f));
-    }
-    WorldShape world() const { return {shape.vertices, shape.faces, normals}; }
-};
-
 const FacePairLimits kLimits{.max_gap = 1e-3, .max_overlap = 1e-3, .max_angle = 1e-3};
 
 std::vector<FacePair> facePairs(const Polyhedron& a, const Polyhedron& b,

@@ -12,6 +12,7 @@
 #include "step/motion.h"
 #include "step/step.h"
 #include "support/models.h"
+#include "support/validated.h"
 
 using namespace talus;
 using namespace talus::test;
@@ -137,6 +138,7 @@ TEST_SUITE("stages") {
         const Vec3 before = stages::outOfBalance(state, 1, Vec3::Zero()).force;
         CHECK(before.x() == doctest::Approx(1e4 * std::tan(radians(30))));
         REQUIRE(stages::refreshInterfaces(state, false, 0));
+        checkValid(state, true);
         CHECK(stages::relativePose(state, 0).slide_1.head<1>().norm() < 1e-12);
         stages::updateForces(state, false);
         const Vec3 after = stages::outOfBalance(state, 1, Vec3::Zero()).force;
@@ -146,8 +148,10 @@ TEST_SUITE("stages") {
     TEST_CASE("nothing is searched again while nothing moves") {
         State state = *buildState(stackModel(3, 3, 1, 30), false);
         CHECK_FALSE(stages::refreshInterfaces(state, false, 0));
+        checkValid(state);
         state.blocks.position[1].x += 1e-6;
         CHECK_FALSE(stages::refreshInterfaces(state, false, 0));
+        checkValid(state);
     }
 
     TEST_CASE("a falling block meets the floor; none is missed however fast") {
@@ -162,7 +166,7 @@ TEST_SUITE("stages") {
             double lowest = 1;
             for (int k = 0; state.blocks.velocity.z[1] < 0 && k < 2'000'000; ++k) {
                 stages::advance(state, {dt, false});
-                if (k % 10 == 0) stages::refreshInterfaces(state, false, 10 * dt);
+                if (k % 10 == 0 && stages::refreshInterfaces(state, false, 10 * dt)) checkValid(state, true);
                 lowest = std::min(lowest, state.blocks.position[1].z - 0.1);
             }
             CHECK(state.interfaces.size() == 1);
@@ -184,7 +188,10 @@ TEST_SUITE("stages") {
         for (int k = 0; k < 5000; ++k) {
             stages::advance(state, {dt, false});
             if (k % 10 != 0) continue;
-            stages::refreshInterfaces(state, false, 10 * dt);
+            if (stages::refreshInterfaces(state, false, 10 * dt))
+                checkValid(state, true);
+            else
+                checkValid(state);
             deepest = std::max(deepest, -separation(placedShape(state, 1), placedShape(state, 2)));
         }
         // On four vertices' areas v sqrt(m / k) = 6.4e-4 m, with a quarter of the mass, for it turns away; and what it

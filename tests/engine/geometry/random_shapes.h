@@ -8,9 +8,11 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "geometry/polygon.h"
+#include "geometry/world_shape.h"
 #include "talus/polyhedron.h"
 
 namespace talus::test {
@@ -44,6 +46,17 @@ inline Polyhedron moved(Polyhedron shape, const Mat3& rotation, const Vec3& shif
     for (Vec3& v : shape.vertices) v = rotation * v + shift;
     return shape;
 }
+
+/// A polyhedron with its normals: owns what a WorldShape refers to.
+struct Placed {
+    Polyhedron shape;
+    std::vector<Vec3> normals;
+
+    explicit Placed(Polyhedron polyhedron) : shape(std::move(polyhedron)) {
+        for (std::size_t f = 0; f < shape.faces.size(); ++f) normals.push_back(shape.faceNormal(f));
+    }
+    WorldShape world() const { return {shape.vertices, shape.faces, normals}; }
+};
 
 inline Polyhedron box(const Vec3& min, const Vec3& max) { return *makeBox(min, max); }
 

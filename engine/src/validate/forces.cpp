@@ -1,0 +1,102 @@
+#include <cmath>
+
+#include "forces/contact_forces.h"
+#include "measure/measure.h"
+#include "state/incidence.h"
+#include "validate/findings.h"
+#include "validate/validate.h"
+
+namespace talus {
+namespace {
+
+using stages::PointState;
+using stages::RelativePose;
+
+constexpr double kSame = 1e-9;    // of the sum of magnitudes
+constexpr double kPlace = 1e-10;  // of the patch's size: rounding of places, which stiffness makes a force
+
+/// What the contact points of an interface add up to.
+struct PointSum {
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< on b; about the interface's origin [N, N m]
+    double magnitude = 0;                              ///< of the forces, all of one sign [N]
+    double energy = 0;                                 ///< of the springs' lengths [J]
+    bool dilates = false;                              ///< a slip that the next call of the law feels
+};
+
+double affineAt(const Vec3& f, const Eigen::Vector2d& at) { return f.x() + at.x() * f.y() + at.y() * f.z(); }
+
+/// What it takes to bring a closed contact point's springs to the lengths they have: not by way of their forces, which
+/// elasticEnergy takes. Where strength cuts a force, that tells the length.
+double springEnergy(const contact::JointLaw& law, const RelativePose& pose, const PointState& point) {
+    const contact::PointForce& force = point.force;
+    if (force.open) return 0;
+    const double overlap = force.normal < 0 ? contact::overlapFor(law, point.area, force.normal)
+                                            : point.memory.dilation - affineAt(pose.gap, point.position);
+    const double slid = force.slips
+                            ? contact::offsetFor(law, point.area, std::hypot(force.shear_1, force.shear_2))
+                            : std::hypot(point.memory.offset_1 - affineAt(pose.slide_1, point.position),
+                                         point.memory.offset_2 - affineAt(pose.slide_2, point.position));
+    return contact::energyToPress(law, point.area, 0.0, overlap) +
+           0.5 * contact::stiffnessOf(law).shear * point.area * slid * slid;
+}
+
+PointSum sumOver(const State& state, std::size_t i, const RelativePose& pose) {
+    PointSum sum;
+    const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
+    for (const PointState& point : stages::pointStates(state, i)) {
+        const Vec3 force =
+            point.force.shear_1 * pose.e1 + point.force.shear_2 * pose.e2 + point.force.normal * pose.e3;
+        const Vec3 place = (point.position.x() + affineAt(pose.slide_1, point.position)) * pose.e1 +
+                           (point.position.y() + affineAt(pose.slide_2, point.position)) * pose.e2;
+        sum.force += force;
+        sum.moment += place.cross(force);
+        sum.magnitude += force.norm();
+        sum.energy += springEnergy(law, pose, point);
+        sum.dilates = sum.dilates || (law.tan_dilation != 0 && point.force.slips);
+    }
+    return sum;
+}
+
+void checkInterface(const State& state, std::size_t i, PointSum& all, Findings& findings) {
+    const Interfaces& f = state.interfaces;
+    const RelativePose pose = stages::relativePose(state, i);
+    const PointSum sum = sumOver(state, i, pose);
+    all.energy += sum.energy;
+    all.dilates = all.dilates || sum.dilates;
+    if (stages::isIdle(f, i))
+        findings.expect(sum.magnitude == 0, "interface", i, "it is idle and carries something");
+    const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
+    const InterfaceWrench& wrench = f.wrench(i);
+    const Vec3 x_a = state.blocks.position.get(a), x_b = state.blocks.position.get(b);
+    const double length = std::sqrt(f.area[i]),
+                 reach = (pose.origin - x_a).norm() + (pose.origin - x_b).norm() + length;
+    const double balance =
+        kSame * (wrench.force.norm() * reach + wrench.moment_a.norm() + wrench.moment_b.norm());
+    findings.expect((wrench.moment_a + wrench.moment_b + (x_b - x_a).cross(wrench.force)).norm() <= balance,
+                    "interface", i, "its wrenches on the two blocks are not opposite");
+    if (state.damping.contact > 0 || sum.dilates) return;
+    const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
+    const double stiffness = contact::largestStiffness(law) * f.area[i];
+    const double rounding = kSame * sum.magnitude + kPlace * stiffness * length;
+    findings.expect((wrench.force - sum.force).norm() <= rounding, "interface", i,
+                    "its force is not the sum over its contact points");
+    const Vec3 moment_b = (pose.origin - x_b).cross(sum.force) + sum.moment;
+    findings.expect((wrench.moment_b - moment_b).norm() <= rounding * reach, "interface", i,
+                    "its moment is not the sum over its contact points");
+}
+
+}  // namespace
+
+std::vector<std::string> validateForces(const State& state) {
+    Findings findings;
+    PointSum all;
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i) checkInterface(state, i, all, findings);
+    const double elastic = stages::elasticEnergy(state);
+    findings.expect(stages::kineticEnergy(state) >= 0 && elastic >= 0, "an energy is negative");
+    if (!all.dilates)
+        findings.expect(std::abs(elastic - all.energy) <= kSame * elastic,
+                        "the elastic energy is not that of the springs");
+    return findings.take();
+}
+
+}  // namespace talus

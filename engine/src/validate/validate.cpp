@@ -1,0 +1,17 @@
+#include "validate/validate.h"
+
+#include "validate/findings.h"
+
+namespace talus {
+
+std::vector<std::string> validate(const State& state) {
+    Findings findings;
+    for (const auto part :
+         {checkBlocks, checkLayout, checkFrames, checkPlaces, checkPoints, checkIncidence, checkWalls}) {
+        part(state, findings);
+        if (!findings.none()) break;  // what comes after indexes arrays that this part has looked at
+    }
+    return findings.take();
+}
+
+}  // namespace talus

@@ -1,0 +1,135 @@
+// The continuation of a failing state, on bodies whose motion is known.
+
+#include "analysis/failure_mode.h"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+
+#include "build/build.h"
+#include "contacts/update.h"
+#include "step/step.h"
+#include "support/models.h"
+#include "support/validated.h"
+
+using namespace talus;
+using namespace talus::test;
+using analysis::Failure;
+
+namespace {
+
+constexpr double kGravity = 9.81, kDensity = 2700;
+
+/// A box of width x height on the floor, tilted, under its weight at once.
+State tiltedBox(double width, double height, double tilt_deg, double friction_deg) {
+    Model model = floorModel(friction_deg, 1e8);
+    addBox(model, "box", {0, 0, 0}, {width, 1, height}, kDensity);
+    model.gravity.tilt = radians(tilt_deg);
+    return *buildState(model, false);
+}
+
+/// What its weight presses a box into the floor [m].
+double deflection(double height) { return kDensity * kGravity * height / 1e8; }
+
+Failure continued(State& state, double height, const Control& control = {}) {
+    Failure failure = analysis::continueFailure(state, deflection(height), control, false);
+    checkValid(state);
+    return failure;
+}
+
+}  // namespace
+
+TEST_SUITE("analysis") {
+    TEST_CASE(
+        "continueFailure: a flat box beyond its friction angle slides, as far and as fast as Coulomb lets "
+        "it") {
+        State state = tiltedBox(1, 0.3, 30, 20);
+        const Failure failure = continued(state, 0.3);
+        CHECK((failure.mode == FailureMode::sliding));
+        CHECK(failure.confirmed);
+        CHECK_FALSE(failure.at_rest);
+        CHECK(failure.moving_blocks == std::vector<std::string>{"box"});
+        REQUIRE(failure.motions.size() == 1);
+        const BlockMotion& motion = failure.motions[0];
+        CHECK(motion.moving);
+        CHECK((motion.mode == FailureMode::sliding));
+        CHECK(motion.translation.x() < 0);
+        CHECK(motion.rotation_share < 0.2);
+        CHECK(motion.mobilised_friction > 0.9);
+        CHECK(failure.motion >= 10 * deflection(0.3));
+        // From rest, at least until it has gone ten deflections: g (sin - cos tan) t^2 / 2, less what settling takes.
+        const double a = kGravity * (std::sin(radians(30)) - std::cos(radians(30)) * std::tan(radians(20)));
+        CHECK(-motion.translation.x() ==
+              doctest::Approx(0.5 * a * failure.seconds * failure.seconds).epsilon(0.15));
+        CHECK(failure.seconds == doctest::Approx(static_cast<double>(failure.steps) * failure.time_step));
+    }
+
+    TEST_CASE("continueFailure: a slender column beyond its toe topples, about that toe") {
+        State state = tiltedBox(0.3, 1, 25, 50);  // atan(0.3) = 16.7 degrees
+        const Failure failure = continued(state, 1);
+        CHECK((failure.mode == FailureMode::toppling));
+        CHECK(failure.confirmed);
+        REQUIRE(failure.motions.size() == 1);
+        CHECK((failure.motions[0].mode == FailureMode::toppling));
+        CHECK(failure.motions[0].rotation_share > 0.4);
+        CHECK(failure.motions[0].open_share > 0.25);  // the upper third at least
+        // The lower edge x = 0 stays where it is: the centroid's way is the turn times its distance from there.
+        const double arm = std::hypot(0.15, 0.5);
+        CHECK(failure.motions[0].translation.norm() ==
+              doctest::Approx(arm * failure.motions[0].rotation).epsilon(0.1));
+    }
+
+    TEST_CASE("continueFailure: what only settles comes to rest, and is no failure") {
+        State state = tiltedBox(1, 0.3, 10, 30);
+        const Failure failure = continued(state, 0.3);
+        CHECK(failure.at_rest);
+        CHECK_FALSE(failure.confirmed);
+        CHECK(failure.motion < 5 * deflection(0.3));
+        CHECK((failure.mode == FailureMode::none));
+        CHECK(failure.moving_blocks.empty());
+        REQUIRE(failure.motions.size() == 1);
+        CHECK_FALSE(failure.motions[0].moving);
+    }
+
+    TEST_CASE("continueFailure: of two boxes only the one that slides is named, and the mode is its own") {
+        Model model = floorModel(35, 1e8);
+        model.joints.push_back(joint(15, 1e8));
+        addBox(model, "stays", {3, 0, 0}, {1, 1, 0.3}, kDensity);
+        addBox(model, "slides", {0, 0, 0}, {1, 1, 0.3}, kDensity);
+        model.blocks[2].face_joint.assign(6, 1);
+        model.gravity.tilt = radians(25);
+        State state = *buildState(model, false);
+        const Failure failure = continued(state, 0.3);
+        CHECK((failure.mode == FailureMode::sliding));
+        CHECK(failure.moving_blocks == std::vector<std::string>{"slides"});
+        REQUIRE(failure.motions.size() == 2);
+        CHECK_FALSE(failure.motions[0].moving);
+        CHECK((failure.motions[0].mode == FailureMode::none));
+        CHECK((failure.motions[1].mode == FailureMode::sliding));
+    }
+
+    TEST_CASE("continueFailure: a column that topples beside a block that slides is mixed") {
+        Model model = floorModel(50, 1e8);
+        model.joints.push_back(joint(10, 1e8));
+        addBox(model, "topples", {3, 0, 0}, {0.3, 1, 1}, kDensity);
+        addBox(model, "slides", {0, 0, 0}, {1, 1, 0.3}, kDensity);
+        model.blocks[2].face_joint.assign(6, 1);
+        model.gravity.tilt = radians(25);
+        State state = *buildState(model, false);
+        const Failure failure = continued(state, 1);
+        CHECK((failure.mode == FailureMode::mixed));
+        REQUIRE(failure.motions.size() == 2);
+        CHECK((failure.motions[0].mode == FailureMode::toppling));
+        CHECK((failure.motions[1].mode == FailureMode::sliding));
+    }
+
+    TEST_CASE("continueFailure: an interrupted one says how far it came") {
+        const std::atomic<bool> stop{true};
+        State state = tiltedBox(1, 0.3, 30, 20);
+        const Failure failure = continued(state, 0.3, Control{.stop = &stop});
+        CHECK(failure.steps == 0);
+        CHECK(failure.motion == 0);
+        CHECK_FALSE(failure.confirmed);
+        CHECK((failure.mode == FailureMode::none));
+    }
+}

@@ -1,0 +1,198 @@
+// The search of pairs against all pairs of blocks, one by one.
+
+#include "contacts/pair_search.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "build/build.h"
+#include "contacts/limits.h"
+#include "engine/geometry/random_shapes.h"
+#include "geometry/separation.h"
+#include "state/placed_shape.h"
+#include "support/models.h"
+
+using namespace talus;
+using namespace talus::test;
+using stages::PairFinding;
+
+namespace {
+
+using Findings = std::map<BoxPair, PairFinding>;
+
+Findings examine(const State& state, double margin, bool initial, bool parallel,
+                 const stages::SlotPairs& with_slots = {}) {
+    Findings findings;
+    BoxPair last{-1, -1};
+    stages::examinePairs(state, margin, with_slots, initial, parallel, [&](const PairFinding& finding) {
+        if (finding.block_a == finding.block_b) return;  // neither of the two can move
+        const BoxPair pair = std::minmax(finding.block_a, finding.block_b);
+        CHECK(last < pair);  // in order, each once
+        last = pair;
+        findings[pair] = finding;
+    });
+    return findings;
+}
+
+/// Hulls and boxes of different sizes over a floor, some of them fixed, apart or overlapping by up to `deep` of their size:
+/// built apart, then moved by hand.
+State packing(Random& random, int blocks, double spread) {
+    Model model = floorModel(30);
+    for (int b = 0; b < blocks; ++b) {
+        const double size = random.uniform(0.1, 0.5);
+        Block block = box("block " + std::to_string(b), Vec3::Zero(), Vec3::Constant(size));
+        if (b % 3 != 0) {
+            std::vector<Vec3> points = randomPoints(random, 10);
+            for (Vec3& x : points) x *= size;
+            block.shape = *convexHull(points);
+            block.face_joint.assign(block.shape.faces.size(), 0);
+        }
+        for (Vec3& v : block.shape.vertices) v += Vec3(0, 0, 10.0 + 3.0 * b);
+        block.motion = b % 7 == 6 ? Motion::fixed : Motion::free;
+        model.blocks.push_back(block);
+    }
+    State state = *buildState(model, false);
+    for (std::size_t b = 1; b < state.blocks.size(); ++b) {
+        state.blocks.position.set(
+            b, {random.uniform(0, spread), random.uniform(0, spread), random.uniform(0.2, spread)});
+        const Eigen::Quaterniond turn(random.rotation());
+        state.blocks.orientation[b] = {turn.w(), turn.x(), turn.y(), turn.z()};
+    }
+    return state;
+}
+
+bool moves(const State& state, std::int32_t block) {
+    return state.blocks.motion[static_cast<std::size_t>(block)] == Motion::free;
+}
+
+template <class Each>
+void forAllPairs(const State& state, const Each& each) {
+    std::vector<Polyhedron> shapes;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) shapes.push_back(placedShape(state, b));
+    for (std::int32_t a = 0; a < static_cast<std::int32_t>(shapes.size()); ++a)
+        for (std::int32_t b = a + 1; b < static_cast<std::int32_t>(shapes.size()); ++b)
+            if (moves(state, a) || moves(state, b))
+                each(a, b, shapes[static_cast<std::size_t>(a)], shapes[static_cast<std::size_t>(b)]);
+}
+
+double smallerSize(const State& state, std::int32_t a, std::int32_t b) {
+    return std::min(state.geometry->size[static_cast<std::size_t>(a)],
+                    state.geometry->size[static_cast<std::size_t>(b)]);
+}
+
+bool has(const Findings& findings, BoxPair pair) {
+    const auto found = findings.find(pair);
+    return found != findings.end() && (!found->second.faces.empty() || found->second.may_meet_sharply);
+}
+
+void checkSame(const Findings& a, const Findings& b) {
+    REQUIRE(a.size() == b.size());
+    for (const auto& [pair, one] : a) {
+        const auto other = b.find(pair);
+        REQUIRE(other != b.end());
+        CHECK(one.block_a == other->second.block_a);
+        CHECK(one.may_meet_sharply == other->second.may_meet_sharply);
+        CHECK(one.overlaps == other->second.overlaps);
+        CHECK(one.depth == other->second.depth);
+        REQUIRE(one.faces.size() == other->second.faces.size());
+        for (std::size_t k = 0; k < one.faces.size(); ++k) {
+            CHECK(one.faces[k].face_a == other->second.faces[k].face_a);
+            CHECK(one.faces[k].gap == other->second.faces[k].gap);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_SUITE("stages") {
+    TEST_CASE(
+        "examinePairs: of random packings no pair that touches is missed and none that is far is found") {
+        Random random(91);
+        int touching = 0, far = 0;
+        for (int trial = 0; trial < 6; ++trial) {
+            CAPTURE(trial);
+            const State state = packing(random, 30, trial % 2 == 0 ? 2.0 : 3.5);
+            const double margin = 0.02;
+            const Findings findings = examine(state, margin, false, false);
+            forAllPairs(state, [&](std::int32_t a, std::int32_t b, const Polyhedron& first,
+                                   const Polyhedron& second) {
+                CAPTURE(a);
+                CAPTURE(b);
+                const double apart = separation(first, second), size = smallerSize(state, a, b);
+                if (apart <= 0) {
+                    ++touching;
+                    CHECK(has(findings, {a, b}));
+                }
+                // What it foresees beside the margin.
+                const double reach = margin + 2.0 * (stages::kTravelLimit + stages::kTurnLimit) * size;
+                if (apart <= reach) return;
+                ++far;
+                CHECK_FALSE(has(findings, {a, b}));
+            });
+            for (const auto& [pair, finding] : findings)
+                CHECK((moves(state, pair.first) || moves(state, pair.second)));
+            checkSame(findings, examine(state, margin, false, true));
+        }
+        CHECK(touching > 50);
+        CHECK(far > 1000);
+    }
+
+    TEST_CASE("examinePairs: at the start it finds every overlap, and its depth") {
+        Random random(92);
+        int overlapping = 0;
+        for (int trial = 0; trial < 4; ++trial) {
+            const State state = packing(random, 30, 2.2);
+            const Findings findings = examine(state, 0.02, true, trial % 2 == 0);
+            forAllPairs(state, [&](std::int32_t a, std::int32_t b, const Polyhedron& first,
+                                   const Polyhedron& second) {
+                CAPTURE(a);
+                CAPTURE(b);
+                const double depth = -separation(first, second);
+                const auto found = findings.find({a, b});
+                const bool said = found != findings.end() && found->second.overlaps;
+                CHECK(said == (depth > stages::kClosedGap * smallerSize(state, a, b)));
+                if (!said) return;
+                ++overlapping;
+                CHECK(found->second.depth == within(1e-9, depth));
+            });
+        }
+        CHECK(overlapping > 30);
+    }
+
+    TEST_CASE("examinePairs: the faces of a pressed pair are those that findFacePairs finds there") {
+        const State state = *buildState(stackModel(5, 4, 3, 30), false);
+        const double margin = 0.005;
+        const Findings findings = examine(state, margin, false, false);
+        std::size_t faces = 0;
+        forAllPairs(
+            state, [&](std::int32_t a, std::int32_t b, const Polyhedron& first, const Polyhedron& second) {
+                const Placed placed_1(first), placed_2(second);
+                const auto expected = findFacePairs(
+                    placed_1.world(), placed_2.world(),
+                    {.max_gap = margin, .max_overlap = margin, .max_angle = 1e-3}, Reference::face_a);
+                const auto found = findings.find({a, b});
+                REQUIRE((found == findings.end() ? 0 : found->second.faces.size()) == expected.size());
+                faces += expected.size();
+                if (expected.empty()) return;
+                const bool in_order = found->second.block_a == a;
+                CHECK(expected[0].face_a ==
+                      (in_order ? found->second.faces[0].face_a : found->second.faces[0].face_b));
+                CHECK(expected[0].face_b ==
+                      (in_order ? found->second.faces[0].face_b : found->second.faces[0].face_a));
+                CHECK(area(found->second.faces[0].patch) == within(1e-9, area(expected[0].patch)));
+            });
+        CHECK(faces == 4 * 4 * 3 + 5 * 3 * 3 + 5 * 3 + 5 * 4 * 2);
+    }
+
+    TEST_CASE("examinePairs: a pair keeps its places for vertices and edges as long as it is near") {
+        const State state = *buildState(stackModel(2, 1, 1, 30), false);
+        const auto mayMeet = [&](const stages::SlotPairs& with_slots) {
+            return examine(state, 0.005, false, false, with_slots).at({1, 2}).may_meet_sharply;
+        };
+        CHECK_FALSE(mayMeet({}));
+        CHECK(mayMeet({{0, 1}, {1, 2}}));
+        CHECK_FALSE(mayMeet({{0, 1}}));
+    }
+}
