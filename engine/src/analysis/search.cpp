@@ -22,7 +22,9 @@ namespace {
 
 constexpr double kOverload = 8.0;  // cells beyond the failing load at which the continuation runs
 constexpr int kAttempts = 3;  // with half the time step and longer windows, when a failure is not confirmed
-constexpr int kMostReopenings = 3;  // times a failing motion may come to rest before the search gives up
+constexpr int kMostReopenings = 12;  // times a failing motion may come to rest before the search gives up
+constexpr std::int64_t kFirstSteps = 20'000;  // of a probe, before the implicit solve is asked
+constexpr std::int64_t kMostFactors = 600;    // that one may take
 constexpr double kMorePatience = 3.0;
 constexpr double kSettlingDrag = 0.125;
 constexpr double kSettlingPeriods = 3.0;
@@ -87,16 +89,55 @@ class Search {
             {stage, probes / (expected + kAfterwards), axis_.say(load) + ", " + toString(verdict)});
     }
 
-    /// One probe from the last stable state; keeps the state it ends in.
+    /// One probe from the last stable state; keeps the state it ends in. Explicit steps first, which are quick where blocks
+    /// slide; what they leave open, and what seems to fail before the assembly has stood, the implicit solve answers. A
+    /// model that once needed it is asked that way first. Where neither knows, explicit steps go on.
     Verdict probe(const std::string& stage, double load, const analysis::Ramp& ramp) {
-        return probe(stage, load, last_stable_, work_, ramp);
+        if (implicit_first_)
+            if (const Verdict found = probeImplicitly(stage, load, ramp); found != Verdict::undecided)
+                return found;
+        analysis::QuasiStaticWork work = work_;
+        work.settings.max_steps_per_probe = std::min(kFirstSteps, work_.settings.max_steps_per_probe);
+        const State before = last_stable_;
+        Verdict verdict = probe(stage, load, before, work, ramp);
+        keepLearnt(work);
+        const bool doubtful = verdict == Verdict::failing && result_.low == -kInfinity;
+        if (verdict == Verdict::stable || (verdict == Verdict::failing && !doubtful) || interrupted())
+            return verdict;
+        if (!implicit_first_) {
+            const Verdict found = probeImplicitly(stage, load, ramp);
+            if (found != Verdict::undecided) implicit_first_ = true;
+            if (found != Verdict::undecided) return found;
+        }
+        if (verdict == Verdict::failing) return verdict;
+        work = work_;
+        verdict = probe(stage, load, last_moving_, work, [](State&, double) {});
+        keepLearnt(work);
+        return verdict;
+    }
+
+    void keepLearnt(const analysis::QuasiStaticWork& work) {
+        const QuasiStatic settings = work_.settings;
+        work_ = work;
+        work_.settings = settings;
+    }
+
+    /// From the last stable state, the whole change of load at once.
+    Verdict probeImplicitly(const std::string& stage, double load, const analysis::Ramp& ramp) {
+        State state = last_stable_;
+        ramp(state, 1.0);
+        return keep(stage, load, analysis::findRest(state, work_, kMostFactors), state);
     }
 
     Verdict probe(const std::string& stage, double load, State state, analysis::QuasiStaticWork& work,
                   const analysis::Ramp& ramp) {
-        Probe probe = analysis::bringOn(state, work, ramp);
-        work_.steps += &work == &work_ ? 0 : probe.steps;
+        return keep(stage, load, analysis::bringOn(state, work, ramp), state);
+    }
+
+    Verdict keep(const std::string& stage, double load, Probe probe, State& state) {
         probe.load = load;
+        probe_steps_ += probe.steps;
+        result_.factors += probe.factors;
         result_.probes.push_back(probe);
         report(stage, load, probe.verdict);
         (probe.verdict == Verdict::stable ? last_stable_ : last_moving_) = std::move(state);
@@ -158,7 +199,7 @@ class Search {
         findFailure();
         narrow();
         if (result_.status != SearchStatus::found) return false;
-        if (!settles(last_moving_)) {
+        if (!restIsFound()) {
             continueToFailure();
             if (result_.confirmed || interrupted()) return false;
             State moved = last_moving_;
@@ -168,6 +209,18 @@ class Search {
         }
         bracket_.reopen();
         return true;
+    }
+
+    /// Whether there is rest at the failing load after all: no failure counts before the implicit solve has failed to find
+    /// it. Where that knows nothing, the motion is watched for longer.
+    bool restIsFound() {
+        const double load = axis_.load(*bracket_.high());
+        const State moving = last_moving_;
+        const Verdict found =
+            probeImplicitly("equilibrium", load, [&](State& state, double) { axis_.apply(state, load); });
+        if (found == Verdict::stable) implicit_first_ = true;
+        if (found == Verdict::undecided) last_moving_ = moving;
+        return found == Verdict::stable || (found == Verdict::undecided && settles(moving));
     }
 
     /// Whether a state that was moving at the failing load comes to rest when it is watched for longer; it is the last
@@ -208,7 +261,7 @@ class Search {
             result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start;
         const State& last = fails ? last_moving_ : last_stable_;
         if (!fails) result_.failing = nullptr;
-        result_.steps = work_.steps + continuation_steps_;
+        result_.steps = probe_steps_ + continuation_steps_;
         result_.state_hash = stages::stateHash(last);
         result_.inertia_scaled = work_.inertia_scaled;
         result_.damping_local = work_.settings.local_damping;
@@ -279,7 +332,8 @@ class Search {
     State last_moving_;
     analysis::QuasiStaticWork work_;
     SearchResult result_;
-    std::int64_t continuation_steps_ = 0;
+    bool implicit_first_ = false;  ///< explicit steps have not been enough
+    std::int64_t probe_steps_ = 0, continuation_steps_ = 0;
 };
 
 bool claimsFailure(const SearchResult& result) {
@@ -291,10 +345,11 @@ bool claimsFailure(const SearchResult& result) {
 /// and is undecided if that does not help.
 SearchResult searchConfirmed(const State& state, const Axis& axis, const Control& control,
                              QuasiStatic settings, bool parallel) {
-    std::int64_t steps = 0;
+    std::int64_t steps = 0, factors = 0;
     for (int attempt = 1;; ++attempt) {
         SearchResult result = Search(state, axis, control, settings, parallel).run();
         result.steps += steps;
+        result.factors += factors;
         if (!claimsFailure(result) || result.confirmed) return result;
         if (attempt == kAttempts) {
             result.status = SearchStatus::undecided;
@@ -307,6 +362,7 @@ SearchResult searchConfirmed(const State& state, const Axis& axis, const Control
             return result;
         }
         steps = result.steps;
+        factors = result.factors;
         settings.step_safety *= 0.5;
         settings.watch_periods *= kMorePatience;
     }

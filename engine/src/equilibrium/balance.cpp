@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/points.h"
-#include "stages/motion.h"
-#include "stages/sharp_contacts.h"
+#include "forces/sum.h"
+#include "law/points.h"
+#include "state/incidence.h"
 #include "state/point_layout.h"
 
 namespace talus::equilibrium {
@@ -150,7 +150,7 @@ Balance makeBalance(const State& state) {
     makeStructure(balance);
     findDrag(state, balance);
     readMemory(state, balance);
-    readWater(state, balance);
+    readApplied(state, balance);
     return balance;
 }
 
@@ -168,12 +168,12 @@ void writeMemory(const Balance& balance, State& state) {
                                    balance.points[i.first_point + k].memory);
 }
 
-void readWater(const State& state, Balance& balance) {
+void readApplied(const State& state, Balance& balance) {
     balance.own_force.resize(balance.block.size());
     balance.own_moment.resize(balance.block.size());
     for (std::size_t r = 0; r < balance.block.size(); ++r) {
         const Mat3 back = state.blocks.orientation.matrix(balance.block[r]).transpose();
-        const stages::Wrench water = stages::waterOn(state, balance.block[r]);
+        const stages::Wrench water = stages::appliedOn(state, balance.block[r], Vec3::Zero());
         balance.own_force[r] = back * water.force;
         balance.own_moment[r] = back * water.torque;
     }

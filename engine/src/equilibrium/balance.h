@@ -35,7 +35,8 @@ struct Balance {
     std::vector<std::size_t> block{};                ///< of each row
     std::vector<double> weight{}, radius{}, size{};  ///< of each row's block [N, m, m]
     std::vector<double> drag{};                      ///< stiffness of the joints on each row's block [N/m]
-    std::vector<Vec3> own_force{}, own_moment{};     ///< of the water, in the block's own frame [N, N m]
+    std::vector<Vec3> own_force{},
+        own_moment{};  ///< of the applied forces, in the block's own frame [N, N m]
     std::vector<ActiveInterface> interfaces{};
     std::vector<SolverPoint> points{};
     BlockMatrix matrix{};  ///< of the structure of these interfaces
@@ -47,8 +48,8 @@ Balance makeBalance(const State& state);
 /// Takes over what the Lps of a state remember, the interfaces being the same.
 void readMemory(const State& state, Balance& balance);
 void writeMemory(const Balance& balance, State& state);
-/// Water as last computed; it turns with its block.
-void readWater(const State& state, Balance& balance);
+/// Forces on blocks beside contacts and weight (water), as last computed; they turn with their block.
+void readApplied(const State& state, Balance& balance);
 
 Poses posesOf(const State& state);
 void setPoses(const Poses& poses, State& state);

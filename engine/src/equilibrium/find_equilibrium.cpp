@@ -8,11 +8,12 @@
 #include <limits>
 #include <optional>
 
+#include "contacts/update.h"
 #include "equilibrium/balance.h"
-#include "stages/measure.h"
-#include "stages/patches.h"
-#include "stages/step.h"
-#include "stages/water.h"
+#include "forces/sum.h"
+#include "measure/measure.h"
+#include "state/block_motion.h"
+#include "step/step.h"
 
 namespace talus::equilibrium {
 namespace {
@@ -33,6 +34,8 @@ constexpr int kHalvings = 6;
 constexpr double kLeastDecrease = 0.1;
 constexpr double kRoundings[] = {1e-3, 1e-5, 1e-7, 0.0};  // of the median weight, one after the other
 constexpr double kElasticParting = 20.0;                  // of the deepest joint's closure
+constexpr double kSteady = 0.98;                          // speed over the fastest since a quarter of the way
+constexpr double kGone = 0.01;                            // of the median block size
 
 double median(std::vector<double> values) {
     if (values.empty()) return 0;
@@ -50,7 +53,7 @@ struct Trial {
 class Solver {
  public:
     Solver(State& state, const Options& options) : state_(state), options_(options) {
-        stages::updateWater(state_);
+        stages::updateBlockForces(state_);
         takeContacts();
         start_ = at_.poses;
         deepest_ = deepestPoint(balance_, start_);
@@ -218,9 +221,20 @@ class Solver {
             if (h >= kRestStep && !bondsGive()) result_.verdict = Verdict::stable;
             return;
         }
-        const double leaves =
-            std::max(options_.leaves * state_.geometry->length_scale, kElasticParting * deepest_);
-        if (result_.parted > leaves) result_.verdict = Verdict::failing;
+        const double size = state_.geometry->length_scale;
+        const double leaves = std::max(options_.leaves * size, kElasticParting * deepest_);
+        if (result_.parted > kGone * size || (result_.parted > leaves && goesOnAsFast(motion_ / h)))
+            result_.verdict = Verdict::failing;
+        track_.push_back({result_.parted, motion_ / h});
+    }
+
+    /// Whether it is about as fast as it was at any time since a quarter of the way. A spring that stops it would slow it
+    /// down; so does a large load step an elastic assembly, if only at the end of its way.
+    bool goesOnAsFast(double speed) const {
+        double fastest = 0;
+        for (const auto& [way, speed_there] : track_)
+            if (way >= 0.25 * result_.parted) fastest = std::max(fastest, speed_there);
+        return fastest > 0 && speed > kSteady * fastest;
     }
 
     void lookForContacts() {
@@ -231,7 +245,7 @@ class Solver {
             takeContacts();
         } else {
             readMemory(state_, balance_);
-            readWater(state_, balance_);
+            readApplied(state_, balance_);
         }
     }
 
@@ -256,9 +270,10 @@ class Solver {
     double median_weight_ = 0;  ///< [N]
     std::optional<BlockLu> lu_{};
     Equilibrium result_{};
-    int iterations_ = 0;         ///< of the last step
-    double motion_ = 0;          ///< of it, over the block's size
-    double way_since_look_ = 0;  ///< likewise
+    std::vector<std::pair<double, double>> track_{};  ///< after each step: way, speed
+    int iterations_ = 0;                              ///< of the last step
+    double motion_ = 0;                               ///< of it, over the block's size
+    double way_since_look_ = 0;                       ///< likewise
     Vec6s residual_{}, direction_{};
     Trial tried_{};
 };

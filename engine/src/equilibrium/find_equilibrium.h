@@ -32,9 +32,10 @@ struct Equilibrium {
 
 /// Looks for the equilibrium that the state comes to when it is let go, from where it stands, against a drag.
 ///  - stable: at rest by the exact law, plastic slides committed;
-///  - failing: on its way it has left its place: neighbours have parted or slid by more than `leaves`, or twenty times what
-///    the deepest joint is pressed together, and it still moves. An equilibrium farther on is another one than that of
-///    the assembly as it stands: blocks that lean on each other find such, and with inertia go past it;
+///  - failing: on its way it has left its place: neighbours have parted or slid by more than `leaves`, and twenty times what
+///    the deepest joint is pressed together, and it does not slow down; or by a hundredth of the block size. An equilibrium
+///    farther on is another one than that of the assembly as it stands: blocks that lean on each other find such, and
+///    with inertia may go past it;
 ///  - undecided: neither within the factorisations allowed, or interrupted; the state is the last one reached.
 /// Reads and writes: poses, interfaces, points, forces, water. Velocities are not looked at; \pre they are zero
 Equilibrium findEquilibrium(State& state, const Options& options);

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "contact/law.h"
+#include "law/law.h"
 #include "talus/polyhedron.h"
 
 namespace talus::equilibrium {

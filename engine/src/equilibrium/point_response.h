@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "contact/law.h"
+#include "law/law.h"
 
 namespace talus::equilibrium {
 

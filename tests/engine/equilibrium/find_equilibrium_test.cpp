@@ -2,9 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include "stages/measure.h"
-#include "stages/step.h"
-#include "state/build.h"
+#include "build/build.h"
+#include "measure/measure.h"
+#include "step/step.h"
 #include "support/models.h"
 #include "support/structures.h"
 

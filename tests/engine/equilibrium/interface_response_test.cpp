@@ -5,10 +5,10 @@
 
 #include <random>
 
+#include "build/build.h"
 #include "equilibrium/balance.h"
-#include "stages/motion.h"
-#include "stages/step.h"
-#include "state/build.h"
+#include "forces/sum.h"
+#include "step/step.h"
 #include "support/models.h"
 
 using namespace talus;
