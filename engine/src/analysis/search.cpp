@@ -24,7 +24,8 @@ constexpr double kOverload = 8.0;  // cells beyond the failing load at which the
 constexpr int kAttempts = 3;  // with half the time step and longer windows, when a failure is not confirmed
 constexpr int kMostReopenings = 12;  // times a failing motion may come to rest before the search gives up
 constexpr std::int64_t kFirstSteps = 20'000;  // of a probe, before the implicit solve is asked
-constexpr std::int64_t kMostFactors = 600;    // that one may take
+// Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
+constexpr std::int64_t kLeastFactors = 50, kMostFactors = 600, kStepsPerFactor = 500;
 constexpr double kMorePatience = 3.0;
 constexpr double kSettlingDrag = 0.125;
 constexpr double kSettlingPeriods = 3.0;
@@ -124,9 +125,12 @@ class Search {
 
     /// From the last stable state, the whole change of load at once.
     Verdict probeImplicitly(const std::string& stage, double load, const analysis::Ramp& ramp) {
+        const bool doubtful = implicit_first_ || result_.low == -kInfinity;
+        const std::int64_t most_factors =
+            doubtful ? kMostFactors : std::clamp(probe_steps_ / kStepsPerFactor, kLeastFactors, kMostFactors);
         State state = last_stable_;
         ramp(state, 1.0);
-        return keep(stage, load, analysis::findRest(state, work_, kMostFactors), state);
+        return keep(stage, load, analysis::findRest(state, work_, most_factors), state);
     }
 
     Verdict probe(const std::string& stage, double load, State state, analysis::QuasiStaticWork& work,
