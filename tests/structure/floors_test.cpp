@@ -27,7 +27,7 @@ const std::vector<House>& houses() {
     static const std::vector<House> all{
         {"engine/src",
          {"simd", "geometry", "rock_mass", "model", "law", "state", "forces", "measure", "validate", "step",
-          "contacts", "build", "frame", "analysis", "limit_analysis", "theory"}},
+          "contacts", "build", "frame", "equilibrium", "analysis", "limit_analysis", "theory"}},
         {"formats/src", {"toml", "mesh", "scenario", "sweep", "history", "mcap", "snapshot", "export"}},
         {"tools", {"cli", "report", "recording", "inspect", "replay", "batch", "reproduction", "commands"}},
     };

@@ -234,6 +234,7 @@ Json searchJson(const SearchReport& report) {
     json["theory"] = theoryJson(report);
     json["probes"] = result.probes.size();
     json["steps"] = result.steps;
+    json["factorisations"] = result.factors;
     json["wall_seconds"] = number(result.wall_seconds);
     json["state_hash"] = hashText(result.state_hash);
     json["interrupted"] = wasInterrupted(result);

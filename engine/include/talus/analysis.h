@@ -51,6 +51,7 @@ struct Probe {
     double load = 0;  ///< tilt [rad], or factor of safety
     Verdict verdict = Verdict::undecided;
     std::int64_t steps = 0;
+    std::int64_t factors = 0;   ///< factorisations of the implicit solve, where it was asked
     double out_of_balance = 0;  ///< largest out-of-balance force of a block over its weight, at the end
     double displacement = 0;    ///< largest of a block during the probe [m]
     std::string reason;         ///< why this verdict, for people
@@ -97,6 +98,7 @@ struct SearchResult {
     bool confirmed = false;           ///< the continuation bore the failure out
     std::vector<Probe> probes;
     std::int64_t steps = 0;
+    std::int64_t factors = 0;  ///< factorisations of the implicit solve
     double wall_seconds = 0;
     std::uint64_t state_hash = 0;  ///< over the state at the end of the last step computed
     bool inertia_scaled = false;

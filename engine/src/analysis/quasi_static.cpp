@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "contacts/update.h"
+#include "equilibrium/find_equilibrium.h"
 #include "forces/sum.h"
 #include "measure/measure.h"
 #include "state/block_motion.h"
@@ -373,6 +374,29 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
         const double period = observedPeriod(state, position, before);
         work.slow_period = std::clamp(period, work.slow_period, work.slow_period_limit);
     }
+    return probe;
+}
+
+Probe findRest(State& state, QuasiStaticWork& work, std::int64_t most_factors) {
+    const equilibrium::Equilibrium found =
+        equilibrium::findEquilibrium(state, {.limit = work.out_of_balance_limit,
+                                             .most_factors = most_factors,
+                                             .parallel = work.parallel,
+                                             .stop = work.control->stop});
+    work.factors += found.factors;
+    fitToContacts(state, work);
+    Probe probe{.verdict = found.verdict,
+                .factors = found.factors,
+                .out_of_balance = found.out_of_balance,
+                .displacement = found.displacement,
+                .reason = {}};
+    char text[160];
+    const char* what = found.verdict == Verdict::stable    ? "in equilibrium: out-of-balance force"
+                       : found.verdict == Verdict::failing ? "leaves its place with"
+                                                           : "no equilibrium found, at";
+    std::snprintf(text, sizeof text, "%s %.2e of the weight after %lld factorisations", what,
+                  found.out_of_balance, static_cast<long long>(found.factors));
+    probe.reason = interrupted(work) ? "interrupted" : text;
     return probe;
 }
 

@@ -26,6 +26,7 @@ struct QuasiStaticWork {
     double slow_period_limit = 0;     ///< the estimate grows with what is observed, at most to this [s]
     double out_of_balance_limit = 0;  ///< at rest below this share of the weight
     std::int64_t steps = 0;           ///< taken so far
+    std::int64_t factors = 0;         ///< factorisations, likewise
     bool inertia_scaled = false;
     std::vector<double> inertia_scale{};  ///< per block, over the true inertia
     Damping damping{};
@@ -59,5 +60,10 @@ using Ramp = std::function<void(State&, double share)>;
 ///  - undecided: neither within the allowed steps, or interrupted.
 /// At rest the velocities are set to zero.
 Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp);
+
+/// The same question answered by the implicit solve (equilibrium/find_equilibrium.h), from a state at rest whose load has
+/// been changed: a few hundred factorisations at most, whatever the slowest period. What it finds at rest is so by the
+/// engine's own forces; that it finds none, within its budget, is no failure.
+Probe findRest(State& state, QuasiStaticWork& work, std::int64_t most_factors);
 
 }  // namespace talus::analysis

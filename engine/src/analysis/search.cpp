@@ -27,7 +27,10 @@ namespace {
 constexpr double kOverload = 8.0;  // cells beyond the failing load at which the continuation runs
 constexpr int kAttempts = 3;  // with half the time step and longer windows, when a failure is not confirmed
 constexpr int kAttemptsAtStart = 2;
-constexpr int kMostReopenings = 3;  // times a failing motion may come to rest before the search gives up
+constexpr int kMostReopenings = 12;  // times a failing motion may come to rest before the search gives up
+constexpr std::int64_t kFirstSteps = 20'000;  // of a probe, before the implicit solve is asked
+// Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
+constexpr std::int64_t kLeastFactors = 50, kMostFactors = 600, kStepsPerFactor = 500;
 constexpr double kMorePatience = 3.0;
 constexpr double kSettlingDrag = 0.125;
 constexpr double kSettlingPeriods = 3.0;
@@ -114,16 +117,58 @@ class Search {
             {stage, probes / (expected + kAfterwards), axis_.say(load) + ", " + toString(verdict)});
     }
 
-    /// One probe from the last stable state; keeps the state it ends in.
+    /// One probe from the last stable state; keeps the state it ends in. Explicit steps first, which are quick where blocks
+    /// slide; what they leave open, and what seems to fail before the assembly has stood, the implicit solve answers. A
+    /// model that once needed it is asked that way first. Where neither knows, explicit steps go on.
     Verdict probe(const std::string& stage, double load, const analysis::Ramp& ramp) {
-        return probe(stage, load, last_stable_, work_, ramp);
+        if (implicit_first_)
+            if (const Verdict found = probeImplicitly(stage, load, ramp); found != Verdict::undecided)
+                return found;
+        analysis::QuasiStaticWork work = work_;
+        work.settings.max_steps_per_probe = std::min(kFirstSteps, work_.settings.max_steps_per_probe);
+        const State before = last_stable_;
+        Verdict verdict = probe(stage, load, before, work, ramp);
+        keepLearnt(work);
+        const bool doubtful = verdict == Verdict::failing && result_.low == -kInfinity;
+        if (verdict == Verdict::stable || (verdict == Verdict::failing && !doubtful) || interrupted())
+            return verdict;
+        if (!implicit_first_) {
+            const Verdict found = probeImplicitly(stage, load, ramp);
+            if (found != Verdict::undecided) implicit_first_ = true;
+            if (found != Verdict::undecided) return found;
+        }
+        if (verdict == Verdict::failing) return verdict;
+        work = work_;
+        verdict = probe(stage, load, last_moving_, work, [](State&, double) {});
+        keepLearnt(work);
+        return verdict;
+    }
+
+    void keepLearnt(const analysis::QuasiStaticWork& work) {
+        const QuasiStatic settings = work_.settings;
+        work_ = work;
+        work_.settings = settings;
+    }
+
+    /// From the last stable state, the whole change of load at once.
+    Verdict probeImplicitly(const std::string& stage, double load, const analysis::Ramp& ramp) {
+        const bool doubtful = implicit_first_ || result_.low == -kInfinity;
+        const std::int64_t most_factors =
+            doubtful ? kMostFactors : std::clamp(probe_steps_ / kStepsPerFactor, kLeastFactors, kMostFactors);
+        State state = last_stable_;
+        ramp(state, 1.0);
+        return keep(stage, load, analysis::findRest(state, work_, most_factors), state);
     }
 
     Verdict probe(const std::string& stage, double load, State state, analysis::QuasiStaticWork& work,
                   const analysis::Ramp& ramp) {
-        Probe probe = analysis::bringOn(state, work, ramp);
-        probe_steps_ += probe.steps;
+        return keep(stage, load, analysis::bringOn(state, work, ramp), state);
+    }
+
+    Verdict keep(const std::string& stage, double load, Probe probe, State& state) {
         probe.load = load;
+        probe_steps_ += probe.steps;
+        result_.factors += probe.factors;
         result_.probes.push_back(probe);
         report(stage, load, probe.verdict);
         (probe.verdict == Verdict::stable ? last_stable_ : last_moving_) = std::move(state);
@@ -145,7 +190,7 @@ class Search {
         const State unloaded = last_stable_;
         Verdict verdict = probe("gravity", axis_.start,
                                 [](State& state, double share) { state.load.gravity_share = share; });
-        if (verdict == Verdict::failing && restIsFound(last_moving_, axis_.start, kStartPeriods)) {
+        if (verdict == Verdict::failing && settles(last_moving_, axis_.start, kStartPeriods)) {
             analysis::learnPeriod(work_, unloaded, last_stable_);
             verdict = Verdict::stable;
         }
@@ -177,7 +222,7 @@ class Search {
             const State before = last_stable_;
             verdict = probe(stage, axis_.start,
                             [&](State& state, double share) { load(state, from + share * (to - from)); });
-            if (verdict == Verdict::failing && restIsFound(last_moving_, axis_.start, kStartPeriods)) {
+            if (verdict == Verdict::failing && settles(last_moving_, axis_.start, kStartPeriods)) {
                 analysis::learnPeriod(work_, before, last_stable_);
                 verdict = Verdict::stable;
             }
@@ -189,8 +234,7 @@ class Search {
     Verdict loadWater() {
         const Verdict verdict =
             probe("water", axis_.start, [](State& state, double share) { state.load.water_share = share; });
-        const bool rests =
-            verdict == Verdict::failing && restIsFound(last_moving_, axis_.start, kStartPeriods);
+        const bool rests = verdict == Verdict::failing && settles(last_moving_, axis_.start, kStartPeriods);
         return rests ? Verdict::stable : verdict;
     }
 
@@ -200,7 +244,7 @@ class Search {
         axis_.apply(moved, axis_.start);
         if (moved.load.gravity_share < 1 || moved.load.tilt != start_tilt_) return false;
         analysis::takeBack(moved, work_);
-        if (!restIsFound(moved, axis_.start, kStartPeriods)) return false;
+        if (!settles(moved, axis_.start, kStartPeriods)) return false;
         const bool dry = last_stable_.geometry->model.waters.empty() || last_stable_.load.water_share == 1;
         return dry || loadWater() == Verdict::stable;
     }
@@ -228,22 +272,33 @@ class Search {
         narrow();
         if (result_.status != SearchStatus::found) return false;
         const double load = axis_.load(*bracket_.high());
-        if (!restIsFound(last_moving_, load)) {
+        if (!restIsFound(load)) {
             continueToFailure();
             if (result_.confirmed || interrupted()) return false;
             State moved = last_moving_;
             axis_.apply(moved, load);
             analysis::takeBack(moved, work_);
-            if (!restIsFound(moved, load)) return false;
+            if (!settles(moved, load)) return false;
         }
         bracket_.reopen();
         return true;
     }
 
-    /// Whether a state that moves at a load has an equilibrium near; it is the last stable one then. Asked before a failure
-    /// counts: a mode many times slower than the slowest known one looks like failure for a while, and close below the
-    /// load at which a column topples its stiffness goes to zero.
-    bool restIsFound(const State& moving, double load, double watch_periods = kSettlingPeriods) {
+    /// Whether there is rest at the failing load after all: no failure counts before the implicit solve has failed to find
+    /// it. Where that knows nothing, the motion is watched for longer.
+    bool restIsFound(double load) {
+        const State moving = last_moving_;
+        const Verdict found =
+            probeImplicitly("equilibrium", load, [&](State& state, double) { axis_.apply(state, load); });
+        if (found == Verdict::stable) implicit_first_ = true;
+        if (found == Verdict::undecided) last_moving_ = moving;
+        return found == Verdict::stable || (found == Verdict::undecided && settles(moving, load));
+    }
+
+    /// Whether a state that moves at a load comes to rest when it is watched for longer; it is the last stable one then. A
+    /// mode many times slower than the slowest known one looks like failure for a while: close below the load at which a
+    /// column topples its stiffness goes to zero.
+    bool settles(const State& moving, double load, double watch_periods = kSettlingPeriods) {
         analysis::QuasiStaticWork patient = analysis::patient(work_, kSettlingDrag, watch_periods);
         const auto hold = [](State&, double) {};
         return probe("settling", load, moving, patient, hold) == Verdict::stable;
@@ -351,6 +406,7 @@ class Search {
     SearchResult result_;
     double start_tilt_ = 0;  ///< [rad]
     std::vector<std::size_t> falling_{};
+    bool implicit_first_ = false;  ///< explicit steps have not been enough
     std::int64_t probe_steps_ = 0, continuation_steps_ = 0;
 };
 
@@ -372,11 +428,12 @@ bool stopped(const Control& control) {
 /// and is undecided if that does not help.
 Outcome searchConfirmed(const State& state, const Axis& axis, const Control& control, QuasiStatic settings,
                         bool parallel) {
-    std::int64_t steps = 0;
+    std::int64_t steps = 0, factors = 0;
     for (int attempt = 1;; ++attempt) {
         Search search(state, axis, control, settings, parallel);
         SearchResult result = search.run();
         result.steps += steps;
+        result.factors += factors;
         if (!claimsFailure(result) || result.confirmed) return {std::move(result), search.falling()};
         if (attempt == (result.status == SearchStatus::found ? kAttempts : kAttemptsAtStart)) {
             result.status = SearchStatus::undecided;
@@ -389,6 +446,7 @@ Outcome searchConfirmed(const State& state, const Axis& axis, const Control& con
             return {std::move(result), {}};
         }
         steps = result.steps;
+        factors = result.factors;
         settings.step_safety *= 0.5;
         settings.watch_periods *= kMorePatience;
     }

@@ -1,0 +1,285 @@
+// Pseudo-transient continuation: backward Euler on C du/dt = F(u) with a drag C, each step solved by Newton's method with
+// the law's exact, unsymmetric derivative, the step growing as the motion slows down.
+
+#include "equilibrium/find_equilibrium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "contacts/update.h"
+#include "equilibrium/balance.h"
+#include "forces/sum.h"
+#include "measure/measure.h"
+#include "state/block_motion.h"
+#include "step/step.h"
+
+namespace talus::equilibrium {
+namespace {
+
+// Steps in pseudo-time are counted in relaxation times of a block on its own joints.
+constexpr double kFirstStep = 1e3;
+constexpr double kRestStep = 1e3;  // rest is said of steps at least as long
+constexpr double kLongestStep = 1e9;
+constexpr double kShortestStep = 1e-2;
+constexpr double kStepMotion =
+    2e-3;  // most a block may go in a step, of its size: contacts are looked for in between
+constexpr double kLookMotion = 1e-5;     // and the way after which they are
+constexpr double kStepAccuracy = 0.02;   // residual of a step over the out-of-balance force before it
+constexpr double kLimitAccuracy = 0.02;  // or over the limit at rest
+constexpr int kMostIterations = 15;
+constexpr int kFewIterations = 6, kSomeIterations = 12;  // the step grows much, or a little
+constexpr int kHalvings = 6;
+constexpr double kLeastDecrease = 0.1;
+constexpr double kRoundings[] = {1e-3, 1e-5, 1e-7, 0.0};  // of the median weight, one after the other
+constexpr double kElasticParting = 20.0;                  // of the deepest joint's closure
+constexpr double kSteady = 0.98;                          // speed over the fastest since a quarter of the way
+constexpr double kGone = 0.01;                            // of the median block size
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Poses that are sought in a step, and the way there from its start.
+struct Trial {
+    Poses poses;
+    Vec6s way;  ///< in the unknowns
+};
+
+class Solver {
+ public:
+    Solver(State& state, const Options& options) : state_(state), options_(options) {
+        stages::updateBlockForces(state_);
+        takeContacts();
+        start_ = at_.poses;
+        deepest_ = deepestPoint(balance_, start_);
+        median_weight_ = median(balance_.weight);
+    }
+
+    Equilibrium run() {
+        const double release = state_.release;
+        state_.release = options_.release;
+        double ratio = residual(at_, 1.0, 0.0, false);
+        for (double h = kFirstStep; !finished() && h >= kShortestStep;) {
+            ++result_.steps;
+            const double tolerance =
+                std::max({kLimitAccuracy * options_.limit, kStepAccuracy * ratio, roundingLevel()});
+            if (!step(h, tolerance)) {
+                h *= 0.2;
+                continue;
+            }
+            commit();
+            ratio = result_.out_of_balance;
+            judge(h);
+            if (result_.verdict == Verdict::undecided) lookForContacts();
+            h = nextStep(h);
+        }
+        state_.release = release;
+        return result_;
+    }
+
+ private:
+    bool finished() const {
+        return result_.verdict != Verdict::undecided || result_.factors >= options_.most_factors ||
+               (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed));
+    }
+
+    void takeContacts() {
+        Balance next = makeBalance(state_);
+        if (!lu_ || next.matrix.edges != balance_.matrix.edges) lu_.emplace(next.matrix);
+        balance_ = std::move(next);
+        at_ = {posesOf(state_), Vec6s(balance_.block.size(), Vec6::Zero())};
+    }
+
+    /// What rounding of the coordinates leaves of the out-of-balance force: eps |x| k A / (m g).
+    double roundingLevel() const {
+        double level = 0;
+        for (std::size_t r = 0; r < balance_.block.size(); ++r) {
+            const double reach =
+                at_.poses.position.get(balance_.block[r]).cwiseAbs().maxCoeff() + balance_.radius[r];
+            level = std::max(level, std::numeric_limits<double>::epsilon() * reach * balance_.drag[r] /
+                                        balance_.weight[r]);
+        }
+        return level;
+    }
+
+    /// Out-of-balance force less the drag of a step, into residual_. \return the largest over the weight
+    double residual(const Trial& trial, double h, double rounding, bool stiffness) {
+        sumForces(state_, balance_, trial.poses, rounding, stiffness, residual_);
+        for (std::size_t r = 0; r < residual_.size(); ++r)
+            residual_[r] -= balance_.drag[r] / h * trial.way[r];
+        return largestRatio(balance_, residual_);
+    }
+
+    /// What Newton's steps shall lessen.
+    double merit() const {
+        double sum = 0;
+        for (std::size_t r = 0; r < residual_.size(); ++r)
+            sum += residual_[r].squaredNorm() / (balance_.weight[r] * balance_.weight[r]);
+        return std::sqrt(sum);
+    }
+
+    void moveBy(double share, Trial& trial) const {
+        move(balance_, direction_, share, trial.poses);
+        for (std::size_t r = 0; r < trial.way.size(); ++r) trial.way[r] += share * direction_[r];
+    }
+
+    /// The longest of a few halved Newton steps that lessens the residual enough, else the best of them.
+    bool searchLine(double h, double rounding, Trial& trial) {
+        const double before = merit();
+        double best = kInfinity;
+        double share = 1, best_share = 0;
+        for (int k = 0; k < kHalvings; ++k, share *= 0.5) {
+            tried_ = trial;
+            moveBy(share, tried_);
+            residual(tried_, h, rounding, false);
+            const double now = merit();
+            if (now < best) best = now, best_share = share;
+            if (now < before * (1.0 - kLeastDecrease * share)) break;
+        }
+        if (best_share == 0) return false;  // not a number
+        moveBy(best_share, trial);
+        return true;
+    }
+
+    bool newton(double h, double tolerance, double rounding, Trial& trial) {
+        for (int k = 0; k < kMostIterations; ++k) {
+            if (residual(trial, h, rounding, true) < tolerance) return true;
+            for (std::size_t r = 0; r < residual_.size(); ++r)
+                balance_.matrix.diagonal[r].diagonal().array() += balance_.drag[r] / h;
+            ++iterations_;
+            ++result_.factors;
+            if (!lu_->factorise(balance_.matrix)) return false;
+            direction_ = residual_;
+            lu_->solve(direction_);
+            if (!searchLine(h, rounding, trial)) return false;
+        }
+        return residual(trial, h, rounding, false) < tolerance;
+    }
+
+    /// With the corner of the normal law rounded less and less: Newton's method otherwise may go round in circles between
+    /// contacts that open and close.
+    bool newtonByRounding(double h, double tolerance, Trial& trial) {
+        bool converged = false;
+        for (const double rounding : kRoundings) {
+            converged = newton(h, tolerance, rounding * median_weight_, trial);
+            if (!converged && rounding == kRoundings[0]) return false;
+        }
+        return converged;
+    }
+
+    /// One step of backward Euler. False, and nothing has moved, when it is too long.
+    bool step(double h, double tolerance) {
+        iterations_ = 0;
+        motion_ = 0;
+        Trial trial = at_;
+        if (!newton(h, tolerance, 0.0, trial)) {
+            trial = at_;
+            if (!newtonByRounding(h, tolerance, trial)) return false;
+        }
+        for (std::size_t r = 0; r < trial.way.size(); ++r)
+            motion_ = std::max(
+                motion_, (trial.way[r].head<3>().norm() + trial.way[r].tail<3>().norm()) / balance_.size[r]);
+        if (motion_ > kStepMotion) return false;
+        at_.poses = std::move(trial.poses);
+        return true;
+    }
+
+    /// Makes the poses those of the state: plastic slides by its own kernel, bonds let down, water where it is now.
+    void commit() {
+        setPoses(at_.poses, state_);
+        stages::updateForces(state_, options_.parallel);
+        result_.out_of_balance = stages::outOfBalanceRatio(state_);
+    }
+
+    bool bondsGive() const {
+        if (!state_.points.remembers()) return false;
+        for (const ActiveInterface& i : balance_.interfaces)
+            for (std::size_t k = 0; k < i.points; ++k) {
+                const double bond = state_.points.memoryAt(state_.interfaces.pointSlot(i.interface, k)).bond;
+                if (bond > 0 && bond < 1) return true;
+            }
+        return false;
+    }
+
+    void judge(double h) {
+        result_.displacement = result_.parted = 0;
+        for (std::size_t r = 0; r < balance_.block.size(); ++r) {
+            const std::size_t b = balance_.block[r];
+            const double way =
+                (at_.poses.position.get(b) - start_.position.get(b)).norm() +
+                stages::rotationFrom(start_.orientation, at_.poses.orientation, b) * balance_.radius[r];
+            result_.displacement = std::max(result_.displacement, way);
+        }
+        for (const ActiveInterface& i : balance_.interfaces)
+            result_.parted = std::max(result_.parted, relativeMotion(balance_, i, start_, at_.poses));
+        if (result_.out_of_balance < options_.limit) {
+            if (h >= kRestStep && !bondsGive()) result_.verdict = Verdict::stable;
+            return;
+        }
+        const double size = state_.geometry->length_scale;
+        const double leaves = std::max(options_.leaves * size, kElasticParting * deepest_);
+        if (result_.parted > kGone * size || (result_.parted > leaves && goesOnAsFast(motion_ / h)))
+            result_.verdict = Verdict::failing;
+        track_.push_back({result_.parted, motion_ / h});
+    }
+
+    /// Whether it is about as fast as it was at any time since a quarter of the way. A spring that stops it would slow it
+    /// down; so does a large load step an elastic assembly, if only at the end of its way.
+    bool goesOnAsFast(double speed) const {
+        double fastest = 0;
+        for (const auto& [way, speed_there] : track_)
+            if (way >= 0.25 * result_.parted) fastest = std::max(fastest, speed_there);
+        return fastest > 0 && speed > kSteady * fastest;
+    }
+
+    void lookForContacts() {
+        way_since_look_ += motion_;
+        if (way_since_look_ > kLookMotion) {
+            way_since_look_ = 0;
+            stages::refreshInterfaces(state_, options_.parallel, 0.0);
+            takeContacts();
+        } else {
+            readMemory(state_, balance_);
+            readApplied(state_, balance_);
+        }
+    }
+
+    double nextStep(double h) const {
+        double growth = 1.0;
+        if (iterations_ <= kFewIterations)
+            growth = 4.0;
+        else if (iterations_ <= kSomeIterations)
+            growth = 2.0;
+        else if (iterations_ > kMostIterations)
+            growth = 0.5;
+        if (motion_ > 0) growth = std::min(growth, 0.8 * kStepMotion / motion_);
+        return std::min(growth * h, kLongestStep);
+    }
+
+    State& state_;
+    const Options& options_;
+    Balance balance_{};
+    Trial at_{};  ///< where the state is, its way zero
+    Poses start_{};
+    double deepest_ = 0;        ///< of the joints at the start [m]
+    double median_weight_ = 0;  ///< [N]
+    std::optional<BlockLu> lu_{};
+    Equilibrium result_{};
+    std::vector<std::pair<double, double>> track_{};  ///< after each step: way, speed
+    int iterations_ = 0;                              ///< of the last step
+    double motion_ = 0;                               ///< of it, over the block's size
+    double way_since_look_ = 0;                       ///< likewise
+    Vec6s residual_{}, direction_{};
+    Trial tried_{};
+};
+
+}  // namespace
+
+Equilibrium findEquilibrium(State& state, const Options& options) { return Solver(state, options).run(); }
+
+}  // namespace talus::equilibrium

@@ -1,0 +1,106 @@
+#include "equilibrium/interface_response.h"
+
+#include <doctest/doctest.h>
+#include <Eigen/Geometry>
+
+#include <random>
+
+#include "build/build.h"
+#include "equilibrium/balance.h"
+#include "forces/sum.h"
+#include "step/step.h"
+#include "support/models.h"
+
+using namespace talus;
+using namespace talus::test;
+using namespace talus::equilibrium;
+
+namespace {
+
+/// Two boxes one on the other on a floor, pressed together and moved at random, so that some Lps stick, slip and open.
+State shaken(int seed) {
+    Model model = floorModel(30, 1e9);
+    model.joints[0].shear_stiffness = 4e8;
+    addBox(model, "a", {0, 0, 0}, {0.4, 0.2, 0.1});
+    addBox(model, "b", {0.1, 0.05, 0.1}, {0.4, 0.2, 0.1});
+    State state = *buildState(model, false);
+    std::mt19937 random(static_cast<unsigned>(seed));
+    std::uniform_real_distribution<double> both(-1, 1);
+    const Balance balance = makeBalance(state);
+    Vec6s by(2);
+    for (Vec6& v : by)
+        for (int k = 0; k < 6; ++k) v[k] = 2e-6 * both(random);
+    for (std::size_t r = 0; r < 2; ++r) by[r].z() -= 1e-6 * static_cast<double>(r + 1);
+    Poses poses = posesOf(state);
+    move(balance, by, 1.0, poses);
+    setPoses(poses, state);
+    return state;
+}
+
+Vec6s forcesAt(const State& state, Balance& balance, const Poses& poses) {
+    Vec6s force;
+    sumForces(state, balance, poses, 0.0, false, force);
+    return force;
+}
+
+}  // namespace
+
+TEST_SUITE("equilibrium") {
+    TEST_CASE("forces are those of the engine's own kernel") {
+        for (int seed = 0; seed < 20; ++seed) {
+            State state = shaken(seed);
+            Balance balance = makeBalance(state);
+            const Vec6s force = forcesAt(state, balance, posesOf(state));
+            stages::updateForces(state, false);
+            for (std::size_t r = 0; r < 2; ++r) {
+                const stages::Wrench own =
+                    stages::outOfBalance(state, balance.block[r], stages::gravity(state));
+                CHECK((force[r].head<3>() - own.force).norm() < 1e-6);
+                CHECK((force[r].tail<3>() * balance.radius[r] - own.torque).norm() < 1e-6);
+            }
+        }
+    }
+
+    TEST_CASE("momentum: force and moment of the two sides add up to nothing") {
+        for (int seed = 0; seed < 20; ++seed) {
+            const State state = shaken(seed);
+            const Balance balance = makeBalance(state);
+            const Poses poses = posesOf(state);
+            for (const ActiveInterface& i : balance.interfaces) {
+                const Placed a{poses.position.get(i.block_a), poses.turn[i.block_a]};
+                const Placed b{poses.position.get(i.block_b), poses.turn[i.block_b]};
+                const InterfaceWrenches w =
+                    interfaceResponse(i.place, a, b, state.laws[0],
+                                      {balance.points.data() + i.first_point, i.points}, 0.0, nullptr);
+                const Vec3 force = w.on_a.head<3>() + w.on_b.head<3>();
+                const Vec3 moment = w.on_a.tail<3>() + w.on_b.tail<3>() + a.position.cross(w.on_a.head<3>()) +
+                                    b.position.cross(w.on_b.head<3>());
+                CHECK(force.norm() == 0);
+                CHECK(moment.norm() < 1e-12 * (1 + w.on_b.norm()));
+            }
+        }
+    }
+
+    TEST_CASE("the matrix is minus the derivative of the forces, finite turns and lever arms included") {
+        constexpr double kStep = 1e-10;
+        for (int seed = 0; seed < 20; ++seed) {
+            const State state = shaken(seed);
+            Balance balance = makeBalance(state);
+            const Poses poses = posesOf(state);
+            Vec6s force;
+            sumForces(state, balance, poses, 0.0, true, force);
+            const BlockMatrix matrix = balance.matrix;
+            for (std::size_t column = 0; column < 12; ++column) {
+                Vec6s unit(2, Vec6::Zero()), product;
+                unit[column / 6][static_cast<Eigen::Index>(column % 6)] = 1;
+                matrix.multiply(unit, product);
+                Poses more = poses, less = poses;
+                move(balance, unit, kStep, more);
+                move(balance, unit, -kStep, less);
+                const Vec6s up = forcesAt(state, balance, more), down = forcesAt(state, balance, less);
+                for (std::size_t r = 0; r < 2; ++r)
+                    REQUIRE((product[r] + (up[r] - down[r]) / (2 * kStep)).norm() < 1e-5 * balance.drag[r]);
+            }
+        }
+    }
+}
