@@ -2,7 +2,7 @@
 
 import * as Plot from "@observablehq/plot";
 import { html, svg, words } from "./dom.js";
-import { fixed, short, typeset } from "./numbers.js";
+import { figure, fixed, short, typeset } from "./numbers.js";
 import { table } from "./table.js";
 
 /** How a role looks; the colours are page.css's. */
@@ -101,9 +101,9 @@ function reference({ axis, at, to, role, text, below }, frame) {
 function scaleOf(axis, pixels) {
   const { categories, domain, decimals } = axis;
   if (!categories) {
+    const ticks = axis.step ? Math.round((domain[1] - domain[0]) / axis.step) : Math.max(3, Math.round(pixels / 80));
     return {
-      domain: domain ?? undefined, nice: !domain, label: null, grid: true,
-      ticks: axis.step ? Math.round((domain[1] - domain[0]) / axis.step) : Math.max(3, Math.round(pixels / 80)),
+      domain: domain ?? undefined, nice: domain ? false : ticks, label: null, ticks,
       tickFormat: decimals === undefined ? (value) => short(value) : (value) => typeset(value.toFixed(decimals)),
     };
   }
@@ -165,7 +165,7 @@ function swatch(series) {
 
 /** What the ends of a heat map's colours stand for. */
 function colourScale({ rows }) {
-  const values = rows.map(by(2)), [low, high] = [Math.min(...values), Math.max(...values)].map(short);
+  const values = rows.map(by(2)), [low, high] = [Math.min(...values), Math.max(...values)].map(figure);
   return html("ul", { class: "key" }, html("li", {}, `${low} `, html("span", { class: "viridis" }), ` ${high}`));
 }
 
