@@ -23,8 +23,18 @@ const drawers = {
 
 const draw = (block) => [drawers[block.type](block)].flat().filter(Boolean);
 
+/** Three plots or more in a row stand side by side where there is room. */
+function arranged(blocks) {
+  const rows = [];
+  for (const block of blocks) {
+    if (block.type === "plot" && rows.at(-1)?.[0].type === "plot") rows.at(-1).push(block);
+    else rows.push([block]);
+  }
+  return rows.flatMap((row) => (row.length > 2 ? html("div", { class: "plots" }, row.flatMap(draw)) : row.flatMap(draw)));
+}
+
 function section({ id, title, blocks }) {
-  return html("section", { "aria-labelledby": id }, html("h2", { id }, words(title)), blocks.flatMap(draw));
+  return html("section", { "aria-labelledby": id }, html("h2", { id }, words(title)), arranged(blocks));
 }
 
 function opening(report) {
@@ -43,7 +53,6 @@ function show(report) {
   for (const { draw } of plots) draw();
   const observer = new ResizeObserver(() => plots.forEach(({ draw }) => draw()));
   observer.observe(document.getElementById("sections"));
-  // Print at the width of a sheet, not of the screen.
   document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
 }
 

@@ -101,7 +101,7 @@ function reference({ axis, at, to, role, text, below }, frame) {
 function scaleOf(axis, pixels) {
   const { categories, domain, decimals } = axis;
   if (!categories) {
-    const ticks = axis.step ? Math.round((domain[1] - domain[0]) / axis.step) : Math.max(3, Math.round(pixels / 80));
+    const ticks = axis.step ? Math.round((domain[1] - domain[0]) / axis.step) : Math.max(3, Math.round(pixels / (axis.upright ? 50 : 80)));
     return {
       domain: domain ?? undefined, nice: domain ? false : ticks, label: null, ticks,
       tickFormat: decimals === undefined ? (value) => short(value) : (value) => typeset(value.toFixed(decimals)),
