@@ -110,8 +110,8 @@ TEST_CASE("the report shows what was drawn, and the grid as a grid") {
     const Json report = batchReport(summarise(madeUp()), Json::object());
     CHECK(blockOf(report, "inputs", "input-0").is_null());  // the depth is no draw
     double drawn = 0;
-    for (const Json& bar : blockOf(report, "inputs", "input-1")["series"][0]["rows"])
-        drawn += bar[2].get<double>();
+    const Json input = blockOf(report, "inputs", "input-1");
+    for (const Json& bar : input["series"][0]["rows"]) drawn += bar[2].get<double>();
     CHECK(drawn == 20);
     CHECK(blocksOf(report, "maps").is_null());  // one grid makes no map
     CHECK(blockOf(report, "sensitivity", "correlations")["y"]["categories"] ==
