@@ -4,47 +4,20 @@
 #include <cmath>
 #include <map>
 
-#include "cli/command.h"
-
 namespace talus::tools::batch {
 
 namespace {
 
-using Symbol = LegendEntry::Symbol;
-
 constexpr std::size_t kFewValues = 30;   // of a column: drawn as a curve of means
 constexpr std::size_t kMostDots = 2000;  // in one plot; more is a blot and a large file
-constexpr int kHeatLevels = 8;
+constexpr std::size_t kMostSteps = 400;  // of a curve over the runs
+constexpr std::size_t kMostCorrelations = 20;
 
-int decimalsOf(double step) { return std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))); }
-
-/// An axis over lo..hi and a little more, ends on round numbers.
-Axis axisOver(double lo, double hi, double from, double to, std::string title) {
-    if (!(hi > lo)) {
-        const double half = lo == 0 ? 0.5 : 0.05 * std::abs(lo);
-        lo -= half;
-        hi += half;
-    }
-    const double step = niceStep(hi - lo, 6);
-    return {std::floor(lo / step + 1e-9) * step,
-            std::ceil(hi / step - 1e-9) * step,
-            from,
-            to,
-            std::move(title),
-            step,
-            decimalsOf(step)};
-}
-
-std::vector<double> finiteAnswers(const Summary& summary) {
-    std::vector<double> answers;
-    for (const double answer : summary.all.sorted)
-        if (std::isfinite(answer)) answers.push_back(answer);
-    return answers;
-}
-
-Axis answerAxis(const Summary& summary, double from, double to) {
-    const auto answers = finiteAnswers(summary);
-    return axisOver(answers.front(), answers.back(), from, to, summary.info.answerTitle());
+std::vector<double> finite(const std::vector<double>& values) {
+    std::vector<double> kept;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(kept),
+                 [](double v) { return std::isfinite(v); });
+    return kept;
 }
 
 std::string columnTitle(const Summary& summary, std::size_t value) {
@@ -52,10 +25,26 @@ std::string columnTitle(const Summary& summary, std::size_t value) {
     return column.name + (column.unit.empty() ? "" : " (" + column.unit + ")");
 }
 
-void drawThresholds(Svg& svg, const Summary& summary, const Axis& x, const Axis& y) {
+std::string confidenceText(const Summary& summary) {
+    return text(100 * summary.info.confidence, 0) + " % confidence";
+}
+
+/// Those between the smallest and the largest answer; the others would stretch the axis.
+void addThresholds(Plot& plot, const Summary& summary) {
+    const auto answers = finite(summary.all.sorted);
     for (const double threshold : summary.info.thresholds)
-        if (threshold >= x.lo && threshold <= x.hi)
-            svg.line({x.at(threshold), y.from}, {x.at(threshold), y.to}, "dots");
+        if (threshold >= answers.front() && threshold <= answers.back())
+            plot.references.push_back({'x', threshold, {}, "dots", "", csvNumber(threshold)});
+}
+
+Series histogramBars(const std::vector<double>& sorted) {
+    const Histogram histogram = histogramOf(sorted);
+    Series bars{"bars", "bar", "", {}};
+    for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+        const double left = histogram.low + histogram.width * static_cast<double>(i);
+        bars.add({left, left + histogram.width, static_cast<double>(histogram.counts[i])});
+    }
+    return bars;
 }
 
 struct Mean {
@@ -78,24 +67,16 @@ std::map<double, Mean> meansOver(const Summary& summary, std::size_t value) {
     return means;
 }
 
-void drawMeans(Svg& svg, const std::map<double, Mean>& means, const Axis& x, const Axis& y) {
-    std::vector<Spot> band, back, line;
+void addMeans(Plot& plot, const std::map<double, Mean>& means) {
+    Series band{"band", "band", "smallest to largest", {}}, line{"line", "theory", "mean", {}},
+        dots{"points", "dem", "", {}, {}, "circle", 3.5};
     for (const auto& [value, mean] : means) {
-        band.push_back({x.at(value), y.at(mean.low)});
-        back.push_back({x.at(value), y.at(mean.high)});
-        line.push_back({x.at(value), y.at(mean.mean())});
+        band.add({value, mean.low, mean.high});
+        line.add({value, mean.mean()});
+        dots.add({value, mean.mean()}, csvNumber(value) + ": " + text(mean.mean(), 4) + ", " +
+                                           std::to_string(mean.count) + " runs");
     }
-    band.insert(band.end(), back.rbegin(), back.rend());
-    svg.polygon(band, "band");
-    svg.path(line, "theory");
-    for (const auto& [value, mean] : means)
-        svg.circle(
-            {x.at(value), y.at(mean.mean())}, 3.5, "dem",
-            csvNumber(value) + ": " + text(mean.mean(), 4) + ", " + std::to_string(mean.count) + " runs");
-}
-
-std::string heatClass(double share) {
-    return "heat" + std::to_string(std::clamp(static_cast<int>(share * kHeatLevels), 0, kHeatLevels - 1));
+    plot.series = {std::move(band), std::move(line), std::move(dots)};
 }
 
 }  // namespace
@@ -106,157 +87,138 @@ std::vector<double> valuesOf(const Summary& summary, std::size_t value) {
     return values;
 }
 
-Svg plotHistogram(const Summary& summary) {
-    const auto answers = finiteAnswers(summary);
-    const Histogram histogram = histogramOf(answers);
-    const double end = histogram.low + histogram.width * static_cast<double>(histogram.counts.size());
-    const auto highest = *std::max_element(histogram.counts.begin(), histogram.counts.end());
-    Svg svg(720, 340, "Histogram of the " + summary.info.answerTitle(),
-            "Number of runs in each of " + std::to_string(histogram.counts.size()) + " equal cells.");
-    const Axis x = axisOver(histogram.low, end, 64, 704, summary.info.answerTitle());
-    const double step = std::max(1.0, niceStep(static_cast<double>(highest), 5));
-    const Axis y{0, std::ceil(static_cast<double>(highest) / step) * step, 285, 16, "runs", step, 0};
-    drawAxes(svg, x, y);
-    for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
-        const double left = histogram.low + histogram.width * static_cast<double>(i);
-        const double right = left + histogram.width, top = static_cast<double>(histogram.counts[i]);
-        svg.polygon({{x.at(left), y.at(0)},
-                     {x.at(left), y.at(top)},
-                     {x.at(right), y.at(top)},
-                     {x.at(right), y.at(0)}},
-                    "bar",
-                    csvNumber(left) + " to " + csvNumber(right) + ": " + std::to_string(histogram.counts[i]) +
-                        " runs");
-    }
-    drawThresholds(svg, summary, x, y);
-    return svg;
+std::string thresholdText(const BatchInfo& info, double threshold) {
+    return std::string(info.search() ? info.search()->answer : "") + " below " + csvNumber(threshold) +
+           info.unitSymbol();
 }
 
-Svg plotDistribution(const Summary& summary) {
+Plot plotHistogram(const Summary& summary) {
+    Plot plot{"histogram", "Histogram of the " + summary.info.answerTitle(), "Runs in cells of equal width.",
+              Axis{summary.info.answerTitle()}, Axis{"runs"}};
+    plot.series.push_back(histogramBars(finite(summary.all.sorted)));
+    addThresholds(plot, summary);
+    return plot;
+}
+
+Plot plotDistribution(const Summary& summary) {
     const std::vector<double>& sorted = summary.all.sorted;
-    Svg svg(720, 400, "Share of the runs that have failed",
-            "Empirical distribution of the " + summary.info.answerTitle() + " with its confidence band.");
-    const Axis x = answerAxis(summary, 64, 704);
-    const Axis y{0,   1, 345, 16, summary.info.search() ? "probability of failure" : "share of the runs",
-                 0.2, 1};
-    std::vector<Spot> steps, low, high;
-    const std::size_t stride = std::max<std::size_t>(1, sorted.size() / 400);
+    Plot plot{"share", "Share of the runs that have failed",
+              "Empirical distribution of the " + summary.info.answerTitle() + " with its confidence band.",
+              Axis{summary.info.answerTitle()},
+              Axis{summary.info.search() ? "probability of failure" : "share of the runs", {0, 1}, 0.2, 1}};
+    Series steps{"steps", "theory", "runs", {}};
+    Series band{"band", "band", confidenceText(summary) + ", point by point", {}};
+    const std::size_t stride = std::max<std::size_t>(1, sorted.size() / kMostSteps);
     for (std::size_t i = 0; i < sorted.size(); i += stride) {
         if (!std::isfinite(sorted[i])) continue;
         const Interval interval = shareInterval(i + 1, sorted.size(), summary.info.confidence);
-        const double at = x.at(sorted[i]);
-        if (!steps.empty()) steps.push_back({at, steps.back().y});
-        steps.push_back({at, y.at(static_cast<double>(i + 1) / static_cast<double>(sorted.size()))});
-        low.push_back({at, y.at(interval.low)});
-        high.push_back({at, y.at(interval.high)});
+        steps.add({sorted[i], static_cast<double>(i + 1) / static_cast<double>(sorted.size())});
+        band.add({sorted[i], interval.low, interval.high});
     }
-    low.insert(low.end(), high.rbegin(), high.rend());
-    svg.polygon(low, "band");
-    drawAxes(svg, x, y);
-    svg.path(steps, "theory");
-    drawThresholds(svg, summary, x, y);
-    drawLegend(svg, {x.from + 16, y.to + 18},
-               {{"runs", Symbol::line, "theory", 5},
-                {text(100 * summary.info.confidence, 0) + " % confidence, point by point", Symbol::patch,
-                 "band", 5}});
-    return svg;
+    plot.series = {std::move(band), std::move(steps)};
+    addThresholds(plot, summary);
+    return plot;
 }
 
-Svg plotTornado(const Summary& summary) {
-    const std::size_t count = std::min<std::size_t>(summary.sensitivities.size(), 20);
-    const double height = 28.0 * static_cast<double>(count);
-    Svg svg(720, height + 70, "Sensitivity", "Rank correlation of the answer with each column that varies.");
-    const Axis x{-1, 1, 300, 704, "Spearman's rank correlation with the answer", 0.5, 1};
-    const Axis y{0, 1, height + 16, 16, "", 0, 0};
-    drawAxes(svg, x, y);
-    for (std::size_t i = 0; i < count; ++i) {
+Plot plotConvergence(const Summary& summary, std::size_t threshold) {
+    const double value = summary.info.thresholds[threshold];
+    Plot plot{
+        "convergence-" + std::to_string(threshold),
+        "Probability of a " + thresholdText(summary.info, value) + ", with the number of runs",
+        "The share of the first runs, in the order in which they were drawn, and its confidence interval.",
+        Axis{"runs that can be told"}, Axis{"probability of failure"}};
+    Series share{"line", "theory", "share that failed", {}};
+    Series band{"band", "band", confidenceText(summary), {}};
+    const std::uint64_t all = summary.all.failure[threshold].count;
+    const std::uint64_t stride = 1 + all / kMostSteps;
+    std::uint64_t count = 0, failed = 0;
+    for (const Observation& seen : summary.observations) {
+        const auto has_failed = hasFailed(seen, value);
+        if (!has_failed) continue;
+        ++count;
+        failed += *has_failed;
+        if (count % stride != 0 && count != all) continue;
+        const auto n = static_cast<double>(count);
+        const Interval interval = shareInterval(failed, count, summary.info.confidence);
+        share.add({n, static_cast<double>(failed) / n});
+        band.add({n, interval.low, interval.high});
+    }
+    plot.series = {std::move(band), std::move(share)};
+    return plot;
+}
+
+Plot plotInput(const Summary& summary, std::size_t value) {
+    std::vector<double> drawn;
+    for (const Observation& seen : summary.observations)
+        if (std::isfinite(seen.values[value])) drawn.push_back(seen.values[value]);
+    std::sort(drawn.begin(), drawn.end());
+    Plot plot{"input-" + std::to_string(value), columnTitle(summary, value), "",
+              Axis{columnTitle(summary, value)}, Axis{"runs"}};
+    if (!drawn.empty()) plot.series.push_back(histogramBars(drawn));
+    return plot;
+}
+
+Plot plotCorrelations(const Summary& summary) {
+    Plot plot{"correlations", "Rank correlation of the answer with each column that varies", "",
+              Axis{"Spearman\u2019s rank correlation with the answer", {-1, 1}, 0.5, 1}, Axis{""}};
+    plot.y.first_on_top = true;
+    Series bars{"correlation", "bar", "", {}};
+    for (std::size_t i = 0; i < std::min(summary.sensitivities.size(), kMostCorrelations); ++i) {
         const Sensitivity& one = summary.sensitivities[i];
-        const double top = 21 + 28.0 * static_cast<double>(i), middle = top + 9;
-        const Interval& interval = one.correlation.interval;
-        const double end = x.at(one.correlation.rho);
-        svg.polygon({{x.at(0), top}, {end, top}, {end, top + 18}, {x.at(0), top + 18}}, "bar",
-                    one.column + ": " + text(one.correlation.rho, 3) + " (" + text(interval.low, 3) + " to " +
-                        text(interval.high, 3) + ")");
-        svg.line({x.at(interval.low), middle}, {x.at(interval.high), middle}, "frame");
-        svg.label({x.from - 10, middle + 4}, one.column, "end");
+        const auto& [rho, interval] = std::pair{one.correlation.rho, one.correlation.interval};
+        plot.y.categories.push_back(one.column);
+        bars.add({static_cast<double>(i), rho, interval.low, interval.high},
+                 one.column + ": " + text(rho, 3) + " (" + text(interval.low, 3) + " to " +
+                     text(interval.high, 3) + ")");
     }
-    svg.line({x.at(0), y.from}, {x.at(0), y.to}, "frame");
-    return svg;
+    plot.series.push_back(std::move(bars));
+    return plot;
 }
 
-Svg plotResponse(const Summary& summary, std::size_t value) {
+Plot plotResponse(const Summary& summary, std::size_t value) {
     const auto means = meansOver(summary, value);
-    Svg svg(720, 380, summary.info.answerTitle() + " against " + columnTitle(summary, value),
-            "One dot per run, or the mean and the range of the runs at each value.");
-    const Axis x =
-        axisOver(means.begin()->first, means.rbegin()->first, 64, 704, columnTitle(summary, value));
-    const Axis y = answerAxis(summary, 325, 16);
-    drawAxes(svg, x, y);
+    Plot plot{"response-" + std::to_string(value),
+              summary.info.answerTitle() + " against " + columnTitle(summary, value), "",
+              Axis{columnTitle(summary, value)}, Axis{summary.info.answerTitle()}};
     if (means.size() <= kFewValues) {
-        drawMeans(svg, means, x, y);
-        return svg;
+        addMeans(plot, means);
+        return plot;
     }
+    Series dots{"points", "dot", "", {}, {}, "circle", 2.2};
+    const bool names_runs = summary.observations.size() <= 500;
     const std::size_t stride = 1 + summary.observations.size() / kMostDots;
     for (std::size_t i = 0; i < summary.observations.size(); i += stride) {
         const Observation& seen = summary.observations[i];
-        if (std::isfinite(seen.answer) && !std::isnan(seen.values[value]))
-            svg.circle({x.at(seen.values[value]), y.at(seen.answer)}, 2.2, "dot",
-                       summary.observations.size() <= 500 ? "run " + std::to_string(seen.run) : "");
+        if (!std::isfinite(seen.answer) || std::isnan(seen.values[value])) continue;
+        dots.add({seen.values[value], seen.answer});
+        if (names_runs) dots.tips.push_back("run " + std::to_string(seen.run));
     }
-    return svg;
+    plot.series.push_back(std::move(dots));
+    return plot;
 }
 
-Svg plotHeatMap(const Summary& summary, std::size_t x_value, std::size_t y_value) {
+Plot plotHeatMap(const Summary& summary, std::size_t x_value, std::size_t y_value) {
     std::map<std::pair<double, double>, Mean> cells;
     for (const Observation& seen : summary.observations)
         if (std::isfinite(seen.answer)) cells[{seen.values[x_value], seen.values[y_value]}].add(seen.answer);
     const auto columns = valuesOf(summary, x_value), rows = valuesOf(summary, y_value);
-    double low = kInfinity, high = -kInfinity;
-    for (const auto& entry : cells) {
-        low = std::min(low, entry.second.mean());
-        high = std::max(high, entry.second.mean());
-    }
-    const double height = std::min(40.0 * static_cast<double>(rows.size()), 480.0);
-    Svg svg(720, height + 80, "Mean " + summary.info.answerTitle(),
-            "Over " + columnTitle(summary, x_value) + " and " + columnTitle(summary, y_value) + ".");
-    const Axis x{0, static_cast<double>(columns.size()), 84, 704, columnTitle(summary, x_value), 0, 0};
-    const Axis y{0, static_cast<double>(rows.size()), height + 16, 16, columnTitle(summary, y_value), 0, 2};
-    const bool has_labels = columns.size() <= 12;
+    Plot plot{"map-" + std::to_string(x_value) + "-" + std::to_string(y_value),
+              "Mean " + summary.info.answerTitle(),
+              "Over " + columnTitle(summary, x_value) + " and " + columnTitle(summary, y_value) + ".",
+              Axis{columnTitle(summary, x_value)}, Axis{columnTitle(summary, y_value)}};
+    for (const double column : columns) plot.x.categories.push_back(csvNumber(column));
+    for (const double row : rows) plot.y.categories.push_back(csvNumber(row));
+    Series means{"cells", "bar", "", {}};
     for (std::size_t r = 0; r < rows.size(); ++r)
         for (std::size_t c = 0; c < columns.size(); ++c) {
             const auto cell = cells.find({columns[c], rows[r]});
             if (cell == cells.end()) continue;
-            const double left = static_cast<double>(c), bottom = static_cast<double>(r),
-                         mean = cell->second.mean();
-            const double share = high > low ? (mean - low) / (high - low) : 0.5;
-            svg.polygon({{x.at(left), y.at(bottom)},
-                         {x.at(left), y.at(bottom + 1)},
-                         {x.at(left + 1), y.at(bottom + 1)},
-                         {x.at(left + 1), y.at(bottom)}},
-                        heatClass(share),
-                        csvNumber(columns[c]) + ", " + csvNumber(rows[r]) + ": " + text(mean, 4));
-            if (has_labels)
-                svg.label({x.at(left + 0.5), y.at(bottom + 0.5) + 4}, text(mean, 2), "middle",
-                          share < 0.5 ? "heat-light" : "heat-dark");
+            const double mean = cell->second.mean();
+            means.add({static_cast<double>(c), static_cast<double>(r), mean},
+                      csvNumber(columns[c]) + ", " + csvNumber(rows[r]) + ": " + text(mean, 4));
         }
-    drawAxes(svg, x, y);
-    const std::size_t stride = 1 + columns.size() / 16;
-    for (std::size_t c = 0; c < columns.size(); c += stride)
-        svg.label({x.at(static_cast<double>(c) + 0.5), y.from + 18}, csvNumber(columns[c]), "middle");
-    for (std::size_t r = 0; r < rows.size(); r += 1 + rows.size() / 16)
-        svg.label({x.from - 8, y.at(static_cast<double>(r) + 0.5) + 4}, csvNumber(rows[r]), "end");
-    return svg;
-}
-
-std::string heatStyle(const std::string& scope) {
-    // Viridis in eight steps: even in lightness, so that it survives grey print and colour blindness.
-    constexpr const char* kColours[kHeatLevels] = {"#440154", "#46327e", "#365c8d", "#277f8e",
-                                                   "#1fa187", "#4ac16d", "#a0da39", "#fde725"};
-    std::string css;
-    for (int i = 0; i < kHeatLevels; ++i)
-        css += scope + ".heat" + std::to_string(i) + "{fill:" + kColours[i] + "}\n";
-    return css + scope + ".heat-light{fill:#fff;font:12px system-ui,sans-serif}\n" + scope +
-           ".heat-dark{fill:#111;font:12px system-ui,sans-serif}\n";
+    plot.series.push_back(std::move(means));
+    return plot;
 }
 
 }  // namespace talus::tools::batch

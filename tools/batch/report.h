@@ -1,5 +1,5 @@
 #pragma once
-// summary.json and report.html of a batch.
+// summary.json, report.html and report.json of a batch.
 
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace talus::tools::batch {
 
-/// One HTML page without any outside resource: readable without scripts, light or dark, on paper as well.
-std::string batchPage(const Summary& summary, const Json& provenance);
+/// What the page shows, as report/README.md documents it.
+Json batchReport(const Summary& summary, const Json& provenance);
 
-/// Writes both files. Throws FileRefused.
+/// Writes the files. Throws FileRefused.
 void writeReport(const std::string& folder, const StoredBatch& batch, const Common& common);
 
 }  // namespace talus::tools::batch

@@ -57,13 +57,6 @@ Observation observationOf(const Summary& summary, std::uint64_t run, const Row& 
     return seen;
 }
 
-/// Whether a run has failed at a threshold; nothing when its search did not reach there.
-std::optional<bool> hasFailed(const Observation& seen, double threshold) {
-    if (std::isfinite(seen.answer)) return seen.answer <= threshold;
-    if (seen.answer < 0) return seen.high <= threshold ? std::optional(true) : std::nullopt;
-    return seen.low >= threshold ? std::optional(false) : std::nullopt;
-}
-
 void addTo(Group& group, const BatchInfo& info, const Observation& seen) {
     ++group.decided;
     if (!std::isnan(seen.answer)) group.sorted.push_back(seen.answer);
@@ -155,6 +148,12 @@ Json toJson(const Group& group) {
 }
 
 }  // namespace
+
+std::optional<bool> hasFailed(const Observation& seen, double threshold) {
+    if (std::isfinite(seen.answer)) return seen.answer <= threshold;
+    if (seen.answer < 0) return seen.high <= threshold ? std::optional(true) : std::nullopt;
+    return seen.low >= threshold ? std::optional(false) : std::nullopt;
+}
 
 std::string caseLabel(const BatchInfo& info, const Row& row) {
     std::string label;

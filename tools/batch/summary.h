@@ -20,6 +20,9 @@ struct Observation {
     std::vector<double> values;  ///< of the numeric varied columns; NaN where a cell is empty
 };
 
+/// Whether a run has failed at a threshold; nothing when its search did not reach there.
+std::optional<bool> hasFailed(const Observation& seen, double threshold);
+
 /// Probability that the slope has failed at a tilt, or has less than a factor of safety.
 struct FailureShare {
     double threshold = 0;

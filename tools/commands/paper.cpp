@@ -3,6 +3,8 @@
 #include <chrono>
 
 #include "commands/commands.h"
+#include "report/page.h"
+#include "report/svg.h"
 #include "reproduction/cases.h"
 #include "reproduction/data.h"
 #include "reproduction/kept.h"
@@ -55,8 +57,7 @@ void writeScenarios(const PaperResults& results, const std::string& folder) {
 void writeSlopes(const PaperResults& results, const std::string& folder) {
     makeFolder(folder);
     for (const PaperRun& run : results.runs) {
-        if (criticalDeg(run))
-            writeFile(folder + "/" + fileName(run.what) + ".svg", drawSlope(run).standalone());
+        if (criticalDeg(run)) writeFile(folder + "/" + fileName(run.what) + ".svg", svgFile(drawSlope(run)));
     }
 }
 
@@ -65,13 +66,15 @@ void writeAll(const PaperResults& results, const std::string& out) {
     writeFile(out + "/cases.csv", paperCsv(results));
     writeFile(out + "/laboratory.csv", laboratoryCsv(results));
     writeFile(out + "/results.json", paperJson(results).dump(2) + '\n');
-    writeFile(out + "/fig6.svg", plotFig6(results).standalone());
-    writeFile(out + "/difference.svg", plotDifference(results).standalone());
-    writeFile(out + "/contact-points.svg", plotPoints(results).standalone());
-    if (results.scatter) writeFile(out + "/scatter.svg", plotScatter(*results.scatter).standalone());
+    writeFile(out + "/fig6.svg", svgFile(plotFig6(results)));
+    writeFile(out + "/difference.svg", svgFile(plotDifference(results)));
+    writeFile(out + "/contact-points.svg", svgFile(plotPoints(results)));
+    if (results.scatter) writeFile(out + "/scatter.svg", svgFile(plotScatter(*results.scatter)));
     writeSlopes(results, out + "/slopes");
     writeScenarios(results, out + "/scenarios");
-    writeFile(out + "/index.html", paperPage(results));
+    const Json report = paperReport(results);
+    writeFile(out + "/index.json", report.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
+    writeFile(out + "/index.html", reportPage(report));
 }
 
 int exitCode(const PaperResults& results) {

@@ -15,6 +15,11 @@ std::string shownSigned(std::optional<double> value, int decimals) {
     return (*value > 0 ? "+" : "") + text(*value, decimals);
 }
 
+std::string typeset(std::string number) {
+    if (number.starts_with('-')) number.replace(0, 1, "\u2212");
+    return number;
+}
+
 std::string loadFigure(const LoadSearch& search, double load, int decimals) {
     return text(load / search.scale, decimals);
 }

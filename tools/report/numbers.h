@@ -12,6 +12,9 @@ namespace talus::tools {
 std::string shown(std::optional<double> value, int decimals);
 std::string shownSigned(std::optional<double> value, int decimals);  ///< "+0.01"; a rounded zero has no sign
 
+/// A number with a true minus sign.
+std::string typeset(std::string number);
+
 /// A search's load (SI) in its unit: "19.512".
 std::string loadFigure(const LoadSearch& search, double load, int decimals);
 

@@ -1,47 +1,283 @@
 #include "report/svg.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "cli/command.h"
+#include "report/numbers.h"
 
 namespace talus::tools {
 namespace {
 
+constexpr double kLetter = 7;  ///< width of a letter, about [px]
+
+/// The classes' looks; colours colour-blind safe (Okabe and Ito) and apart in grey as well, those of page/page.css.
+constexpr std::string_view kStyle = R"css(
+.text{fill:#1a1a1a;font:13px system-ui,sans-serif}
+.small{fill:#595959;font:12px system-ui,sans-serif}
+.caption{fill:#1a1a1a;font:600 14px system-ui,sans-serif}
+.page{fill:#fff}
+.frame{stroke:#1a1a1a;stroke-width:1;fill:none}
+.grid{stroke:#ddd;stroke-width:1}
+.band{fill:#cfe3ef;stroke:none}
+.theory{stroke:#0072b2;stroke-width:2;fill:none}
+.rule{stroke:#595959;stroke-width:1.2;stroke-dasharray:7 4;fill:none}
+.dots{stroke:#595959;stroke-width:1.2;stroke-dasharray:2 3;fill:none}
+.dem{fill:#b34700;stroke:#b34700;stroke-width:1.5}
+.dem-open{fill:#fff;stroke:#b34700;stroke-width:1.8}
+.dem-ring{fill:none;stroke:#b34700;stroke-width:1.8}
+.laboratory{fill:none;stroke:#1a1a1a;stroke-width:1.8}
+.repeat{fill:#1a1a1a;stroke:none}
+.water{fill:#0072b2;stroke:#0072b2;stroke-width:1}
+.water-line{fill:none;stroke:#0072b2;stroke-width:1.6}
+.stable,.fixed,.sliding,.mixed,.toppling{stroke:#1a1a1a;stroke-width:.7;stroke-linejoin:round}
+.stable{fill:#ececec}
+.fixed{fill:#b4b4b4}
+.sliding{fill:#e69f00}
+.mixed{fill:#009e73}
+.toppling{fill:#7a2f6b}
+)css";
+
 std::string px(double value) { return text(value, 1); }
 
-std::string attribute(std::string_view name, std::string_view value) {
-    return " " + std::string(name) + "=\"" + escaped(value) + '"';
-}
-
-std::string spotsText(const std::vector<Spot>& spots) {
-    std::string list;
-    for (const Spot& spot : spots) list += (list.empty() ? "" : " ") + px(spot.x) + "," + px(spot.y);
-    return list;
-}
-
-void symbol(Svg& svg, Spot at, const LegendEntry& entry) {
-    switch (entry.symbol) {
-        case LegendEntry::Symbol::line:
-            svg.line({at.x - 12, at.y}, {at.x + 12, at.y}, entry.classes);
-            break;
-        case LegendEntry::Symbol::circle:
-            svg.circle(at, entry.radius, entry.classes);
-            break;
-        case LegendEntry::Symbol::triangle:
-            svg.triangle(at, entry.radius, entry.classes);
-            break;
-        case LegendEntry::Symbol::square:
-            svg.square(at, entry.radius, entry.classes);
-            break;
-        case LegendEntry::Symbol::patch:
-            svg.polygon(
-                {{at.x - 12, at.y - 6}, {at.x + 12, at.y - 6}, {at.x + 12, at.y + 6}, {at.x - 12, at.y + 6}},
-                entry.classes);
-            break;
+/// The elements of a file; places are pixels, y downwards.
+class Svg {
+ public:
+    void shape(const std::vector<Spot>& spots, bool open, const std::string& role,
+               const std::string& tip = "") {
+        std::string list;
+        for (const Spot& spot : spots) list += (list.empty() ? "" : " ") + px(spot.x) + "," + px(spot.y);
+        element(open ? "polyline" : "polygon", "points=\"" + list + '"', role, tip);
     }
-}
+    void line(Spot from, Spot to, const std::string& role) { shape({from, to}, true, role); }
+    void box(Spot a, Spot b, const std::string& role, const std::string& tip = "") {
+        shape({a, {b.x, a.y}, b, {a.x, b.y}}, false, role, tip);
+    }
+    void symbol(const std::string& kind, Spot at, double r, const std::string& role,
+                const std::string& tip = "") {
+        if (kind == "triangle")
+            shape({{at.x, at.y - 1.15 * r}, {at.x + r, at.y + 0.6 * r}, {at.x - r, at.y + 0.6 * r}}, false,
+                  role, tip);
+        else if (kind == "square")
+            box({at.x - 0.9 * r, at.y - 0.9 * r}, {at.x + 0.9 * r, at.y + 0.9 * r}, role, tip);
+        else
+            element("circle", "cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) + "\" r=\"" + px(r) + '"', role,
+                    tip);
+    }
+    void label(Spot at, const std::string& words, const char* anchor = "start", const char* look = "text",
+               const std::string& turn = "") {
+        body_ +=
+            "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + "\" text-anchor=\"" + anchor + "\" class=\"" +
+            look + '"' +
+            (turn.empty() ? "" : " transform=\"rotate(" + turn + " " + px(at.x) + " " + px(at.y) + ")\"") +
+            ">" + escaped(words) + "</text>\n";
+    }
+    std::string file(double width, double height, const std::string& title,
+                     const std::string& description) const {
+        return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+               "role=\"img\" width=\"" +
+               px(width) + "\" height=\"" + px(height) + "\" viewBox=\"0 0 " + px(width) + " " + px(height) +
+               "\">\n<title>" + escaped(title) + "</title>\n<desc>" + escaped(description) +
+               "</desc>\n<style>" + std::string(kStyle) +
+               "</style>\n<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n" + body_ + "</svg>\n";
+    }
+
+ private:
+    void element(const std::string& name, const std::string& attributes, const std::string& role,
+                 const std::string& tip) {
+        body_ += "<" + name + " " + attributes + " class=\"" + escaped(role) + '"' +
+                 (tip.empty() ? "/>\n" : "><title>" + escaped(tip) + "</title></" + name + ">\n");
+    }
+
+    std::string body_;
+};
+
+// --- plots ----------------------------------------------------------------------------------------------------------
+
+/// Values of an axis onto pixels from..to.
+struct Scale {
+    const Axis& axis;
+    double from, to;
+
+    double low() const { return axis.categories.empty() ? axis.domain.at(0) : -0.5; }
+    double high() const {
+        return axis.categories.empty() ? axis.domain.at(1)
+                                       : static_cast<double>(axis.categories.size()) - 0.5;
+    }
+    double at(double value) const { return from + (value - low()) / (high() - low()) * (to - from); }
+
+    /// Where there are ticks, and what stands there.
+    std::vector<std::pair<double, std::string>> ticks() const {
+        std::vector<std::pair<double, std::string>> ticks;
+        for (std::size_t i = 0; i < axis.categories.size(); ++i)
+            ticks.emplace_back(static_cast<double>(i), axis.categories[i]);
+        if (axis.categories.empty() && axis.step > 0)
+            for (double i = std::ceil(low() / axis.step - 1e-9); i * axis.step <= high() + 1e-9 * axis.step;
+                 ++i)
+                ticks.emplace_back(i * axis.step,
+                                   typeset(text(i * axis.step + 0.0, std::max(0, axis.decimals))));
+        return ticks;
+    }
+};
+
+class PlotFile {
+ public:
+    explicit PlotFile(const Plot& plot) : plot_(plot) {}
+
+    std::string write() {
+        for (const Reference& reference : plot_.references)
+            if (reference.to) draw(reference);
+        for (const Series& series : plot_.series)
+            if (series.type == "band") drawBand(series);
+        drawAxes();
+        for (const Reference& reference : plot_.references)
+            if (!reference.to) draw(reference);
+        for (const Series& series : plot_.series) draw(series);
+        const double bottom = drawLegend();
+        return svg_.file(kWidth, bottom, plot_.title, plot_.description);
+    }
+
+ private:
+    static constexpr double kWidth = 720, kLeft = 64, kRight = 704, kTop = 26, kBase = 400;
+
+    Spot at(double x, double y) const { return {x_.at(x), y_.at(y)}; }
+
+    void drawAxes() {
+        for (const auto& [value, words] : x_.ticks()) {
+            if (plot_.x.categories.empty()) svg_.line({x_.at(value), kBase}, {x_.at(value), kTop}, "grid");
+            svg_.label({x_.at(value), kBase + 18}, words, "middle");
+        }
+        for (const auto& [value, words] : y_.ticks()) {
+            svg_.line({kLeft, y_.at(value)}, {kRight, y_.at(value)}, "grid");
+            svg_.label({kLeft - 8, y_.at(value) + 4}, words, "end");
+        }
+        svg_.box({kLeft, kTop}, {kRight, kBase}, "frame");
+        svg_.label({0.5 * (kLeft + kRight), kBase + 40}, plot_.x.title, "middle");
+        svg_.label({14, 0.5 * (kTop + kBase)}, plot_.y.title, "middle", "text", "-90");
+    }
+
+    void draw(const Reference& one) {
+        const bool upright = one.axis == 'x';
+        const auto across = [&](double value) {
+            return upright ? std::pair{Spot{x_.at(value), kBase}, Spot{x_.at(value), kTop}}
+                           : std::pair{Spot{kLeft, y_.at(value)}, Spot{kRight, y_.at(value)}};
+        };
+        const auto [from, to] = across(one.at);
+        if (one.to) return svg_.box(from, across(*one.to).second, one.role);
+        svg_.line(from, to, one.role);
+        if (upright)
+            drawNarrow({from.x + 8, kBase - 46}, one.text);
+        else
+            svg_.label({kLeft + 6, from.y + (one.below ? 15 : -6)}, one.text, "start", "small");
+    }
+
+    /// Words in lines of about 14 letters.
+    void drawNarrow(Spot at, const std::string& words) {
+        std::string line;
+        for (std::size_t begin = 0; begin < words.size();) {
+            const std::size_t end = std::min(words.find(' ', begin), words.size());
+            const std::string word = words.substr(begin, end - begin);
+            if (!line.empty() && line.size() + word.size() > 13) {
+                svg_.label(at, line, "start", "small");
+                at.y += 16;
+                line.clear();
+            }
+            line += (line.empty() ? "" : " ") + word;
+            begin = end + 1;
+        }
+        svg_.label(at, line, "start", "small");
+    }
+
+    void drawBand(const Series& series) {
+        std::vector<Spot> outline;
+        for (const auto& row : series.rows) outline.push_back(at(row[0], row[1]));
+        for (auto row = series.rows.rbegin(); row != series.rows.rend(); ++row)
+            outline.push_back(at((*row)[0], (*row)[2]));
+        if (!outline.empty()) svg_.shape(outline, false, series.role);
+    }
+
+    void draw(const Series& series) {
+        std::vector<Spot> path;
+        for (std::size_t i = 0; i < series.rows.size(); ++i) {
+            const auto& row = series.rows[i];
+            const std::string tip = i < series.tips.size() ? series.tips[i] : "";
+            if (series.type == "line") path.push_back(at(row[0], row[1]));
+            if (series.type == "box") drawBox(row, tip);
+            if (series.type == "labels")
+                svg_.label({x_.at(row[0]), y_.at(row[1]) - 7}, tip, "middle", "small");
+            if (series.type == "points")
+                svg_.symbol(series.symbol, {x_.at(row[0]) + series.shift, y_.at(row[1])}, series.size,
+                            series.role, tip);
+        }
+        if (!path.empty()) svg_.shape(path, true, series.role);
+    }
+
+    /// Row: x, then the 5, 25, 50, 75 and 95 % quantiles.
+    void drawBox(const std::vector<double>& row, const std::string& tip) {
+        const double half = 0.3;
+        svg_.line(at(row[0], row[1]), at(row[0], row[2]), "frame");
+        svg_.line(at(row[0], row[4]), at(row[0], row[5]), "frame");
+        svg_.box(at(row[0] - half, row[2]), at(row[0] + half, row[4]), "band", tip);
+        svg_.line(at(row[0] - half, row[3]), at(row[0] + half, row[3]), "theory");
+        for (const std::size_t end : {1, 5})
+            svg_.line(at(row[0] - 0.5 * half, row[end]), at(row[0] + 0.5 * half, row[end]), "frame");
+    }
+
+    /// In rows under the plot. Returns the file's height.
+    double drawLegend() {
+        Spot at{kLeft, kBase + 66};
+        const auto entry = [&](const std::string& name, const std::string& type, const std::string& role,
+                               const Series* points) {
+            if (name.empty()) return;
+            const double needs = 44 + kLetter * static_cast<double>(name.size());
+            if (at.x > kLeft && at.x + needs > kRight) at = {kLeft, at.y + 22};
+            const Spot middle{at.x + 12, at.y};
+            if (points)
+                svg_.symbol(points->symbol, middle, points->size, role);
+            else if (type == "line")
+                svg_.line({at.x, at.y}, {at.x + 24, at.y}, role);
+            else
+                svg_.box({at.x, at.y - 6}, {at.x + 24, at.y + 6}, role);
+            svg_.label({at.x + 32, at.y + 4}, name);
+            at.x += needs;
+        };
+        for (const auto* list : {&plot_.series, &plot_.key})
+            for (const Series& one : *list)
+                entry(one.name, one.type, one.role, one.type == "points" ? &one : nullptr);
+        for (const Reference& one : plot_.references)
+            entry(one.name, one.to ? "band" : "line", one.role, nullptr);
+        return at.x > kLeft ? at.y + 18 : kBase + 52;
+    }
+
+    const Plot& plot_;
+    const Scale x_{plot_.x, kLeft, kRight}, y_{plot_.y, kBase, kTop};
+    Svg svg_;
+};
 
 }  // namespace
+
+std::string svgFile(const Plot& plot) { return PlotFile(plot).write(); }
+
+std::string svgFile(const Drawing& drawing) {
+    constexpr double kWidth = 340, kMargin = 10;
+    Spot low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
+    for (const Shape& shape : drawing.shapes)
+        for (const Spot& spot : shape.spots) {
+            low = {std::min(low.x, spot.x), std::min(low.y, spot.y)};
+            high = {std::max(high.x, spot.x), std::max(high.y, spot.y)};
+        }
+    const double scale = (kWidth - 2 * kMargin) / std::max(high.x - low.x, 1e-12);
+    const auto pixel = [&](Spot spot) {
+        return Spot{kMargin + scale * (spot.x - low.x), kMargin + scale * (high.y - spot.y)};
+    };
+    Svg svg;
+    for (const Shape& shape : drawing.shapes) {
+        std::vector<Spot> spots = shape.spots;
+        std::transform(spots.begin(), spots.end(), spots.begin(), pixel);
+        svg.shape(spots, shape.open, shape.role, shape.tip);
+    }
+    if (drawing.label) svg.label(pixel(drawing.label->first), drawing.label->second, "start", "caption");
+    return svg.file(kWidth, scale * (high.y - low.y) + 2 * kMargin, drawing.title, drawing.description);
+}
 
 std::string escaped(std::string_view text) {
     std::string safe;
@@ -69,162 +305,11 @@ std::string escaped(std::string_view text) {
     return safe;
 }
 
-std::string typeset(std::string number) {
-    if (number.starts_with('-')) number.replace(0, 1, "\u2212");
-    return number;
-}
-
-Palette lightPalette() {
-    return {"#ffffff", "#1a1a1a", "#595959", "#dddddd", "#0072b2", "#cfe3ef", "#1a1a1a",
-            "#b34700", "#0072b2", "#ececec", "#b4b4b4", "#e69f00", "#009e73", "#7a2f6b"};
-}
-
-Palette darkPalette() {
-    return {"#16181b", "#ececec", "#b0b4b8", "#3a3f44", "#56b4e9", "#24455a", "#ececec",
-            "#ff9a52", "#56b4e9", "#43484e", "#777c82", "#e69f00", "#00b386", "#d58bc5"};
-}
-
-std::string drawingStyle(const Palette& p, std::string_view scope) {
-    std::string css;
-    const auto rule = [&](std::string_view selector, const std::string& body) {
-        css += std::string(scope) + std::string(selector) + "{" + body + "}\n";
-    };
-    rule(".text", "fill:" + p.ink + ";font:13px system-ui,sans-serif");
-    rule(".small", "fill:" + p.muted + ";font:12px system-ui,sans-serif");
-    rule(".caption", "fill:" + p.ink + ";font:600 14px system-ui,sans-serif");
-    rule(".page", "fill:" + p.page);
-    rule(".frame", "stroke:" + p.ink + ";stroke-width:1;fill:none");
-    rule(".grid", "stroke:" + p.grid + ";stroke-width:1");
-    rule(".band", "fill:" + p.band + ";stroke:none");
-    rule(".theory", "stroke:" + p.theory + ";stroke-width:2;fill:none");
-    rule(".rule", "stroke:" + p.muted + ";stroke-width:1.2;stroke-dasharray:7 4;fill:none");
-    rule(".dots", "stroke:" + p.muted + ";stroke-width:1.2;stroke-dasharray:2 3;fill:none");
-    rule(".dem", "fill:" + p.dem + ";stroke:" + p.dem + ";stroke-width:1.5");
-    rule(".dem-open", "fill:" + p.page + ";stroke:" + p.dem + ";stroke-width:1.8");
-    rule(".dem-ring", "fill:none;stroke:" + p.dem + ";stroke-width:1.8");
-    rule(".laboratory", "fill:none;stroke:" + p.laboratory + ";stroke-width:1.8");
-    rule(".repeat", "fill:" + p.laboratory + ";stroke:none");
-    rule(".water", "fill:" + p.water + ";stroke:" + p.water + ";stroke-width:1");
-    rule(".water-line", "fill:none;stroke:" + p.water + ";stroke-width:1.6");
-    const auto block = [&](std::string_view selector, const std::string& fill) {
-        rule(selector, "fill:" + fill + ";stroke:" + p.ink + ";stroke-width:.7;stroke-linejoin:round");
-    };
-    block(".stable", p.stable);
-    block(".fixed", p.fixed);
-    block(".sliding", p.sliding);
-    block(".mixed", p.mixed);
-    block(".toppling", p.toppling);
-    return css;
-}
-
-Svg::Svg(double width, double height, std::string title, std::string description)
-    : width_(width), height_(height), title_(std::move(title)), description_(std::move(description)) {}
-
-void Svg::shape(std::string_view start, std::string_view classes, std::string_view tip) {
-    body_ += std::string(start) + attribute("class", classes);
-    const std::string name(start.substr(1, start.find(' ') - 1));
-    body_ += tip.empty() ? "/>\n" : "><title>" + escaped(tip) + "</title></" + name + ">\n";
-}
-
-void Svg::line(Spot from, Spot to, std::string_view classes) {
-    shape("<line x1=\"" + px(from.x) + "\" y1=\"" + px(from.y) + "\" x2=\"" + px(to.x) + "\" y2=\"" +
-              px(to.y) + '"',
-          classes, "");
-}
-
-void Svg::path(const std::vector<Spot>& spots, std::string_view classes) {
-    shape("<polyline points=\"" + spotsText(spots) + '"', classes, "");
-}
-
-void Svg::polygon(const std::vector<Spot>& spots, std::string_view classes, std::string_view tip) {
-    shape("<polygon points=\"" + spotsText(spots) + '"', classes, tip);
-}
-
-void Svg::circle(Spot centre, double radius, std::string_view classes, std::string_view tip) {
-    shape("<circle cx=\"" + px(centre.x) + "\" cy=\"" + px(centre.y) + "\" r=\"" + px(radius) + '"', classes,
-          tip);
-}
-
-void Svg::triangle(Spot centre, double radius, std::string_view classes, std::string_view tip) {
-    polygon({{centre.x, centre.y - 1.15 * radius},
-             {centre.x + radius, centre.y + 0.6 * radius},
-             {centre.x - radius, centre.y + 0.6 * radius}},
-            classes, tip);
-}
-
-void Svg::square(Spot centre, double radius, std::string_view classes, std::string_view tip) {
-    const double r = 0.9 * radius;
-    polygon({{centre.x - r, centre.y - r},
-             {centre.x + r, centre.y - r},
-             {centre.x + r, centre.y + r},
-             {centre.x - r, centre.y + r}},
-            classes, tip);
-}
-
-void Svg::label(Spot at, std::string_view text, std::string_view anchor, std::string_view classes,
-                double turn) {
-    body_ += "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + '"' + attribute("text-anchor", anchor) +
-             attribute("class", classes);
-    if (turn != 0) body_ += " transform=\"rotate(" + px(turn) + " " + px(at.x) + " " + px(at.y) + ")\"";
-    body_ += ">" + escaped(text) + "</text>\n";
-}
-
-std::string Svg::element(std::string_view attributes) const {
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\"" + std::string(attributes) +
-           " viewBox=\"0 0 " + px(width_) + " " + px(height_) + "\">\n<title>" + escaped(title_) +
-           "</title>\n<desc>" + escaped(description_) + "</desc>\n";
-}
-
-std::string Svg::inlined() const { return element(attribute("aria-label", title_)) + body_ + "</svg>\n"; }
-
-std::string Svg::standalone() const {
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
-           element(" width=\"" + px(width_) + "\" height=\"" + px(height_) + '"') + "<style>\n" +
-           drawingStyle(lightPalette(), "") +
-           "</style>\n<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n" + body_ + "</svg>\n";
-}
-
 double niceStep(double span, int count) {
     const double rough = span / count;
     const double unit = std::pow(10.0, std::floor(std::log10(rough)));
     const double ratio = rough / unit;
     return unit * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
-}
-
-std::vector<double> Axis::ticks() const {
-    std::vector<double> values;
-    if (step <= 0) return values;
-    const double slack = 1e-9 * step;
-    for (long i = std::lround(std::ceil((lo - slack) / step)); static_cast<double>(i) * step <= hi + slack;
-         ++i) {
-        values.push_back(static_cast<double>(i) * step);
-    }
-    return values;
-}
-
-void drawAxes(Svg& svg, const Axis& x, const Axis& y) {
-    for (const double value : x.ticks()) {
-        svg.line({x.at(value), y.from}, {x.at(value), y.to}, "grid");
-        svg.label({x.at(value), y.from + 18}, text(value, x.decimals), "middle");
-    }
-    for (const double value : y.ticks()) {
-        svg.line({x.from, y.at(value)}, {x.to, y.at(value)}, "grid");
-        svg.label({x.from - 8, y.at(value) + 4}, typeset(text(value, y.decimals)), "end");
-    }
-    svg.path({{x.from, y.to}, {x.from, y.from}, {x.to, y.from}, {x.to, y.to}, {x.from, y.to}}, "frame");
-    svg.label({(x.from + x.to) / 2, y.from + 40}, x.title, "middle");
-    // Room for the tick labels, about 7 px a letter.
-    svg.label({x.from - 36 - (y.decimals > 0 ? 4.0 + 8.0 * y.decimals : 0.0), (y.from + y.to) / 2}, y.title,
-              "middle", "text", -90);
-}
-
-void drawLegend(Svg& svg, Spot top_left, const std::vector<LegendEntry>& entries) {
-    Spot at{top_left.x + 12, top_left.y};
-    for (const LegendEntry& entry : entries) {
-        symbol(svg, at, entry);
-        svg.label({at.x + 20, at.y + 4}, entry.text);
-        at.y += 20;
-    }
 }
 
 }  // namespace talus::tools

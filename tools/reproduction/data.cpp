@@ -1,12 +1,11 @@
 #include "reproduction/data.h"
 
 #include "report/csv.h"
+#include "report/page.h"
 #include "reproduction/laboratory.h"
 
 namespace talus::tools {
 namespace {
-
-Json optionalNumber(std::optional<double> value) { return value ? number(*value) : Json(nullptr); }
 
 Json fissureJson(const std::vector<int>& fissures) {
     if (fissures.empty()) return nullptr;
@@ -28,10 +27,10 @@ Json caseJson(const PaperRun& run) {
               {"points", run.what.points},
               {"friction_deg", run.what.friction_deg},
               {"status", statusText(run)},
-              {"critical_angle_deg", optionalNumber(criticalDeg(run))},
+              {"critical_angle_deg", maybe(criticalDeg(run))},
               {"bracket_deg", bracketJson(run)},
-              {"theory_deg", optionalNumber(theoryDeg(run))},
-              {"paper_deg", optionalNumber(run.what.paper_deg)},
+              {"theory_deg", maybe(theoryDeg(run))},
+              {"paper_deg", maybe(run.what.paper_deg)},
               {"failure_mode", talus::toString(run.search.mode)},
               {"moving_blocks", run.search.moving_blocks},
               {"probes", run.search.probes.size()},

@@ -9,8 +9,9 @@
 
 #include "recording/snapshot_view.h"
 #include "replay/page.h"
-#include "report/html.h"
+#include "report/page.h"
 #include "reproduction/laboratory.h"
+#include "reproduction/slope.h"
 
 namespace talus::tools {
 
@@ -104,41 +105,41 @@ std::string seenText(const KeptRun& kept) {
     return capitalised(seen) + ".";
 }
 
-std::string htmlKept(const PaperResults& results) {
-    using namespace html;
-    const std::string title = heading("replays", "The failure played");
+Json keptSection(const PaperResults& results) {
+    const auto made = [](Json blocks) {
+        return section("replays", "Replays", "The failure played", std::move(blocks));
+    };
     if (results.kept.empty())
-        return title +
-               paragraph(
-                   "Not in this page: \u201ctalus paper --keep-run\u201d also keeps the failing runs of the "
-                   "slope dry and with water in fissure 5 (the paper\u2019s Figs. 4 and 5) and links to "
-                   "their replays from here. One slope: \u201ctalus critical-angle SCENARIO --keep-run "
-                   "failing.mcap\u201d, then \u201ctalus replay failing.mcap -o failing.html\u201d.");
-    std::string figures;
+        return made(
+            Json::array({paragraph("Not in this page: \u201ctalus paper --keep-run\u201d also keeps the "
+                                   "failing runs of the slope dry "
+                                   "and with water in fissure 5 (the paper\u2019s Figs. 4 and 5) and links "
+                                   "to their replays from here. "
+                                   "One slope: \u201ctalus critical-angle SCENARIO --keep-run "
+                                   "failing.mcap\u201d, then \u201ctalus replay "
+                                   "failing.mcap -o failing.html\u201d.")}));
+    Json blocks = Json::array(
+        {paragraph("Let go a few hundredths of a degree beyond the tilt at which it fails, with true "
+                   "inertia, until some "
+                   "block has gone its own height. The pictures show where that ends, to scale.")});
+    std::vector<Drawing> pictures;
     for (const PaperKept& kept : results.kept) {
-        const PaperRun& run = results.runs[kept.of];
-        const std::string name = label(run.what) + " (the paper\u2019s " + kept.figure + ")";
+        const PaperCase& what = results.runs[kept.of].what;
+        const std::string name = capitalised(label(what)) + " (the paper\u2019s " + kept.figure + ")";
         if (kept.run.file.empty()) {
-            figures += paragraph(capitalised(name) + ": not kept, " + kept.run.reason + ".");
+            blocks.push_back(paragraph(name + ": not kept, " + kept.run.reason + "."));
             continue;
         }
-        const std::string picture =
-            tagged("a", drawEnd(kept.run, run.what.fissures, label(run.what)).inlined(),
-                   "href=\"" + escaped(kept.page) + "#colour=role\"");
-        const std::string caption =
-            "<strong>" + escaped(capitalised(name)) + "</strong>: " + words(seenText(kept.run)) + " Tilt " +
-            text(degrees(kept.run.failure.load), 3) + "\u00b0, after " +
-            text(kept.run.run.simulated_seconds, 2) + " s " + escaped(kept.run.farthest) + " has gone " +
-            text(1000 * kept.run.farthest_way, 0) + " mm. <a href=\"" + escaped(kept.page) +
-            "#colour=role\">Play it</a>; <a href=\"" + escaped(kept.file) + "\">snapshot file</a>.";
-        figures += tagged("figure", picture + tagged("figcaption", caption));
+        Drawing picture = drawEnd(kept.run, what.fissures, label(what));
+        picture.caption_title = name;
+        picture.caption = seenText(kept.run) + " Tilt " + text(degrees(kept.run.failure.load), 3) +
+                          "\u00b0, after " + text(kept.run.run.simulated_seconds, 2) + " s " +
+                          kept.run.farthest + " has gone " + text(1000 * kept.run.farthest_way, 0) + " mm.";
+        picture.links = {{kept.page + "#colour=role", "Play it"}, {kept.file, "snapshot file"}};
+        pictures.push_back(std::move(picture));
     }
-    return title +
-           paragraph(
-               "Let go a few hundredths of a degree beyond the tilt at which it fails, with true inertia, "
-               "until "
-               "some block has gone its own height. The pictures show where that ends, to scale.") +
-           tagged("div", figures, classed("slopes pair"));
+    if (!pictures.empty()) blocks.push_back(drawings(pictures, true));
+    return made(std::move(blocks));
 }
 
 }  // namespace talus::tools

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "report/svg.h"
 #include "reproduction/results.h"
 
 namespace talus::tools {
@@ -17,13 +16,10 @@ void markKept(std::vector<PaperCase>& cases);
 void keepFailures(PaperResults& results, const std::string& folder, const std::string& page_folder,
                   const Common& common);
 
-/// The slope from its side where the kept run ends, to scale: blocks coloured by role, water in its fissures.
-Svg drawEnd(const KeptRun& kept, const std::vector<int>& fissures, const std::string& title);
-
 /// What is seen: "Columns 1-5 (75 blocks) slid; columns 6-7 (30 blocks) stayed."
 std::string seenText(const KeptRun& kept);
 
 /// The page's section: pictures with links to the replays, or how to get them.
-std::string htmlKept(const PaperResults& results);
+Json keptSection(const PaperResults& results);
 
 }  // namespace talus::tools

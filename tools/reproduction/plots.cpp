@@ -3,26 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/svg.h"
 #include "reproduction/laboratory.h"
 #include "talus/theory.h"
 
 namespace talus::tools {
 namespace {
 
-using Symbol = LegendEntry::Symbol;
-
 /// The straight cut of Fig. 6: the ratio beyond which the paper calls the water's push negligible.
 constexpr double kPaperRatio = 3.0;
 
-constexpr int kLastGrid = 10;  ///< finest grid of the study of contact points
+constexpr int kFirstGrid = 2, kLastGrid = 10;  ///< of the study of contact points
 
 /// Single tests stand beside their average, which would hide them [px].
 constexpr double kRepeatShift = 12;
 
+const char* const kAngleTitle = "critical angle (\u00b0)";
+
 double densityOf(const Model& model) { return model.blocks.empty() ? 0 : model.blocks.back().density; }
 
 /// The exact limit with L as a continuous length, so that the curve passes between the fissures.
-std::vector<Spot> theoryCurve(const PaperRun& sample, const Axis& x, const Axis& y) {
+Series theoryCurve(const PaperRun& sample, const Axis& x, const Axis& y) {
     const Model& model = sample.what.scenario.model;
     theory::SlidingMass mass;
     mass.height = model.stack->rows * model.stack->block.z();
@@ -30,80 +31,58 @@ std::vector<Spot> theoryCurve(const PaperRun& sample, const Axis& x, const Axis&
     mass.water_density = model.waters.front().density;
     mass.water_depth = sample.what.water_depth;
     mass.friction = radians(sample.what.friction_deg);
-    std::vector<Spot> spots;
-    for (double ratio = x.lo; ratio <= x.hi + 1e-9; ratio += 0.002) {
+    Series curve{"line", "theory", "exact limit, friction angle 19.5\u00b0", {}};
+    for (double ratio = x.domain[0]; ratio <= x.domain[1] + 1e-9; ratio += 0.01) {
         mass.length = ratio * mass.water_depth;
         const double angle = mass.length > 0 ? degrees(theory::criticalTiltSliding(mass)) : -1;
-        if (angle >= y.lo && angle <= y.hi) spots.push_back({x.at(ratio), y.at(angle)});
+        if (angle >= y.domain[0] && angle <= y.domain[1]) curve.add({ratio, angle});
     }
-    return spots;
+    return curve;
 }
 
 /// Area between the DEM's answers at the smallest and the largest friction angle, over the watered fissures.
-std::vector<Spot> demBand(const PaperResults& results, const Axis& x, const Axis& y) {
-    std::vector<Spot> lower, upper;
+Series demBand(const PaperResults& results) {
+    Series band{"band", "band", "DEM, friction angle 18\u00b0 to 21\u00b0", {}};
     for (const LaboratorySeries& series : kLaboratory) {
         const PaperRun* low = tableRun(results, series.fissure, kPaperFrictionDeg.front());
         const PaperRun* high = tableRun(results, series.fissure, kPaperFrictionDeg.back());
         if (!low || !high || !distanceOverDepth(low->what) || !criticalDeg(*low) || !criticalDeg(*high))
             continue;
-        const double ratio = x.at(*distanceOverDepth(low->what));
-        lower.push_back({ratio, y.at(*criticalDeg(*low))});
-        upper.push_back({ratio, y.at(*criticalDeg(*high))});
+        band.add({*distanceOverDepth(low->what), *criticalDeg(*low), *criticalDeg(*high)});
     }
-    lower.insert(lower.end(), upper.rbegin(), upper.rend());
-    return lower;
+    return band;
 }
 
-void drawLaboratory(Svg& svg, const LaboratorySeries& series, double at, const Axis& y) {
-    svg.circle(
-        {at, y.at(series.average_deg)}, 6, "laboratory",
-        "fissure " + std::to_string(series.fissure) + ", laboratory average " + text(series.average_deg, 1));
-    for (const double repeat : series.repeats_deg)
-        svg.circle({at - kRepeatShift, y.at(repeat)}, 1.8, "repeat");
-}
-
-void drawWatered(Svg& svg, const PaperResults& results, const Axis& x, const Axis& y) {
+/// Laboratory and DEM at each watered fissure, and the fissure's number at the top.
+void addWatered(Plot& plot, const PaperResults& results) {
+    Series dem{"points", "dem", "DEM, friction angle 19.5\u00b0", {}, {}, "triangle", 6};
+    Series average{"points", "laboratory", "laboratory, average of three", {}, {}, "circle", 6};
+    Series repeats{"points", "repeat",     "laboratory, each test (set left)", {}, {}, "circle",
+                   2,        -kRepeatShift};
+    Series numbers{"labels", "muted", "", {}};
     for (const LaboratorySeries& series : kLaboratory) {
         const PaperRun* run = tableRun(results, series.fissure, kTableFrictionDeg);
         if (!run || !distanceOverDepth(run->what)) continue;
-        const double at = x.at(*distanceOverDepth(run->what));
-        svg.label({at, y.to - 7}, std::to_string(series.fissure), "middle", "small");
-        if (const auto angle = criticalDeg(*run)) {
-            svg.triangle({at, y.at(*angle)}, 6, "dem", answerText(*run));
-        }
-        drawLaboratory(svg, series, at, y);
+        const double ratio = *distanceOverDepth(run->what);
+        const std::string name = std::to_string(series.fissure);
+        numbers.add({ratio, plot.y.domain[1]}, (series.fissure == 1 ? "fissure " : "") + name);
+        if (const auto angle = criticalDeg(*run)) dem.add({ratio, *angle}, answerText(*run));
+        average.add({ratio, series.average_deg},
+                    "fissure " + name + ", laboratory average " + text(series.average_deg, 1));
+        for (const double repeat : series.repeats_deg)
+            repeats.add({ratio, repeat}, "fissure " + name + ", laboratory test " + text(repeat, 1));
     }
+    for (Series* series : {&average, &repeats, &dem, &numbers}) plot.series.push_back(std::move(*series));
 }
 
-void drawDryLines(Svg& svg, const PaperResults& results, const Axis& x, const Axis& y) {
+void addDryLines(Plot& plot, const PaperResults& results) {
     const double laboratory = kLaboratory.front().average_deg;
-    svg.line({x.from, y.at(laboratory)}, {x.to, y.at(laboratory)}, "dots");
-    svg.label({x.from + 6, y.at(laboratory) + 15}, "dry, laboratory " + text(laboratory, 1), "start",
-              "small");
+    plot.references.push_back(
+        {'y', laboratory, {}, "dots", "", "dry, laboratory " + text(laboratory, 1), true});
     const PaperRun* dry = tableRun(results, 0, kTableFrictionDeg);
     if (!dry || !criticalDeg(*dry)) return;
-    const double angle = *criticalDeg(*dry);
-    svg.line({x.from, y.at(angle)}, {x.to, y.at(angle)}, "rule");
-    svg.label({x.from + 6, y.at(angle) - 6}, "dry, DEM " + text(angle, 2), "start", "small");
-}
-
-void drawPaperRatio(Svg& svg, const Axis& x, const Axis& y) {
-    const double at = x.at(kPaperRatio);
-    svg.line({at, y.from}, {at, y.to}, "dots");
-    double height = y.from - 46;
-    for (const char* words : {"beyond 3 the", "paper neglects", "the water"}) {
-        svg.label({at + 8, height}, words, "start", "small");
-        height += 16;
-    }
-}
-
-std::vector<LegendEntry> fig6Legend() {
-    return {{"laboratory, average of three", Symbol::circle, "laboratory", 6},
-            {"laboratory, each test (set left)", Symbol::circle, "repeat", 1.8},
-            {"DEM, friction angle 19.5\u00b0", Symbol::triangle, "dem", 6},
-            {"DEM, friction angle 18\u00b0 to 21\u00b0", Symbol::patch, "band", 5},
-            {"exact limit, friction angle 19.5\u00b0", Symbol::line, "theory", 5}};
+    plot.references.push_back(
+        {'y', *criticalDeg(*dry), {}, "rule", "", "dry, DEM " + text(*criticalDeg(*dry), 2), false});
 }
 
 /// One column of the difference plot.
@@ -140,147 +119,117 @@ double differenceRange(const std::vector<Difference>& columns) {
     return range;
 }
 
-/// Friction angles by symbol: 18 open square, 19.5 filled triangle, 21 open circle.
-void drawDifference(Svg& svg, const PaperRun& run, double middle, const Axis& y) {
-    const auto difference = lessTheory(run);
-    if (!difference) return;
-    const std::string tip = answerText(run) + ", less exact limit " + shownSigned(difference, 3);
-    const double height = y.at(*difference);
-    if (run.what.friction_deg < kTableFrictionDeg) {
-        svg.square({middle - 13, height}, 5, "dem-open", tip);
-    } else if (run.what.friction_deg > kTableFrictionDeg) {
-        svg.circle({middle + 13, height}, 4.6, "dem-open", tip);
-    } else {
-        svg.triangle({middle, height}, 6, "dem", tip);
-    }
+/// Rules of contact points in the order of the axis: the grids by fineness, then those with a name.
+std::vector<std::string> pointRules() {
+    std::vector<std::string> rules;
+    for (int n = kFirstGrid; n <= kLastGrid; ++n) rules.push_back("grid " + std::to_string(n));
+    rules.insert(rules.end(), {"quarter", "corner", "vertex"});
+    return rules;
 }
 
-void drawBracketBand(Svg& svg, const PaperResults& results, const Axis& x, const Axis& y) {
-    if (results.runs.empty()) return;
-    const double half = degrees(results.runs.front().what.scenario.model.analysis.tolerance) / 2;
-    svg.polygon({{x.from, y.at(half)}, {x.to, y.at(half)}, {x.to, y.at(-half)}, {x.from, y.at(-half)}},
-                "band");
-}
-
-void drawPointRule(Svg& svg, const PaperResults& results, const std::string& rule, Spot at) {
-    const PaperRun* run = pointsRun(results, rule);
-    if (!run || !criticalDeg(*run)) return;
-    const std::string angle = text(*criticalDeg(*run), 2);
-    svg.square(at, 7, "dem-ring", rule + ": " + angle + " " + failureText(*run));
-    svg.label({at.x + 12, at.y + 16}, rule + " " + angle);
-}
-
-/// A rule that is no grid, in a place of its own on the axis.
-void drawNamedRule(Svg& svg, const PaperResults& results, const std::string& rule, double place,
-                   const Axis& x, const Axis& y) {
-    const PaperRun* run = pointsRun(results, rule);
-    svg.label({x.at(place), y.from + 18}, rule, "middle");
-    if (!run || !criticalDeg(*run)) return;
-    const bool slides = run->search.mode == FailureMode::sliding;
-    svg.square({x.at(place), y.at(*criticalDeg(*run))}, 6, slides ? "dem" : "dem-open", answerText(*run));
-    svg.label({x.at(place), y.at(*criticalDeg(*run)) + 24}, text(*criticalDeg(*run), 2), "middle", "small");
-}
-
-void drawGrids(Svg& svg, const PaperResults& results, const Axis& x, const Axis& y) {
-    for (const PaperRun* run : runsOf(results, PaperGroup::points)) {
-        const PointRule& rule = run->what.scenario.model.points;
-        const auto angle = criticalDeg(*run);
-        if (rule.kind != PointRule::Kind::grid || !angle) continue;
-        svg.triangle({x.at(rule.grid), y.at(*angle)}, 5.5,
-                     failureText(*run) == "sliding" ? "dem" : "dem-open",
-                     run->what.points + ": " + text(*angle, 2) + " " + failureText(*run));
-    }
-}
-
-std::vector<Spot> overturningCurve(const StackShape& stack, double friction, const Axis& x, const Axis& y) {
-    std::vector<Spot> spots;
+Series overturningCurve(const StackShape& stack, double friction) {
+    Series curve{"line", "rule", "overturning about the outermost points", {}};
     const double height = stack.rows * stack.block.z();
-    for (int n = 2; n <= kLastGrid; ++n) {
+    for (int n = kFirstGrid; n <= kLastGrid; ++n) {
         const double tilt = std::min(gridOverturning(stack.block.x(), height, n), friction);
-        spots.push_back({x.at(n), y.at(degrees(tilt))});
+        curve.add({static_cast<double>(n - kFirstGrid), degrees(tilt)});
     }
-    return spots;
+    return curve;
 }
 
 }  // namespace
 
 double gridOverturning(double b, double h, int n) { return std::atan((1.0 - 1.0 / n) * b / h); }
 
-Svg plotFig6(const PaperResults& results) {
-    Svg svg(720, 470, "Critical angle against L/H",
-            "Critical angle in degrees against the distance of the watered fissure from the toe over the "
-            "water depth: laboratory, DEM and exact limit.");
-    const Axis x{0, 3.75, 64, 704, "L/H: distance of the fissure from the toe over water depth", 0.5, 1};
-    const Axis y{0, 22, 420, 26, "critical angle (\u00b0)", 2, 0};
-    const auto band = demBand(results, x, y);
-    if (!band.empty()) svg.polygon(band, "band");
-    drawAxes(svg, x, y);
-    svg.label({x.from + 4, y.to - 7}, "fissure", "start", "small");
-    drawPaperRatio(svg, x, y);
-    drawDryLines(svg, results, x, y);
+Plot plotFig6(const PaperResults& results) {
+    Plot plot{"plot-fig6", "Critical angle against L/H",
+              "Critical angle in degrees against the distance of the watered fissure from the toe over the "
+              "water depth: laboratory, DEM and exact limit.",
+              Axis{"L/H: distance of the fissure from the toe over water depth", {0, 3.75}, 0.5, 1},
+              Axis{kAngleTitle, {0, 22}, 2, 0}};
+    plot.references.push_back({'x', kPaperRatio, {}, "dots", "", "beyond 3 the paper neglects the water"});
+    addDryLines(plot, results);
+    plot.series.push_back(demBand(results));
     const PaperRun* sample = tableRun(results, 1, kTableFrictionDeg);
-    if (sample && sample->what.scenario.model.stack) svg.path(theoryCurve(*sample, x, y), "theory");
-    drawWatered(svg, results, x, y);
-    drawLegend(svg, {x.at(1.3), y.at(8.4)}, fig6Legend());
-    return svg;
+    if (sample && sample->what.scenario.model.stack)
+        plot.series.push_back(theoryCurve(*sample, plot.x, plot.y));
+    addWatered(plot, results);
+    return plot;
 }
 
-Svg plotDifference(const PaperResults& results) {
+Plot plotDifference(const PaperResults& results) {
     const std::vector<Difference> columns = differences(results);
-    Svg svg(720, 330, "DEM less exact limit",
-            "Difference of the DEM's critical angle from the exact limit, in degrees.");
-    const double range = differenceRange(columns);
-    const Axis x{0, static_cast<double>(columns.size()), 90, 704, "watered fissure", 0, 0};
-    const double step = niceStep(2 * range, 6);
-    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-    const Axis y{-range, range, 248, 20, "DEM \u2212 exact limit (\u00b0)", step, decimals};
-    drawBracketBand(svg, results, x, y);
-    drawAxes(svg, x, y);
-    svg.line({x.from, y.at(0)}, {x.to, y.at(0)}, "theory");
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        const double middle = x.at(static_cast<double>(i) + 0.5);
-        svg.label({middle, y.from + 18}, columns[i].name, "middle");
-        for (const PaperRun* run : columns[i].runs) drawDifference(svg, *run, middle, y);
+    const double range = differenceRange(columns), step = niceStep(2 * range, 6);
+    Plot plot{
+        "plot-difference", "Difference from the exact limit",
+        "The search ends with a bracket between the last tilt that held and the first that did not; the "
+        "answer is its middle.",
+        Axis{"watered fissure"},
+        Axis{"DEM \u2212 exact limit (\u00b0)",
+             {-range, range},
+             step,
+             std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)))}};
+    // Side by side, apart by symbol as well.
+    std::vector<Series> by_friction{
+        {"points", "dem-open", "friction angle 18\u00b0", {}, {}, "square", 5, -10},
+        {"points", "dem", "friction angle 19.5\u00b0", {}, {}, "triangle", 6, 0},
+        {"points", "dem-open", "friction angle 21\u00b0", {}, {}, "circle", 4.6, 10}};
+    for (const Difference& column : columns) {
+        const auto place = static_cast<double>(plot.x.categories.size());
+        plot.x.categories.push_back(column.name);
+        for (const PaperRun* run : column.runs) {
+            const auto difference = lessTheory(*run);
+            const double friction = run->what.friction_deg;
+            const std::size_t k = friction < kTableFrictionDeg ? 0 : friction > kTableFrictionDeg ? 2 : 1;
+            if (difference)
+                by_friction[k].add({place, *difference},
+                                   answerText(*run) + ", less exact limit " + shownSigned(difference, 3));
+        }
     }
-    svg.label({72, 318}, "friction angle");
-    drawLegend(svg, {168, 314}, {{"18\u00b0", Symbol::square, "dem-open", 5}});
-    drawLegend(svg, {234, 314}, {{"19.5\u00b0", Symbol::triangle, "dem", 6}});
-    drawLegend(svg, {312, 314}, {{"21\u00b0", Symbol::circle, "dem-open", 4.6}});
-    drawLegend(svg, {400, 314}, {{"half the search\u2019s bracket either way", Symbol::patch, "band", 5}});
-    return svg;
+    plot.series = std::move(by_friction);
+    if (!results.runs.empty()) {
+        const double half = degrees(results.runs.front().what.scenario.model.analysis.tolerance) / 2;
+        plot.references.push_back({'y', -half, half, "band", "half the search\u2019s bracket either way"});
+    }
+    plot.references.push_back({'y', 0, {}, "theory"});
+    return plot;
 }
 
-Svg plotPoints(const PaperResults& results) {
-    Svg svg(720, 410, "Critical angle of the dry slope against the contact points",
-            "The paper's four points per interface sit inside the edge and let the columns overturn too "
-            "early; grids of N by N points approach the exact limit from below, points on the edge meet "
-            "it.");
-    const Axis x{
-        1.4, 12.8, 64, 704, "N of a grid of N \u00d7 N contact points per interface, or the rule\u2019s name",
-        0,   0};
-    const Axis y{10, 21, 355, 16, "critical angle (\u00b0)", 1, 0};
-    drawAxes(svg, x, y);
-    for (int n = 2; n <= kLastGrid; ++n) svg.label({x.at(n), y.from + 18}, std::to_string(n), "middle");
+Plot plotPoints(const PaperResults& results) {
+    Plot plot{
+        "plot-points", "Critical angle of the dry slope against the contact points",
+        "The paper\u2019s four points per interface sit inside the edge and let the columns overturn too "
+        "early; grids of N by N points approach the exact limit from below, points on the edge meet "
+        "it.",
+        Axis{"N of a grid of N \u00d7 N contact points per interface, or the rule\u2019s name"},
+        Axis{kAngleTitle, {10, 21}, 1, 0}};
+    const std::vector<std::string> rules = pointRules();
+    for (const std::string& rule : rules)
+        plot.x.categories.push_back(rule.starts_with("grid ") ? rule.substr(5) : rule);
     const PaperRun* sample = pointsRun(results, "vertex");
     if (sample && sample->what.scenario.model.stack) {
-        const double friction = radians(sample->what.friction_deg);
-        svg.line({x.from, y.at(sample->what.friction_deg)}, {x.to, y.at(sample->what.friction_deg)},
-                 "theory");
-        svg.path(overturningCurve(*sample->what.scenario.model.stack, friction, x, y), "rule");
+        const double friction = sample->what.friction_deg;
+        plot.references.push_back({'y', friction, {}, "theory", "exact limit: the slope slides"});
+        plot.series.push_back(overturningCurve(*sample->what.scenario.model.stack, radians(friction)));
     }
-    drawGrids(svg, results, x, y);
-    const PaperRun* quarter = pointsRun(results, "quarter");
-    if (quarter)
-        drawPointRule(svg, results, "quarter", {x.at(2), y.at(criticalDeg(*quarter).value_or(y.lo))});
-    drawNamedRule(svg, results, "corner", 11.2, x, y);
-    drawNamedRule(svg, results, "vertex", 12.2, x, y);
-    drawLegend(svg, {x.at(5), y.at(14.2)},
-               {{"exact limit: the slope slides", Symbol::line, "theory", 5},
-                {"overturning about the outermost points", Symbol::line, "rule", 5},
-                {"DEM, grid, fails by sliding", Symbol::triangle, "dem", 5.5},
-                {"DEM, grid, fails otherwise", Symbol::triangle, "dem-open", 5.5},
-                {"DEM, corner and vertex points", Symbol::square, "dem", 6}});
-    return svg;
+    Series slides{"points", "dem", "DEM, grid, fails by sliding", {}, {}, "triangle", 5.5};
+    Series topples{"points", "dem-open", "DEM, grid, fails otherwise", {}, {}, "triangle", 5.5};
+    Series named{"points", "dem", "DEM, named rule, fails by sliding", {}, {}, "square", 6};
+    Series named_topples{"points", "dem-open", "DEM, named rule, fails otherwise", {}, {}, "square", 6};
+    Series values{"labels", "muted", "", {}};
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        const PaperRun* run = pointsRun(results, rules[i]);
+        const auto angle = run ? criticalDeg(*run) : std::nullopt;
+        if (!angle) continue;
+        const bool is_grid = rules[i].starts_with("grid "), is_sliding = failureText(*run) == "sliding";
+        Series& series = is_grid ? (is_sliding ? slides : topples) : is_sliding ? named : named_topples;
+        const auto place = static_cast<double>(i);
+        series.add({place, *angle}, rules[i] + ": " + text(*angle, 2) + " " + failureText(*run));
+        if (!is_grid) values.add({place, *angle}, text(*angle, 2));
+    }
+    for (Series* series : {&slides, &topples, &named, &named_topples, &values})
+        if (!series->rows.empty()) plot.series.push_back(std::move(*series));
+    return plot;
 }
 
 }  // namespace talus::tools

@@ -7,7 +7,7 @@
 #include "batch/statistics.h"
 #include "batch/store.h"
 #include "paper_scenarios.h"
-#include "report/html.h"
+#include "report/page.h"
 #include "reproduction/laboratory.h"
 
 namespace talus::tools {
@@ -68,19 +68,10 @@ std::string caseName(const ScatterCase& one) {
     return one.fissure == 0 ? "dry" : "fissure " + std::to_string(one.fissure);
 }
 
-void drawBox(Svg& svg, const ScatterCase& one, double middle, const Axis& y) {
-    std::array<double, 5> at{};
-    for (std::size_t i = 0; i < at.size(); ++i) at[i] = y.at(batch::quantileOf(one.angles_deg, kShares[i]));
-    constexpr double kHalf = 13;
-    svg.line({middle, at[0]}, {middle, at[1]}, "frame");
-    svg.line({middle, at[3]}, {middle, at[4]}, "frame");
-    svg.polygon(
-        {{middle - kHalf, at[1]}, {middle - kHalf, at[3]}, {middle + kHalf, at[3]}, {middle + kHalf, at[1]}},
-        "band",
-        caseName(one) + ": half of the samples between " + text(batch::quantileOf(one.angles_deg, 0.25), 2) +
-            " and " + text(batch::quantileOf(one.angles_deg, 0.75), 2));
-    svg.line({middle - kHalf, at[2]}, {middle + kHalf, at[2]}, "theory");
-    for (const std::size_t end : {0, 4}) svg.line({middle - 6, at[end]}, {middle + 6, at[end]}, "frame");
+std::string boxTip(const ScatterCase& one) {
+    return caseName(one) + ": half of the samples between " +
+           text(batch::quantileOf(one.angles_deg, 0.25), 2) + " and " +
+           text(batch::quantileOf(one.angles_deg, 0.75), 2);
 }
 
 /// How many of the repeats lie between the 5 % and the 95 % sample.
@@ -97,17 +88,19 @@ std::string repeatsText(const ScatterCase& one) {
     return list;
 }
 
-std::string tableRow(const ScatterCase& one) {
-    using namespace html;
-    std::string cells =
-        cell(caseName(one), "words") + cell(repeatsText(one)) + cell(std::to_string(one.runs));
-    if (one.angles_deg.empty())
-        return row(cells + cell("\u2013") + cell("\u2013") + cell("\u2013") + cell("\u2013"));
+Json tableRow(const ScatterCase& one) {
+    Json row{caseName(one), repeatsText(one), one.runs};
+    if (one.angles_deg.empty()) {
+        for (int i = 0; i < 4; ++i) row.push_back(nullptr);
+        return row;
+    }
     const batch::Moments moments = batch::momentsOf(one.angles_deg, 0.95);
-    return row(cells + numberCell(moments.mean, 2) + numberCell(moments.sd, 2) +
-               cell(text(batch::quantileOf(one.angles_deg, 0.05), 2) + " to " +
-                    text(batch::quantileOf(one.angles_deg, 0.95), 2)) +
-               cell(std::to_string(repeatsInside(one)) + " of 3"));
+    row.push_back(moments.mean);
+    row.push_back(moments.sd);
+    row.push_back(text(batch::quantileOf(one.angles_deg, 0.05), 2) + " to " +
+                  text(batch::quantileOf(one.angles_deg, 0.95), 2));
+    row.push_back(std::to_string(repeatsInside(one)) + " of 3");
+    return row;
 }
 
 }  // namespace
@@ -155,52 +148,54 @@ Json scatterJson(const Scatter& scatter) {
     return {{"samples", scatter.samples}, {"complete", scatter.complete}, {"cases", cases}};
 }
 
-Svg plotScatter(const Scatter& scatter) {
-    Svg svg(
-        720, 430, "Scatter of the laboratory, computed",
+Plot plotScatter(const Scatter& scatter) {
+    Plot plot{
+        "plot-scatter", "Scatter of the laboratory, computed",
         "Critical angles of samples in which every interface drew its own friction angle, beside the three "
-        "laboratory tests of each case.");
-    const Axis x{0, static_cast<double>(scatter.cases.size()), 64, 704, "watered fissure", 0, 0};
-    const Axis y{0, 22, 375, 16, "critical angle (\u00b0)", 2, 0};
-    drawAxes(svg, x, y);
-    for (std::size_t i = 0; i < scatter.cases.size(); ++i) {
-        const ScatterCase& one = scatter.cases[i];
-        const double middle = x.at(static_cast<double>(i) + 0.5);
-        svg.label({middle, y.from + 18}, one.fissure == 0 ? "dry" : std::to_string(one.fissure), "middle");
-        if (!one.angles_deg.empty()) drawBox(svg, one, middle, y);
+        "laboratory tests of each case.",
+        Axis{"watered fissure"}, Axis{"critical angle (\u00b0)", {0, 22}, 2, 0}};
+    Series boxes{"box", "band", "computed: middle half of the samples", {}};
+    Series repeats{"points", "laboratory", "laboratory, each test", {}, {}, "circle", 3, 24};
+    for (const ScatterCase& one : scatter.cases) {
+        const auto place = static_cast<double>(plot.x.categories.size());
+        plot.x.categories.push_back(one.fissure == 0 ? "dry" : std::to_string(one.fissure));
+        if (!one.angles_deg.empty()) {
+            std::vector<double> row{place};
+            for (const double share : kShares) row.push_back(batch::quantileOf(one.angles_deg, share));
+            boxes.add(std::move(row), boxTip(one));
+        }
         for (const double repeat : one.repeats_deg)
-            svg.circle({middle + 24, y.at(repeat)}, 3, "laboratory", "laboratory " + text(repeat, 1));
+            repeats.add({place, repeat}, "laboratory " + text(repeat, 1));
     }
-    drawLegend(svg, {x.at(2.6), y.at(6.6)},
-               {{"computed: middle half of the samples", LegendEntry::Symbol::patch, "band", 5},
-                {"computed: median", LegendEntry::Symbol::line, "theory", 5},
-                {"computed: from 5 % to 95 %", LegendEntry::Symbol::line, "frame", 5},
-                {"laboratory, each test", LegendEntry::Symbol::circle, "laboratory", 3}});
-    return svg;
+    plot.series = {std::move(boxes), std::move(repeats)};
+    plot.key = {{"line", "theory", "computed: median", {}},
+                {"line", "frame", "computed: from 5 % to 95 %", {}}};
+    return plot;
 }
 
-std::string htmlScatter(const Scatter& scatter) {
-    using namespace html;
-    std::string rows;
-    for (const ScatterCase& one : scatter.cases) rows += tableRow(one);
-    const std::string unfinished =
-        scatter.complete ? "" : paragraph("Interrupted: the samples finished until then are shown.", "alert");
-    return heading("scatter", "The laboratory\u2019s scatter") + unfinished +
-           paragraph(
-               "Friction angles from 18\u00b0 to 21\u00b0 were measured on the blocks. Here every interface "
-               "of "
-               "the slope draws its own from that range, evenly, " +
-               std::to_string(scatter.samples) +
-               " samples in all, each computed dry and with water in each fissure. What the scatter of "
-               "friction "
-               "does to the critical angle is the width of the boxes; where a laboratory test lies outside, "
-               "friction "
-               "within that range is not the reason.") +
-           wide(plotScatter(scatter).inlined()) +
-           table("Critical angle (\u00b0) with friction angles of 18\u00b0 to 21\u00b0 per interface",
-                 row(head("case", "words") + head("laboratory") + head("samples") + head("mean") +
-                     head("standard deviation") + head("5 % to 95 %") + head("laboratory tests in there")),
-                 rows);
+Json scatterSection(const Scatter& scatter) {
+    Json blocks = Json::array(), rows = Json::array();
+    if (!scatter.complete)
+        blocks.push_back(paragraph("Interrupted: the samples finished until then are shown.", "alert"));
+    blocks.push_back(
+        paragraph("Friction angles from 18\u00b0 to 21\u00b0 were measured on the blocks. Here every "
+                  "interface of the slope "
+                  "draws its own from that range, evenly, " +
+                  std::to_string(scatter.samples) +
+                  " samples in all, each computed dry and with water in each fissure. What the scatter of "
+                  "friction does to "
+                  "the critical angle is the width of the boxes; where a laboratory test lies outside, "
+                  "friction within that "
+                  "range is not the reason."));
+    blocks.push_back(toJson(plotScatter(scatter)));
+    for (const ScatterCase& one : scatter.cases) rows.push_back(tableRow(one));
+    blocks.push_back(
+        table("Critical angle (\u00b0) with friction angles of 18\u00b0 to 21\u00b0 per interface",
+              {textColumn("case"), numberColumn("laboratory", 1), numberColumn("samples", 0),
+               numberColumn("mean", 2), numberColumn("standard deviation", 2), numberColumn("5 % to 95 %", 2),
+               numberColumn("laboratory tests in there", 0)},
+              rows));
+    return section("scatter", "Scatter", "The laboratory\u2019s scatter", std::move(blocks));
 }
 
 }  // namespace talus::tools

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "report/svg.h"
+#include "report/figures.h"
 
 namespace talus::tools {
 
@@ -31,7 +31,7 @@ struct Scatter {
 Scatter computeScatter(std::uint64_t samples, const std::string& folder, const Common& common);
 
 Json scatterJson(const Scatter& scatter);
-Svg plotScatter(const Scatter& scatter);
-std::string htmlScatter(const Scatter& scatter);  ///< a section of the page
+Plot plotScatter(const Scatter& scatter);
+Json scatterSection(const Scatter& scatter);  ///< of the page
 
 }  // namespace talus::tools

@@ -5,45 +5,14 @@
 #include <doctest/doctest.h>
 
 #include "batch/report.h"
+#include "tools/batch/samples.h"
 
 namespace talus::tools::batch {
 
 namespace {
 
-using Role = Column::Role;
-
-std::string lineOf(const Row& cells) {
-    std::string line = csvLine(cells);
-    line.pop_back();
-    return line;
-}
-
-/// Two cases of ten samples: the answer is the friction angle less the case's depth.
-StoredBatch madeUp() {
-    StoredBatch batch;
-    BatchInfo& info = batch.info;
-    info.analysis = "critical-angle";
-    info.runs = 20;
-    info.cases = 2;
-    info.samples = 10;
-    info.thresholds = {14.5, 1, 40};
-    for (const char* name : {"run", "case", "sample"})
-        info.columns.push_back({name, "integer", "", "", Role::key});
-    info.columns.push_back({"water[0].depth", "number", "m", "", Role::varied, "grid"});
-    info.columns.push_back({"phi", "number", "deg", "", Role::varied, "random"});
-    info.columns.push_back({"status", "string", "", ""});
-    for (const char* name : {"critical_angle_deg", "bracket_low_deg", "bracket_high_deg"})
-        info.columns.push_back({name, "number", "deg", ""});
-    for (const char* name : {"failure_mode", "reason"}) info.columns.push_back({name, "string", "", ""});
-    for (int run = 0; run < 20; ++run) {
-        const int depth = run % 2, sample = run / 2, angle = 10 + sample - depth;
-        batch.lines[static_cast<std::uint64_t>(run)] =
-            lineOf({std::to_string(run), std::to_string(depth), std::to_string(sample), std::to_string(depth),
-                    std::to_string(10 + sample), "found", std::to_string(angle), std::to_string(angle - 1),
-                    std::to_string(angle + 1), sample < 3 ? "toppling" : "sliding", ""});
-    }
-    return batch;
-}
+using samples::lineOf;
+using samples::madeUp;
 
 void setStatus(StoredBatch& batch, std::uint64_t run, const std::string& status, const std::string& low,
                const std::string& high) {
@@ -92,21 +61,73 @@ TEST_CASE("searches that did not reach a tilt are not counted there, and rank at
     CHECK(summary.all.sorted.size() == 19);
 }
 
-TEST_CASE("the page has no outside resource and is escaped") {
-    StoredBatch batch = madeUp();
-    batch.info.sweep = "<b>&.toml";
-    const std::string page = batchPage(summarise(batch), Json::object());
-    CHECK(page.find("<b>&") == std::string::npos);
-    CHECK(page.find("&lt;b&gt;&amp;.toml") != std::string::npos);
-    for (const char* outside : {"src=", "href=\"http", "url(", "@import"})
-        CHECK(page.find(outside) == std::string::npos);
-    CHECK(toJson(summarise(batch))["all"]["failure"][0]["probability"] == doctest::Approx(0.55));
+namespace {
+
+/// The report's blocks of a section; null when it is not there.
+Json blocksOf(const Json& report, const std::string& id) {
+    for (const Json& section : report["sections"])
+        if (section["id"] == id) return section["blocks"];
+    return nullptr;
 }
 
-TEST_CASE("an empty batch has a page, too") {
+Json blockOf(const Json& report, const std::string& section, const std::string& id) {
+    for (const Json& block : blocksOf(report, section))
+        if (block.value("id", "") == id) return block;
+    return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("the report says how the runs are spread, with the probabilities and their intervals") {
+    const Json report = batchReport(summarise(madeUp()), Json{{"version", "1.2.3"}});
+    const Json distribution = blocksOf(report, "distribution");
+    const Json& table = distribution[1];
+    CHECK(table["columns"].back()["title"] == "failed at 40\u00b0");
+    CHECK(table["rows"][0][0] == 20);
+    CHECK(table["rows"][0][7]["share"] == doctest::Approx(0.55));
+    CHECK(table["rows"][0][7]["low"].get<double>() < 0.55);
+    double runs = 0;
+    const Json histogram = blockOf(report, "distribution", "histogram");
+    for (const Json& bar : histogram["series"][0]["rows"]) runs += bar[2].get<double>();
+    CHECK(runs == 20);
+    CHECK(histogram["references"].size() == 1);  // 14.5 deg; 1 and 40 lie beyond the answers
+    CHECK(blockOf(report, "distribution", "share")["series"][1]["rows"].back() == Json::array({19, 1}));
+}
+
+TEST_CASE("the share of failed runs settles at what the table says, its interval closing in") {
+    const Json report = batchReport(summarise(madeUp()), Json::object());
+    const Json plot = blockOf(report, "convergence", "convergence-0");
+    const Json& band = plot["series"][0]["rows"];
+    const Json& share = plot["series"][1]["rows"];
+    REQUIRE(share.size() == 20);
+    CHECK(share[0] == Json::array({1, 1}));  // run 0 fails at 10 deg
+    CHECK(share[19][1] == doctest::Approx(0.55));
+    CHECK(band[19][2].get<double>() - band[19][1].get<double>() <
+          band[3][2].get<double>() - band[3][1].get<double>());
+}
+
+TEST_CASE("the report shows what was drawn, and the grid as a grid") {
+    const Json report = batchReport(summarise(madeUp()), Json::object());
+    CHECK(blockOf(report, "inputs", "input-0").is_null());  // the depth is no draw
+    double drawn = 0;
+    const Json input = blockOf(report, "inputs", "input-1");
+    for (const Json& bar : input["series"][0]["rows"]) drawn += bar[2].get<double>();
+    CHECK(drawn == 20);
+    CHECK(blocksOf(report, "maps").is_null());  // one grid makes no map
+    CHECK(blockOf(report, "sensitivity", "correlations")["y"]["categories"] ==
+          Json::array({"phi", "water[0].depth"}));
+    const Json response = blockOf(report, "response", "response-0");
+    CHECK(response["series"][1]["rows"] == Json::array({Json::array({0, 14.5}), Json::array({1, 13.5})}));
+}
+
+TEST_CASE("an empty batch has a report, too") {
     StoredBatch batch = madeUp();
     batch.lines.clear();
-    CHECK(batchPage(summarise(batch), Json::object()).find("Not finished") != std::string::npos);
+    const Json report = batchReport(summarise(batch), Json::object());
+    CHECK(report["opening"][1]["text"] ==
+          "Not finished: 20 runs are missing. The same command goes on where it was stopped.");
+    CHECK(blocksOf(report, "response").is_null());
+    CHECK(!blocksOf(report, "origin").is_null());
 }
 
 }  // namespace talus::tools::batch

@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "reproduction/kept.h"
-#include "reproduction/page.h"
+#include "reproduction/slope.h"
 #include "tools/program.h"
 #include "tools/reproduction/samples.h"
 
@@ -21,10 +23,9 @@ const char* const kSlope =
     "[[stack]]\ncolumns = 2\nrows = 1\nslices = 1\nblock = [0.2, 0.1, 0.1]\n"
     "[[water]]\nfissure = 1\ndepth = 0.07\n";
 
-std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t found = 0;
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-    return found;
+std::size_t shapesOf(const Drawing& drawing, const std::string& role) {
+    return static_cast<std::size_t>(std::count_if(drawing.shapes.begin(), drawing.shapes.end(),
+                                                  [&](const Shape& shape) { return shape.role == role; }));
 }
 
 /// Made-up results, but for the slope with water in fissure 5, which is searched.
@@ -75,25 +76,25 @@ TEST_CASE("the page links to the replay it was made with, shows where the run en
     CHECK(kept.run.slides == std::vector<std::string>{"c1r1s1"});
     CHECK(kept.run.stays == std::vector<std::string>{"c2r1s1"});
     CHECK(seenText(kept.run) == "Column 1 (1 block) slid; column 2 (1 block) stayed.");
-    const std::string svg = drawEnd(kept.run, {1}, "").standalone();
-    CHECK(samples::markupFault(svg, {}) == "");
-    CHECK(count(svg, "class=\"sliding\"") == 1);
-    CHECK(count(svg, "class=\"stable\"") == 1);
-    CHECK(count(svg, "class=\"water\"") == 2);  // the water in the gap and the mark of its level
+    const Drawing drawing = drawEnd(kept.run, {1}, "");
+    CHECK(shapesOf(drawing, "sliding") == 1);
+    CHECK(shapesOf(drawing, "stable") == 1);
+    CHECK(shapesOf(drawing, "water") == 2);  // the water in the gap and the mark of its level
 
-    const std::string page = paperPage(results);
-    CHECK(samples::markupFault(page, {"meta", "br"}) == "");
-    CHECK(count(page, "href=\"" + kept.page + "#colour=role\"") == 2);
-    CHECK(count(page, "href=\"" + kept.file + "\"") == 1);
-    CHECK(page.find("Column 1 (1 block) slid") != std::string::npos);
+    const Json picture = keptSection(results)["blocks"][1]["items"][0];
+    CHECK(picture["links"][0]["href"] == kept.page + "#colour=role");
+    CHECK(picture["links"][1]["href"] == kept.file);
+    CHECK(picture["caption"]["text"].get<std::string>().starts_with("Column 1 (1 block) slid"));
 }
 
 TEST_CASE("without kept runs the page says how to get them; a slope that stood is named") {
-    CHECK(htmlKept(samples::results()).find("talus paper --keep-run") != std::string::npos);
+    const auto said = [](const PaperResults& results, std::size_t block) {
+        return keptSection(results)["blocks"][block]["text"].get<std::string>();
+    };
+    CHECK(said(samples::results(), 0).find("talus paper --keep-run") != std::string::npos);
     PaperResults results = samples::results();
     results.kept.push_back({0, "Fig. 4", "failing/dry.mcap", "failing/dry.html", {}});
     results.kept[0].run.reason = "the slope stands to the end of the search";
-    const std::string html = htmlKept(results);
-    CHECK(html.find("not kept, the slope stands to the end of the search.") != std::string::npos);
-    CHECK(html.find("href") == std::string::npos);
+    CHECK(said(results, 1).ends_with("not kept, the slope stands to the end of the search."));
+    CHECK(keptSection(results)["blocks"].size() == 2);
 }

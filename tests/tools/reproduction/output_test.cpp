@@ -1,8 +1,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
+#include "report/svg.h"
 #include "reproduction/data.h"
 #include "reproduction/page.h"
 #include "reproduction/plots.h"
@@ -14,8 +16,6 @@ using namespace talus;
 using namespace talus::tools;
 
 namespace {
-
-const std::vector<std::string> kVoidTags{"meta", "br"};
 
 /// Fields of a CSV line without quoted fields.
 std::vector<std::string> fieldsOf(const std::string& line) {
@@ -53,9 +53,14 @@ PaperResults gapped() {
 }
 
 std::vector<std::string> markup(const PaperResults& results) {
-    return {plotFig6(results).standalone(), plotDifference(results).standalone(),
-            plotPoints(results).standalone(), drawSlope(results.runs.front()).standalone(),
-            drawSlope(results.runs[22]).standalone()};
+    return {svgFile(plotFig6(results)), svgFile(plotDifference(results)), svgFile(plotPoints(results)),
+            svgFile(drawSlope(results.runs.front())), svgFile(drawSlope(results.runs[22]))};
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
 }
 
 }  // namespace
@@ -128,47 +133,74 @@ TEST_CASE("the markup check finds what is wrong") {
 }
 
 TEST_CASE("Fig. 6 shows each answer once, at its L/H") {
-    const std::string whole = plotFig6(samples::results()).inlined();
-    const auto triangles = [](const std::string& svg) {
-        std::size_t count = 0;
-        for (auto at = svg.find("<polygon"); at != std::string::npos; at = svg.find("<polygon", at + 1)) {
-            count +=
-                svg.substr(at, svg.find('\n', at) - at).find("class=\"dem\"") != std::string::npos ? 1 : 0;
-        }
-        return count;
+    const auto demOf = [](const PaperResults& results) {
+        const Plot plot = plotFig6(results);
+        return *std::find_if(plot.series.begin(), plot.series.end(),
+                             [](const Series& s) { return s.role == "dem"; });
     };
-    CHECK(triangles(whole) == 6 + 1);  // and one in the legend
-    CHECK(whole.find("fissure 3 phi 19.5: 15.40") != std::string::npos);
-    CHECK(triangles(plotFig6(gapped()).inlined()) == 5 + 1);
+    const Series whole = demOf(samples::results());
+    REQUIRE(whole.rows.size() == 6);
+    CHECK(whole.rows[2][0] == doctest::Approx(0.6 / 0.35));
+    CHECK(whole.rows[2][1] == doctest::Approx(15.4));
+    CHECK(whole.tips[2] == "fissure 3 phi 19.5: 15.40");
+    CHECK(demOf(gapped()).rows.size() == 5);
+}
+
+TEST_CASE("the file of a plot holds each of its symbols, and a legend") {
+    const std::string svg = svgFile(plotFig6(samples::results()));
+    CHECK(count(svg, "class=\"dem\"") == 6 + 1);
+    CHECK(count(svg, "class=\"laboratory\"") == 6 + 1);
+    CHECK(count(svg, "class=\"repeat\"") == 18 + 1);
+    CHECK(count(svg, "fissure 3 phi 19.5: 15.40") == 1);
+    CHECK(svg.find("nan") == std::string::npos);
 }
 
 TEST_CASE("a slope shows every block of a slice, moving ones by their role, and its water") {
-    const auto count = [](const std::string& text, const std::string& part) {
-        std::size_t found = 0;
-        for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-        return found;
-    };
     const PaperRun run = samples::foundRun(samples::paperCase(PaperGroup::table, "", {3}, 19.5), 15);
-    const std::string svg = drawSlope(run).inlined();
-    CHECK(count(svg, "class=\"sliding\"") == 15);
-    CHECK(count(svg, "class=\"stable\"") == 20);
-    CHECK(count(svg, "class=\"fixed\"") == 1);
-    CHECK(count(svg, "class=\"water\"") == 2);  // the water and the mark of its level
-    CHECK(svg.find("15.00\u00b0") != std::string::npos);
+    const Drawing drawing = drawSlope(run);
+    const auto shapes = [&](const std::string& role) {
+        return std::count_if(drawing.shapes.begin(), drawing.shapes.end(),
+                             [&](const Shape& s) { return s.role == role; });
+    };
+    CHECK(shapes("sliding") == 15);
+    CHECK(shapes("stable") == 20);
+    CHECK(shapes("fixed") == 1);
+    CHECK(shapes("water") == 2);  // the water and the mark of its level
+    CHECK(drawing.label->second == "15.00\u00b0");
 }
 
-TEST_CASE("the page is well-formed, escapes what it quotes and asks for nothing from outside") {
+TEST_CASE("the report has every table, plot and drawing, and says when it was interrupted") {
     for (const PaperResults& results : {samples::results(), gapped()}) {
-        const std::string page = paperPage(results);
-        CHECK(samples::markupFault(page, kVoidTags) == "");
-        CHECK(page.find("# a &lt; b &amp; &quot;c&quot;") != std::string::npos);
-        CHECK(page.find("talus paper &lt;x&gt;") != std::string::npos);
-        for (const char* outside : {"src=", "<link", "<script", "@import", "url("}) {
-            CHECK_MESSAGE(page.find(outside) == std::string::npos, outside);
+        const Json report = paperReport(results);
+        std::map<std::string, int> blocks;
+        std::vector<std::string> ids;
+        for (const Json& section : report["sections"]) {
+            ids.push_back(section["id"]);
+            for (const Json& block : section["blocks"]) ++blocks[block["type"]];
         }
+        CHECK(ids == std::vector<std::string>{"slopes", "replays", "table", "fig6", "section5", "points",
+                                              "differences", "errata", "parameters", "time", "scenarios"});
+        CHECK(blocks["table"] == 5);
+        CHECK(blocks["plot"] == 3);
+        CHECK(report["sections"][0]["blocks"][1]["items"].size() == 7 + 2);
+        CHECK(report.dump().find("talus paper <x>") != std::string::npos);
     }
-    CHECK(paperPage(gapped()).find("Interrupted") != std::string::npos);
-    CHECK(paperPage(samples::results()).find("Interrupted") == std::string::npos);
+    CHECK(paperReport(gapped())["opening"][1]["style"] == "alert");
+    CHECK(paperReport(samples::results())["opening"].size() == 2);
+}
+
+TEST_CASE("rows of Table 1 have a value for each column; what is not known is null") {
+    for (const PaperResults& results : {samples::results(), gapped()}) {
+        const Json table = table1(results);
+        REQUIRE(table["rows"].size() == 7);
+        for (const Json& row : table["rows"]) CHECK(row.size() == table["columns"].size());
+    }
+    const Json whole = table1(samples::results())["rows"][3], gaps = table1(gapped())["rows"][0];
+    CHECK(whole[0] == "fissure 3");
+    CHECK(whole[5] == doctest::Approx(15.4));
+    CHECK(whole.back() == "sliding");
+    CHECK(gaps[4].is_null());
+    CHECK(gaps.back() == "interrupted");
 }
 
 TEST_CASE("the terminal table aligns numbers right and words left") {
@@ -189,15 +221,8 @@ TEST_CASE("the terminal table holds the answers, and the cases without one") {
     CHECK(parts.find("failed") != std::string::npos);
 }
 
-TEST_CASE("axes have ticks at round numbers inside their range") {
+TEST_CASE("steps between ticks are round, and XML is safe") {
     CHECK(niceStep(22, 11) == doctest::Approx(2));
     CHECK(niceStep(0.04, 6) == doctest::Approx(0.005));
-    const Axis axis{-0.3, 1.05, 0, 100, "", 0.5, 1};
-    const auto ticks = axis.ticks();
-    REQUIRE(ticks.size() == 3);
-    CHECK(ticks.front() == doctest::Approx(0));
-    CHECK(ticks.back() == doctest::Approx(1));
-    CHECK(axis.at(-0.3) == doctest::Approx(0));
-    CHECK(axis.at(1.05) == doctest::Approx(100));
     CHECK(escaped("<a href=\"x\">&'") == "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
 }

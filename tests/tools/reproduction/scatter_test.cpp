@@ -22,8 +22,13 @@ Scatter madeUp() {
 }  // namespace
 
 TEST_CASE("scatter: table and JSON count the laboratory tests within the samples") {
-    const std::string html = htmlScatter(madeUp());
-    CHECK(html.find("2 of 3") != std::string::npos);  // 18.3 and 18.1 lie between 18.02 and 18.38
+    const Json blocks = scatterSection(madeUp())["blocks"];
+    CHECK(blocks.back()["rows"][0].back() == "2 of 3");  // 18.3 and 18.1 lie between 18.02 and 18.38
+    CHECK(blocks.back()["rows"][1].back().is_null());
+    const Plot plot = plotScatter(madeUp());
+    REQUIRE(plot.series[0].rows.size() == 1);  // fissure 1 has no answers
+    CHECK(plot.series[0].rows[0][3] == doctest::Approx(18.2));
+    CHECK(plot.series[1].rows.size() == 6);
     const Json json = scatterJson(madeUp());
     CHECK(json["cases"][0]["mean_deg"] == doctest::Approx(18.2));
     CHECK(json["cases"][0]["fissure"].is_null());
