@@ -70,12 +70,13 @@ void write(double& to, Counting v) {
 }  // namespace
 }  // namespace talus::bench
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 using bench::Counting;
 
-/// Members of a group as the kernel sees them. Blocks and laws are shared by many interfaces: their bytes count elsewhere.
+/// Members of a group as the kernel sees them. Blocks and laws are shared by many interfaces: their bytes count
+/// elsewhere.
 template <>
 struct Members<Counting> {
     static constexpr int kWidth = 1;
@@ -124,20 +125,20 @@ struct Consecutive<Counting> {
 };
 
 }  // namespace
-}  // namespace talus::stages
+}  // namespace talus
 
 namespace talus::bench {
 namespace {
 
 using simd::ConstVectors, simd::Vectors;
 
-constexpr std::size_t kSlots = 512;  // more than any patch here has
+constexpr std::size_t kPlaces = 512;  // more than any patch here has
 
 constexpr auto kRow = static_cast<std::size_t>(simd::kLanes);
 
 /// One interface between two blocks that press on each other, the upper one slid far or not at all; a square patch.
 struct OneInterface {
-    std::vector<double> zero = std::vector<double>(kSlots, 0.0), one = std::vector<double>(kSlots, 1.0);
+    std::vector<double> zero = std::vector<double>(kPlaces, 0.0), one = std::vector<double>(kPlaces, 1.0);
     std::vector<double> orientation{1, 0, 0, 0};
     std::vector<double> memory = zero, wrenches = zero;
     LaneArray frames{kFrameQuantities}, corners{kCornerQuantities};
@@ -145,7 +146,7 @@ struct OneInterface {
     contact::JointLaw law{.normal_stiffness = 1, .shear_stiffness = 1, .tan_friction = 0.3};
     InterfaceGroup group;
 
-    stages::ContactView view(PointRule rule, bool slips) {
+    ContactView view(PointRule rule, bool slips) {
         constexpr double kDepth = -1e-6, kSlide = 1e-3;
         constexpr std::array<double, 4> kXi{-1, 1, 1, -1}, kEta{-1, -1, 1, 1};
         const double *z = zero.data(), *o = one.data();
@@ -181,9 +182,9 @@ struct OneInterface {
                 .beyond_caches = false,
                 .release = 1,
                 .contact_damping = 0,
-                .places = rule.kind == PointRule::Kind::vertex   ? stages::PointPlaces::vertex
-                          : rule.kind == PointRule::Kind::corner ? stages::PointPlaces::corner
-                                                                 : stages::PointPlaces::stored};
+                .places = rule.kind == PointRule::Kind::vertex   ? PointPlaces::vertex
+                          : rule.kind == PointRule::Kind::corner ? PointPlaces::corner
+                                                                 : PointPlaces::stored};
     }
 };
 
@@ -216,15 +217,15 @@ std::string nameOf(PointRule rule) {
     return {};
 }
 
-// A rectangle with `vertex`, all stick: 659 flops, 63 choices; read 408 bytes, written 216. engine/README.md has the table.
-// Beside what the kernel loads member by member: two blocks and a joint (3 x 4 bytes), and the interface's eighth of its
-// group (32 bytes).
+// A rectangle with `vertex`, all stick: 659 flops, 63 choices; read 408 bytes, written 216. engine/README.md has the
+// table. Beside what the kernel loads member by member: two blocks and a joint (3 x 4 bytes), and the interface's
+// eighth of its group (32 bytes).
 Counts countInterface(PointRule rule, bool slips) {
     OneInterface data;
     data.group = {.begin = 0, .size = 1, .corners = 4, .points = pointsPerRectangle(rule)};
-    const stages::ContactView view = data.view(rule, slips);
+    const ContactView view = data.view(rule, slips);
     tally = {};
-    stages::updateGroups<Counting>(view, 0, 1);
+    updateGroups<Counting>(view, 0, 1);
     tally.read += 3 * sizeof(std::int32_t) + sizeof(InterfaceGroup) / static_cast<double>(simd::kLanes);
     return tally;
 }
@@ -237,33 +238,34 @@ Counts countMotion() {
     std::vector<double> zero(1, 0.0), out(1, 0.0), position(4, 0.0), orientation{1, 0, 0, 0};
     const std::uint8_t free = 1;
     const Vectors to{out.data(), out.data(), out.data()};
-    const stages::MotionView view{.interface_begin = nullptr,
-                                  .mass = zero.data(),
-                                  .inverse_mass = zero.data(),
-                                  .free = &free,
-                                  .inverse_inertia = {zero.data(), zero.data(), zero.data()},
-                                  .wrench = nullptr,
-                                  .wrenches = nullptr,
-                                  .position = position.data(),
-                                  .orientation = orientation.data(),
-                                  .velocity = to,
-                                  .angular_momentum = to,
-                                  .force = to,
-                                  .torque = to,
-                                  .angular_velocity = to,
-                                  .gravity = {},
-                                  .time_step = 1e-3,
-                                  .decay = 1,
-                                  .spin_decay = 1,
-                                  .local_damping = 0.1};
+    const MotionView view{.interface_begin = nullptr,
+                          .mass = zero.data(),
+                          .inverse_mass = zero.data(),
+                          .free = &free,
+                          .inverse_inertia = {zero.data(), zero.data(), zero.data()},
+                          .wrench = nullptr,
+                          .wrenches = nullptr,
+                          .position = position.data(),
+                          .orientation = orientation.data(),
+                          .velocity = to,
+                          .angular_momentum = to,
+                          .force = to,
+                          .torque = to,
+                          .angular_velocity = to,
+                          .gravity = {},
+                          .time_step = 1e-3,
+                          .decay = 1,
+                          .spin_decay = 1,
+                          .local_damping = 0.1};
     tally = {};
-    Kernel::template on<Counting>(view, stages::Consecutive<Counting>{0});
+    Kernel::template on<Counting>(view, Consecutive<Counting>{0});
     return tally;
 }
 
-/// motion.cpp's sum of wrenches, by hand, and a kernel on the blocks. Per side of an interface: place of its wrench 4;
-/// force and moment are three additions each. Per interface: force, moment_a, moment_b, 9 doubles. Per block: its row in
-/// the incidence list 2 x 8, and what the kernel reads and writes, where nothing that is still in the cache counts.
+/// motion.cpp's sum of wrenches, by hand, and a kernel on the blocks. Per side of an interface: place of its wrench
+/// 4; force and moment are three additions each. Per interface: force, moment_a, moment_b, 9 doubles. Per block: its
+/// row in the incidence list 2 x 8, and what the kernel reads and writes, where nothing that is still in the cache
+/// counts.
 template <class Kernel>
 Counts countGatherWith(double doubles_read, double doubles_written) {
     constexpr double kSides = 6, kInterfaces = 3;
@@ -276,12 +278,12 @@ Counts countGatherWith(double doubles_read, double doubles_written) {
 
 }  // namespace
 
-Counts countDrift() { return countMotion<stages::Drift>(); }
+Counts countDrift() { return countMotion<Drift>(); }
 
 // Read: mass, inverse mass, velocity, angular momentum, angular velocity. Written: force, torque, velocity, momentum.
-Counts countGather() { return countGatherWith<stages::Kick>(11, 12); }
+Counts countGather() { return countGatherWith<Kick>(11, 12); }
 
 // Read: the same, inverse inertia, pose of eight. Written: the same, angular velocity, pose.
-Counts countGatherAndDrift() { return countGatherWith<stages::KickAndDrift>(22, 23); }
+Counts countGatherAndDrift() { return countGatherWith<KickAndDrift>(22, 23); }
 
 }  // namespace talus::bench

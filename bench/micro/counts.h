@@ -19,7 +19,7 @@ struct Counts {
     double bytes() const { return read + written; }
 };
 
-/// One interface with a rectangular patch, all Lps sticking or all slipping, no bond, no dashpot.
+/// One interface with a rectangular patch, all contact points sticking or all slipping, no bond, no dashpot.
 Counts countInterface(PointRule rule, bool slips);
 
 /// Drift of one block.

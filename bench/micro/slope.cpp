@@ -79,18 +79,18 @@ std::vector<Joint> jointsOf(Filling filling) {
     return joints;
 }
 
-/// Under its weight, at rest as far as so many steps get: all that big slopes need is that no Lp is idle.
+/// Under its weight, at rest as far as so many steps get: all that big slopes need is that no contact point is idle.
 void settle(Slope& slope) {
     constexpr double kPointSteps = 2e7;
     constexpr int kMost = 4000;
     State& state = slope.state;
-    const auto bounds = stages::frequencyBounds(state, true);
-    slope.time_step = 0.6 * stages::stableTimeStep(*std::max_element(bounds.begin(), bounds.end()), 0.0);
+    const auto bounds = frequencyBounds(state, true);
+    slope.time_step = 0.6 * stableTimeStep(*std::max_element(bounds.begin(), bounds.end()), 0.0);
     state.damping.local = 0.7;
-    stages::updateForces(state, true);
+    updateForces(state, true);
     const int steps =
         std::clamp(static_cast<int>(kPointSteps / static_cast<double>(slope.points())), 5, kMost);
-    stages::advance(state, {slope.time_step, true}, steps);
+    advance(state, {slope.time_step, true}, steps);
     state.damping.local = 0.3;
 }
 

@@ -64,13 +64,13 @@ Facts stepFacts(const Slope& slope) {
     return facts;
 }
 
-/// Shares of the Lps that are open, and that carry all the shear they can.
+/// Shares of the contact points that are open, and that carry all the shear they can.
 void tellContacts(benchmark::State& run, const State& state) {
     double open = 0;
     const std::size_t stride = std::max<std::size_t>(1, state.interfaces.size() / 20000);
     double seen = 0;
     for (std::size_t i = 0; i < state.interfaces.size(); i += stride)
-        for (const stages::PointState& point : stages::pointStates(state, i)) {
+        for (const ContactPoint& point : contactPoints(state, i)) {
             ++seen;
             open += point.force.open ? 1 : 0;
         }
@@ -85,15 +85,15 @@ void contactBenchmark(benchmark::State& run, const SlopeKind& kind, int threads,
     onThreads(threads, [&] {
         for (auto _ : run)
             forRange(state.interfaces.groups.size(), kGroups, threads > 1,
-                     [&](Range range) { stages::updateContacts(state, range); });
+                     [&](Range range) { updateContacts(state, range); });
     });
     state.instructions = usual;
     tell(run, contactFacts(slope, false));
     tellContacts(run, state);
 }
 
-/// Every other row of the paper's slope moves to and fro, so far that every closed Lp of the beds and the joints between
-/// columns slips each time (those between slices open and close).
+/// Every other row of the paper's slope moves to and fro, so far that every closed contact point of the beds and the
+/// joints between columns slips each time (those between slices open and close).
 void slippingBenchmark(benchmark::State& run, const SlopeKind& kind) {
     constexpr double kShift = 1e-6;  // [m] ten times what the weight presses a joint together
     constexpr std::size_t kRows = 5, kSlices = 3;
@@ -103,7 +103,7 @@ void slippingBenchmark(benchmark::State& run, const SlopeKind& kind) {
         if ((b - 1) / kSlices % kRows % 2 == 0) other[b].y += kShift;
     for (auto _ : run) {
         state.blocks.position.swap(other);
-        stages::updateContacts(state, {0, state.interfaces.groups.size()});
+        updateContacts(state, {0, state.interfaces.groups.size()});
     }
     tell(run, contactFacts(slopeFor(kind), true));
 }
@@ -113,7 +113,7 @@ void gatherBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) 
     onThreads(threads, [&] {
         for (auto _ : run)
             forRange(slope.blocks(), kBlocks, threads > 1,
-                     [&](Range range) { stages::gather(slope.state, range, 0.0); });
+                     [&](Range range) { gather(slope.state, range, 0.0); });
     });
     tell(run, blockFacts(slope, countGather()));
 }
@@ -123,7 +123,7 @@ void driftBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) {
     onThreads(threads, [&] {
         for (auto _ : run)
             forRange(slope.blocks(), kBlocks, threads > 1,
-                     [&](Range range) { stages::drift(slope.state, range, 1e-12); });
+                     [&](Range range) { drift(slope.state, range, 1e-12); });
     });
     tell(run, blockFacts(slope, countDrift()));
 }
@@ -133,7 +133,7 @@ void gatherAndDriftBenchmark(benchmark::State& run, const SlopeKind& kind, int t
     onThreads(threads, [&] {
         for (auto _ : run)
             forRange(slope.blocks(), kBlocks, threads > 1,
-                     [&](Range range) { stages::gatherAndDrift(slope.state, range, 1e-12); });
+                     [&](Range range) { gatherAndDrift(slope.state, range, 1e-12); });
     });
     tell(run, blockFacts(slope, countGatherAndDrift()));
 }
@@ -143,11 +143,10 @@ void gatherAndDriftBenchmark(benchmark::State& run, const SlopeKind& kind, int t
 void stepBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) {
     Slope& slope = slopeFor(kind);
     onThreads(threads, [&] {
-        for (auto _ : run) stages::advance(slope.state, {slope.time_step, threads > 1}, kSteps);
+        for (auto _ : run) advance(slope.state, {slope.time_step, threads > 1}, kSteps);
     });
     char hash[17];
-    std::snprintf(hash, sizeof hash, "%016llx",
-                  static_cast<unsigned long long>(stages::stateHash(slope.state)));
+    std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(stateHash(slope.state)));
     run.SetLabel(hash);
     tell(run, stepFacts(slope));
     run.counters["steps_at_once"] = kSteps;  // which the row's seconds, points, flops and bytes are of
@@ -187,7 +186,7 @@ void neighbourBenchmark(benchmark::State& run, const SlopeKind& kind, int thread
 void interfaceBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) {
     Slope& slope = slopeFor(kind);
     onThreads(threads, [&] {
-        for (auto _ : run) stages::findInterfaces(slope.state, false, threads > 1);
+        for (auto _ : run) findInterfaces(slope.state, false, threads > 1);
     });
     run.counters["points"] = static_cast<double>(slope.blocks());
 }

@@ -26,7 +26,7 @@ void addSearches(const Extent& extent);  ///< critical angles of the paper's cas
 
 /// What a benchmark of a slope says beside its time; counters of the same names.
 struct Facts {
-    double points = 0;  ///< Lps (or blocks, or pairs) that one iteration works on
+    double points = 0;  ///< contact points (or blocks, or pairs) that one iteration works on
     double flops = 0, divisions = 0, roots = 0, bytes = 0;  ///< of one iteration
     double working_set = 0;                                 ///< [bytes]
 };

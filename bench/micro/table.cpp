@@ -55,7 +55,7 @@ void printMachine(const std::vector<Best>& results, int all) {
     line("triad, DRAM", one.triad_dram, many.triad_dram, "GB/s");
 }
 
-/// Stages and steps: per Lp and step; neighbours and interfaces: per block.
+/// Stages and steps: per contact point and step; neighbours and interfaces: per block.
 void printSlopes(const std::vector<Best>& results) {
     bool head = false;
     for (const Best& result : results) {

@@ -31,15 +31,15 @@ std::uint64_t hashAfter(const Model& model, int threads, bool parallel, int toge
     tbb::task_arena arena(threads);
     return arena.execute([&] {
         State state = *buildState(model, parallel);
-        const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
-        const double dt = 0.5 * stages::stableTimeStep(*std::max_element(bounds.begin(), bounds.end()),
-                                                       state.damping.contact);
-        stages::updateForces(state, parallel);
+        const std::vector<double> bounds = frequencyBounds(state, parallel);
+        const double dt =
+            0.5 * stableTimeStep(*std::max_element(bounds.begin(), bounds.end()), state.damping.contact);
+        updateForces(state, parallel);
         for (int k = 0; k < 300; k += together) {
-            if (k == 150) stages::findInterfaces(state, false, parallel);
-            stages::advance(state, {dt, parallel}, together);
+            if (k == 150) findInterfaces(state, false, parallel);
+            advance(state, {dt, parallel}, together);
         }
-        return stages::stateHash(state);
+        return stateHash(state);
     });
 }
 
@@ -59,12 +59,12 @@ TEST_SUITE("determinism") {
         Model model = slidingSlope();
         State state = *buildState(model, false);
         const double dt = 2e-6;
-        stages::updateForces(state, false);
-        for (int k = 0; k < 100; ++k) stages::advance(state, {dt, false});
+        updateForces(state, false);
+        for (int k = 0; k < 100; ++k) advance(state, {dt, false});
         State copy = state;
-        for (int k = 0; k < 100; ++k) stages::advance(state, {dt, false});
-        for (int k = 0; k < 100; ++k) stages::advance(copy, {dt, false});
-        CHECK(stages::stateHash(copy) == stages::stateHash(state));
+        for (int k = 0; k < 100; ++k) advance(state, {dt, false});
+        for (int k = 0; k < 100; ++k) advance(copy, {dt, false});
+        CHECK(stateHash(copy) == stateHash(state));
     }
 
     TEST_CASE("analyses end in the same state with any number of threads, and again") {

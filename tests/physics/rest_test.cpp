@@ -24,16 +24,15 @@ struct Settled {
 /// Gravity put on at once, vibration taken out by drag and dashpots.
 Settled settled(const Model& model, double seconds) {
     Settled result{*buildState(model, false)};
-    const std::vector<double> bounds = stages::frequencyBounds(result.state, false);
-    result.dt =
-        0.5 * stages::stableTimeStep(*std::max_element(bounds.begin(), bounds.end()), model.damping.contact);
-    stages::updateForces(result.state, false);
-    for (double t = 0; t < seconds; t += result.dt) stages::advance(result.state, {result.dt, false});
+    const std::vector<double> bounds = frequencyBounds(result.state, false);
+    result.dt = 0.5 * stableTimeStep(*std::max_element(bounds.begin(), bounds.end()), model.damping.contact);
+    updateForces(result.state, false);
+    for (double t = 0; t < seconds; t += result.dt) advance(result.state, {result.dt, false});
     return result;
 }
 
 void run(Settled& s, double seconds) {
-    for (double t = 0; t < seconds; t += s.dt) stages::advance(s.state, {s.dt, false});
+    for (double t = 0; t < seconds; t += s.dt) advance(s.state, {s.dt, false});
 }
 
 }  // namespace
@@ -47,8 +46,8 @@ TEST_SUITE("physics") {
         Settled alone = settled(model, 1.0);
         addBox(model, "far", {15, 0, 0}, {1, 1, 0.5});
         Settled both{*buildState(model, false), alone.dt};
-        stages::updateForces(both.state, false);
-        while (both.state.step < alone.state.step) stages::advance(both.state, {both.dt, false});
+        updateForces(both.state, false);
+        while (both.state.step < alone.state.step) advance(both.state, {both.dt, false});
         CHECK(both.state.blocks.position.get(1) == alone.state.blocks.position.get(1));
 
         const Vec3 before = alone.state.blocks.position.get(1);
@@ -61,8 +60,8 @@ TEST_SUITE("physics") {
         model.gravity.tilt = radians(10);
         model.damping.local = 0.5;
         const Settled s = settled(model, 0.5);
-        MESSAGE("out-of-balance force over weight: " << stages::outOfBalanceRatio(s.state));
-        CHECK(stages::outOfBalanceRatio(s.state) < 1e-6);
+        MESSAGE("out-of-balance force over weight: " << outOfBalanceRatio(s.state));
+        CHECK(outOfBalanceRatio(s.state) < 1e-6);
     }
 
     TEST_CASE(
@@ -84,8 +83,8 @@ TEST_SUITE("physics") {
         REQUIRE(scenario.ok());
         State state = *buildState(scenario->model, false);
         REQUIRE(state.blocks.size() == 2 + 32);
-        stages::updateForces(state, false);
-        const double start = stages::outOfBalanceRatio(state);
+        updateForces(state, false);
+        const double start = outOfBalanceRatio(state);
         const Control control;
         auto work = analysis::prepare(state, QuasiStatic{}, control, 1e-8, false);
         const Probe probe = analysis::bringOn(state, work, [](State&, double) {});
@@ -101,15 +100,15 @@ TEST_SUITE("physics") {
         model.joints[0].cohesion = model.joints[0].tensile_strength = 1e12;
         for (int r = 0; r < 4; ++r) addBox(model, "b" + std::to_string(r), {0, 0, 0.1 * r}, {0.2, 0.1, 0.1});
         State state = *buildState(model, false);
-        const std::vector<double> bounds = stages::frequencyBounds(state, false);
-        const double dt = 0.1 * stages::stableTimeStep(*std::max_element(bounds.begin(), bounds.end()), 0);
-        stages::updateForces(state, false);
+        const std::vector<double> bounds = frequencyBounds(state, false);
+        const double dt = 0.1 * stableTimeStep(*std::max_element(bounds.begin(), bounds.end()), 0);
+        updateForces(state, false);
         double most = 0, kinetic = 0;
         for (int k = 0; k < 200'000; ++k) {
-            stages::advance(state, {dt, false});
+            advance(state, {dt, false});
             if (k % 100 != 0) continue;
-            const double t = stages::kineticEnergy(state);
-            most = std::max(most, std::abs(t + stages::elasticEnergy(state) + stages::gravityEnergy(state)));
+            const double t = kineticEnergy(state);
+            most = std::max(most, std::abs(t + elasticEnergy(state) + gravityEnergy(state)));
             kinetic = std::max(kinetic, t);
         }
         MESSAGE("energy error over the largest kinetic energy: " << most / kinetic);

@@ -91,13 +91,14 @@ TEST_SUITE("physics") {
 
     TEST_CASE("cohesion holds a block as limit equilibrium says, and the break is brittle") {
         // W sin(beta) = W cos(beta) tan(phi) + C A.
-        // A flat block, so that its weight stays within the middle third of the base and no Lp opens.
+        // A flat block, so that its weight stays within the middle third of the base and no contact point opens.
         Model model = bodyOnPlane(30, {1, 1, 0.2}, 1e10, 2000);
         const theory::SlidingMass mass{
             .length = 1, .height = 0.2, .density = 2000, .friction = radians(30), .cohesion = 800};
         model.joints[0].cohesion = model.joints[0].residual_cohesion = 800;
         checkAngle(critical(model), degrees(theory::criticalTiltSliding(mass)), FailureMode::sliding);
-        // With no residual cohesion the Lps break one after the other: between friction alone and full cohesion.
+        // With no residual cohesion the contact points break one after the other: between friction alone and full
+        // cohesion.
         model.joints[0].residual_cohesion = 0;
         const double brittle = degrees(critical(model).answer);
         MESSAGE("brittle: " << brittle);

@@ -1,7 +1,7 @@
 #pragma once
-// Frames of a run as plain data: what a viewer plays (LightFrame), what a restart needs to the last bit (FullFrame), and
-// the shapes they belong to (RunGeometry). The engine hands them out and takes a full one back; formats keep them in
-// files (formats/snapshot.fbs has the same fields and says more about each).
+// Frames of a run as plain data: what a viewer plays (LightFrame), what a restart needs to the last bit (FullFrame),
+// and the shapes they belong to (RunGeometry). The engine hands them out and takes a full one back; formats keep them
+// in files (formats/snapshot.fbs has the same fields and says more about each).
 //
 // SI units and radians. Vectors of begins: item k owns [begin[k], begin[k + 1]); they have one entry more than items.
 
@@ -98,7 +98,8 @@ struct FrameInterfaces {
 
 enum class PointState : std::uint8_t { open, sticking, slipping };
 
-/// Contact points (Lps), interface by interface. The last three quantities are for reading: a restart leaves them.
+/// Contact points (contact points), interface by interface. The last three quantities are for reading: a restart
+/// leaves them.
 struct FramePoints {
     std::vector<double> xi, eta;             ///< place on the reference face [m]
     std::vector<double> area;                ///< tributary area A_s [m^2]

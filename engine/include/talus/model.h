@@ -75,7 +75,7 @@ struct Water {
     std::string field{};  ///< "water[0]", for messages
 };
 
-/// Where contact points (Lps) lie on a patch and which area each stands for.
+/// Where contact points (contact points) lie on a patch and which area each stands for.
 struct PointRule {
     enum class Kind : std::uint8_t { vertex, quarter, corner, grid };
     Kind kind = Kind::vertex;
@@ -91,7 +91,7 @@ struct Gravity {
 struct Damping {
     double mass = 0;      ///< c_m = mass * m [1/s]
     double rotation = 0;  ///< c_I = rotation * I [1/s]
-    double contact = 0;   ///< c_k = contact * k of the Lp [s]
+    double contact = 0;   ///< c_k = contact * k of the contact point [s]
     double local = 0;     ///< share of the out-of-balance force that opposes the motion, 0..1
 };
 

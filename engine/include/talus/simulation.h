@@ -5,7 +5,7 @@
 //
 //   step:  drift            poses            <- velocities, forces of the last step
 //          update patches   interfaces       <- poses (only when something moved far enough)
-//          update contacts  Lp forces, interface wrenches <- poses
+//          update contacts  contact point forces, interface wrenches <- poses
 //          update water     wet wrenches     <- poses, gravity, level (only when one of them changed)
 //          gather           block forces, velocities <- wrenches, in stored order
 //
@@ -64,9 +64,9 @@ struct RunResult {
     std::vector<std::string> warnings;  ///< what left the valid range, if anything did
 };
 
-/// What a run hands out while it goes on; every member may be left empty. All are called from the computing thread, in the
-/// order of time: `begin` first, `record` and `light` at the start, at every frame interval and at the end, `full` behind
-/// every `frames_per_full`-th light frame and at the start and the end (also of an interrupted run).
+/// What a run hands out while it goes on; every member may be left empty. All are called from the computing thread,
+/// in the order of time: `begin` first, `record` and `light` at the start, at every frame interval and at the end,
+/// `full` behind every `frames_per_full`-th light frame and at the start and the end (also of an interrupted run).
 struct RunOutput {
     std::function<void(const RunGeometry&)> begin{};
     std::function<void(const HistoryRecord&)> record{};
@@ -82,9 +82,10 @@ Result<RunResult> run(const Model& model, const Control& control, const RunOutpu
                       const FullFrame* resume = nullptr);
 
 /// Time history of a failure that a search has found: from the state in which it was let go, at rest at time 0, to
-/// `run.duration`, or to the first frame at which some block has gone `far_enough` [m]. Poses, contacts, strengths and the
-/// shares of weight and water are the state's; tilt and damping are the model's, so they should be those it fails at.
-/// Inertia is the true one. Frames as of `run`; any full one resumes to the same bits there. Errors: as of `run`.
+/// `run.duration`, or to the first frame at which some block has gone `far_enough` [m]. Poses, contacts, strengths
+/// and the shares of weight and water are the state's; tilt and damping are the model's, so they should be those it
+/// fails at. Inertia is the true one. Frames as of `run`; any full one resumes to the same bits there. Errors: as of
+/// `run`.
 Result<RunResult> runFailing(const Model& model, const Control& control, const RunOutput& output,
                              const FullFrame& failing, double far_enough);
 

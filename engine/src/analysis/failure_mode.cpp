@@ -38,7 +38,7 @@ BlockWay waySince(const State& state, const Poses& start, std::size_t b) {
             .position = state.blocks.position.get(b),
             .radius = state.geometry->radius[b],
             .translation = (state.blocks.position.get(b) - start.position.get(b)).norm(),
-            .rotation = stages::rotationFrom(start.orientation, state.blocks.orientation, b),
+            .rotation = rotationFrom(start.orientation, state.blocks.orientation, b),
             .mass = state.blocks.mass[b]};
 }
 
@@ -50,24 +50,24 @@ double makeDynamic(State& state, bool parallel) {
         state.blocks.velocity.set(b, Vec3::Zero());
         state.blocks.angular_momentum.set(b, Vec3::Zero());
     }
-    const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
+    const std::vector<double> bounds = frequencyBounds(state, parallel);
     const double bound = *std::max_element(bounds.begin(), bounds.end());
     const double omega_squared = bound > 0 ? bound : 1.0;
     state.damping = {.contact = 2.0 * kDashpot / std::sqrt(omega_squared)};
     state.release = 1.0;
-    stages::updateForces(state, parallel);
-    return kContinuationStepSafety * stages::stableTimeStep(omega_squared, state.damping.contact);
+    updateForces(state, parallel);
+    return kContinuationStepSafety * stableTimeStep(omega_squared, state.damping.contact);
 }
 
-/// Shares of open area and of mobilised friction over a block's Lps.
+/// Shares of open area and of mobilised friction over a block's contact points.
 void addContactEvidence(const State& state, std::size_t block, BlockMotion& motion) {
     double area = 0, open_area = 0, shear = 0, strength = 0;
     for (auto k = state.incidence.interface_begin[block]; k < state.incidence.interface_begin[block + 1];
          ++k) {
         const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
-        if (stages::isIdle(state.interfaces, i)) continue;
+        if (isIdle(state.interfaces, i)) continue;
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-        for (const stages::PointState& point : stages::pointStates(state, i)) {
+        for (const ContactPoint& point : contactPoints(state, i)) {
             area += point.area;
             if (point.force.normal == 0.0) {
                 open_area += point.area;
@@ -167,11 +167,11 @@ class Continuation {
     }
 
     void goOn() {
-        stages::advance(state_, {failure_.time_step, parallel_}, kStepsPerLook);
+        advance(state_, {failure_.time_step, parallel_}, kStepsPerLook);
         failure_.steps += kStepsPerLook;
-        stages::refreshInterfaces(state_, parallel_, kStepsPerLook * failure_.time_step);
+        refreshInterfaces(state_, parallel_, kStepsPerLook * failure_.time_step);
         measure();
-        const double energy = stages::kineticEnergy(state_);
+        const double energy = kineticEnergy(state_);
         if (failure_.steps % kStepsPerRestCheck == 0) failure_.at_rest = energy < kAtRest * most_energy_;
         most_energy_ = std::max(most_energy_, energy);
     }

@@ -80,8 +80,7 @@ std::optional<Poses> findHeld(Model model, const Control& control, bool parallel
 bool touchesSomething(const State& state, std::size_t b) {
     for (auto k = state.incidence.interface_begin[b]; k < state.incidence.interface_begin[b + 1]; ++k) {
         const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
-        if (stages::relativePose(state, i).gap.x() <= stages::kClosedGap * state.geometry->size[b])
-            return true;
+        if (relativePose(state, i).gap.x() <= kClosedGap * state.geometry->size[b]) return true;
     }
     return false;
 }

@@ -38,19 +38,19 @@ double largestMotion(const State& state, const PositionArray& position, const Qu
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
         const double shift = (state.blocks.position.get(b) - position.get(b)).norm();
-        const double turn = stages::rotationFrom(orientation, state.blocks.orientation, b);
+        const double turn = rotationFrom(orientation, state.blocks.orientation, b);
         largest = std::max(largest, shift + turn * state.geometry->radius[b]);
     }
     return largest;
 }
 
-/// Whether a block has gone so far that, come to rest or not, the assembly is no longer the one that was loaded: what has
-/// fallen off may lie still at the foot of the slope.
+/// Whether a block has gone so far that, come to rest or not, the assembly is no longer the one that was loaded: what
+/// has fallen off may lie still at the foot of the slope.
 bool hasGone(const State& state, const PositionArray& position, const QuaternionArray& orientation) {
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
         const double shift = (state.blocks.position.get(b) - position.get(b)).norm();
-        const double turn = stages::rotationFrom(orientation, state.blocks.orientation, b);
+        const double turn = rotationFrom(orientation, state.blocks.orientation, b);
         if (shift + turn * state.geometry->radius[b] > kGone * state.geometry->size[b]) return true;
     }
     return false;
@@ -78,9 +78,8 @@ struct ExternalLoad {
 
 ExternalLoad externalLoad(const State& state) {
     ExternalLoad load;
-    const Vec3 g = stages::gravity(state);
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
-        load.force.push_back(stages::appliedOn(state, b, g).force);
+    const Vec3 g = gravity(state);
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) load.force.push_back(appliedOn(state, b, g).force);
     return load;
 }
 
@@ -120,7 +119,7 @@ class Watch {
 
     /// Looks once more; true when the verdict in `probe` is final.
     bool look(Probe& probe) {
-        const double ratio = stages::outOfBalanceRatio(state_);
+        const double ratio = outOfBalanceRatio(state_);
         probe.out_of_balance = ratio;
         window_.add(ratio);
         span_.add(ratio);
@@ -185,20 +184,20 @@ class Watch {
     QuaternionArray orientation_;
 };
 
-/// Tunes the drag to the motion that is going on: Rayleigh's quotient of the displacement since the last look and of the
-/// force it met, omega^2 = -(dF . du) / (du . M du) (Underwood 1983). Where columns lean on each other a mode can be many
-/// times slower than the estimate, and would creep under a drag meant for a faster one.
+/// Tunes the drag to the motion that is going on: Rayleigh's quotient of the displacement since the last look and of
+/// the force it met, omega^2 = -(dF . du) / (du . M du) (Underwood 1983). Where columns lean on each other a mode can
+/// be many times slower than the estimate, and would creep under a drag meant for a faster one.
 class DragTuner {
  public:
     explicit DragTuner(const State& state) { remember(state); }
 
     void tune(State& state, const QuasiStaticWork& work) {
         double stiffness = 0, inertia = 0;
-        const Vec3 g = stages::gravity(state);
+        const Vec3 g = gravity(state);
         for (std::size_t b = 0; b < state.blocks.size(); ++b) {
             if (state.blocks.motion[b] != Motion::free) continue;
             const Vec3 u = state.blocks.position.get(b) - position_.get(b);
-            stiffness -= u.dot(stages::outOfBalance(state, b, g).force - force_[b]);
+            stiffness -= u.dot(outOfBalance(state, b, g).force - force_[b]);
             inertia += u.squaredNorm() / state.blocks.inverse_mass[b];
         }
         // Motion that meets no resistance is a failure, and needs its drag to stay free of rattle.
@@ -217,8 +216,8 @@ class DragTuner {
     void remember(const State& state) {
         position_ = state.blocks.position;
         force_.resize(state.blocks.size());
-        const Vec3 g = stages::gravity(state);
-        for (std::size_t b = 0; b < force_.size(); ++b) force_[b] = stages::outOfBalance(state, b, g).force;
+        const Vec3 g = gravity(state);
+        for (std::size_t b = 0; b < force_.size(); ++b) force_[b] = outOfBalance(state, b, g).force;
     }
 
     PositionArray position_;
@@ -240,14 +239,14 @@ std::vector<double> inertiaScale(const QuasiStaticWork& work, const std::vector<
 
 /// New contacts may be stiffer than the inertia or the time step was made for.
 void fitToContacts(State& state, QuasiStaticWork& work) {
-    const std::vector<double> bounds = stages::frequencyBounds(state, work.parallel);
+    const std::vector<double> bounds = frequencyBounds(state, work.parallel);
     if (work.inertia_scaled) {
         work.inertia_scale = inertiaScale(work, bounds);
         setInertia(state, work.inertia_scale);
         return;
     }
     const double highest = *std::max_element(bounds.begin(), bounds.end());
-    if (highest > 0) work.time_step = work.settings.step_safety * stages::stableTimeStep(highest, 0.0);
+    if (highest > 0) work.time_step = work.settings.step_safety * stableTimeStep(highest, 0.0);
 }
 
 /// Quasi-static work has no time in which a driven block could move.
@@ -274,12 +273,11 @@ double roundingLevel(const State& state, const std::vector<double>& bounds) {
     return level;
 }
 
-void takeSteps(State& state, QuasiStaticWork& work, Probe& probe, const stages::SetLoad& set_load = {}) {
-    stages::advance(state, {work.time_step, work.parallel}, kStepsPerSample, set_load);
+void takeSteps(State& state, QuasiStaticWork& work, Probe& probe, const SetLoad& set_load = {}) {
+    advance(state, {work.time_step, work.parallel}, kStepsPerSample, set_load);
     probe.steps += kStepsPerSample;
     work.steps += kStepsPerSample;
-    if (stages::refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step))
-        fitToContacts(state, work);
+    if (refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step)) fitToContacts(state, work);
 }
 
 }  // namespace
@@ -287,11 +285,11 @@ void takeSteps(State& state, QuasiStaticWork& work, Probe& probe, const stages::
 QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control& control,
                         double load_tolerance, bool parallel) {
     QuasiStaticWork work{.settings = settings, .control = &control, .parallel = parallel};
-    const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
+    const std::vector<double> bounds = frequencyBounds(state, parallel);
     const double highest = *std::max_element(bounds.begin(), bounds.end());
     const double bound = highest > 0 ? highest : 1.0;
     work.frequency_bound = bound;
-    work.time_step = settings.step_safety * stages::stableTimeStep(bound, 0.0);
+    work.time_step = settings.step_safety * stableTimeStep(bound, 0.0);
     work.inertia_scaled = state.geometry->model.analysis.time_scaling;
     work.inertia_scale = inertiaScale(work, bounds);
     work.damping = {.local = settings.local_damping};
@@ -341,7 +339,7 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     const auto ramp_samples = std::max<std::int64_t>(
         2, std::llround(work.settings.ramp_periods * work.slow_period / (kStepsPerSample * work.time_step)));
     const auto ramp_steps = static_cast<double>(ramp_samples * kStepsPerSample);
-    const stages::SetLoad set_load = [&](int k) {
+    const SetLoad set_load = [&](int k) {
         ramp(state, static_cast<double>(probe.steps + k + 1) / ramp_steps);
     };
     for (std::int64_t sample = 0; sample < ramp_samples && !interrupted(work); ++sample)

@@ -30,7 +30,7 @@ struct QuasiStaticWork {
     bool inertia_scaled = false;
     std::vector<double> inertia_scale{};  ///< per block, over the true inertia
     Damping damping{};
-    double release = 1;  ///< share of a broken bond let down per step
+    double release = 1;  ///< share of a broken bond released per step
 };
 
 /// Sets damping, inertia and time step of quasi-static work on a state, and a first estimate of the slowest period.
@@ -61,9 +61,9 @@ using Ramp = std::function<void(State&, double share)>;
 /// At rest the velocities are set to zero.
 Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp);
 
-/// The same question answered by the implicit solve (equilibrium/find_equilibrium.h), from a state at rest whose load has
-/// been changed: a few hundred factorisations at most, whatever the slowest period. What it finds at rest is so by the
-/// engine's own forces; that it finds none, within its budget, is no failure.
+/// The same question answered by the implicit solve (equilibrium/find_equilibrium.h), from a state at rest whose load
+/// has been changed: a few hundred factorisations at most, whatever the slowest period. What it finds at rest is so
+/// by the engine's own forces; that it finds none, within its budget, is no failure.
 Probe findRest(State& state, QuasiStaticWork& work, std::int64_t most_factors);
 
 }  // namespace talus::analysis

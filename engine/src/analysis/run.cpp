@@ -42,7 +42,7 @@ bool expectsImpacts(const State& state) {
 }
 
 double highestFrequency(const State& state, bool parallel) {
-    const std::vector<double> bounds = stages::frequencyBounds(state, parallel);
+    const std::vector<double> bounds = frequencyBounds(state, parallel);
     return *std::max_element(bounds.begin(), bounds.end());
 }
 
@@ -52,7 +52,7 @@ BlockReport reportOn(const State& state, std::size_t b) {
     report.position = state.geometry->origin + state.blocks.position.get(b);
     report.velocity = state.blocks.velocity.get(b);
     report.displacement = state.blocks.position.get(b) - state.geometry->initial_position.get(b);
-    report.rotation = stages::rotationFrom(state.geometry->initial_orientation, state.blocks.orientation, b);
+    report.rotation = rotationFrom(state.geometry->initial_orientation, state.blocks.orientation, b);
     return report;
 }
 
@@ -68,10 +68,10 @@ HistoryRecord recordOf(const State& state, const std::vector<std::size_t>& watch
     HistoryRecord record;
     record.time = state.time;
     record.step = state.step;
-    record.kinetic_energy = stages::kineticEnergy(state);
-    record.elastic_energy = stages::elasticEnergy(state);
-    record.gravity_energy = stages::gravityEnergy(state);
-    record.out_of_balance = stages::outOfBalanceRatio(state);
+    record.kinetic_energy = kineticEnergy(state);
+    record.elastic_energy = elasticEnergy(state);
+    record.gravity_energy = gravityEnergy(state);
+    record.out_of_balance = outOfBalanceRatio(state);
     for (std::size_t b : watched) record.watch.push_back(reportOn(state, b));
     return record;
 }
@@ -135,7 +135,7 @@ class TimeHistory {
             goOn();
             if (finite_ && state_.time >= progress_.next_frame - 0.5 * progress_.time_step) frameIsDue();
         }
-        if (!finite_ || !stages::isFinite(state_))
+        if (!finite_ || !isFinite(state_))
             return Error{"run.time_step_s",
                          "the motion became infinite before t = " + std::to_string(state_.time) +
                              " s with a step of " + std::to_string(progress_.time_step * 1e6) +
@@ -148,7 +148,7 @@ class TimeHistory {
 
  private:
     void beginFrames() {
-        stages::updateForces(state_, parallel_);
+        updateForces(state_, parallel_);
         progress_.next_frame = settings_.frame_interval;
         progress_.frames = 1;
         handOut(true);
@@ -199,7 +199,7 @@ class TimeHistory {
     void chooseTimeStep() {
         const double highest = highestFrequency(state_, parallel_);
         const double bound =
-            highest > 0 ? stages::stableTimeStep(highest, state_.damping.contact) : settings_.duration / 1000;
+            highest > 0 ? stableTimeStep(highest, state_.damping.contact) : settings_.duration / 1000;
         progress_.stability_bound = bound;
         if (settings_.time_step) {
             progress_.time_step = *settings_.time_step;
@@ -231,16 +231,15 @@ class TimeHistory {
 
     void goOn() {
         const double dt = progress_.time_step;
-        stages::advance(state_, {dt, parallel_}, stepsAhead(), [&](int) {
+        advance(state_, {dt, parallel_}, stepsAhead(), [&](int) {
             state_.time += dt;
             state_.load.time = state_.time;
         });
         if (state_.step % kStepsPerLook == 0) {
-            finite_ = stages::isFinite(state_);
+            finite_ = isFinite(state_);
             if (!finite_) return;
-            stages::drainWater(state_);
-            if (stages::refreshInterfaces(state_, parallel_, kStepsPerLook * progress_.time_step))
-                chooseTimeStep();
+            drainWater(state_);
+            if (refreshInterfaces(state_, parallel_, kStepsPerLook * progress_.time_step)) chooseTimeStep();
         }
         if (state_.step % kStepsPerReport == 0 && control_.progress)
             control_.progress(
@@ -254,11 +253,11 @@ class TimeHistory {
         result.simulated_seconds = state_.time;
         result.time_step = progress_.time_step;
         result.blocks = state_.blocks.size();
-        const stages::ContactCount count = stages::countContacts(state_.interfaces);
+        const ContactCount count = countContacts(state_.interfaces);
         result.interfaces = count.interfaces;
         result.contact_points = count.points;
-        result.kinetic_energy = stages::kineticEnergy(state_);
-        result.state_hash = stages::stateHash(state_);
+        result.kinetic_energy = kineticEnergy(state_);
+        result.state_hash = stateHash(state_);
         for (std::size_t b : watched_) result.watch.push_back(reportOn(state_, b));
         result.interrupted = interrupted_;
         result.warnings = state_.warnings;

@@ -117,9 +117,9 @@ class Search {
             {stage, probes / (expected + kAfterwards), axis_.say(load) + ", " + toString(verdict)});
     }
 
-    /// One probe from the last stable state; keeps the state it ends in. Explicit steps first, which are quick where blocks
-    /// slide; what they leave open, and what seems to fail before the assembly has stood, the implicit solve answers. A
-    /// model that once needed it is asked that way first. Where neither knows, explicit steps go on.
+    /// One probe from the last stable state; keeps the state it ends in. Explicit steps first, which are quick where
+    /// blocks slide; what they leave open, and what seems to fail before the assembly has stood, the implicit solve
+    /// answers. A model that once needed it is asked that way first. Where neither knows, explicit steps go on.
     Verdict probe(const std::string& stage, double load, const analysis::Ramp& ramp) {
         if (implicit_first_)
             if (const Verdict found = probeImplicitly(stage, load, ramp); found != Verdict::undecided)
@@ -184,8 +184,8 @@ class Search {
         return verdict;
     }
 
-    /// Weight at the start's tilt. What fails is watched on patiently, as other failures are, and then tried once more from
-    /// the beginning, slowly.
+    /// Weight at the start's tilt. What fails is watched on patiently, as other failures are, and then tried once
+    /// more from the beginning, slowly.
     Verdict loadGravity() {
         const State unloaded = last_stable_;
         Verdict verdict = probe("gravity", axis_.start,
@@ -199,8 +199,9 @@ class Search {
         return loadGravityInParts();
     }
 
-    /// Weight in parts on level ground, then the tilt in parts: from each the slowest period is learnt. Laid on at once,
-    /// close below the angle at which a column topples, weight sets off a rocking so slow that it looks like failure.
+    /// Weight in parts on level ground, then the tilt in parts: from each the slowest period is learnt. Laid on at
+    /// once, close below the angle at which a column topples, weight sets off a rocking so slow that it looks like
+    /// failure.
     Verdict loadGravityInParts() {
         constexpr std::array<double, 5> kParts{0.125, 0.25, 0.5, 0.75, 1.0};
         const double tilt = last_stable_.load.tilt;
@@ -284,8 +285,8 @@ class Search {
         return true;
     }
 
-    /// Whether there is rest at the failing load after all: no failure counts before the implicit solve has failed to find
-    /// it. Where that knows nothing, the motion is watched for longer.
+    /// Whether there is rest at the failing load after all: no failure counts before the implicit solve has failed to
+    /// find it. Where that knows nothing, the motion is watched for longer.
     bool restIsFound(double load) {
         const State moving = last_moving_;
         const Verdict found =
@@ -295,9 +296,9 @@ class Search {
         return found == Verdict::stable || (found == Verdict::undecided && settles(moving, load));
     }
 
-    /// Whether a state that moves at a load comes to rest when it is watched for longer; it is the last stable one then. A
-    /// mode many times slower than the slowest known one looks like failure for a while: close below the load at which a
-    /// column topples its stiffness goes to zero.
+    /// Whether a state that moves at a load comes to rest when it is watched for longer; it is the last stable one
+    /// then. A mode many times slower than the slowest known one looks like failure for a while: close below the load
+    /// at which a column topples its stiffness goes to zero.
     bool settles(const State& moving, double load, double watch_periods = kSettlingPeriods) {
         analysis::QuasiStaticWork patient = analysis::patient(work_, kSettlingDrag, watch_periods);
         const auto hold = [](State&, double) {};
@@ -332,7 +333,7 @@ class Search {
         const State& last = fails ? last_moving_ : last_stable_;
         if (!fails) result_.failing = nullptr;
         result_.steps = steps();
-        result_.state_hash = stages::stateHash(last);
+        result_.state_hash = stateHash(last);
         result_.inertia_scaled = work_.inertia_scaled;
         result_.damping_local = work_.settings.local_damping;
         result_.blocks = last.blocks.size();
@@ -423,9 +424,9 @@ bool stopped(const Control& control) {
     return control.stop != nullptr && control.stop->load(std::memory_order_relaxed);
 }
 
-/// A failure that the continuation with true inertia does not bear out was one of the numbers (contacts that chatter at
-/// too long a step, a mode far slower than its estimate): the search is made again with half the step and longer windows,
-/// and is undecided if that does not help.
+/// A failure that the continuation with true inertia does not bear out was one of the numbers (contacts that chatter
+/// at too long a step, a mode far slower than its estimate): the search is made again with half the step and longer
+/// windows, and is undecided if that does not help.
 Outcome searchConfirmed(const State& state, const Axis& axis, const Control& control, QuasiStatic settings,
                         bool parallel) {
     std::int64_t steps = 0, factors = 0;
@@ -506,7 +507,8 @@ class SearchOfTheRest {
         return search.falling();
     }
 
-    /// Takes out what falls, counted in blocks that are left. False when there is nothing, or too much for loose blocks.
+    /// Takes out what falls, counted in blocks that are left. False when there is nothing, or too much for loose
+    /// blocks.
     bool letGo(const std::vector<std::size_t>& falling) {
         if (falling.empty() || stopped(control_)) return false;
         std::vector<char> loose = loose_.empty() ? std::vector<char>(gone_.size(), 0) : loose_;
@@ -556,9 +558,9 @@ Result<SearchResult> search(const Model& model, const Axis& axis, const Control&
     });
 }
 
-/// The groups that go one after the other: the search is made again without those that have gone. What then falls at the
-/// start whatever the strength goes with the group before it; a group that fails at a lower factor than the one before
-/// goes at that one's.
+/// The groups that go one after the other: the search is made again without those that have gone. What then falls at
+/// the start whatever the strength goes with the group before it; a group that fails at a lower factor than the one
+/// before goes at that one's.
 void addGroups(const Model& model, const Axis& axis, const Control& control, const QuasiStatic& settings,
                SearchResult& result) {
     if (result.status != SearchStatus::found) return;

@@ -115,9 +115,9 @@ Result<State> buildState(std::shared_ptr<const Model> description, bool parallel
     state.damping = model.damping;
     state.drained.assign(model.waters.size(), 0);
 
-    errors = stages::findInterfaces(state, true, parallel);
+    errors = findInterfaces(state, true, parallel);
     if (!errors.empty()) return errors;
-    errors = stages::buildWater(state);
+    errors = buildWater(state);
     if (!errors.empty()) return errors;
     return state;
 }

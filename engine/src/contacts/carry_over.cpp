@@ -12,7 +12,7 @@
 #include "state/block_motion.h"
 #include "state/incidence.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 using Key = std::array<std::int32_t, 4>;
@@ -27,29 +27,30 @@ Eigen::Vector2d originShift(const InterfaceFrame& old, const InterfaceFrame& now
     return {d.dot(old.e1_a), d.dot(old.e2_a)};
 }
 
-const PointState& nearestPoint(const std::vector<PointState>& points, const Eigen::Vector2d& place) {
-    return *std::min_element(points.begin(), points.end(), [&](const PointState& p, const PointState& q) {
+const ContactPoint& nearestPoint(const std::vector<ContactPoint>& points, const Eigen::Vector2d& place) {
+    return *std::min_element(points.begin(), points.end(), [&](const ContactPoint& p, const ContactPoint& q) {
         return (p.position - place).squaredNorm() < (q.position - place).squaredNorm();
     });
 }
 
 /// Shear force that an interface carries, along its tangents [N].
-Eigen::Vector2d shearForce(const std::vector<PointState>& points) {
+Eigen::Vector2d shearForce(const std::vector<ContactPoint>& points) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (const PointState& p : points) sum += Eigen::Vector2d(p.force.shear_1, p.force.shear_2);
+    for (const ContactPoint& p : points) sum += Eigen::Vector2d(p.force.shear_1, p.force.shear_2);
     return sum;
 }
 
-// An Lp that slips goes on doing so with what its new area carries: a little more than its strength, which the law cuts.
+// A contact point that slips goes on doing so with what its new area carries: a little more than its strength, which
+// the law cuts.
 constexpr double kStillSlipping = 1.1;
 
-bool isSlipping(const contact::JointLaw& law, const PointState& point) {
+bool isSlipping(const contact::JointLaw& law, const ContactPoint& point) {
     constexpr double kAtStrength = 1.0 - 1e-9;
     const double strength = contact::shearStrength(law, point.area, point.force.normal, point.memory.bond);
     return strength > 0 && std::hypot(point.force.shear_1, point.force.shear_2) >= kAtStrength * strength;
 }
 
-/// Returns the shear force that found no closed Lp [N].
+/// Returns the shear force that found no closed contact point [N].
 double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std::size_t n) {
     Interfaces& f = state.interfaces;
     ContactPoints& points = state.points;
@@ -58,7 +59,7 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
     const Vec3& gap = then.reference_gap;
     f.setReferenceGap(n, {gap.x() + shift.x() * gap.y() + shift.y() * gap.z(), gap.y(), gap.z()});
 
-    const std::vector<PointState> old_points = pointStates(old.contacts(state), o);
+    const std::vector<ContactPoint> old_points = contactPoints(old.contacts(state), o);
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[n])];
     const auto places = contact::patchPoints(patchOutline(f, n), state.geometry->model.points);
     std::vector<Eigen::Vector2d> shear(places.size());
@@ -66,7 +67,7 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
     Eigen::Vector2d missing = shearForce(old_points);
     double closed_area = 0;
     for (std::size_t k = 0; k < places.size(); ++k) {
-        const PointState& q = nearestPoint(old_points, places[k].position + shift);
+        const ContactPoint& q = nearestPoint(old_points, places[k].position + shift);
         const std::size_t slot = f.pointSlot(n, k);
         points.setMemory(slot, q.memory);
         shear[k] = places[k].area / q.area * Eigen::Vector2d(q.force.shear_1, q.force.shear_2);
@@ -86,7 +87,7 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
 }
 
 constexpr double kNearPlace =
-    0.1;  // of the root of the patch area: shear goes to a new interface's Lp this near
+    0.1;  // of the root of the patch area: shear goes to a new interface's contact point this near
 constexpr double kDeeper =
     1.05;  // times the deepest contact of the blocks; an elastic turn makes it a little more
 constexpr double kDeepest = 1e-7;  // of the smaller block's size: never mind less
@@ -100,7 +101,7 @@ std::vector<double> deepestContacts(const State& state) {
     std::vector<double> deepest(state.blocks.size(), 0.0);
     for (std::size_t i = 0; i < f.size(); ++i) {
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
-        for (const PointState& point : pointStates(state, i))
+        for (const ContactPoint& point : contactPoints(state, i))
             for (const std::int32_t block : {f.block_a[i], f.block_b[i]}) {
                 const auto b = static_cast<std::size_t>(block);
                 if (state.blocks.motion[b] != Motion::fixed)
@@ -129,8 +130,8 @@ void setBackGap(const OldInterfaces& old, State& state, std::size_t i) {
         reference = std::min(0.0, reference + least);
 }
 
-/// A slot goes on as it is.
-void carrySlot(const OldInterfaces& old, std::size_t o, State& state, std::size_t n) {
+/// A place goes on as it is.
+void carryPlace(const OldInterfaces& old, std::size_t o, State& state, std::size_t n) {
     const Interfaces& from = old.interfaces;
     Interfaces& f = state.interfaces;
     for (auto index : {&Interfaces::block_a, &Interfaces::block_b, &Interfaces::face_a, &Interfaces::face_b,
@@ -144,13 +145,13 @@ void carrySlot(const OldInterfaces& old, std::size_t o, State& state, std::size_
     state.points.setMemory(f.pointSlot(n, 0), old.points.memoryAt(from.pointSlot(o, 0)));
 }
 
-/// Shear force of other contacts of the same blocks goes to the nearest closed Lps of a new pair of faces.
+/// Shear force of other contacts of the same blocks goes to the nearest closed contact points of a new pair of faces.
 void takeShear(const std::vector<CarriedPoint>& carried, State& state, std::size_t i) {
     const Interfaces& f = state.interfaces;
     const RelativePose pose = relativePose(state, i);
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
     const double sign = f.block_a[i] < f.block_b[i] ? 1.0 : -1.0;
-    const std::vector<PointState> points = pointStates(state, i);
+    const std::vector<ContactPoint> points = contactPoints(state, i);
     for (const CarriedPoint& from : carried) {
         std::size_t nearest = points.size();
         double least = kNearPlace * std::sqrt(f.area[i]);
@@ -200,21 +201,21 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
     std::map<Key, std::size_t> faces;  // of face to face interfaces
     std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> slots;  // of pairs of blocks
     for (std::size_t o = 0; o < old.interfaces.size(); ++o) {
-        if (isSharp(old.interfaces, o))
+        if (isVertexEdge(old.interfaces, o))
             slots[pairOfBlocks(old.interfaces, o)].push_back(o);
         else
             faces[keyOf(old.interfaces, o)] = o;
     }
     std::vector<std::size_t> new_faces;
-    std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> next_slot;
+    std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> next_place;
     for (std::size_t n = 0; n < f.size(); ++n) {
-        if (isSharp(f, n)) {
+        if (isVertexEdge(f, n)) {
             const auto pair = pairOfBlocks(f, n);
             const auto found = slots.find(pair);
             if (found == slots.end()) continue;
-            std::size_t& next = next_slot[pair];
+            std::size_t& next = next_place[pair];
             assert(next < found->second.size());
-            carrySlot(old, found->second[next++], state, n);
+            carryPlace(old, found->second[next++], state, n);
             continue;
         }
         const auto found = faces.find(keyOf(f, n));
@@ -226,7 +227,7 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
         }
         setBackGap(old, state, n);
     }
-    // What is left of faces and slots that are gone.
+    // What is left of faces and places that are gone.
     CarriedPoints carried;
     const auto carry = [&](std::size_t o) {
         auto& of_pair = carried[pairOfBlocks(old.interfaces, o)];
@@ -235,11 +236,11 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
     };
     for (const auto& [key, o] : faces) carry(o);
     for (const auto& [pair, of_pair] : slots)
-        if (next_slot.find(pair) == next_slot.end()) std::for_each(of_pair.begin(), of_pair.end(), carry);
+        if (next_place.find(pair) == next_place.end()) std::for_each(of_pair.begin(), of_pair.end(), carry);
     std::set<std::pair<std::int32_t, std::int32_t>> with_new_face;
     for (const std::size_t n : new_faces) with_new_face.insert(pairOfBlocks(f, n));
     for (const auto& [pair, points] : carried) {
-        const bool goes_on = next_slot.find(pair) != next_slot.end() || with_new_face.count(pair) > 0;
+        const bool goes_on = next_place.find(pair) != next_place.end() || with_new_face.count(pair) > 0;
         for (const CarriedPoint& point : points)
             if (!goes_on) state.shear_lost += point.shear.norm();
     }
@@ -254,4 +255,4 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
     return carried;
 }
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -8,20 +8,20 @@
 #include "state/block_motion.h"
 #include "state/incidence.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 constexpr double kShare =
     0.02;  // of the energy of the relative motion, per look: far less than an impact would feel
 
 /// How far the reference gap is from where the faces are [m].
-double lateness(const State& state, std::size_t i) {
+double gapToRecover(const State& state, std::size_t i) {
     const Interfaces& f = state.interfaces;
     const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
     return -f.referenceGap(i, 0) - kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
 }
 
-/// The deepest Lp of an interface.
+/// The deepest contact point of an interface.
 struct Deepest {
     Vec3 place = Vec3::Zero();  ///< [m]
     double depth = 0;           ///< of its spring, negative when open [m]
@@ -73,18 +73,19 @@ double takeEnergy(State& state, std::size_t i, const Vec3& place, double energy)
 
 /// Raising the reference gap by o presses every spring by o more; together they hold no more than k A (depth o + o^2/2)
 /// more, with the depth of the deepest. As far as that one is open it costs nothing.
-void pressContact(State& state, std::size_t i, double late) {
+void recoverGap(State& state, std::size_t i, double missing) {
     const Deepest deepest = deepestPoint(state, i);
-    const double depth = std::max(0.0, deepest.depth), open = std::min(late, std::max(0.0, -deepest.depth));
+    const double depth = std::max(0.0, deepest.depth),
+                 open = std::min(missing, std::max(0.0, -deepest.depth));
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
     const double area = state.interfaces.area[i];
-    const double rest = late - open;
+    const double rest = missing - open;
     const double energy = takeEnergy(state, i, deepest.place, contact::energyToPress(law, area, depth, rest));
     const double paid = contact::pressedBy(law, area, depth, energy);
     state.interfaces.referenceGap(i, 0) += open + std::min(rest, paid);
 }
 
-/// Whether there was a search since the first: before it no pair of faces is late.
+/// Whether there was a search since the first: before it no pair of faces has a gap to recover.
 bool searchedAgain(const State& state) {
     const PositionArray &first = state.geometry->initial_position, &last = state.search_position;
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
@@ -97,13 +98,13 @@ bool searchedAgain(const State& state) {
 void recoverGaps(State& state) {
     const bool faces_too = searchedAgain(state);
     for (const InterfaceGroup& group : state.interfaces.groups) {
-        if (!isSharp(state.interfaces, static_cast<std::size_t>(group.begin)) && !faces_too) continue;
+        if (!isVertexEdge(state.interfaces, static_cast<std::size_t>(group.begin)) && !faces_too) continue;
         for (std::int32_t k = 0; k < group.size; ++k) {
             const auto i = static_cast<std::size_t>(group.begin + k);
             if (isIdle(state.interfaces, i)) continue;
-            if (const double late = lateness(state, i); late > 0) pressContact(state, i, late);
+            if (const double missing = gapToRecover(state, i); missing > 0) recoverGap(state, i, missing);
         }
     }
 }
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -1,19 +1,19 @@
 #pragma once
-// Stage "press late contacts": a contact that came about with an overlap which its blocks have not worked for counts its
-// gap from where it was found (contacts/vertex_edge.h, contacts/carry_over.h). It goes to where the faces are as its
-// blocks pay for it.
+// A contact that came about with an overlap which its blocks have not worked for counts its gap from where it was found
+// (contacts/vertex_edge.h, contacts/carry_over.h): its reference gap is below where the faces are. It recovers that
+// as its blocks pay for it.
 
 #include "state/arrays.h"
 
-namespace talus::stages {
+namespace talus {
 
-/// Each late contact takes a small share of the kinetic energy with which its two blocks move against each other at its
-/// deepest Lp, by an impulse and its opposite there, and raises its reference gap by no more than that energy presses its
-/// springs together. Momentum and angular momentum stay as they are; the energy stays or falls. An overlap within kClosedGap of
-/// the smaller block's size is left alone: faces that touch at the start have it.
-/// One after the other in the order of the interfaces, since neighbours share a block.
+/// Each such contact takes a small share of the kinetic energy with which its two blocks move against each other at
+/// its deepest contact point, by an impulse and its opposite there, and raises its reference gap by no more than that
+/// energy presses its springs together. Momentum and angular momentum stay as they are; the energy stays or falls. An
+/// overlap within kClosedGap of the smaller block's size is left alone: faces that touch at the start have it. One
+/// after the other in the order of the interfaces, since neighbours share a block.
 /// Reads:  poses, interfaces' frames, laws
 /// Writes: interfaces' reference gaps, velocity, angular_momentum
 void recoverGaps(State& state);
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -15,7 +15,7 @@
 #include "state/incidence.h"
 #include "state/point_layout.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 std::vector<Error> overlapErrors(const State& state, const std::vector<PairFinding>& findings) {
@@ -87,11 +87,11 @@ void breakBonds(State& state) {
         if (state.laws[static_cast<std::size_t>(state.interfaces.joint[i])].bonded) setBond(state, i, 0.0);
 }
 
-/// Interfaces that touch at the start: their gap becomes the reference, their Lps are intact.
+/// Interfaces that touch at the start: their gap becomes the reference, their contact points are intact.
 void closeInitialInterfaces(State& state) {
     Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
-        if (isSharp(f, i)) continue;
+        if (isVertexEdge(f, i)) continue;
         const RelativePose pose = relativePose(state, i);
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
         const double closed = kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
@@ -108,7 +108,7 @@ void closeInitialInterfaces(State& state) {
     }
 }
 
-/// One interface to be made; without a patch: the slots of a pair that may meet by vertices or edges.
+/// One interface to be made; without a patch: the places of a pair that may meet by vertices or edges.
 struct Found {
     std::int32_t block_a = 0, block_b = 0;
     FacePair faces{};
@@ -135,7 +135,7 @@ struct InterfaceWindow {
         for (const Found* one : order) {
             const Polygon& patch = one->faces.patch;
             if (patch.empty()) {
-                appendSharpSlots(state, one->block_a, one->block_b);
+                appendVertexEdgePlaces(state, one->block_a, one->block_b);
                 continue;
             }
             addToGroups(
@@ -166,11 +166,11 @@ struct SearchRemarks {
     std::vector<Error> grid{};          ///< the first patch that is no rectangle where the rule asks for one
 };
 
-SearchRemarks appendInterfaces(State& state, double margin, const SlotPairs& with_slots, bool initial,
+SearchRemarks appendInterfaces(State& state, double margin, const PlacePairs& with_places, bool initial,
                                bool parallel) {
     SearchRemarks remarks;
     InterfaceWindow window;
-    examinePairs(state, margin, with_slots, initial, parallel, [&](const PairFinding& finding) {
+    examinePairs(state, margin, with_places, initial, parallel, [&](const PairFinding& finding) {
         if (finding.overlaps)
             remarks.overlaps.push_back({{}, finding.block_a, finding.block_b, false, true, finding.depth});
         for (const FacePair& pair : finding.faces) {
@@ -178,7 +178,7 @@ SearchRemarks appendInterfaces(State& state, double margin, const SlotPairs& wit
                 remarks.grid.push_back(gridError(state, finding, pair));
             if (remarks.grid.empty()) window.add(state, {finding.block_a, finding.block_b, pair});
         }
-        if (finding.may_meet_sharply) window.add(state, {finding.block_a, finding.block_b});
+        if (finding.may_meet_by_vertices) window.add(state, {finding.block_a, finding.block_b});
     });
     window.append(state);
     return remarks;
@@ -201,9 +201,9 @@ std::vector<Error> touchErrors(const State& state) {
 }  // namespace
 
 std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel) {
-    const SlotPairs with_slots = pairsWithSlots(state.interfaces);
+    const PlacePairs with_places = pairsWithPlaces(state.interfaces);
     const OldInterfaces old = takeInterfaces(state);
-    const SearchRemarks remarks = appendInterfaces(state, margin, with_slots, initial, parallel);
+    const SearchRemarks remarks = appendInterfaces(state, margin, with_places, initial, parallel);
     if (initial) {
         std::vector<Error> errors = overlapErrors(state, remarks.overlaps);
         if (errors.empty()) errors = remarks.grid;
@@ -217,7 +217,7 @@ std::vector<Error> makeInterfaces(State& state, double margin, double ahead, boo
     else
         carried = carryOver(old, state, ahead);
     buildIncidence(state);
-    renewSharpContacts(state, ahead, parallel, carried);
+    renewVertexEdges(state, ahead, parallel, carried);
     state.search_position = state.blocks.position;
     state.search_orientation = state.blocks.orientation;
     state.search_margin = margin;
@@ -226,4 +226,4 @@ std::vector<Error> makeInterfaces(State& state, double margin, double ahead, boo
     return {};
 }
 
-}  // namespace talus::stages
+}  // namespace talus

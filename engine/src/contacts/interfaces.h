@@ -6,14 +6,14 @@
 #include "state/arrays.h"
 #include "talus/result.h"
 
-namespace talus::stages {
+namespace talus {
 
-/// Searches neighbours nearer than `margin` [m], clips patches, places contact points. At the start (`initial`) faces within
-/// kClosedGap of the block size count as closed and unstressed and deeper overlap is an error; later what the contact points
-/// of a pair of faces carried and remember is handed on to its new ones (contacts/carry_over.h).
+/// Searches neighbours nearer than `margin` [m], clips patches, places contact points. At the start (`initial`) faces
+/// within kClosedGap of the block size count as closed and unstressed and deeper overlap is an error; later what the
+/// contact points of a pair of faces carried and remember is handed on to its new ones (contacts/carry_over.h).
 /// \param ahead time until the next look [s]
 /// Reads:  poses, velocities, shapes, old interfaces and points
 /// Writes: interfaces, points, incidence, walls of water between two blocks, search poses and margin, shear_lost
 std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel);
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
-constexpr double kTie = 1e-4;         // of the smaller block's size: see SharpLimits
+constexpr double kTie = 1e-4;         // of the smaller block's size: see VertexEdgeLimits
 constexpr double kLeastReach = 1e-3;  // of the smaller block's size
 }  // namespace
 
-SharpLimits sharpLimits(const Geometry& geometry, std::size_t block_1, std::size_t block_2, double reach) {
+VertexEdgeLimits vertexEdgeLimits(const Geometry& geometry, std::size_t block_1, std::size_t block_2,
+                                  double reach) {
     const double size = std::min(geometry.size[block_1], geometry.size[block_2]);
     return {.face_angle = kFaceAngle,
             .angle_per_depth = kFaceAnglePerDepth / size,
@@ -17,7 +18,7 @@ SharpLimits sharpLimits(const Geometry& geometry, std::size_t block_1, std::size
             .reach = std::max(kLeastReach * size, reach)};
 }
 
-double sharpArea(const Geometry& geometry, std::size_t block_1, std::size_t block_2) {
+double vertexEdgeArea(const Geometry& geometry, std::size_t block_1, std::size_t block_2) {
     const double area = std::min(geometry.face_area[block_1], geometry.face_area[block_2]);
     const PointRule& rule = geometry.model.points;
     switch (rule.kind) {
@@ -32,4 +33,4 @@ double sharpArea(const Geometry& geometry, std::size_t block_1, std::size_t bloc
     return area / 24;
 }
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -4,7 +4,7 @@
 #include "contacts/vertex_edge_points.h"
 #include "state/arrays.h"
 
-namespace talus::stages {
+namespace talus {
 
 /// Of the smaller block's size: faces nearer than this are closed and unstressed at the start.
 inline constexpr double kClosedGap = 1e-4;
@@ -13,21 +13,24 @@ inline constexpr double kClosedGap = 1e-4;
 inline constexpr double kTravelLimit = 0.01;  // of a block's own size
 inline constexpr double kTurnLimit = 0.01;    // [rad]
 
-/// Faces meet as faces up to this angle from parallel, and the more the deeper they are pressed into each other (per share
-/// of the smaller block's size) [rad]. Beyond that only the patch's lowest edge or vertex carries (the Lps next to it lie
-/// a sixth of the patch away), so a contact of faces and one of a vertex or edge take over from each other without a jump.
+/// Faces meet as faces up to this angle from parallel, and the more the deeper they are pressed into each other (per
+/// share of the smaller block's size) [rad]. Beyond that only the patch's lowest edge or vertex carries (the contact
+/// points next to it lie a sixth of the patch away), so a contact of faces and one of a vertex or edge take over from
+/// each other without a jump.
 inline constexpr double kFaceAngle = 0.05;
 inline constexpr double kFaceAnglePerDepth = 10.0;
 
-/// A patch with less area than one Lp at a vertex is too soft to carry for long: pressed deeper than this (share of the
-/// smaller block's size) it leaves that to the vertices and edges.
+/// A patch with less area than one contact point at a vertex is too soft to carry for long: pressed deeper than this
+/// (share of the smaller block's size) it leaves that to the vertices and edges.
 inline constexpr double kSliverDepth = 1e-4;
 
 /// What counts as a meeting of two blocks by vertices or edges that may go this far before the next look [m].
-SharpLimits sharpLimits(const Geometry& geometry, std::size_t block_1, std::size_t block_2, double reach);
+VertexEdgeLimits vertexEdgeLimits(const Geometry& geometry, std::size_t block_1, std::size_t block_2,
+                                  double reach);
 
-/// Area that an Lp at a vertex or a crossing of edges stands for: that of a vertex Lp on a four-cornered face of the two
-/// blocks' lesser mean face area (A/24 with `vertex` points, A/4 with `corner` and `quarter`, A/N^2 with `grid N`) [m^2].
-double sharpArea(const Geometry& geometry, std::size_t block_1, std::size_t block_2);
+/// Area that a contact point at a vertex or a crossing of edges stands for: that of a vertex contact point on a
+/// four-cornered face of the two blocks' lesser mean face area (A/24 with `vertex` points, A/4 with `corner` and
+/// `quarter`, A/N^2 with `grid N`) [m^2].
+double vertexEdgeArea(const Geometry& geometry, std::size_t block_1, std::size_t block_2);
 
-}  // namespace talus::stages
+}  // namespace talus

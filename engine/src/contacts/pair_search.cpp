@@ -12,7 +12,7 @@
 #include "state/placed_shape.h"
 #include "state/range.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 constexpr double kMostFaceAngle = 0.8;  // [rad] however deep: then a box always has one such face
@@ -72,8 +72,8 @@ PlacedShapes placeShapes(const State& state, bool parallel) {
     return placed;
 }
 
-/// Faces may look at each other through the bodies: the far side of a block and the near side of its neighbour, or faces
-/// that are not parallel. A pair whose overlap is not the blocks' own is none.
+/// Faces may look at each other through the bodies: the far side of a block and the near side of its neighbour, or
+/// faces that are not parallel. A pair whose overlap is not the blocks' own is none.
 void dropFalsePairs(const PlacedShapes& placed, std::size_t a, std::size_t b, double closed,
                     PairFinding& finding) {
     const auto overlaps = [&](const FacePair& face) { return face.least_gap < -closed; };
@@ -94,11 +94,11 @@ void dropTilted(const PlacedShapes& placed, std::size_t a, std::size_t b, double
     });
 }
 
-/// Leaves out patches that are too small for the depth they are pressed to. \return whether one may get there before the
-/// next search, or is left out: then the pair needs slots
+/// Leaves out patches that are too small for the depth they are pressed to. \return whether one may get there before
+/// the next search, or is left out: then the pair needs places
 bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, PairFinding& finding,
                  bool initial) {
-    const double least = sharpArea(*state.geometry, a, b);
+    const double least = vertexEdgeArea(*state.geometry, a, b);
     const auto isSliver = [&](const FacePair& face) {
         return area(face.patch) < least && !(initial && std::abs(face.least_gap) <= kClosedGap * size);
     };
@@ -109,16 +109,16 @@ bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, 
     return true;
 }
 
-bool hadSlots(const SlotPairs& pairs, BoxPair pair) {
+bool hadPlaces(const PlacePairs& pairs, BoxPair pair) {
     return std::binary_search(pairs.begin(), pairs.end(), pair);
 }
 
 }  // namespace
 
-SlotPairs pairsWithSlots(const Interfaces& f) {
-    SlotPairs pairs;
+PlacePairs pairsWithPlaces(const Interfaces& f) {
+    PlacePairs pairs;
     for (std::size_t i = 0; i < f.size(); ++i)
-        if (isSharp(f, i)) pairs.push_back(std::minmax(f.block_a[i], f.block_b[i]));
+        if (isVertexEdge(f, i)) pairs.push_back(std::minmax(f.block_a[i], f.block_b[i]));
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
@@ -127,7 +127,7 @@ SlotPairs pairsWithSlots(const Interfaces& f) {
 namespace {
 
 PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair pair, double margin,
-                        const SlotPairs& with_slots, bool initial) {
+                        const PlacePairs& with_places, bool initial) {
     PairFinding finding;
     const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
     if (state.blocks.motion[first] != Motion::free && state.blocks.motion[second] != Motion::free)
@@ -139,7 +139,7 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     const double size = std::min(state.geometry->size[a], state.geometry->size[b]);
     const double closed = kClosedGap * size;
     const WorldShape placed_a = placed.world(a), placed_b = placed.world(b);
-    const SharpLimits sharp = sharpLimits(*state.geometry, a, b, margin);
+    const VertexEdgeLimits sharp = vertexEdgeLimits(*state.geometry, a, b, margin);
     const double travel = 2.0 * (kTravelLimit + kTurnLimit) * size;
     if (!initial && areApart(placed_a, placed_b, sharp.reach + travel)) return finding;
     finding.faces = findFacePairs(
@@ -147,10 +147,10 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     dropTilted(placed, a, b, size, finding);
     dropFalsePairs(placed, a, b, closed, finding);
     const bool slivers = dropSlivers(state, a, b, size, finding, initial);
-    // A pair that has slots keeps them as long as it is near.
-    finding.may_meet_sharply =
-        slivers || hadSlots(with_slots, pair) ||
-        approachOf(placed_a, placed_b, sharp, travel, 2.0 * kTurnLimit) == Approach::sharp;
+    // A pair that has places keeps them as long as it is near.
+    finding.may_meet_by_vertices =
+        slivers || hadPlaces(with_places, pair) ||
+        approachOf(placed_a, placed_b, sharp, travel, 2.0 * kTurnLimit) == Approach::vertex_edge;
     if (!initial) return finding;
     for (const FacePair& face :
          finding.faces)  // parallel faces that do not overlap: a plane between the blocks
@@ -171,10 +171,10 @@ std::vector<BoxPair> nearPairs(const PlacedShapes& placed, double margin, bool p
 
 }  // namespace
 
-void examinePairs(const State& state, double margin, const SlotPairs& with_slots, bool initial, bool parallel,
-                  const std::function<void(const PairFinding&)>& take) {
+void examinePairs(const State& state, double margin, const PlacePairs& with_places, bool initial,
+                  bool parallel, const std::function<void(const PairFinding&)>& take) {
     constexpr std::size_t kPiece = 16384;
-    assert(margin > 0 && std::is_sorted(with_slots.begin(), with_slots.end()));
+    assert(margin > 0 && std::is_sorted(with_places.begin(), with_places.end()));
     const PlacedShapes placed = placeShapes(state, parallel);
     const std::vector<BoxPair> pairs = nearPairs(placed, margin, parallel);
     std::vector<PairFinding> findings;
@@ -182,10 +182,10 @@ void examinePairs(const State& state, double margin, const SlotPairs& with_slots
         findings.assign(std::min(kPiece, pairs.size() - begin), {});
         forRange(findings.size(), 64, parallel, [&](Range range) {
             for (std::size_t k = range.begin; k < range.end; ++k)
-                findings[k] = examinePair(state, placed, pairs[begin + k], margin, with_slots, initial);
+                findings[k] = examinePair(state, placed, pairs[begin + k], margin, with_places, initial);
         });
         for (const PairFinding& finding : findings) take(finding);
     }
 }
 
-}  // namespace talus::stages
+}  // namespace talus

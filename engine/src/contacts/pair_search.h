@@ -1,6 +1,6 @@
 #pragma once
-// The half of a search that looks: which pairs of blocks are near, and what they may touch each other with. The other half
-// (patches.cpp) makes interfaces of it.
+// The half of a search that looks: which pairs of blocks are near, and what they may touch each other with. The other
+// half (patches.cpp) makes interfaces of it.
 
 #include <cstdint>
 #include <functional>
@@ -10,27 +10,27 @@
 #include "contacts/neighbours.h"
 #include "state/arrays.h"
 
-namespace talus::stages {
+namespace talus {
 
 /// What the search finds for one pair of blocks.
 struct PairFinding {
     std::vector<FacePair> faces;  ///< face_a on the reference block
     std::int32_t block_a = 0, block_b = 0;
-    bool may_meet_sharply = false;
+    bool may_meet_by_vertices = false;
     bool overlaps = false;
     double depth = 0;  ///< [m], when they overlap
 };
 
-/// Pairs of blocks with slots for vertices and edges, sorted.
-using SlotPairs = std::vector<BoxPair>;
-SlotPairs pairsWithSlots(const Interfaces& interfaces);
+/// Pairs of blocks with places for vertices and edges, sorted.
+using PlacePairs = std::vector<BoxPair>;
+PlacePairs pairsWithPlaces(const Interfaces& interfaces);
 
 /// \pre margin > 0
 /// Examines all pairs of blocks nearer than `margin` [m] and hands what it finds to `take`, pair by pair in order. In
 /// pieces: of a million blocks' thirteen million pairs all findings at once would take more memory than the state.
-/// \param with_slots pairs that keep their slots as long as they are near, sorted
+/// \param with_places pairs that keep their places as long as they are near, sorted
 /// \param initial    whether the blocks stand as the model has them: then overlaps are looked for
-void examinePairs(const State& state, double margin, const SlotPairs& with_slots, bool initial, bool parallel,
-                  const std::function<void(const PairFinding&)>& take);
+void examinePairs(const State& state, double margin, const PlacePairs& with_places, bool initial,
+                  bool parallel, const std::function<void(const PairFinding&)>& take);
 
-}  // namespace talus::stages
+}  // namespace talus

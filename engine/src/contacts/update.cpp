@@ -16,7 +16,7 @@
 #include "state/incidence.h"
 #include "validate/validate.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 constexpr double kSearchMargin = 0.05;  // of the median block size: pairs nearer than this are interfaces
@@ -47,7 +47,7 @@ bool movedTooFar(const State& state, double margin) {
     if (farthest > 0.25 * state.search_margin || margin > 1.001 * state.search_margin) return true;
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
-        if (isSharp(f, i)) continue;
+        if (isVertexEdge(f, i)) continue;
         const double size = std::min(state.geometry->size[static_cast<std::size_t>(f.block_a[i])],
                                      state.geometry->size[static_cast<std::size_t>(f.block_b[i])]);
         const double limit = kSlideLimit * std::max(std::sqrt(f.area[i]), size);
@@ -80,7 +80,7 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel) {
 
 bool refreshInterfaces(State& state, bool parallel, double ahead) {
     const double margin = searchMargin(state, ahead);
-    const bool search = movedTooFar(state, margin) || updateSharpContacts(state, ahead, parallel);
+    const bool search = movedTooFar(state, margin) || updateVertexEdges(state, ahead, parallel);
     if (!search) {
         recoverGaps(state);
         assert(isSound(state));
@@ -94,4 +94,4 @@ bool refreshInterfaces(State& state, bool parallel, double ahead) {
     return true;
 }
 
-}  // namespace talus::stages
+}  // namespace talus

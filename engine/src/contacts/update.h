@@ -1,17 +1,17 @@
 #pragma once
-// The only door to the contacts: which blocks touch, where, and what their contact points remember. Called at the start and
-// between steps, never inside one.
+// The only door to the contacts: which blocks touch, where, and what their contact points remember. Called at the
+// start and between steps, never inside one.
 
 #include <vector>
 
 #include "state/arrays.h"
 #include "talus/result.h"
 
-namespace talus::stages {
+namespace talus {
 
-/// Searches neighbours, clips patches, places contact points. At the start (`initial`) faces within kClosedGap of the block
-/// size count as closed and unstressed and deeper overlap is an error; later what the contact points of a pair of faces carried
-/// and remember is handed on to its new ones.
+/// Searches neighbours, clips patches, places contact points. At the start (`initial`) faces within kClosedGap of the
+/// block size count as closed and unstressed and deeper overlap is an error; later what the contact points of a pair
+/// of faces carried and remember is handed on to its new ones.
 /// Reads:  poses, velocities, shapes, old interfaces and points
 /// Writes: interfaces, points, incidence, walls of water between two blocks, search poses and margin, shear_lost
 std::vector<Error> findInterfaces(State& state, bool initial, bool parallel);
@@ -25,9 +25,10 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel);
 ///  3. else contacts whose reference gap lies below where the faces are recover it, paid for with kinetic energy of their two
 ///     blocks (contacts/gap_recovery.h).
 /// Reads:  poses, velocities, shapes, laws, interfaces and points
-/// Writes: 1: as findInterfaces, and the forces of contacts and water; 2: vertex and edge contacts, their points, incidence;
+/// Writes: 1: as findInterfaces, and the forces of contacts and water; 2: vertex and edge contacts, their points,
+/// incidence;
 ///         3: reference gaps, velocities, angular momenta
 /// \return whether interfaces were found again: then time step and inertia may have to follow
 bool refreshInterfaces(State& state, bool parallel, double ahead);
 
-}  // namespace talus::stages
+}  // namespace talus

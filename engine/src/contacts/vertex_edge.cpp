@@ -13,7 +13,7 @@
 #include "state/point_layout.h"
 #include "state/range.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 // Reference gap of a place that touches nothing: the kernel finds it open [m].
@@ -23,10 +23,10 @@ constexpr double kTravel =
 constexpr double kFaster = 1.5;      // than at a look a pair may get before the next
 constexpr double kSamePlace = 1e-9;  // of the smaller block's size: the same vertex
 constexpr double kNearPlace =
-    0.1;  // of the smaller block's size: what an Lp carried goes to a new one this near
+    0.1;  // of the smaller block's size: what a contact point carried goes to a new one this near
 constexpr double kSameNormal = 0.9;  // cosine, likewise
-constexpr std::size_t kSlots = kPlacesOfPair;
-static_assert(kSlots == SharpPoints::kMost);
+constexpr std::size_t kPlaces = kPlacesOfPair;
+static_assert(kPlaces == VertexEdgePoints::kMost);
 
 /// A block where it is, with its face normals.
 struct Placed {
@@ -70,7 +70,7 @@ Vec3 toOwn(const Blocks& blocks, std::int32_t block, const Vec3& x) {
     return blocks.orientation.matrix(b).transpose() * (x - blocks.position.get(b));
 }
 
-bool isSamePlace(const State& state, std::size_t i, const SharpPoint& point, double tolerance) {
+bool isSamePlace(const State& state, std::size_t i, const VertexEdgePoint& point, double tolerance) {
     const Interfaces& f = state.interfaces;
     return !isIdle(f, i) && f.face_a[i] == point.reference_face && f.face_b[i] == point.other_face &&
            (f.frame(i).origin_b - toOwn(state.blocks, f.block_b[i], point.on_other)).norm() <= tolerance &&
@@ -84,8 +84,8 @@ void releaseGap(State& state, std::size_t i) {
     if (reference < 0 && opening > 0) reference = std::min(0.0, reference + opening);
 }
 
-/// Puts a slot where two blocks meet, with what `from` leaves it.
-void placeSlot(State& state, std::size_t i, const SharpPoint& point, const CarriedPoint& from) {
+/// Puts a place where two blocks meet, with what `from` leaves it.
+void placeContact(State& state, std::size_t i, const VertexEdgePoint& point, const CarriedPoint& from) {
     Interfaces& f = state.interfaces;
     const Blocks& blocks = state.blocks;
     const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
@@ -116,10 +116,12 @@ void placeSlot(State& state, std::size_t i, const SharpPoint& point, const Carri
                             .dilation = 0.0});
 }
 
-/// Shares the Lps that are gone out among the new ones, each to the nearest.
-std::array<CarriedPoint, kSlots> shareOut(const std::vector<CarriedPoint>& old, const SharpPoints& found,
-                                          const std::array<bool, kSlots>& is_new, double sign, double near) {
-    std::array<CarriedPoint, kSlots> shares{};
+/// Shares the contact points that are gone out among the new ones, each to the nearest.
+std::array<CarriedPoint, kPlaces> shareOut(const std::vector<CarriedPoint>& old,
+                                           const VertexEdgePoints& found,
+                                           const std::array<bool, kPlaces>& is_new, double sign,
+                                           double near) {
+    std::array<CarriedPoint, kPlaces> shares{};
     for (const CarriedPoint& point : old) {
         std::optional<std::size_t> nearest;
         double least = kInfinity;
@@ -130,7 +132,7 @@ std::array<CarriedPoint, kSlots> shareOut(const std::vector<CarriedPoint>& old, 
             nearest = k;
         }
         if (!nearest) continue;
-        const SharpPoint& to = found.points[*nearest];
+        const VertexEdgePoint& to = found.points[*nearest];
         const double turned = to.second_is_reference ? -sign : sign;
         shares[*nearest].energy += point.energy;
         if (least <= near && turned * to.e1.cross(to.e2).dot(point.normal) >= kSameNormal)
@@ -139,31 +141,31 @@ std::array<CarriedPoint, kSlots> shareOut(const std::vector<CarriedPoint>& old, 
     return shares;
 }
 
-/// Which slot a found point has already; -1: none.
-using Kept = std::array<int, kSlots>;
+/// Which place a found point has already; -1: none.
+using Kept = std::array<int, kPlaces>;
 
-Kept findKept(const State& state, std::size_t begin, const SharpPoints& found, double size) {
+Kept findKept(const State& state, std::size_t begin, const VertexEdgePoints& found, double size) {
     Kept kept;
     kept.fill(-1);
     const bool second_is_reference = found.count > 0 && found.points[0].second_is_reference;
     if (second_is_reference) return kept;
     for (std::size_t k = 0; k < found.count; ++k)
-        for (std::size_t s = 0; s < kSlots; ++s)
+        for (std::size_t s = 0; s < kPlaces; ++s)
             if (std::find(kept.begin(), kept.end(), static_cast<int>(s)) == kept.end() && kept[k] < 0 &&
                 isSamePlace(state, begin + s, found.points[k], kSamePlace * size))
                 kept[k] = static_cast<int>(s);
     return kept;
 }
 
-/// Writes what was found into the slots that begin at `begin`.
-void writeSlots(State& state, std::size_t begin, const SharpPoints& found, std::vector<CarriedPoint> old,
-                double size) {
+/// Writes what was found into the places that begin at `begin`.
+void writePlaces(State& state, std::size_t begin, const VertexEdgePoints& found,
+                 std::vector<CarriedPoint> old, double size) {
     Interfaces& f = state.interfaces;
     const Kept kept = findKept(state, begin, found, size);
     const auto isKept = [&](std::size_t s) {
         return std::find(kept.begin(), kept.end(), static_cast<int>(s)) != kept.end();
     };
-    for (std::size_t s = 0; s < kSlots; ++s) {
+    for (std::size_t s = 0; s < kPlaces; ++s) {
         if (isKept(s)) {
             releaseGap(state, begin + s);
             continue;
@@ -173,29 +175,29 @@ void writeSlots(State& state, std::size_t begin, const SharpPoints& found, std::
         old.insert(old.end(), gone.begin(), gone.end());
         setIdle(f, begin + s);
     }
-    std::array<bool, kSlots> is_new{};
+    std::array<bool, kPlaces> is_new{};
     for (std::size_t k = 0; k < found.count; ++k) is_new[k] = kept[k] < 0;
     const double sign = f.block_a[begin] < f.block_b[begin] ? 1.0 : -1.0;
     const auto shares = shareOut(old, found, is_new, sign, kNearPlace * size);
     if (found.count > 0 && found.points[0].second_is_reference)
-        for (std::size_t s = 0; s < kSlots; ++s) swapSides(state, begin + s);
+        for (std::size_t s = 0; s < kPlaces; ++s) swapSides(state, begin + s);
     std::size_t next = 0;
     for (std::size_t k = 0; k < found.count; ++k) {
         if (!is_new[k]) continue;
         while (isKept(next)) ++next;
-        placeSlot(state, begin + next++, found.points[k], shares[k]);
+        placeContact(state, begin + next++, found.points[k], shares[k]);
     }
 }
 
 bool anyClosed(const State& state, std::size_t begin) {
-    for (std::size_t s = begin; s < begin + kSlots; ++s)
+    for (std::size_t s = begin; s < begin + kPlaces; ++s)
         if (!isIdle(state.interfaces, s) && relativePose(state, s).gap.x() < 0) return true;
     return false;
 }
 
-/// A pair of blocks with slots, and what was found where it is now.
+/// A pair of blocks with places, and what was found where it is now.
 struct Look {
-    SharpPoints found;
+    VertexEdgePoints found;
     bool changes = false;   ///< from faces to a vertex or edge, or the other way round
     bool no_faces = false;  ///< they are pressed together by two faces without an interface
     double size = 0;        ///< of the smaller block [m]
@@ -203,10 +205,10 @@ struct Look {
 };
 
 /// Where the two meet when not even parallel faces are one.
-SharpPoints withoutFaces(const Placed& first, const Placed& second, SharpLimits limits) {
+VertexEdgePoints withoutFaces(const Placed& first, const Placed& second, VertexEdgeLimits limits) {
     limits.face_angle = -1.0;
     limits.angle_per_depth = 0.0;
-    return findSharpPoints(first.world(), second.world(), limits);
+    return findVertexEdgePoints(first.world(), second.world(), limits);
 }
 
 /// \param searched whether faces that have no interface now will have none
@@ -214,8 +216,8 @@ Look lookAtPair(const State& state, std::size_t begin, double ahead, bool search
     const Interfaces& f = state.interfaces;
     const auto a = static_cast<std::size_t>(f.block_a[begin]), b = static_cast<std::size_t>(f.block_b[begin]);
     const Geometry& geometry = *state.geometry;
-    const SharpLimits limits =
-        sharpLimits(geometry, a, b, 2.0 * ahead * (speedBound(state, a) + speedBound(state, b)));
+    const VertexEdgeLimits limits =
+        vertexEdgeLimits(geometry, a, b, 2.0 * ahead * (speedBound(state, a) + speedBound(state, b)));
     Look look;
     look.size = std::min(geometry.size[a], geometry.size[b]);
     const double apart = (state.blocks.position.get(a) - state.blocks.position.get(b)).norm() -
@@ -223,7 +225,7 @@ Look lookAtPair(const State& state, std::size_t begin, double ahead, bool search
     look.travel = std::max(apart, kTravel * look.size);
     if (apart > limits.reach) return look;
     const Placed first(state, a), second(state, b);
-    look.found = findSharpPoints(first.world(), second.world(), limits);
+    look.found = findVertexEdgePoints(first.world(), second.world(), limits);
     if (!look.found.near) {
         look.travel = std::max(look.found.distance - 0.5 * limits.reach, kTravel * look.size);
         return look;
@@ -236,7 +238,7 @@ Look lookAtPair(const State& state, std::size_t begin, double ahead, bool search
     } else if (faces >= 0) {
         // Twice the depth at which the search leaves it out, so that it does.
         look.changes = look.found.distance < -2.0 * kSliverDepth * look.size &&
-                       f.area[static_cast<std::size_t>(faces)] < sharpArea(geometry, a, b);
+                       f.area[static_cast<std::size_t>(faces)] < vertexEdgeArea(geometry, a, b);
     } else if ((look.found.distance < -look.travel || anyClosed(state, begin))) {
         look.no_faces = true;
         look.changes = !searched;
@@ -253,7 +255,7 @@ std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t i)
     const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(f.joint[i])];
     const double sign = f.block_a[i] < f.block_b[i] ? 1.0 : -1.0;
     std::vector<CarriedPoint> carried;
-    for (const PointState& point : pointStates(contacts, i)) {
+    for (const ContactPoint& point : contactPoints(contacts, i)) {
         if (point.force.normal <= 0) continue;
         const double slide_1 =
             pose.slide_1.x() + point.position.x() * pose.slide_1.y() + point.position.y() * pose.slide_1.z();
@@ -268,12 +270,12 @@ std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t i)
     return carried;
 }
 
-void appendSharpSlots(State& state, std::int32_t block_1, std::int32_t block_2) {
+void appendVertexEdgePlaces(State& state, std::int32_t block_1, std::int32_t block_2) {
     assert(block_1 != block_2);
     Interfaces& f = state.interfaces;
     const double area =
-        sharpArea(*state.geometry, static_cast<std::size_t>(block_1), static_cast<std::size_t>(block_2));
-    for (std::size_t s = 0; s < kSlots; ++s) {
+        vertexEdgeArea(*state.geometry, static_cast<std::size_t>(block_1), static_cast<std::size_t>(block_2));
+    for (std::size_t s = 0; s < kPlaces; ++s) {
         addToGroups(f, 1, 1);
         f.block_a.push_back(block_1);
         f.block_b.push_back(block_2);
@@ -296,16 +298,16 @@ void appendSharpSlots(State& state, std::int32_t block_1, std::int32_t block_2) 
 
 namespace {
 
-/// Calls each(begin) for the first slot of every pair, in any order when `parallel`.
+/// Calls each(begin) for the first place of every pair, in any order when `parallel`.
 template <class Each>
 void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
-    static_assert(simd::kLanes % kSlots == 0, "a group holds whole pairs");
+    static_assert(simd::kLanes % kPlaces == 0, "a group holds whole pairs");
     forRange(f.groups.size(), 16, parallel, [&](Range range) {
         for (std::size_t g = range.begin; g < range.end; ++g) {
             const InterfaceGroup& group = f.groups[g];
-            if (!isSharp(f, static_cast<std::size_t>(group.begin))) continue;
-            assert(group.size % static_cast<std::int32_t>(kSlots) == 0);
-            for (std::int32_t i = 0; i < group.size; i += static_cast<std::int32_t>(kSlots))
+            if (!isVertexEdge(f, static_cast<std::size_t>(group.begin))) continue;
+            assert(group.size % static_cast<std::int32_t>(kPlaces) == 0);
+            for (std::int32_t i = 0; i < group.size; i += static_cast<std::int32_t>(kPlaces))
                 each(static_cast<std::size_t>(group.begin + i));
         }
     });
@@ -313,7 +315,7 @@ void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
 
 }  // namespace
 
-bool updateSharpContacts(State& state, double ahead, bool parallel) {
+bool updateVertexEdges(State& state, double ahead, bool parallel) {
     assert(ahead >= 0);
     std::atomic<bool> changes = false;
     forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
@@ -328,23 +330,23 @@ bool updateSharpContacts(State& state, double ahead, bool parallel) {
             changes = true;
             return;
         }
-        writeSlots(state, begin, look.found, {}, look.size);
+        writePlaces(state, begin, look.found, {}, look.size);
         left = look.travel;
     });
     return changes;
 }
 
-void renewSharpContacts(State& state, double ahead, bool parallel, const CarriedPoints& carried) {
+void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried) {
     assert(ahead >= 0 && state.incidence.interface_begin.size() == state.blocks.size() + 1);
     forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
         const Look look = lookAtPair(state, begin, ahead, true);
         state.interfaces.faces_are_apart[begin] = look.no_faces ? 1 : 0;
         const auto of_pair =
             carried.find(std::minmax(state.interfaces.block_a[begin], state.interfaces.block_b[begin]));
-        writeSlots(state, begin, look.found,
-                   of_pair == carried.end() ? std::vector<CarriedPoint>{} : of_pair->second, look.size);
+        writePlaces(state, begin, look.found,
+                    of_pair == carried.end() ? std::vector<CarriedPoint>{} : of_pair->second, look.size);
         state.interfaces.travel_left[begin] = look.travel;
     });
 }
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -1,7 +1,7 @@
 #pragma once
-// Stage "update sharp contacts": where blocks meet by vertices and edges (contacts/vertex_edge_points.h). A pair of blocks
-// that may meet so before the next search has a group of interfaces of one corner and one Lp each, its slots; those
-// that touch nothing are idle: so far open that they carry nothing. The kernel treats them like all others.
+// Where blocks meet by vertices and edges (contacts/vertex_edge_points.h). A pair of blocks that may meet so before
+// the next search has a group of interfaces of one corner and one contact point each, its places; those that touch
+// nothing are idle: so far open that they carry nothing. The kernel treats them like all others.
 
 #include <map>
 #include <utility>
@@ -11,9 +11,9 @@
 #include "forces/contact_forces.h"
 #include "state/arrays.h"
 
-namespace talus::stages {
+namespace talus {
 
-/// What an Lp that is gone carried, for the pair's next contact there.
+/// What a contact point that is gone carried, for the pair's next contact there.
 struct CarriedPoint {
     Vec3 place = Vec3::Zero();   ///< [m]
     Vec3 normal = Vec3::Zero();  ///< from the block with the lower index to the other
@@ -22,24 +22,25 @@ struct CarriedPoint {
 };
 using CarriedPoints = std::map<std::pair<std::int32_t, std::int32_t>, std::vector<CarriedPoint>>;
 
-/// What the closed Lps of an interface carry [N, J].
+/// What the closed contact points of an interface carry [N, J].
 std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t interface);
 
-/// Appends the idle slots of a pair of blocks. \pre it has none yet
-void appendSharpSlots(State& state, std::int32_t block_1, std::int32_t block_2);
+/// Appends the idle places of a pair of blocks. \pre it has none yet
+void appendVertexEdgePlaces(State& state, std::int32_t block_1, std::int32_t block_2);
 
-/// Looks at every pair with slots again. A contact at the same vertex and face stays as it is, to the bit; others take
+/// Looks at every pair with places again. A contact at the same vertex and face stays as it is, to the bit; others take
 /// over the shear force of what was there before, and no more energy than it had: a contact found late is not pressed
 /// into its new place, but counts its gap from where it is until it opens.
 /// \param ahead   time until the next look, not negative [s]
 /// \pre incidence is that of the interfaces
 /// Reads:  poses, velocities, shapes
-/// Writes: slots, their Lps, incidence
-/// \return whether a contact of faces has become one of a vertex or edge or the other way round, which only a new search
+/// Writes: places, their contact points, incidence
+/// \return whether a contact of faces has become one of a vertex or edge or the other way round, which only a new
+/// search
 ///         (patches.h) can bring about
-bool updateSharpContacts(State& state, double ahead, bool parallel);
+bool updateVertexEdges(State& state, double ahead, bool parallel);
 
-/// The same just after a search. \param carried Lps that are gone beside those of the slots
-void renewSharpContacts(State& state, double ahead, bool parallel, const CarriedPoints& carried);
+/// The same just after a search. \param carried contact points that are gone beside those of the places
+void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried);
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -83,8 +83,9 @@ Axis faceAxis(const Pair& pair, bool second_is_reference, std::size_t face) {
     return axis;
 }
 
-/// The cross product of two edges, when they are the two blocks' outermost along it: when the arc between the normals of
-/// one edge's faces and that between the opposites of the other's cross on the unit sphere (the Gauss map; Gregorius 2013).
+/// The cross product of two edges, when they are the two blocks' outermost along it: when the arc between the normals
+/// of one edge's faces and that between the opposites of the other's cross on the unit sphere (the Gauss map;
+/// Gregorius 2013).
 Axis edgeAxis(const Pair& pair, std::size_t e, std::size_t f) {
     const Edge &first = pair.first_edges[e], &second = pair.second_edges[f];
     const auto normal_1 = [&](std::int32_t face) -> const Vec3& {
@@ -144,7 +145,7 @@ Faces meetingFaces(const Pair& pair, const Axis& axis) {
     return best;
 }
 
-bool meetsFaceToFace(const Pair& pair, const Axis& axis, const SharpLimits& limits) {
+bool meetsFaceToFace(const Pair& pair, const Axis& axis, const VertexEdgeLimits& limits) {
     const Faces faces = meetingFaces(pair, axis);
     const Vec3 &first = pair.first.normals[static_cast<std::size_t>(faces.first)],
                &second = pair.second.normals[static_cast<std::size_t>(faces.second)];
@@ -176,7 +177,7 @@ struct Meeting {
     double apart_by = 0;  // [m], at least
 };
 
-Meeting findMeeting(Pair& pair, const SharpLimits& limits) {
+Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
     Meeting best;
     forEachAxis(pair, [&](const Axis& axis) {
         best.apart = axis.distance > limits.reach;
@@ -194,14 +195,14 @@ Meeting findMeeting(Pair& pair, const SharpLimits& limits) {
     return best;
 }
 
-void addPoint(SharpPoints& found, const SharpPoint& point) {
-    if (found.count < SharpPoints::kMost) {
+void addPoint(VertexEdgePoints& found, const VertexEdgePoint& point) {
+    if (found.count < VertexEdgePoints::kMost) {
         found.points[found.count++] = point;
         return;
     }
-    SharpPoint* widest =
+    VertexEdgePoint* widest =
         std::max_element(found.points.begin(), found.points.end(),
-                         [](const SharpPoint& a, const SharpPoint& b) { return a.gap < b.gap; });
+                         [](const VertexEdgePoint& a, const VertexEdgePoint& b) { return a.gap < b.gap; });
     if (point.gap < widest->gap) *widest = point;
 }
 
@@ -247,11 +248,11 @@ Share clip(const FaceOutline& face, const Vec3& from, const Vec3& to) {
     return share;
 }
 
-SharpPoints pointsOnFace(Pair& pair, const Axis& axis, double reach) {
+VertexEdgePoints pointsOnFace(Pair& pair, const Axis& axis, double reach) {
     const WorldShape& other = pair.shape(!axis.second_is_reference);
     const FaceOutline face(pair.shape(axis.second_is_reference), static_cast<std::size_t>(axis.face));
     const Vec3 e1 = (face.corner(1) - face.corner(0)).normalized(), e2 = face.normal.cross(e1);
-    SharpPoints found;
+    VertexEdgePoints found;
     const auto add = [&](const Vec3& x, std::int32_t other_face) {
         const double gap = face.height(x);
         if (gap <= reach)
@@ -278,7 +279,7 @@ SharpPoints pointsOnFace(Pair& pair, const Axis& axis, double reach) {
     return found;
 }
 
-SharpPoints pointBetweenEdges(const Pair& pair, const Axis& axis) {
+VertexEdgePoints pointBetweenEdges(const Pair& pair, const Axis& axis) {
     const Edge& e = pair.first_edges[static_cast<std::size_t>(axis.face)];
     const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
     const Vec3 &p = vertexOf(pair.first, e.from), &q = vertexOf(pair.second, f.from);
@@ -289,7 +290,7 @@ SharpPoints pointBetweenEdges(const Pair& pair, const Axis& axis) {
     const double t = (cosine * apart.dot(e.direction) - apart.dot(f.direction)) / sine_squared;
     const double length_e = (vertexOf(pair.first, e.to) - p).norm(),
                  length_f = (vertexOf(pair.second, f.to) - q).norm();
-    SharpPoints found;
+    VertexEdgePoints found;
     if (s < 0 || s > length_e || t < 0 || t > length_f) return found;
     const Faces faces = meetingFaces(pair, axis);
     addPoint(found, {false, p + s * e.direction, q + t * f.direction, e.direction,
@@ -299,10 +300,11 @@ SharpPoints pointBetweenEdges(const Pair& pair, const Axis& axis) {
 
 }  // namespace
 
-SharpPoints findSharpPoints(const WorldShape& first, const WorldShape& second, const SharpLimits& limits) {
+VertexEdgePoints findVertexEdgePoints(const WorldShape& first, const WorldShape& second,
+                                      const VertexEdgeLimits& limits) {
     Pair pair{first, second};
     const Meeting meeting = findMeeting(pair, limits);
-    SharpPoints found;
+    VertexEdgePoints found;
     if (meeting.apart) {
         found.distance = meeting.apart_by;
         return found;
@@ -343,11 +345,11 @@ bool areApart(const WorldShape& first, const WorldShape& second, double distance
     return false;
 }
 
-Approach approachOf(const WorldShape& first, const WorldShape& second, const SharpLimits& limits,
+Approach approachOf(const WorldShape& first, const WorldShape& second, const VertexEdgeLimits& limits,
                     double travel, double turn) {
     if (areParallelSided(first, second, limits.face_angle - turn)) return Approach::faces;
     Pair pair{first, second};
-    SharpLimits narrow = limits;
+    VertexEdgeLimits narrow = limits;
     narrow.face_angle -= turn;
     narrow.angle_per_depth = 0;
     double most = -std::numeric_limits<double>::infinity(), sharpest = most;
@@ -360,7 +362,7 @@ Approach approachOf(const WorldShape& first, const WorldShape& second, const Sha
         return true;
     });
     if (apart) return Approach::apart;
-    return sharpest > most - travel ? Approach::sharp : Approach::faces;
+    return sharpest > most - travel ? Approach::vertex_edge : Approach::faces;
 }
 
 }  // namespace talus

@@ -10,7 +10,7 @@
 namespace talus {
 
 /// One such place. The reference plane goes with one of the two blocks; its normal e1 x e2 points to the other.
-struct SharpPoint {
+struct VertexEdgePoint {
     bool second_is_reference = false;
     Vec3 on_reference = Vec3::Zero();  ///< in the reference plane [m]
     Vec3 on_other = Vec3::Zero();      ///< on the other block's vertex or edge [m]
@@ -21,21 +21,21 @@ struct SharpPoint {
     double gap = 0;  ///< along the normal, negative for overlap [m]
 };
 
-struct SharpPoints {
+struct VertexEdgePoints {
     static constexpr std::size_t kMost = 4;
     std::size_t count = 0;
-    std::array<SharpPoint, kMost> points{};
-    bool near = false;  ///< within reach, sharply or face to face
+    std::array<VertexEdgePoint, kMost> points{};
+    bool near = false;  ///< within reach, by vertices and edges or face to face
     double distance =
         0;  ///< when near: along the axis they meet along, negative for overlap; otherwise: at least [m]
     std::int32_t first_face = -1,
                  second_face = -1;  ///< the faces that look at each other most where they meet
 
-    const SharpPoint* begin() const { return points.data(); }
-    const SharpPoint* end() const { return points.data() + count; }
+    const VertexEdgePoint* begin() const { return points.data(); }
+    const VertexEdgePoint* end() const { return points.data() + count; }
 };
 
-struct SharpLimits {
+struct VertexEdgeLimits {
     /// Faces up to this far from parallel, and this much more per overlap, meet face to face, which is not looked for
     /// here [rad, rad/m].
     double face_angle = 0, angle_per_depth = 0;
@@ -43,19 +43,20 @@ struct SharpLimits {
     double reach = 0;  ///< points farther open than this are left out [m]
 };
 
-/// The contact normal is the axis along which the two are farthest apart or least deep in each other: a face's normal or
-/// the cross product of two edges (separating-axis theorem; Gottschalk, Lin and Manocha 1996). Where that axis is a
-/// face's normal and the other block lies on it with a face, no point is found: that is for contacts/face_pairs.h.
+/// The contact normal is the axis along which the two are farthest apart or least deep in each other: a face's normal
+/// or the cross product of two edges (separating-axis theorem; Gottschalk, Lin and Manocha 1996). Where that axis is
+/// a face's normal and the other block lies on it with a face, no point is found: that is for contacts/face_pairs.h.
 /// On a face up to four of the other block's vertices, and of the places where its edges cross the face's outline.
-SharpPoints findSharpPoints(const WorldShape& first, const WorldShape& second, const SharpLimits& limits);
+VertexEdgePoints findVertexEdgePoints(const WorldShape& first, const WorldShape& second,
+                                      const VertexEdgeLimits& limits);
 
 /// What two blocks may come to within moves of up to `travel` [m] and turns of up to `turn` [rad].
 enum class Approach : std::uint8_t {
-    apart,  ///< farther from each other than the limits' reach
-    faces,  ///< face to face at most
-    sharp   ///< findSharpPoints may find something
+    apart,       ///< farther from each other than the limits' reach
+    faces,       ///< face to face at most
+    vertex_edge  ///< findVertexEdgePoints may find something
 };
-Approach approachOf(const WorldShape& first, const WorldShape& second, const SharpLimits& limits,
+Approach approachOf(const WorldShape& first, const WorldShape& second, const VertexEdgeLimits& limits,
                     double travel, double turn);
 
 /// Whether they are certainly farther apart than `distance` [m], by the normals of their faces alone.

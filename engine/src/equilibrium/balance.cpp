@@ -37,7 +37,7 @@ void listInterfaces(const State& state, Balance& balance) {
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
-        if ((!moves(state, a) && !moves(state, b)) || stages::isIdle(f, i)) continue;
+        if ((!moves(state, a) && !moves(state, b)) || isIdle(f, i)) continue;
         ActiveInterface active{.place = placeOf(f, i),
                                .interface = i,
                                .block_a = a,
@@ -173,7 +173,7 @@ void readApplied(const State& state, Balance& balance) {
     balance.own_moment.resize(balance.block.size());
     for (std::size_t r = 0; r < balance.block.size(); ++r) {
         const Mat3 back = state.blocks.orientation.matrix(balance.block[r]).transpose();
-        const stages::Wrench water = stages::appliedOn(state, balance.block[r], Vec3::Zero());
+        const Wrench water = appliedOn(state, balance.block[r], Vec3::Zero());
         balance.own_force[r] = back * water.force;
         balance.own_moment[r] = back * water.torque;
     }
@@ -216,7 +216,7 @@ void sumForces(const State& state, Balance& balance, const Poses& poses, double 
         if (stiffness) addStiffness(balance, i, k);
     }
     for (std::size_t r = 0; r < force.size(); ++r) force[r].tail<3>() /= balance.radius[r];
-    addLoad(stages::gravity(state), balance, state, poses, stiffness, force);
+    addLoad(gravity(state), balance, state, poses, stiffness, force);
 }
 
 void commitRounded(const State& state, Balance& balance, const Poses& poses, double rounding) {

@@ -1,8 +1,8 @@
 #pragma once
 // The forces on the free blocks of a state and their derivative by the blocks' poses, as a system of equations.
 //
-// Unknowns are six a free block: displacement, and rotation times the block's radius; equations are force, and torque over
-// that radius. So all have one unit each, and a torque counts as in stages::outOfBalanceRatio.
+// Unknowns are six a free block: displacement, and rotation times the block's radius; equations are force, and torque
+// over that radius. So all have one unit each, and a torque counts as in outOfBalanceRatio.
 
 #include <cstdint>
 #include <vector>
@@ -42,10 +42,10 @@ struct Balance {
     BlockMatrix matrix{};  ///< of the structure of these interfaces
 };
 
-/// Reads interfaces, Lps and what they remember. Idle slots are left out.
+/// Reads interfaces, contact points and what they remember. Idle slots are left out.
 Balance makeBalance(const State& state);
 
-/// Takes over what the Lps of a state remember, the interfaces being the same.
+/// Takes over what the contact points of a state remember, the interfaces being the same.
 void readMemory(const State& state, Balance& balance);
 void writeMemory(const Balance& balance, State& state);
 /// Forces on blocks beside contacts and weight (water), as last computed; they turn with their block.
@@ -65,11 +65,11 @@ void sumForces(const State& state, Balance& balance, const Poses& poses, double 
 /// Commits the plastic slides of the rounded law into the balance's points.
 void commitRounded(const State& state, Balance& balance, const Poses& poses, double rounding);
 
-/// Largest change of slide or gap at an interface's Lps between two sets of poses [m].
+/// Largest change of slide or gap at an interface's contact points between two sets of poses [m].
 double relativeMotion(const Balance& balance, const ActiveInterface& interface, const Poses& from,
                       const Poses& to);
 
-/// How deep the deepest Lp is pressed together [m].
+/// How deep the deepest contact point is pressed together [m].
 double deepestPoint(const Balance& balance, const Poses& poses);
 
 /// Largest of an array of forces over the weights of their blocks.

@@ -1,5 +1,5 @@
-// Pseudo-transient continuation: backward Euler on C du/dt = F(u) with a drag C, each step solved by Newton's method with
-// the law's exact, unsymmetric derivative, the step growing as the motion slows down.
+// Pseudo-transient continuation: backward Euler on C du/dt = F(u) with a drag C, each step solved by Newton's method
+// with the law's exact, unsymmetric derivative, the step growing as the motion slows down.
 
 #include "equilibrium/find_equilibrium.h"
 
@@ -53,7 +53,7 @@ struct Trial {
 class Solver {
  public:
     Solver(State& state, const Options& options) : state_(state), options_(options) {
-        stages::updateBlockForces(state_);
+        updateBlockForces(state_);
         takeContacts();
         start_ = at_.poses;
         deepest_ = deepestPoint(balance_, start_);
@@ -161,8 +161,8 @@ class Solver {
         return residual(trial, h, rounding, false) < tolerance;
     }
 
-    /// With the corner of the normal law rounded less and less: Newton's method otherwise may go round in circles between
-    /// contacts that open and close.
+    /// With the corner of the normal law rounded less and less: Newton's method otherwise may go round in circles
+    /// between contacts that open and close.
     bool newtonByRounding(double h, double tolerance, Trial& trial) {
         bool converged = false;
         for (const double rounding : kRoundings) {
@@ -192,8 +192,8 @@ class Solver {
     /// Makes the poses those of the state: plastic slides by its own kernel, bonds let down, water where it is now.
     void commit() {
         setPoses(at_.poses, state_);
-        stages::updateForces(state_, options_.parallel);
-        result_.out_of_balance = stages::outOfBalanceRatio(state_);
+        updateForces(state_, options_.parallel);
+        result_.out_of_balance = outOfBalanceRatio(state_);
     }
 
     bool bondsGive() const {
@@ -212,7 +212,7 @@ class Solver {
             const std::size_t b = balance_.block[r];
             const double way =
                 (at_.poses.position.get(b) - start_.position.get(b)).norm() +
-                stages::rotationFrom(start_.orientation, at_.poses.orientation, b) * balance_.radius[r];
+                rotationFrom(start_.orientation, at_.poses.orientation, b) * balance_.radius[r];
             result_.displacement = std::max(result_.displacement, way);
         }
         for (const ActiveInterface& i : balance_.interfaces)
@@ -228,8 +228,8 @@ class Solver {
         track_.push_back({result_.parted, motion_ / h});
     }
 
-    /// Whether it is about as fast as it was at any time since a quarter of the way. A spring that stops it would slow it
-    /// down; so does a large load step an elastic assembly, if only at the end of its way.
+    /// Whether it is about as fast as it was at any time since a quarter of the way. A spring that stops it would
+    /// slow it down; so does a large load step an elastic assembly, if only at the end of its way.
     bool goesOnAsFast(double speed) const {
         double fastest = 0;
         for (const auto& [way, speed_there] : track_)
@@ -241,7 +241,7 @@ class Solver {
         way_since_look_ += motion_;
         if (way_since_look_ > kLookMotion) {
             way_since_look_ = 0;
-            stages::refreshInterfaces(state_, options_.parallel, 0.0);
+            refreshInterfaces(state_, options_.parallel, 0.0);
             takeContacts();
         } else {
             readMemory(state_, balance_);

@@ -15,7 +15,7 @@ struct Options {
     std::int64_t most_factors = 2'000;  ///< factorisations after which it gives up
     double leaves =
         2e-4;  ///< of the median block size: neighbours that part or slide farther have left their place
-    double release = 0.25;  ///< share of a broken bond let down per step
+    double release = 0.25;  ///< share of a broken bond released per step
     bool parallel = false;  ///< the search for contacts; the solve itself is serial
     const std::atomic<bool>* stop = nullptr;
 };
@@ -23,9 +23,9 @@ struct Options {
 /// What was found, and on what it rests.
 struct Equilibrium {
     Verdict verdict = Verdict::undecided;
-    double out_of_balance = 0;  ///< stages::outOfBalanceRatio of the state, by the exact law
+    double out_of_balance = 0;  ///< outOfBalanceRatio of the state, by the exact law
     double displacement = 0;    ///< of the farthest-moved block [m]
-    double parted = 0;          ///< largest change of slide or gap at an Lp [m]
+    double parted = 0;          ///< largest change of slide or gap at a contact point [m]
     std::int64_t steps = 0;     ///< in pseudo-time
     std::int64_t factors = 0;   ///< factorisations
 };

@@ -42,7 +42,7 @@ Lie lieOf(const InterfacePlace& place, const Placed& a, const Placed& b) {
     return lie;
 }
 
-/// Slides and gap at an Lp [m].
+/// Slides and gap at a contact point [m].
 Vec3 slidesAndGap(const Lie& lie, const Vec3& reference_gap, double xi, double eta) {
     return {lie.at.x() + xi * (lie.by_xi.x() - 1.0) + eta * lie.by_eta.x(),
             lie.at.y() + xi * lie.by_xi.y() + eta * (lie.by_eta.y() - 1.0),
@@ -68,8 +68,8 @@ Mat9x12 coefficientRates(const Lie& lie) {
     return rates;
 }
 
-/// Force and moment about the interface's origin along e1, e2, e3, summed over the Lps, and their derivative by the nine
-/// coefficients.
+/// Force and moment about the interface's origin along e1, e2, e3, summed over the contact points, and their
+/// derivative by the nine coefficients.
 struct LocalSum {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
     Mat6x9 rates = Mat6x9::Zero();

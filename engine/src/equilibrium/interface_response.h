@@ -1,5 +1,6 @@
 #pragma once
-// The wrench of one interface and its exact derivative by the poses of its two blocks: law, lever arms and turning frames.
+// The wrench of one interface and its exact derivative by the poses of its two blocks: law, lever arms and turning
+// frames.
 
 #include <Eigen/Core>
 #include <span>
@@ -18,7 +19,7 @@ struct Placed {
     Mat3 turn = Mat3::Identity();
 };
 
-/// An Lp as the solver keeps it; its memory is that of the last committed step.
+/// A contact point as the solver keeps it; its memory is that of the last committed step.
 struct SolverPoint {
     double xi = 0, eta = 0;  ///< on the patch, from the interface's origin along e1, e2 [m]
     double area = 0;         ///< A_s [m^2]
@@ -48,10 +49,11 @@ InterfaceWrenches interfaceResponse(const InterfacePlace& place, const Placed& a
                                     const contact::JointLaw& joint, std::span<const SolverPoint> points,
                                     double rounding, InterfaceStiffness* stiffness);
 
-/// Slides along e1, e2 and gap at an Lp [m].
+/// Slides along e1, e2 and gap at a contact point [m].
 Vec3 slidesAndGap(const InterfacePlace& place, const Placed& a, const Placed& b, const SolverPoint& point);
 
-/// Makes the plastic slides of these poses those of the points, for the rounded law (the exact one commits in the kernel).
+/// Makes the plastic slides of these poses those of the points, for the rounded law (the exact one commits in the
+/// kernel).
 void commitSlides(const InterfacePlace& place, const Placed& a, const Placed& b,
                   const contact::JointLaw& joint, std::span<SolverPoint> points, double rounding);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The contact law at one Lp together with its derivative, for Newton's method: what contact/law.h gives for a trial pose
-// while nothing is committed, and how it changes with the pose.
+// The contact law at one contact point together with its derivative, for Newton's method: what contact/law.h gives
+// for a trial pose while nothing is committed, and how it changes with the pose.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace talus::equilibrium {
 
-/// Forces at an Lp and their derivative by the relative displacement of its two sides, both along e1, e2, e3 (e3: normal;
-/// the force acts on b, the gap is positive when open).
+/// Forces at a contact point and their derivative by the relative displacement of its two sides, both along e1, e2,
+/// e3 (e3: normal; the force acts on b, the gap is positive when open).
 struct PointResponse {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();      ///< F_s1, F_s2, F_n [N]
     Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();  ///< d force / d (slide_1, slide_2, gap) [N/m]
@@ -23,23 +23,24 @@ struct NormalResponse {
     double slope = 0;
 };
 
-/// eqs 5 and 7. With `rounding` > 0 [N] an unbonded Lp's corner between open and closed is a hyperbola that lies
-/// rounding/2 above it: a path for Newton's method through contacts that open and close, never the answer.
+/// eqs 5 and 7. With `rounding` > 0 [N] an unbonded contact point's corner between open and closed is a hyperbola
+/// that lies rounding/2 above it: a path for Newton's method through contacts that open and close, never the answer.
 inline NormalResponse normalResponse(double trial, double tension_limit, double rounding) {
     if (tension_limit > 0)
         return trial > -tension_limit ? NormalResponse{trial, 1.0} : NormalResponse{-tension_limit, 0.0};
     if (rounding > 0) {
         const double root = std::sqrt(trial * trial + rounding * rounding);
-        // The conjugate form: the plain sum loses everything where the Lp is wide open.
+        // The conjugate form: the plain sum loses everything where the contact point is wide open.
         const double force = trial > 0 ? 0.5 * (trial + root) : 0.5 * rounding * rounding / (root - trial);
         return {force, force / root};
     }
     return trial < 0 ? NormalResponse{} : NormalResponse{trial, 1.0};
 }
 
-/// The law and its exact derivative at a gap and slide, its memory being that of the last equilibrium. Bonds hold what
-/// they have left: one that is overloaded gives at its strength, and breaks when the step is committed.
-/// The derivative is unsymmetric where the Lp slips: its shear force follows the normal force, not the other way round.
+/// The law and its exact derivative at a gap and slide, its memory being that of the last equilibrium. Bonds hold
+/// what they have left: one that is overloaded gives at its strength, and breaks when the step is committed. The
+/// derivative is unsymmetric where the contact point slips: its shear force follows the normal force, not the other
+/// way round.
 inline PointResponse pointResponse(const contact::JointLaw& joint, double area, double slide_1,
                                    double slide_2, double gap, const contact::PointMemory& memory,
                                    double rounding) {
@@ -73,7 +74,7 @@ inline PointResponse pointResponse(const contact::JointLaw& joint, double area, 
     return point;
 }
 
-/// What an Lp remembers of the step that has led to this response: the plastic slide, as contactLaw has it.
+/// What a contact point remembers of the step that has led to this response: the plastic slide, as contactLaw has it.
 inline void commitSlide(const PointResponse& point, const contact::JointLaw& joint, double area,
                         double slide_1, double slide_2, contact::PointMemory& memory) {
     if (!point.open && !point.slips) return;

@@ -6,7 +6,7 @@
 #include "forces/relative_pose.h"
 #include "law/points.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 using simd::Triple;
@@ -24,7 +24,8 @@ PointPlaces placesOf(PointRule::Kind kind) {
     return PointPlaces::stored;
 }
 
-/// Whether the arrays by interface and Lp are more than a core's own cache holds from step to step, all of them on one core.
+/// Whether the arrays by interface and contact point are more than a core's own cache holds from step to step, all of
+/// them on one core.
 bool isBeyondCaches(const State& state) {
     constexpr std::size_t kOwnCache = 1U << 22U;  // [bytes] what it has, and some
     const auto bytes = [](const LaneArray& of) { return of.slots() * of.quantities() * sizeof(double); };
@@ -101,21 +102,21 @@ Contacts contactsOf(const State& state) {
     return {state.blocks, state.interfaces, state.points, state.laws, state.geometry->model.points};
 }
 
-std::vector<PointState> pointStates(const State& state, std::size_t i) {
-    return pointStates(contactsOf(state), i);
+std::vector<ContactPoint> contactPoints(const State& state, std::size_t i) {
+    return contactPoints(contactsOf(state), i);
 }
 
-std::vector<PointState> pointStates(const Contacts& contacts, std::size_t i) {
+std::vector<ContactPoint> contactPoints(const Contacts& contacts, std::size_t i) {
     constexpr double kNoRelease = 0.0;
     const Interfaces& f = contacts.interfaces;
     const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(f.joint[i])];
     const RelativePose pose = relativePose(contacts.blocks, f, i);
-    std::vector<PointState> result;
+    std::vector<ContactPoint> result;
     for (const contact::PatchPoint& place : interfacePoints(f, i, contacts.rule)) {
-        PointState point{.position = place.position,
-                         .area = place.area,
-                         .force = {},
-                         .memory = contacts.points.memoryAt(f.pointSlot(i, result.size()))};
+        ContactPoint point{.position = place.position,
+                           .area = place.area,
+                           .force = {},
+                           .memory = contacts.points.memoryAt(f.pointSlot(i, result.size()))};
         contact::PointMemory scratch = point.memory;
         point.force = contact::contactLaw(law, place.area, affineAt(pose.gap, place.position),
                                           affineAt(pose.slide_1, place.position),
@@ -125,4 +126,4 @@ std::vector<PointState> pointStates(const Contacts& contacts, std::size_t i) {
     return result;
 }
 
-}  // namespace talus::stages
+}  // namespace talus

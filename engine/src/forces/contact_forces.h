@@ -7,7 +7,7 @@
 #include "state/point_layout.h"
 #include "state/range.h"
 
-namespace talus::stages {
+namespace talus {
 
 /// \pre  groups of the state; interfaces, points and block poses are those of one instant; with contact damping
 ///       angular_velocity too
@@ -28,15 +28,16 @@ struct RelativePose {
 RelativePose relativePose(const Blocks& blocks, const Interfaces& interfaces, std::size_t interface);
 RelativePose relativePose(const State& state, std::size_t interface);
 
-/// An Lp as it stands: where it lies on the patch, what it carries and remembers.
-struct PointState {
+/// A contact point as it stands: where it lies on the patch, what it carries and remembers.
+struct ContactPoint {
     Eigen::Vector2d position;   ///< along e1, e2 from the interface's origin [m]
     double area;                ///< A_s [m^2]
     contact::PointForce force;  ///< of the springs, on b
     contact::PointMemory memory;
 };
 
-/// What the forces at Lps follow from: interfaces and Lps of a state, or those it had before a search.
+/// What the forces at contact points follow from: interfaces and contact points of a state, or those it had before a
+/// search.
 struct Contacts {
     const Blocks& blocks;
     const Interfaces& interfaces;
@@ -46,9 +47,9 @@ struct Contacts {
 };
 Contacts contactsOf(const State& state);
 
-/// All Lps of an interface, in the order of contact::patchPoints. The law gives the same forces when it is asked once more
-/// at the same place (but for slip that dilates, which the next step feels).
-std::vector<PointState> pointStates(const Contacts& contacts, std::size_t interface);
-std::vector<PointState> pointStates(const State& state, std::size_t interface);
+/// All contact points of an interface, in the order of contact::patchPoints. The law gives the same forces when it is
+/// asked once more at the same place (but for slip that dilates, which the next step feels).
+std::vector<ContactPoint> contactPoints(const Contacts& contacts, std::size_t interface);
+std::vector<ContactPoint> contactPoints(const State& state, std::size_t interface);
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -1,9 +1,9 @@
 #include "forces/contact_kernel.h"
 
-namespace talus::stages {
+namespace talus {
 
 void updateContactsScalar(const ContactView& view, std::size_t begin, std::size_t end) {
     updateGroups<double>(view, begin, end);
 }
 
-}  // namespace talus::stages
+}  // namespace talus

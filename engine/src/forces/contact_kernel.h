@@ -10,12 +10,13 @@
 #include "law/law.h"
 #include "state/slot_sizes.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 using simd::Triple;
 
-/// What an interface's Lps add up to: force on b and moment about the interface's origin, in the frame e1, e2, e3.
+/// What an interface's contact points add up to: force on b and moment about the interface's origin, in the frame e1,
+/// e2, e3.
 template <class V>
 struct PatchSum {
     Triple<V> force{}, moment{};
@@ -132,7 +133,7 @@ TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, co
             members.gatherFlag(view.laws, view.joint)};
 }
 
-/// One group's Lps, one after the other.
+/// One group's contact points, one after the other.
 template <class V, bool Damped, bool Remembers>
 struct PointLoop {
     const ContactView& view;
@@ -143,8 +144,8 @@ struct PointLoop {
     V release, damping_normal, damping_shear;
     PatchSum<V> sum{};
 
-    /// The viscous term c_k of eqs (3)-(4) beside the spring: acts while the Lp is closed, along the surface only while
-    /// it sticks, and never turns the normal force into tension beyond the joint's strength.
+    /// The viscous term c_k of eqs (3)-(4) beside the spring: acts while the contact point is closed, along the
+    /// surface only while it sticks, and never turns the normal force into tension beyond the joint's strength.
     TALUS_KERNEL void addDashpot(V xi, V eta, V area, V bond, contact::ForceOf<V>& total) const {
         using simd::either, simd::larger, simd::select;
         const V damped = total.normal - damping_normal * area * affine(velocity.normal, xi, eta);
@@ -178,8 +179,8 @@ struct PointLoop {
     }
 };
 
-/// Calls each(xi, eta, area, slot) for every Lp, in the order of contact::patchPoints. The origin is the patch's
-/// centroid, so that of the fan triangles follows from two corners.
+/// Calls each(xi, eta, area, slot) for every contact point, in the order of contact::patchPoints. The origin is the
+/// patch's centroid, so that of the fan triangles follows from two corners.
 template <PointPlaces Places, class V, class Each>
 TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& group,
                                const Members<V>& members, Each& each) {
@@ -264,8 +265,8 @@ TALUS_KERNEL void fetchRows(const double* row, std::size_t rows) {
     for (; rows > 0; --rows, row += kRow) __builtin_prefetch(row, Written ? 1 : 0);
 }
 
-/// Asks for what a group needs. The processor's own prefetchers lose the thread, because the streams come in short pieces
-/// in turn (engine/README.md has what that costs).
+/// Asks for what a group needs. The processor's own prefetchers lose the thread, because the streams come in short
+/// pieces in turn (engine/README.md has what that costs).
 template <PointPlaces Places, bool Remembers>
 TALUS_KERNEL void fetch(const ContactView& view, std::size_t group_index) {
     constexpr std::size_t memory = Remembers ? kMemoryQuantities : kSlideQuantities;
@@ -314,4 +315,4 @@ void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
 }
 
 }  // namespace
-}  // namespace talus::stages
+}  // namespace talus

@@ -1,9 +1,9 @@
 #include "forces/contact_members.h"
 
-namespace talus::stages {
+namespace talus {
 
 void updateContactsAvx512(const ContactView& view, std::size_t begin, std::size_t end) {
     updateGroups<Lanes>(view, begin, end);
 }
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -4,13 +4,13 @@
 #include "forces/contact_kernel.h"
 #include "simd/lanes.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 using simd::Lanes;
 
-/// As many interfaces of a group as a register holds. Where the group has fewer, the last one is repeated as far as blocks
-/// and joints go; the slots beyond are the group's own, and nobody reads them.
+/// As many interfaces of a group as a register holds. Where the group has fewer, the last one is repeated as far as
+/// blocks and joints go; the slots beyond are the group's own, and nobody reads them.
 template <>
 struct Members<Lanes> {
     static constexpr int kWidth = simd::kWidth;
@@ -65,4 +65,4 @@ struct Members<Lanes> {
 };
 
 }  // namespace
-}  // namespace talus::stages
+}  // namespace talus

@@ -8,11 +8,11 @@
 #include "simd/pointers.h"
 #include "state/interface_group.h"
 
-namespace talus::stages {
+namespace talus {
 
 using simd::ConstVectors;
 
-/// Where the kernel has the Lps' positions and areas from.
+/// Where the kernel has the contact points' positions and areas from.
 enum class PointPlaces : std::uint8_t { vertex, corner, stored };
 
 struct ContactView {
@@ -27,14 +27,14 @@ struct ContactView {
     const double* patch_area;  ///< by interface
     // read, per joint
     const contact::JointLaw* laws;
-    // read, per Lp
+    // read, per contact point
     const double* point_places;  ///< `stored` only
-    // read and written, per Lp
+    // read and written, per contact point
     double* memory;
     // written, per interface
     double* wrenches;  ///< slot by slot, each nine numbers side by side
 
-    bool remembers;  ///< whether Lps have bond and dilation in their memory
+    bool remembers;  ///< whether contact points have bond and dilation in their memory
     bool
         beyond_caches;  ///< whether the arrays come from main memory each time: groups are then fetched ahead
     double release;
@@ -47,4 +47,4 @@ void updateContactsScalar(const ContactView& view, std::size_t begin, std::size_
 void updateContactsAvx2(const ContactView& view, std::size_t begin, std::size_t end);
 void updateContactsAvx512(const ContactView& view, std::size_t begin, std::size_t end);
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -4,7 +4,7 @@
 
 #include "forces/water.h"
 
-namespace talus::stages {
+namespace talus {
 
 const std::array<BlockForce, 1> kBlockForces{{
     {"water", updateWater, wetBlocks, waterOn},
@@ -39,4 +39,4 @@ Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity) 
     return sum;
 }
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -1,9 +1,9 @@
 #pragma once
-// The one list of forces on blocks: weight, contacts, and what stands in kBlockForces. A new force is a file of its own that
-// says what it reads and writes, and a line there.
+// The one list of forces on blocks: weight, contacts, and what stands in kBlockForces. A new force is a file of its
+// own that says what it reads and writes, and a line there.
 //
-// Weight and contacts act on every block, so the sum of a step takes them in its kernel (step/motion_kernel.h); the others
-// act on some blocks only and are added to those.
+// Weight and contacts act on every block, so the sum of a step takes them in its kernel (step/motion_kernel.h); the
+// others act on some blocks only and are added to those.
 
 #include <array>
 #include <span>
@@ -11,7 +11,7 @@
 #include "forces/wrench.h"
 #include "state/arrays.h"
 
-namespace talus::stages {
+namespace talus {
 
 /// A force on some blocks.
 struct BlockForce {
@@ -38,4 +38,4 @@ Wrench appliedOn(const State& state, std::size_t block, const Vec3& gravity);
 /// Of contacts, weight and kBlockForces, without local damping.
 Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity);
 
-}  // namespace talus::stages
+}  // namespace talus

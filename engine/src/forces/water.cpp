@@ -9,7 +9,7 @@
 #include "model/water_level.h"
 #include "state/incidence.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 constexpr double kStalePose = 1e-7;  // of the block's radius: a wall that moved less keeps its wrench
@@ -64,8 +64,8 @@ void addWall(State& state, std::size_t water, const WetFace& wall) {
     if (!polygon.empty()) addPatch(state.wet, b, water, -1, plane, polygon, Vec3::Zero());
 }
 
-/// Two heads, linear between the patch's ends along x (along z for a patch normal to x): value at the interface's origin
-/// and gradient along e1, e2 [m].
+/// Two heads, linear between the patch's ends along x (along z for a patch normal to x): value at the interface's
+/// origin and gradient along e1, e2 [m].
 Vec3 headField(const State& state, std::size_t i, const std::array<double, 2>& head,
                const RelativePose& pose) {
     const int axis = std::abs(pose.e3.x()) > 0.99 ? 2 : 0;
@@ -79,7 +79,8 @@ Vec3 headField(const State& state, std::size_t i, const std::array<double, 2>& h
     return {head[1] - slope * low, slope * pose.e1[axis], slope * pose.e2[axis]};
 }
 
-/// Both walls of one interface: the same polygon and the same points, so that the two wrenches are opposite to rounding.
+/// Both walls of one interface: the same polygon and the same points, so that the two wrenches are opposite to
+/// rounding.
 void addInterfaceWalls(State& state, std::size_t water, std::size_t i) {
     const Interfaces& f = state.interfaces;
     const RelativePose pose = relativePose(state, i);
@@ -403,4 +404,4 @@ void drainWater(State& state) {
     }
 }
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -13,7 +13,7 @@
 #include "state/arrays.h"
 #include "talus/result.h"
 
-namespace talus::stages {
+namespace talus {
 
 /// Makes the wet walls out of the model's waters and finds which act on which block.
 /// Errors: no wall, nothing below the base, two waters on the same place of a wall.
@@ -36,8 +36,8 @@ Wrench waterOn(const State& state, std::size_t block);
 /// Marks waters as drained whose interfaces have opened wider than they allow. Reads poses, writes drained.
 void drainWater(State& state);
 
-/// What follows from the walls: their moments, and which of them push on which block. Reads wet, writes that and its part
-/// of incidence.
+/// What follows from the walls: their moments, and which of them push on which block. Reads wet, writes that and its
+/// part of incidence.
 void finishWalls(State& state);
 
 /// A wet patch in its own plane, and the pressure there as last computed.
@@ -47,4 +47,4 @@ LinearPressure pressureOnWall(const State& state, std::size_t wet_patch);
 /// The pressure of a water under the state's load.
 PressureField pressureField(const State& state, std::size_t water);
 
-}  // namespace talus::stages
+}  // namespace talus

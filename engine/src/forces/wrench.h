@@ -3,7 +3,7 @@
 
 #include "talus/polyhedron.h"
 
-namespace talus::stages {
+namespace talus {
 
 /// About the block's centroid, model frame [N, N m].
 struct Wrench {
@@ -17,4 +17,4 @@ struct Wrench {
     }
 };
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -67,7 +67,7 @@ void addWaterLevels(const State& state, WaterLevels& levels) {
     for (std::size_t w = 0; w < waters.size(); ++w) {
         levels.level.push_back(levelAt(waters[w], state.load.time));
         levels.drained.push_back(state.drained[w]);
-        const PressureField field = stages::pressureField(state, w);
+        const PressureField field = pressureField(state, w);
         const double unit_weight = field.gradient.norm();
         // p = p0 + gradient . x in the state's coordinates; the table is told in the model's.
         const double shift = field.gradient.dot(state.geometry->origin);
@@ -93,7 +93,7 @@ void addLaws(const State& state, FrameLaws& laws) {
     for (std::size_t joint = 0; joint < n; ++joint) eachLawField(state.laws[joint], laws, joint, ToFrame{});
 }
 
-/// Frames, corners and Lps interface by interface, with what the Lps carry.
+/// Frames, corners and contact points interface by interface, with what the contact points carry.
 void addPatches(const State& state, FrameInterfaces& f, FramePoints& points) {
     const bool dilates = std::any_of(state.laws.begin(), state.laws.end(),
                                      [](const contact::JointLaw& law) { return law.tan_dilation != 0; });
@@ -109,7 +109,7 @@ void addPatches(const State& state, FrameInterfaces& f, FramePoints& points) {
             f.patch_eta.push_back(corner.y());
         }
         f.patch_begin.push_back(static_cast<std::int64_t>(f.patch_xi.size()));
-        for (const stages::PointState& point : stages::pointStates(state, i)) {
+        for (const ContactPoint& point : contactPoints(state, i)) {
             points.xi.push_back(point.position.x());
             points.eta.push_back(point.position.y());
             points.area.push_back(point.area);
@@ -155,12 +155,12 @@ LightFrame lightFrameOf(const State& state) {
     LightFrame frame;
     frame.time = state.time;
     frame.step = state.step;
-    frame.state_hash = stages::stateHash(state);
+    frame.state_hash = stateHash(state);
     frame.tilt = state.load.tilt;
-    frame.kinetic_energy = stages::kineticEnergy(state);
-    frame.elastic_energy = stages::elasticEnergy(state);
-    frame.gravity_energy = stages::gravityEnergy(state);
-    frame.out_of_balance = stages::outOfBalanceRatio(state);
+    frame.kinetic_energy = kineticEnergy(state);
+    frame.elastic_energy = elasticEnergy(state);
+    frame.gravity_energy = gravityEnergy(state);
+    frame.out_of_balance = outOfBalanceRatio(state);
     const Geometry& geometry = *state.geometry;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         add(frame.displacement, state.blocks.position.get(b) - geometry.initial_position.get(b));
@@ -173,7 +173,7 @@ LightFrame lightFrameOf(const State& state) {
 
 FullFrame fullFrameOf(const State& state) {
     FullFrame frame;
-    frame.state_hash = stages::stateHash(state);
+    frame.state_hash = stateHash(state);
     eachField(state, frame, ToFrame{});
     const Vec3& origin = state.geometry->origin;
     frame.origin_x = origin.x(), frame.origin_y = origin.y(), frame.origin_z = origin.z();

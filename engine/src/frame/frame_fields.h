@@ -95,7 +95,7 @@ void eachScalar(State& s, FullFrame& f, const Pair& pair) {
     pair(s.shear_lost, f.shear_lost);
 }
 
-/// All but what changes its layout on the way: what is stored per water, per joint, per corner and per Lp.
+/// All but what changes its layout on the way: what is stored per water, per joint, per corner and per contact point.
 template <class State, class FullFrame, class Pair>
 void eachField(State& s, FullFrame& f, const Pair& pair) {
     eachBlockField(s.blocks, f.blocks, pair);

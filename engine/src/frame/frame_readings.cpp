@@ -9,11 +9,11 @@
 namespace talus {
 namespace {
 
-// A slipping Lp sits on its strength to rounding.
+// A slipping contact point sits on its strength to rounding.
 constexpr double kSlips = 1.0 - 1e-9;
 constexpr double kSamePlane = 1e-6;  // of the patch's extent; normals likewise
 
-/// The Lps of one interface.
+/// The contact points of one interface.
 struct PointRange {
     std::size_t begin, end;
 };
@@ -56,10 +56,11 @@ Polygon patchOnWall(const State& state, std::size_t i, std::size_t w, const Side
     return polygon;
 }
 
-/// Shares out the exact thrust by area times pressure; by area alone where the water only reaches between the Lps.
+/// Shares out the exact thrust by area times pressure; by area alone where the water only reaches between the contact
+/// points.
 void shareOut(const State& state, PointRange range, std::size_t w, const Side& side, double thrust,
               FramePoints& points) {
-    const LinearPressure pressure = stages::pressureOnWall(state, w);
+    const LinearPressure pressure = pressureOnWall(state, w);
     const auto weight = [&](std::size_t p) {
         const Vec2 place = onWall(state.wet, w, side.at(points.xi[p], points.eta[p]));
         return points.area[p] * std::max(0.0, pressure.at(place));
@@ -78,9 +79,9 @@ bool addWaterOf(const State& state, std::size_t i, PointRange range, const Side&
         const auto w = static_cast<std::size_t>(state.incidence.wet[static_cast<std::size_t>(k)]);
         if (!inPlaneOf(state.wet, w, side, length)) continue;
         any = true;
-        const Polygon common = intersect(patchOnWall(state, i, w, side), stages::wetPolygon(state, w));
+        const Polygon common = intersect(patchOnWall(state, i, w, side), wetPolygon(state, w));
         if (common.empty()) continue;
-        const double thrust = thrustOn(common, stages::pressureOnWall(state, w)).force;
+        const double thrust = thrustOn(common, pressureOnWall(state, w)).force;
         if (thrust > 0) shareOut(state, range, w, side, thrust, points);
     }
     return any;

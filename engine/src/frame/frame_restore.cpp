@@ -89,7 +89,7 @@ std::vector<Eigen::Vector2d> outlineOf(const FrameInterfaces& f, std::size_t i) 
     return outline;
 }
 
-/// Lps as many as the rule gives on each patch.
+/// contact points as many as the rule gives on each patch.
 bool pointsFit(const FullFrame& frame, const PointRule& rule, bool dilates) {
     const FramePoints& f = frame.points;
     for (const double area : f.area)
@@ -119,7 +119,7 @@ bool wetFits(const FrameWetPatches& f) {
     return true;
 }
 
-/// Patches and Lps in the layout of the kernel, which follows from their order.
+/// Patches and contact points in the layout of the kernel, which follows from their order.
 void restorePatches(const FullFrame& frame, State& state) {
     const FrameInterfaces& f = frame.interfaces;
     Interfaces& interfaces = state.interfaces;
@@ -177,7 +177,7 @@ std::uint64_t hashOf(const FullFrame& frame) {
     const auto valueAt = [](const std::vector<double>& values, std::size_t point) {
         return point < values.size() ? values[point] : 0.0;
     };
-    return stages::stateHash(state.blocks, [&](const auto& add) {
+    return stateHash(state.blocks, [&](const auto& add) {
         for (std::size_t p = 0; p < f.size(); ++p)
             add({valueAt(f.normal, p), valueAt(f.shear_1, p), valueAt(f.shear_2, p), valueAt(f.offset_1, p),
                  valueAt(f.offset_2, p), valueAt(f.bond, p)});
@@ -210,10 +210,10 @@ std::vector<Error> restoreFrame(const FullFrame& frame, State& state) {
     eachField(state, frame, FromFrame{});
     restorePatches(frame, state);
     restoreWaters(frame.waters, state);
-    stages::updateSpin(state, {0, state.blocks.size()});
-    stages::buildIncidence(state);
-    stages::finishWalls(state);
-    if (stages::stateHash(state) != frame.state_hash)
+    updateSpin(state, {0, state.blocks.size()});
+    buildIncidence(state);
+    finishWalls(state);
+    if (stateHash(state) != frame.state_hash)
         return {{"full.state_hash", "is not the hash of the frame's own values: the frame is damaged"}};
     if (const std::vector<std::string> findings = validate(state); !findings.empty())
         return {{"full", findings.front() + "; allowed: a frame as a run writes it"}};

@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kPlaces = stages::kPlacesOfPair;
+constexpr std::size_t kPlaces = kPlacesOfPair;
 
 /// Which of its pair's places an interface is.
 std::size_t placeOf(const Interfaces& f, std::size_t i) {

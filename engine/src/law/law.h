@@ -1,7 +1,8 @@
 #pragma once
-// The contact law at one Lp (eqs 5-9 of the paper), as pure functions: forces, strength, stiffness, energy, and what gap or
-// slide belongs to a force or an energy. Every loop calls these; nothing else in the engine knows what a joint does. V is a double, or several of them in a register (simd/lanes.h): both take the same
-// steps in the same order and give the same bits.
+// The contact law at one contact point (eqs 5-9 of the paper), as pure functions: forces, strength, stiffness,
+// energy, and what gap or slide belongs to a force or an energy. Every loop calls these; nothing else in the engine
+// knows what a joint does. V is a double, or several of them in a register (simd/lanes.h): both take the same steps
+// in the same order and give the same bits.
 //
 // Signs: gap is positive when open, forces act on the block that is not the reference one; the normal force is the
 // effective (spring) force, compression positive. Water acts beside it: eq 7's opening rule with F_n + P is the same
@@ -29,14 +30,15 @@ struct JointParameters {
 };
 using JointLaw = JointParameters<double>;
 
-/// Whether Lps of this joint have to remember more than their plastic slide: strength that is lost for good, dilation.
+/// Whether contact points of this joint have to remember more than their plastic slide: strength that is lost for
+/// good, dilation.
 inline bool hasMemory(const JointLaw& joint) {
     return joint.bonded || joint.residual_tan_friction != joint.tan_friction ||
            joint.residual_cohesion != joint.cohesion || joint.tan_dilation != 0;
 }
 
-/// What an Lp remembers. The shear force is -k_s A (slide - offset): a total form of eq 6 in the frame that turns with
-/// the reference block, so that nothing drifts however many steps are taken.
+/// What a contact point remembers. The shear force is -k_s A (slide - offset): a total form of eq 6 in the frame that
+/// turns with the reference block, so that nothing drifts however many steps are taken.
 template <class V>
 struct MemoryOf {
     V offset_1{};        ///< slide that is plastic, along the first tangent [m]
@@ -67,7 +69,7 @@ TALUS_KERNEL StiffnessOf<V> stiffnessOf(const JointParameters<V>& joint) {
     return {joint.normal_stiffness, joint.shear_stiffness};
 }
 
-/// Largest shear force the Lp carries (right-hand side of the sliding rule, eq 9), zero when open.
+/// Largest shear force the contact point carries (right-hand side of the sliding rule, eq 9), zero when open.
 template <class V>
 TALUS_KERNEL V shearStrength(const JointParameters<V>& joint, V area, V normal_force, V bond) {
     const V cohesion = joint.residual_cohesion + bond * (joint.cohesion - joint.residual_cohesion);
@@ -77,10 +79,10 @@ TALUS_KERNEL V shearStrength(const JointParameters<V>& joint, V area, V normal_f
     return larger(cohesion * area + normal_force * tan_friction, V{});
 }
 
-/// Forces at an Lp from its gap and slide; updates its memory.
+/// Forces at a contact point from its gap and slide; updates its memory.
 ///
 /// `release` is the share of the bond that goes per call once it breaks: 1 in a time history (brittle, eqs 7-9),
-/// less in quasi-static work, where a break is let down slowly so that its energy does not break its neighbours.
+/// less in quasi-static work, where a break is released slowly so that its energy does not break its neighbours.
 /// `Remembers` may be false when no joint `hasMemory`; the result is the same, to the bit.
 template <bool Remembers = true, class V>
 TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V gap, V slide_1, V slide_2,
@@ -130,7 +132,7 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
                 select(force.slips, memory.dilation + joint.tan_dilation * (trial - strength) / stiffness,
                        memory.dilation);
     }
-    // Nothing is carried across an open Lp; when it closes again its shear starts from zero.
+    // Nothing is carried across an open contact point; when it closes again its shear starts from zero.
     memory.offset_1 = select(force.open, slide_1, memory.offset_1);
     memory.offset_2 = select(force.open, slide_2, memory.offset_2);
     if constexpr (Remembers) memory.bond = bond;
@@ -139,7 +141,8 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     return force;
 }
 
-// The inverses, for those who hand on what a contact carries. Springs are linear while a contact point is closed and sticks.
+// The inverses, for those who hand on what a contact carries. Springs are linear while a contact point is closed and
+// sticks.
 
 /// Overlap at which a contact point carries a normal force [m].
 inline double overlapFor(const JointLaw& joint, double area, double normal_force) {

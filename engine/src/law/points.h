@@ -1,5 +1,5 @@
 #pragma once
-// Where the contact points (Lps) of a patch lie, and which share of its area each stands for.
+// Where the contact points (contact points) of a patch lie, and which share of its area each stands for.
 
 #include <Eigen/Core>
 #include <span>
@@ -14,15 +14,15 @@ struct PatchPoint {
     double area;               ///< A_s [m^2]
 };
 
-/// Lps of a convex patch given counter-clockwise. The areas add up to the patch's.
+/// contact points of a convex patch given counter-clockwise. The areas add up to the patch's.
 ///  - vertex: exact for polynomials of degree 2 (so the closed stiffness is exact), outermost points on the outline
 ///    (so the overturning pivot is exact);
-///  - quarter: the paper's rule, one sub-area per vertex, its Lp at the sub-area's centroid;
+///  - quarter: the paper's rule, one sub-area per vertex, its contact point at the sub-area's centroid;
 ///  - corner: the patch's vertices, equal shares;
 ///  - grid N: centroids of N x N equal cells on a rectangle; on the other patches of a model in motion, `vertex`.
 std::vector<PatchPoint> patchPoints(std::span<const Eigen::Vector2d> patch, const PointRule& rule);
 
-/// How many Lps patchPoints gives. A vertex or edge contact, of one corner, has one.
+/// How many contact points patchPoints gives. A vertex or edge contact, of one corner, has one.
 std::size_t pointCount(std::span<const Eigen::Vector2d> patch, const PointRule& rule);
 
 /// Four right angles, to a relative 1e-9.

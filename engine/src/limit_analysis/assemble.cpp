@@ -49,7 +49,7 @@ Companions bonded(const State& state) {
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
-        if (std::min(law.cohesion, law.tensile_strength) * f.area[i] > unbreakable && !stages::isSharp(f, i))
+        if (std::min(law.cohesion, law.tensile_strength) * f.area[i] > unbreakable && !isVertexEdge(f, i))
             companions.join(static_cast<std::size_t>(f.block_a[i]), static_cast<std::size_t>(f.block_b[i]));
     }
     return companions;
@@ -145,9 +145,9 @@ void addPoints(const State& state, std::size_t i, Assembly& assembly) {
     const Interfaces& f = state.interfaces;
     const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
     const std::int32_t body_a = assembly.body_of_block[a], body_b = assembly.body_of_block[b];
-    if (body_a == body_b || std::min(body_a, body_b) == kAbsent || stages::isIdle(f, i)) return;
-    const double closed = stages::kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
-    const stages::RelativePose pose = stages::relativePose(state, i);
+    if (body_a == body_b || std::min(body_a, body_b) == kAbsent || isIdle(f, i)) return;
+    const double closed = kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
+    const RelativePose pose = relativePose(state, i);
     std::vector<contact::PatchPoint> points;
     for (const contact::PatchPoint& point : interfacePoints(f, i, state.geometry->model.points))
         if (pose.gap.x() + point.position.x() * pose.gap.y() + point.position.y() * pose.gap.z() <= closed)
@@ -162,7 +162,7 @@ void addPoints(const State& state, std::size_t i, Assembly& assembly) {
 Loads presentWater(const State& state, const Assembly& assembly) {
     Loads loads(assembly.bodies.size());
     forFreeBlocks(assembly, [&](std::size_t b, std::size_t body) {
-        const stages::Wrench water = stages::waterOn(state, b);
+        const Wrench water = waterOn(state, b);
         const Vec3 arm = state.blocks.position.get(b) - assembly.bodies[body].centroid;
         loads[body].force += water.force;
         loads[body].torque += water.torque + arm.cross(water.force);
@@ -196,7 +196,7 @@ Loads weightLoads(const State& state, const Assembly& assembly, const Vec3& acce
 Loads waterLoads(State& state, const Assembly& assembly, double tilt) {
     state.load.tilt = tilt;
     state.load.water_share = 1;
-    stages::updateWater(state);
+    updateWater(state);
     return presentWater(state, assembly);
 }
 

@@ -40,6 +40,6 @@ struct Assembly {
 };
 
 /// On each body, about its centroid.
-using Loads = std::vector<stages::Wrench>;
+using Loads = std::vector<Wrench>;
 
 }  // namespace talus::limit

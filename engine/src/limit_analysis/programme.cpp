@@ -73,7 +73,7 @@ LinearProgram Programme::makeRows(const Loads& fixed, const std::atomic<bool>* s
 }
 
 /// Force [N] and torque about its centroid [N m] in the equations of a body.
-void Programme::writeLoad(Columns& columns, std::size_t body, const stages::Wrench& load) const {
+void Programme::writeLoad(Columns& columns, std::size_t body, const Wrench& load) const {
     const int first = static_cast<int>(body) * assembly_.rowsPerBody();
     const double scale = scaleOf(static_cast<std::int32_t>(body));
     const Vec3 force = load.force / scale;

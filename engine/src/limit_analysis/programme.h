@@ -8,8 +8,8 @@
 //             the growing load's multiplier
 //             forces along the edges of each point's pyramid, all pushing; with cohesion also its blunt end
 //
-// What the rows cost at the end (prices) is the mechanism: the velocities at which the loads do most work against joints
-// that open as they slide (duality; Charnes, Lemke and Zienkiewicz 1959).
+// What the rows cost at the end (prices) is the mechanism: the velocities at which the loads do most work against
+// joints that open as they slide (duality; Charnes, Lemke and Zienkiewicz 1959).
 
 #include <cstdint>
 #include <vector>
@@ -73,7 +73,7 @@ class Programme {
     Strength strengthOf(const ContactPoint& point) const;
     double scaleOf(std::int32_t body) const;
     double scaleOf(const ContactPoint& point) const;
-    void writeLoad(Columns& columns, std::size_t body, const stages::Wrench& load) const;
+    void writeLoad(Columns& columns, std::size_t body, const Wrench& load) const;
     void writeForce(Columns& columns, std::int32_t body, const Vec3& place, const Vec3& force) const;
     void addForce(Columns& columns, std::size_t point, const Vec3& force, double most, int limit_row,
                   double share);

@@ -10,7 +10,7 @@
 #include "forces/sum.h"
 #include "state/block_motion.h"
 
-namespace talus::stages {
+namespace talus {
 
 double kineticEnergy(const State& state) {
     const Blocks& blocks = state.blocks;
@@ -27,7 +27,7 @@ double elasticEnergy(const State& state) {
     double sum = 0;
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-        for (const PointState& point : pointStates(state, i))
+        for (const ContactPoint& point : contactPoints(state, i))
             sum += contact::storedEnergy(law, point.area, point.force);
     }
     return sum;
@@ -91,10 +91,10 @@ std::uint64_t stateHash(const Blocks& blocks, const EachPoint& points) {
 std::uint64_t stateHash(const State& state) {
     return stateHash(state.blocks, [&](const auto& add) {
         for (std::size_t i = 0; i < state.interfaces.size(); ++i)
-            for (const PointState& point : pointStates(state, i))
+            for (const ContactPoint& point : contactPoints(state, i))
                 add({point.force.normal, point.force.shear_1, point.force.shear_2, point.memory.offset_1,
                      point.memory.offset_2, point.memory.bond});
     });
 }
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -7,7 +7,7 @@
 
 #include "state/arrays.h"
 
-namespace talus::stages {
+namespace talus {
 
 double kineticEnergy(const State& state);  ///< with the inertia used in the motion [J]
 double elasticEnergy(const State& state);  ///< in the contact springs [J]
@@ -19,15 +19,16 @@ double outOfBalanceRatio(const State& state);
 /// Whether positions and velocities are numbers still.
 bool isFinite(const State& state);
 
-/// xxh3-64 over poses, velocities, and Lp forces and states.
+/// xxh3-64 over poses, velocities, and contact point forces and states.
 std::uint64_t stateHash(const State& state);
 
-/// What the hash takes of an Lp: F_n, F_s along both tangents, plastic slide along both, bond.
+/// What the hash takes of a contact point: F_n, F_s along both tangents, plastic slide along both, bond.
 using PointNumbers = std::array<double, 6>;
-/// Calls a function with each Lp in stored order; at once, those of a million blocks would take more than a gigabyte.
+/// Calls a function with each contact point in stored order; at once, those of a million blocks would take more than
+/// a gigabyte.
 using EachPoint = std::function<void(const std::function<void(const PointNumbers&)>&)>;
 
 /// The same from what it is made of.
 std::uint64_t stateHash(const Blocks& blocks, const EachPoint& points);
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -77,8 +77,8 @@ enum class InterfaceKind : std::uint8_t {
     vertex_edge  ///< a place for a vertex on a face, or for two edges that cross (contacts/vertex_edge.h)
 };
 
-/// Interfaces: two faces that lie against each other, or a place for a vertex or an edge; state/interface_frame.h says how. What the kernel reads lies in
-/// groups (state/interface_group.h): `slot` tells where.
+/// Interfaces: two faces that lie against each other, or a place for a vertex or an edge; state/interface_frame.h
+/// says how. What the kernel reads lies in groups (state/interface_group.h): `slot` tells where.
 struct Interfaces {
     std::vector<std::int32_t> block_a, block_b;
     std::vector<std::int32_t> face_a, face_b;
@@ -104,7 +104,7 @@ struct Interfaces {
     }
     std::size_t cornerCount(std::size_t i) const { return static_cast<std::size_t>(groupOf(i).corners); }
     std::size_t pointCount(std::size_t i) const { return static_cast<std::size_t>(groupOf(i).points); }
-    /// Slot of the k-th corner, and of the k-th Lp.
+    /// Slot of the k-th corner, and of the k-th contact point.
     std::size_t cornerSlot(std::size_t i, std::size_t k) const {
         return slotOf(i, k, groupOf(i).first_corner);
     }
@@ -134,8 +134,8 @@ struct Interfaces {
     }
 };
 
-/// What contact points (Lps) remember; where they lie follows from the patch (law/points.h), and the forces they
-/// carry from the poses (stages::pointStates).
+/// What contact points (contact points) remember; where they lie follows from the patch (law/points.h), and the
+/// forces they carry from the poses (contactPoints).
 struct ContactPoints {
     LaneArray memory{
         kSlideQuantities};  ///< as Interfaces::pointSlot says; with bond and dilation where a joint has those

@@ -24,8 +24,6 @@ void setAtRest(Blocks& blocks) {
     }
 }
 
-namespace stages {
-
 Vec3 angularVelocity(const Blocks& blocks, std::size_t block) {
     const Mat3 r = blocks.orientation.matrix(block);
     return r *
@@ -56,5 +54,4 @@ double rotationFrom(const QuaternionArray& froms, const QuaternionArray& tos, st
     return 2.0 * std::atan2(std::sqrt(x * x + y * y + z * z), std::abs(w));
 }
 
-}  // namespace stages
 }  // namespace talus

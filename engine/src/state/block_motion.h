@@ -14,8 +14,6 @@ void setInertia(State& state, const std::vector<double>& scale);
 /// Free blocks stop.
 void setAtRest(Blocks& blocks);
 
-namespace stages {
-
 /// Angular velocity of a block in the model frame [rad/s].
 Vec3 angularVelocity(const Blocks& blocks, std::size_t block);
 
@@ -32,5 +30,4 @@ Vec3 velocityAt(const Blocks& blocks, std::size_t block, const Vec3& place);
 /// Angle a block has turned from a given orientation [rad].
 double rotationFrom(const QuaternionArray& from, const QuaternionArray& to, std::size_t block);
 
-}  // namespace stages
 }  // namespace talus

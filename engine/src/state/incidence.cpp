@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 #ifndef NDEBUG
@@ -14,7 +14,7 @@ bool isBlockOf(const Incidence& incidence, std::int32_t block) {
 
 }  // namespace
 
-bool isSharp(const Interfaces& f, std::size_t i) {
+bool isVertexEdge(const Interfaces& f, std::size_t i) {
     assert(i < f.size());
     return f.kind[i] == InterfaceKind::vertex_edge;
 }
@@ -69,7 +69,7 @@ std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int
          k < incidence.interface_begin[static_cast<std::size_t>(block) + 1]; ++k) {
         const std::int32_t i = incidence.interface[static_cast<std::size_t>(k)];
         const auto index = static_cast<std::size_t>(i);
-        if (isSharp(state.interfaces, index)) continue;
+        if (isVertexEdge(state.interfaces, index)) continue;
         if (std::minmax(state.interfaces.block_a[index], state.interfaces.block_b[index]) !=
             std::minmax(block_1, block_2))
             continue;
@@ -92,7 +92,7 @@ std::int32_t interfaceOfFaces(const State& state, std::int32_t block_1, std::int
     for (auto k = rowBegin(block); k < rowBegin(block + 1); ++k) {
         const std::int32_t index = incidence.interface[static_cast<std::size_t>(k)];
         const auto i = static_cast<std::size_t>(index);
-        if (isSharp(f, i)) continue;
+        if (isVertexEdge(f, i)) continue;
         if (f.block_a[i] == block_1 && f.block_b[i] == block_2 && f.face_a[i] == face_1 &&
             f.face_b[i] == face_2)
             return index;
@@ -103,4 +103,4 @@ std::int32_t interfaceOfFaces(const State& state, std::int32_t block_1, std::int
     return -1;
 }
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -3,13 +3,13 @@
 
 #include "state/arrays.h"
 
-namespace talus::stages {
+namespace talus {
 
 /// Interfaces that a pair of blocks has for its vertices and edges, if it has any.
 inline constexpr std::size_t kPlacesOfPair = 4;
 
 /// Whether an interface is a place for a vertex or an edge, and whether that place touches nothing now.
-bool isSharp(const Interfaces& interfaces, std::size_t interface);
+bool isVertexEdge(const Interfaces& interfaces, std::size_t interface);
 bool isIdle(const Interfaces& interfaces, std::size_t interface);
 
 /// Interfaces and their contact points without idle places.
@@ -28,4 +28,4 @@ std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int
 std::int32_t interfaceOfFaces(const State& state, std::int32_t block_1, std::int32_t face_1,
                               std::int32_t block_2, std::int32_t face_2);
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -7,7 +7,7 @@
 #include "state/block_motion.h"
 #include "step/motion_view.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 MotionView motionView(State& state, double dt) {
@@ -78,4 +78,4 @@ void gatherAndDrift(State& state, Range range, double dt) {
     }
 }
 
-}  // namespace talus::stages
+}  // namespace talus

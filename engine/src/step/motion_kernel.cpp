@@ -1,7 +1,7 @@
 #include "step/motion_kernel.h"
 
-namespace talus::stages {
+namespace talus {
 
 constinit const MotionKernels kMotionScalar = kMotionKernels<double>;
 
-}  // namespace talus::stages
+}  // namespace talus

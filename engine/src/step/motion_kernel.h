@@ -1,6 +1,6 @@
 #pragma once
-// Half kick and drift, gather and half kick, for one block (V = double) or several in a register (V = Lanes); one source, a
-// build per instruction set.
+// Half kick and drift, gather and half kick, for one block (V = double) or several in a register (V = Lanes); one
+// source, a build per instruction set.
 
 #include <cstring>
 
@@ -8,7 +8,7 @@
 #include "simd/two.h"
 #include "step/motion_view.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 using simd::Triple;
@@ -281,4 +281,4 @@ constexpr MotionKernels kMotionKernels{sumWrenches, onBlocks<Kick, V>, onBlocks<
                                        onBlocks<KickAndDrift, V>};
 
 }  // namespace
-}  // namespace talus::stages
+}  // namespace talus

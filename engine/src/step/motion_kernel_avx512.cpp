@@ -1,7 +1,7 @@
 #include "step/motion_lanes.h"
 
-namespace talus::stages {
+namespace talus {
 
 constinit const MotionKernels kMotionAvx512 = kMotionKernels<Lanes>;
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -4,7 +4,7 @@
 #include "simd/lanes.h"
 #include "step/motion_kernel.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 using simd::Lanes;
@@ -52,4 +52,4 @@ struct Last<Lanes> : Consecutive<Lanes> {
 };
 
 }  // namespace
-}  // namespace talus::stages
+}  // namespace talus

@@ -6,7 +6,7 @@
 
 #include "simd/pointers.h"
 
-namespace talus::stages {
+namespace talus {
 
 struct MotionView {
     // read, per block
@@ -41,4 +41,4 @@ struct MotionKernels {
 /// Same bits from each.
 extern const MotionKernels kMotionScalar, kMotionAvx2, kMotionAvx512;
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -8,7 +8,7 @@
 #include "state/block_motion.h"
 #include "step/motion.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 constexpr std::size_t kBlocksPerTask = 512;
@@ -42,4 +42,4 @@ void advance(State& state, const StepOptions& options, int steps, const SetLoad&
     }
 }
 
-}  // namespace talus::stages
+}  // namespace talus

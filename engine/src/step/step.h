@@ -12,7 +12,7 @@
 
 #include "state/arrays.h"
 
-namespace talus::stages {
+namespace talus {
 
 /// How steps are to be computed; the result does not depend on `parallel`.
 struct StepOptions {
@@ -20,8 +20,8 @@ struct StepOptions {
     bool parallel = false;
 };
 
-/// Puts on the load of a step, the `k`-th of those asked for (from 0): tilt, level, strengths. Poses, velocities and forces
-/// are not its to read.
+/// Puts on the load of a step, the `k`-th of those asked for (from 0): tilt, level, strengths. Poses, velocities and
+/// forces are not its to read.
 using SetLoad = std::function<void(int k)>;
 
 /// Forces for the state as it stands (at the start, or after loads changed by hand); poses and velocities stay.
@@ -31,4 +31,4 @@ void updateForces(State& state, bool parallel);
 /// Steps of kick-drift-kick; the same bits however many are taken at once. No allocation.
 void advance(State& state, const StepOptions& options, int steps = 1, const SetLoad& set_load = {});
 
-}  // namespace talus::stages
+}  // namespace talus

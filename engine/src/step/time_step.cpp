@@ -8,7 +8,7 @@
 #include "state/incidence.h"
 #include "state/range.h"
 
-namespace talus::stages {
+namespace talus {
 namespace {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
@@ -105,4 +105,4 @@ double stableTimeStep(double omega_squared, double contact_damping) {
     return 2.0 / omega * (std::sqrt(1.0 + xi * xi) - xi);
 }
 
-}  // namespace talus::stages
+}  // namespace talus

@@ -9,8 +9,6 @@
 namespace talus {
 namespace {
 
-using stages::PointState;
-using stages::RelativePose;
 
 constexpr double kSame = 1e-9;    // of the sum of magnitudes
 constexpr double kPlace = 1e-10;  // of the patch's size: rounding of places, which stiffness makes a force
@@ -27,7 +25,7 @@ double affineAt(const Vec3& f, const Eigen::Vector2d& at) { return f.x() + at.x(
 
 /// What it takes to bring a closed contact point's springs to the lengths they have: not by way of their forces, which
 /// elasticEnergy takes. Where strength cuts a force, that tells the length.
-double springEnergy(const contact::JointLaw& law, const RelativePose& pose, const PointState& point) {
+double springEnergy(const contact::JointLaw& law, const RelativePose& pose, const ContactPoint& point) {
     const contact::PointForce& force = point.force;
     if (force.open) return 0;
     const double overlap = force.normal < 0 ? contact::overlapFor(law, point.area, force.normal)
@@ -43,7 +41,7 @@ double springEnergy(const contact::JointLaw& law, const RelativePose& pose, cons
 PointSum sumOver(const State& state, std::size_t i, const RelativePose& pose) {
     PointSum sum;
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-    for (const PointState& point : stages::pointStates(state, i)) {
+    for (const ContactPoint& point : contactPoints(state, i)) {
         const Vec3 force =
             point.force.shear_1 * pose.e1 + point.force.shear_2 * pose.e2 + point.force.normal * pose.e3;
         const Vec3 place = (point.position.x() + affineAt(pose.slide_1, point.position)) * pose.e1 +
@@ -59,12 +57,11 @@ PointSum sumOver(const State& state, std::size_t i, const RelativePose& pose) {
 
 void checkInterface(const State& state, std::size_t i, PointSum& all, Findings& findings) {
     const Interfaces& f = state.interfaces;
-    const RelativePose pose = stages::relativePose(state, i);
+    const RelativePose pose = relativePose(state, i);
     const PointSum sum = sumOver(state, i, pose);
     all.energy += sum.energy;
     all.dilates = all.dilates || sum.dilates;
-    if (stages::isIdle(f, i))
-        findings.expect(sum.magnitude == 0, "interface", i, "it is idle and carries something");
+    if (isIdle(f, i)) findings.expect(sum.magnitude == 0, "interface", i, "it is idle and carries something");
     const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
     const InterfaceWrench& wrench = f.wrench(i);
     const Vec3 x_a = state.blocks.position.get(a), x_b = state.blocks.position.get(b);
@@ -91,8 +88,8 @@ std::vector<std::string> validateForces(const State& state) {
     Findings findings;
     PointSum all;
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) checkInterface(state, i, all, findings);
-    const double elastic = stages::elasticEnergy(state);
-    findings.expect(stages::kineticEnergy(state) >= 0 && elastic >= 0, "an energy is negative");
+    const double elastic = elasticEnergy(state);
+    findings.expect(kineticEnergy(state) >= 0 && elastic >= 0, "an energy is negative");
     if (!all.dilates)
         findings.expect(std::abs(elastic - all.energy) <= kSame * elastic,
                         "the elastic energy is not that of the springs");

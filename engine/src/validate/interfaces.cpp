@@ -54,9 +54,9 @@ void checkFrame(const State& state, std::size_t i, Findings& findings) {
     if (!findings.expect(areOrthonormal(frame.e1_a, frame.e2_a) && areOrthonormal(frame.e1_b, frame.e2_b),
                          "interface", i, "its tangents are not orthonormal"))
         return;
-    if (stages::isIdle(f, i)) return;
+    if (isIdle(f, i)) return;
     const Vec3 e3_a = frame.e1_a.cross(frame.e2_a), e3_b = frame.e1_b.cross(frame.e2_b);
-    if (stages::isSharp(f, i)) {
+    if (isVertexEdge(f, i)) {
         findings.expect(isOutermost(state, f.block_a[i], frame.origin_a, e3_a), "interface", i,
                         "its normal does not point out of its reference block");
         findings.expect(isOnSurface(state, f.block_b[i], frame.origin_b), "interface", i,
@@ -88,7 +88,7 @@ bool isPatch(const std::vector<Eigen::Vector2d>& outline, double patch_area) {
 void checkFacesOnce(const Interfaces& f, Findings& findings) {
     std::vector<std::array<std::int32_t, 5>> faces;
     for (std::size_t i = 0; i < f.size(); ++i)
-        if (!stages::isSharp(f, i))
+        if (!isVertexEdge(f, i))
             faces.push_back(
                 {f.block_a[i], f.block_b[i], f.face_a[i], f.face_b[i], static_cast<std::int32_t>(i)});
     std::sort(faces.begin(), faces.end());
@@ -103,7 +103,7 @@ void checkFrames(const State& state, Findings& findings) {
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
         checkFrame(state, i, findings);
-        if (!stages::isSharp(f, i))
+        if (!isVertexEdge(f, i))
             findings.expect(isPatch(patchOutline(f, i), f.area[i]), "interface", i,
                             "its patch is not convex, counter-clockwise and of its area");
     }
@@ -116,11 +116,11 @@ void checkPlaces(const State& state, Findings& findings) {
     for (const InterfaceGroup& group : f.groups) {
         if (group.corners != 1) continue;
         const auto begin = static_cast<std::size_t>(group.begin), size = static_cast<std::size_t>(group.size);
-        if (!findings.expect(size % stages::kPlacesOfPair == 0, "interface", begin,
+        if (!findings.expect(size % kPlacesOfPair == 0, "interface", begin,
                              "places for vertices and edges are not four for a pair of blocks"))
             return;
         for (std::size_t i = begin; i < begin + size; ++i) {
-            const std::size_t first = i - (i - begin) % stages::kPlacesOfPair;
+            const std::size_t first = i - (i - begin) % kPlacesOfPair;
             findings.expect(f.block_a[i] == f.block_a[first] && f.block_b[i] == f.block_b[first] &&
                                 f.area[i] == f.area[first],
                             "interface", i, "it is not like the other places of its pair of blocks");

@@ -32,7 +32,7 @@ Model boxAt(double tilt_deg) {
 }
 
 void checkSame(const State& a, const State& b) {
-    CHECK(stages::stateHash(a) == stages::stateHash(b));
+    CHECK(stateHash(a) == stateHash(b));
     CHECK(a.blocks.inverse_mass == b.blocks.inverse_mass);
     CHECK(a.interfaces.frames == b.interfaces.frames);
     CHECK(a.points.memory == b.points.memory);

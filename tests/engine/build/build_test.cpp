@@ -27,7 +27,7 @@ Model wetColumn(const Vec3& shift) {
 
 }  // namespace
 
-TEST_SUITE("state") {
+TEST_SUITE("build") {
     TEST_CASE("survey coordinates: a slope a thousand kilometres from its origin fails like one at it") {
         const Vec3 shift(512000, 4'321'000, 1250);
         State near = *buildState(wetColumn(Vec3::Zero()), false), far = *buildState(wetColumn(shift), false);

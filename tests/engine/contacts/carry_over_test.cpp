@@ -30,20 +30,20 @@ State pressedCube(Model model, double over, double depth) {
     model.gravity.magnitude = 0;
     State state = *buildState(model, false);
     state.blocks.position[1].z -= depth;
-    stages::updateForces(state, false);
+    updateForces(state, false);
     return state;
 }
 
 Eigen::Vector2d shearForce(const State& state, std::size_t i) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (const stages::PointState& point : stages::pointStates(state, i))
+    for (const ContactPoint& point : contactPoints(state, i))
         sum += Eigen::Vector2d(point.force.shear_1, point.force.shear_2);
     return sum;
 }
 
 double normalForce(const State& state, std::size_t i) {
     double sum = 0;
-    for (const stages::PointState& point : stages::pointStates(state, i)) sum += point.force.normal;
+    for (const ContactPoint& point : contactPoints(state, i)) sum += point.force.normal;
     return sum;
 }
 
@@ -53,12 +53,12 @@ void setRandomOffsets(State& state, Random& random, double most) {
         for (std::size_t k = 0; k < state.interfaces.pointCount(i); ++k)
             state.points.setOffset(state.interfaces.pointSlot(i, k), random.uniform(-most, most),
                                    random.uniform(-most, most));
-    stages::updateForces(state, false);
+    updateForces(state, false);
 }
 
 /// As if the contact points of the first interface had slid along with their block.
 void moveOffsets(State& state, const Vec3& slide) {
-    const stages::RelativePose pose = stages::relativePose(state, 0);
+    const RelativePose pose = relativePose(state, 0);
     for (std::size_t k = 0; k < state.interfaces.pointCount(0); ++k) {
         const std::size_t slot = state.interfaces.pointSlot(0, k);
         const contact::PointMemory memory = state.points.memoryAt(slot);
@@ -68,23 +68,23 @@ void moveOffsets(State& state, const Vec3& slide) {
 }
 
 void search(State& state) {
-    stages::findInterfaces(state, false, false);
+    findInterfaces(state, false, false);
     checkValid(state);
-    stages::updateForces(state, false);
+    updateForces(state, false);
     checkValid(state, true);
 }
 
 /// Hands everything on to the same interfaces with points that know nothing.
-stages::CarriedPoints handOnInPlace(State& state) {
-    const stages::OldInterfaces old = stages::takeInterfaces(state);
+CarriedPoints handOnInPlace(State& state) {
+    const OldInterfaces old = takeInterfaces(state);
     state.interfaces = old.interfaces;
     makePoints(state);
-    return stages::carryOver(old, state, 0);
+    return carryOver(old, state, 0);
 }
 
 }  // namespace
 
-TEST_SUITE("stages") {
+TEST_SUITE("contacts") {
     TEST_CASE("carryOver: the same patches again carry and remember the same") {
         Random random(81);
         Model model = stackModel(3, 3, 1, 30, {0.2, 0.1, 0.1}, kStiffness);
@@ -99,7 +99,7 @@ TEST_SUITE("stages") {
         setRandomOffsets(state, random, 1e-6);
         for (std::size_t i = 0; i < state.interfaces.size(); i += 2)
             state.points.setBond(state.interfaces.pointSlot(i, 0), 0.25);
-        for (int k = 0; k < 3; ++k) stages::updateForces(state, false);  // until nothing slips that dilates
+        for (int k = 0; k < 3; ++k) updateForces(state, false);  // until nothing slips that dilates
         const State before = state;
         CHECK(handOnInPlace(state).empty());
         CHECK(state.shear_lost == before.shear_lost);
@@ -111,13 +111,13 @@ TEST_SUITE("stages") {
                                            is = state.points.memoryAt(slot);
                 CHECK(is.bond == was.bond);
                 CHECK(is.dilation == was.dilation);
-                if (stages::isSharp(state.interfaces, i)) {  // to the bit
+                if (isVertexEdge(state.interfaces, i)) {  // to the bit
                     CHECK(is.offset_1 == was.offset_1);
                     CHECK(is.offset_2 == was.offset_2);
                 }
             }
-        CHECK(stages::elasticEnergy(state) == within(1e-9, stages::elasticEnergy(before)));
-        stages::updateForces(state, false);
+        CHECK(elasticEnergy(state) == within(1e-9, elasticEnergy(before)));
+        updateForces(state, false);
         for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
             const Vec3 was = before.interfaces.wrench(i).force, is = state.interfaces.wrench(i).force;
             CHECK((is - was).norm() <= 1e-9 * was.norm());
@@ -133,13 +133,13 @@ TEST_SUITE("stages") {
             setRandomOffsets(state, random, trial % 2 == 0 ? 5e-5 : 5e-4);
             state.blocks.position[1].x += random.uniform(-1e-3, 1e-3);
             state.blocks.position[1].y += random.uniform(-1e-3, 1e-3);
-            stages::updateForces(state, false);
+            updateForces(state, false);
             const Eigen::Vector2d shear = shearForce(state, 0);
-            const double normal = normalForce(state, 0), energy = stages::elasticEnergy(state);
+            const double normal = normalForce(state, 0), energy = elasticEnergy(state);
             search(state);
             CHECK((shearForce(state, 0) - shear).norm() <= 1e-9 * shear.norm());
             CHECK(normalForce(state, 0) == within(1e-9, normal));
-            CHECK(stages::elasticEnergy(state) <= energy * (1 + 1e-9));
+            CHECK(elasticEnergy(state) <= energy * (1 + 1e-9));
             CHECK(state.shear_lost == 0);
         }
     }
@@ -165,18 +165,18 @@ TEST_SUITE("stages") {
             const double slide = random.uniform(1e-3, 8e-3);
             state.blocks.position[1].x += slide;
             if (trial % 2 == 1) moveOffsets(state, {slide, 0, 0});
-            stages::updateForces(state, false);
+            updateForces(state, false);
             const Eigen::Vector2d shear = shearForce(state, 0);
-            const double energy = stages::elasticEnergy(state);
+            const double energy = elasticEnergy(state);
             search(state);
             REQUIRE(state.interfaces.area[0] < area);
             const double strength = friction * normalForce(state, 0);
             CHECK(shearForce(state, 0).norm() <= shear.norm() * (1 + 1e-9));
             CHECK(shearForce(state, 0).norm() <= strength * (1 + 1e-9));
-            CHECK(stages::elasticEnergy(state) <= energy * (1 + 1e-9));
+            CHECK(elasticEnergy(state) <= energy * (1 + 1e-9));
             CHECK(state.shear_lost == 0);
             bool slips = false;
-            for (const stages::PointState& point : stages::pointStates(state, 0))
+            for (const ContactPoint& point : contactPoints(state, 0))
                 slips = slips || std::hypot(point.force.shear_1, point.force.shear_2) >
                                      (1 - 1e-9) * friction * point.force.normal;
             ++(slips ? cut : kept);
@@ -194,13 +194,13 @@ TEST_SUITE("stages") {
             setRandomOffsets(state, random, 2e-5);
             const Eigen::Vector2d whole = shearForce(state, 0);
             double by_points = 0;
-            for (const stages::PointState& point : stages::pointStates(state, 0))
+            for (const ContactPoint& point : contactPoints(state, 0))
                 by_points += std::hypot(point.force.shear_1, point.force.shear_2);
             REQUIRE(whole.norm() > 0);
             // The forces stand, the block is gone: as after a step that took it away.
-            const stages::OldInterfaces old = [&] {
+            const OldInterfaces old = [&] {
                 State taken = state;
-                return stages::takeInterfaces(taken);
+                return takeInterfaces(taken);
             }();
             State after = state;
             after.interfaces = {};
@@ -212,7 +212,7 @@ TEST_SUITE("stages") {
             } else {
                 makePoints(after);
             }
-            const stages::CarriedPoints carried = stages::carryOver(old, after, 0);
+            const CarriedPoints carried = carryOver(old, after, 0);
             if (lift < 0.1) {
                 CHECK(after.shear_lost ==
                       0);  // nothing was carried there either: the point's forces follow the pose
@@ -235,13 +235,13 @@ TEST_SUITE("stages") {
         for (std::size_t k = 0; k < f.pointCount(0); ++k)
             state.points.setMemory(f.pointSlot(0, k), {.bond = 0.05 * static_cast<double>(k + 1),
                                                        .dilation = -1e-6 * static_cast<double>(k)});
-        const std::vector<stages::PointState> old = stages::pointStates(state, 0);
-        const Vec3 origin = stages::relativePose(state, 0).origin;
+        const std::vector<ContactPoint> old = contactPoints(state, 0);
+        const Vec3 origin = relativePose(state, 0).origin;
         state.blocks.position[1].x += 0.03;
-        stages::findInterfaces(state, false, false);
+        findInterfaces(state, false, false);
         checkValid(state);
-        const stages::RelativePose pose = stages::relativePose(state, 0);
-        for (const stages::PointState& point : stages::pointStates(state, 0)) {
+        const RelativePose pose = relativePose(state, 0);
+        for (const ContactPoint& point : contactPoints(state, 0)) {
             const Vec3 place =
                 pose.origin + point.position.x() * pose.e1 + point.position.y() * pose.e2 - origin;
             const auto nearest = std::min_element(old.begin(), old.end(), [&](const auto& p, const auto& q) {
@@ -273,7 +273,7 @@ TEST_SUITE("stages") {
             REQUIRE(state.interfaces.size() > 0);
             // As if pressed in by 1e-6 of the block's size all over; its overlap would hold as much with `depth`.
             const double of_size = 0.5 * kStiffness * 0.25 * 0.5e-6 * 0.5e-6;
-            CHECK(stages::elasticEnergy(state) <= of_size);
+            CHECK(elasticEnergy(state) <= of_size);
         }
     }
 }

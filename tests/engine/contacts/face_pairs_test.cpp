@@ -30,7 +30,7 @@ Vec3 patchCentroid(const FacePair& pair, const Polyhedron& a) {
 
 }  // namespace
 
-TEST_SUITE("detection") {
+TEST_SUITE("contacts") {
     TEST_CASE("a face's frame: right-handed, outward, along the first edge") {
         Random random(61);
         for (int trial = 0; trial < 20; ++trial) {

@@ -26,12 +26,12 @@ State lateState() {
     state.blocks.position[2].z -= kLate + 1e-4;
     state.interfaces.referenceGap(0, 0) -= kLate;
     state.search_position = state.blocks.position;  // as a search leaves them
-    stages::updateForces(state, false);
-    REQUIRE(stages::relativePose(state, 0).gap.x() == doctest::Approx(-1e-4));
+    updateForces(state, false);
+    REQUIRE(relativePose(state, 0).gap.x() == doctest::Approx(-1e-4));
     return state;
 }
 
-double energy(const State& state) { return stages::kineticEnergy(state) + stages::elasticEnergy(state); }
+double energy(const State& state) { return kineticEnergy(state) + elasticEnergy(state); }
 
 Vec3 momentum(const State& state) {
     return state.blocks.mass[1] * state.blocks.velocity.get(1) +
@@ -48,8 +48,10 @@ Vec3 angularMomentum(const State& state) {
 
 }  // namespace
 
-TEST_SUITE("stages") {
-    TEST_CASE("a late contact is pressed by the motion of its blocks, and no energy is made") {
+TEST_SUITE("contacts") {
+    TEST_CASE(
+        "a contact found with an overlap recovers its gap by the motion of its blocks, and no energy is "
+        "made") {
         State state = lateState();
         state.blocks.velocity.set(1, {0.3, -0.2, 0.4});
         state.blocks.velocity.set(2, {-0.1, 0.5, 0.1});
@@ -57,7 +59,7 @@ TEST_SUITE("stages") {
         double before = energy(state), late = state.interfaces.referenceGap(0, 0);
         const Vec3 p = momentum(state), l = angularMomentum(state);
         for (int k = 0; k < 20; ++k) {
-            stages::recoverGaps(state);
+            recoverGaps(state);
             CHECK(state.interfaces.referenceGap(0, 0) > late);
             CHECK(energy(state) <= before * (1 + 1e-14));
             CHECK(energy(state) > 0.9 * before);
@@ -68,20 +70,20 @@ TEST_SUITE("stages") {
         CHECK((angularMomentum(state) - l).norm() < 1e-12 * l.norm());
     }
 
-    TEST_CASE("a late contact whose blocks stand still stays as it is") {
+    TEST_CASE("one whose blocks stand still stays as it is") {
         State state = lateState();
         const double late = state.interfaces.referenceGap(0, 0);
-        stages::recoverGaps(state);
+        recoverGaps(state);
         CHECK(state.interfaces.referenceGap(0, 0) == late);
     }
 
-    TEST_CASE("a late contact that opens is late no more by as much") {
+    TEST_CASE("one that opens has as much less to recover") {
         State state = lateState();
         state.blocks.position[2].z += 1e-4 + 0.4 * kLate;
         const double late = state.interfaces.referenceGap(0, 0);
-        stages::recoverGaps(state);
+        recoverGaps(state);
         CHECK(state.interfaces.referenceGap(0, 0) == doctest::Approx(late + 0.4 * kLate));
-        CHECK(stages::relativePose(state, 0).gap.x() == doctest::Approx(0).scale(1e-9));
+        CHECK(relativePose(state, 0).gap.x() == doctest::Approx(0).scale(1e-9));
     }
 
     TEST_CASE("what overlapped at the start within the closed gap goes on to count as closed") {
@@ -91,7 +93,7 @@ TEST_SUITE("stages") {
         state.blocks.velocity.set(1, {1, 0, -1});
         const double reference = state.interfaces.referenceGap(0, 0);
         CHECK(reference == doctest::Approx(-0.9e-4));
-        stages::recoverGaps(state);
+        recoverGaps(state);
         CHECK(state.interfaces.referenceGap(0, 0) == reference);
     }
 }

@@ -44,7 +44,7 @@ std::vector<Box> stack(int nx, int ny, int nz, const Vec3& size, const Vec3& ori
 
 }  // namespace
 
-TEST_SUITE("detection") {
+TEST_SUITE("contacts") {
     TEST_CASE("random boxes of similar size") {
         Random random(51);
         for (const int count : {2, 3, 10, 100, 1500}) {

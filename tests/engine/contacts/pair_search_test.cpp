@@ -16,17 +16,16 @@
 
 using namespace talus;
 using namespace talus::test;
-using stages::PairFinding;
 
 namespace {
 
 using Findings = std::map<BoxPair, PairFinding>;
 
 Findings examine(const State& state, double margin, bool initial, bool parallel,
-                 const stages::SlotPairs& with_slots = {}) {
+                 const PlacePairs& with_places = {}) {
     Findings findings;
     BoxPair last{-1, -1};
-    stages::examinePairs(state, margin, with_slots, initial, parallel, [&](const PairFinding& finding) {
+    examinePairs(state, margin, with_places, initial, parallel, [&](const PairFinding& finding) {
         if (finding.block_a == finding.block_b) return;  // neither of the two can move
         const BoxPair pair = std::minmax(finding.block_a, finding.block_b);
         CHECK(last < pair);  // in order, each once
@@ -36,8 +35,8 @@ Findings examine(const State& state, double margin, bool initial, bool parallel,
     return findings;
 }
 
-/// Hulls and boxes of different sizes over a floor, some of them fixed, apart or overlapping by up to `deep` of their size:
-/// built apart, then moved by hand.
+/// Hulls and boxes of different sizes over a floor, some of them fixed, apart or overlapping by up to `deep` of their
+/// size: built apart, then moved by hand.
 State packing(Random& random, int blocks, double spread) {
     Model model = floorModel(30);
     for (int b = 0; b < blocks; ++b) {
@@ -84,7 +83,7 @@ double smallerSize(const State& state, std::int32_t a, std::int32_t b) {
 
 bool has(const Findings& findings, BoxPair pair) {
     const auto found = findings.find(pair);
-    return found != findings.end() && (!found->second.faces.empty() || found->second.may_meet_sharply);
+    return found != findings.end() && (!found->second.faces.empty() || found->second.may_meet_by_vertices);
 }
 
 void checkSame(const Findings& a, const Findings& b) {
@@ -93,7 +92,7 @@ void checkSame(const Findings& a, const Findings& b) {
         const auto other = b.find(pair);
         REQUIRE(other != b.end());
         CHECK(one.block_a == other->second.block_a);
-        CHECK(one.may_meet_sharply == other->second.may_meet_sharply);
+        CHECK(one.may_meet_by_vertices == other->second.may_meet_by_vertices);
         CHECK(one.overlaps == other->second.overlaps);
         CHECK(one.depth == other->second.depth);
         REQUIRE(one.faces.size() == other->second.faces.size());
@@ -106,7 +105,7 @@ void checkSame(const Findings& a, const Findings& b) {
 
 }  // namespace
 
-TEST_SUITE("stages") {
+TEST_SUITE("contacts") {
     TEST_CASE(
         "examinePairs: of random packings no pair that touches is missed and none that is far is found") {
         Random random(91);
@@ -126,7 +125,7 @@ TEST_SUITE("stages") {
                     CHECK(has(findings, {a, b}));
                 }
                 // What it foresees beside the margin.
-                const double reach = margin + 2.0 * (stages::kTravelLimit + stages::kTurnLimit) * size;
+                const double reach = margin + 2.0 * (kTravelLimit + kTurnLimit) * size;
                 if (apart <= reach) return;
                 ++far;
                 CHECK_FALSE(has(findings, {a, b}));
@@ -152,7 +151,7 @@ TEST_SUITE("stages") {
                 const double depth = -separation(first, second);
                 const auto found = findings.find({a, b});
                 const bool said = found != findings.end() && found->second.overlaps;
-                CHECK(said == (depth > stages::kClosedGap * smallerSize(state, a, b)));
+                CHECK(said == (depth > kClosedGap * smallerSize(state, a, b)));
                 if (!said) return;
                 ++overlapping;
                 CHECK(found->second.depth == within(1e-9, depth));
@@ -188,8 +187,8 @@ TEST_SUITE("stages") {
 
     TEST_CASE("examinePairs: a pair keeps its places for vertices and edges as long as it is near") {
         const State state = *buildState(stackModel(2, 1, 1, 30), false);
-        const auto mayMeet = [&](const stages::SlotPairs& with_slots) {
-            return examine(state, 0.005, false, false, with_slots).at({1, 2}).may_meet_sharply;
+        const auto mayMeet = [&](const PlacePairs& with_places) {
+            return examine(state, 0.005, false, false, with_places).at({1, 2}).may_meet_by_vertices;
         };
         CHECK_FALSE(mayMeet({}));
         CHECK(mayMeet({{0, 1}, {1, 2}}));

@@ -29,7 +29,7 @@ std::int32_t jointBetween(const Model& model, std::size_t a, std::size_t b) {
 
 }  // namespace
 
-TEST_SUITE("stages") {
+TEST_SUITE("contacts") {
     TEST_CASE("a stack has the interfaces one counts by hand") {
         // 7 x 5 x 3: 6*5*3 across, 7*4*3 between rows, 7*3 on the floor, 7*5*2 between slices.
         const State state = *buildState(stackModel(7, 5, 3, 30), false);
@@ -38,7 +38,7 @@ TEST_SUITE("stages") {
         CHECK(totalArea(state) == doctest::Approx(90 * 0.01 + 105 * 0.02 + 70 * 0.02));
         double point_area = 0;
         for (std::size_t i = 0; i < state.interfaces.size(); ++i)
-            for (const stages::PointState& point : stages::pointStates(state, i)) point_area += point.area;
+            for (const ContactPoint& point : contactPoints(state, i)) point_area += point.area;
         CHECK(point_area == doctest::Approx(totalArea(state)));
     }
 
@@ -57,7 +57,7 @@ TEST_SUITE("stages") {
         addBox(model, "a", {0, 0, 0}, {30, 3, 1});
         const State state = *buildState(model, false);
         CHECK(state.interfaces.block_a[0] == 0);
-        CHECK(stages::relativePose(state, 0).e3.z() == doctest::Approx(1));
+        CHECK(relativePose(state, 0).e3.z() == doctest::Approx(1));
     }
 
     TEST_CASE("small gaps and overlaps count as closed and unstressed, larger ones as open or as an error") {
@@ -68,18 +68,17 @@ TEST_SUITE("stages") {
         };
         for (const double z : {0.9e-4, -0.9e-4}) {
             State state = *buildAt(z);
-            stages::updateForces(state, false);
-            CHECK(stages::pointStates(state, 0)[0].memory.bond == 1);
-            CHECK(stages::pointStates(state, 0)[0].force.normal == doctest::Approx(0));
+            updateForces(state, false);
+            CHECK(contactPoints(state, 0)[0].memory.bond == 1);
+            CHECK(contactPoints(state, 0)[0].force.normal == doctest::Approx(0));
             state.blocks.position[1].z -= 1e-6;
-            stages::updateForces(state, false);
-            CHECK(stages::outOfBalance(state, 1, Vec3::Zero()).force.z() ==
-                  doctest::Approx(1e4).epsilon(1e-6));
+            updateForces(state, false);
+            CHECK(outOfBalance(state, 1, Vec3::Zero()).force.z() == doctest::Approx(1e4).epsilon(1e-6));
         }
         State apart = *buildAt(2e-4);
-        stages::updateForces(apart, false);
-        CHECK(stages::relativePose(apart, 0).gap.x() == doctest::Approx(2e-4));
-        CHECK(stages::outOfBalance(apart, 1, Vec3::Zero()).force.z() == 0);
+        updateForces(apart, false);
+        CHECK(relativePose(apart, 0).gap.x() == doctest::Approx(2e-4));
+        CHECK(outOfBalance(apart, 1, Vec3::Zero()).force.z() == 0);
         const auto deep = buildAt(-2e-4);
         REQUIRE_FALSE(deep.ok());
         CHECK(deep.errors()[0].message.find("\"floor\" and \"box\" overlap") != std::string::npos);
@@ -130,27 +129,27 @@ TEST_SUITE("stages") {
         addBox(model, "box", {0, 0, 0}, {1, 1, 1});
         State state = *buildState(model, false);
         state.blocks.position[1].z -= 1e-5;  // 10 kN
-        stages::updateForces(state, false);
+        updateForces(state, false);
         for (int k = 0; k < 200; ++k) {  // slides 20 mm with full friction, under a steady load
             state.blocks.position[1].x -= 1e-4;
-            stages::updateForces(state, false);
+            updateForces(state, false);
         }
-        const Vec3 before = stages::outOfBalance(state, 1, Vec3::Zero()).force;
+        const Vec3 before = outOfBalance(state, 1, Vec3::Zero()).force;
         CHECK(before.x() == doctest::Approx(1e4 * std::tan(radians(30))));
-        REQUIRE(stages::refreshInterfaces(state, false, 0));
+        REQUIRE(refreshInterfaces(state, false, 0));
         checkValid(state, true);
-        CHECK(stages::relativePose(state, 0).slide_1.head<1>().norm() < 1e-12);
-        stages::updateForces(state, false);
-        const Vec3 after = stages::outOfBalance(state, 1, Vec3::Zero()).force;
+        CHECK(relativePose(state, 0).slide_1.head<1>().norm() < 1e-12);
+        updateForces(state, false);
+        const Vec3 after = outOfBalance(state, 1, Vec3::Zero()).force;
         CHECK((after - before).norm() < 1e-9 * before.norm());
     }
 
     TEST_CASE("nothing is searched again while nothing moves") {
         State state = *buildState(stackModel(3, 3, 1, 30), false);
-        CHECK_FALSE(stages::refreshInterfaces(state, false, 0));
+        CHECK_FALSE(refreshInterfaces(state, false, 0));
         checkValid(state);
         state.blocks.position[1].x += 1e-6;
-        CHECK_FALSE(stages::refreshInterfaces(state, false, 0));
+        CHECK_FALSE(refreshInterfaces(state, false, 0));
         checkValid(state);
     }
 
@@ -165,8 +164,8 @@ TEST_SUITE("stages") {
             const double dt = 1e-5;
             double lowest = 1;
             for (int k = 0; state.blocks.velocity.z[1] < 0 && k < 2'000'000; ++k) {
-                stages::advance(state, {dt, false});
-                if (k % 10 == 0 && stages::refreshInterfaces(state, false, 10 * dt)) checkValid(state, true);
+                advance(state, {dt, false});
+                if (k % 10 == 0 && refreshInterfaces(state, false, 10 * dt)) checkValid(state, true);
                 lowest = std::min(lowest, state.blocks.position[1].z - 0.1);
             }
             CHECK(state.interfaces.size() == 1);
@@ -186,9 +185,9 @@ TEST_SUITE("stages") {
         const double dt = 1e-5;
         double deepest = 0;
         for (int k = 0; k < 5000; ++k) {
-            stages::advance(state, {dt, false});
+            advance(state, {dt, false});
             if (k % 10 != 0) continue;
-            if (stages::refreshInterfaces(state, false, 10 * dt))
+            if (refreshInterfaces(state, false, 10 * dt))
                 checkValid(state, true);
             else
                 checkValid(state);

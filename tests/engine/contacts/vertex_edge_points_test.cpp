@@ -1,5 +1,5 @@
-// Vertices and edges against brute force: all axes by the shadows of all vertices, without the Gauss map; and on the face
-// that is met, every vertex of the other block and every place where one of its edges crosses the outline.
+// Vertices and edges against brute force: all axes by the shadows of all vertices, without the Gauss map; and on the
+// face that is met, every vertex of the other block and every place where one of its edges crosses the outline.
 
 #include "contacts/vertex_edge_points.h"
 
@@ -20,7 +20,7 @@ using namespace talus::test;
 namespace {
 
 constexpr double kNever = -1.0;  // no two faces are that near to parallel
-const SharpLimits kSharpOnly{.face_angle = kNever, .tie = 1e-4, .reach = 0.05};
+const VertexEdgeLimits kNoFaces{.face_angle = kNever, .tie = 1e-4, .reach = 0.05};
 
 using VertexPair = std::pair<std::int32_t, std::int32_t>;
 
@@ -141,12 +141,14 @@ std::pair<Polyhedron, Polyhedron> pressedPair(Random& random, double depth) {
     }
 }
 
-SharpPoints find(const Polyhedron& first, const Polyhedron& second, const SharpLimits& limits = kSharpOnly) {
+VertexEdgePoints find(const Polyhedron& first, const Polyhedron& second,
+                      const VertexEdgeLimits& limits = kNoFaces) {
     const Placed placed_1(first), placed_2(second);
-    return findSharpPoints(placed_1.world(), placed_2.world(), limits);
+    return findVertexEdgePoints(placed_1.world(), placed_2.world(), limits);
 }
 
-void checkPoint(const SharpPoint& point, const Polyhedron& first, const Polyhedron& second, double reach) {
+void checkPoint(const VertexEdgePoint& point, const Polyhedron& first, const Polyhedron& second,
+                double reach) {
     const Polyhedron &reference = point.second_is_reference ? second : first,
                      &other = point.second_is_reference ? first : second;
     CHECK(point.e1.norm() == within(1e-12, 1));
@@ -164,20 +166,21 @@ void checkPoint(const SharpPoint& point, const Polyhedron& first, const Polyhedr
 }
 
 /// The four lowest of the ends over the face, no more and no fewer.
-void checkPointsOnFace(const SharpPoints& found, const Polyhedron& reference, std::size_t face,
+void checkPointsOnFace(const VertexEdgePoints& found, const Polyhedron& reference, std::size_t face,
                        const Polyhedron& other, double reach) {
     const std::vector<Vec3> ends = endsOverFace(reference, face, other, reach);
-    CHECK(found.count == std::min(ends.size(), SharpPoints::kMost));
+    CHECK(found.count == std::min(ends.size(), VertexEdgePoints::kMost));
     for (std::size_t k = 0; k < std::min(ends.size(), found.count); ++k) {
         CAPTURE(k);
-        CHECK(std::any_of(found.begin(), found.end(),
-                          [&](const SharpPoint& point) { return (point.on_other - ends[k]).norm() < 1e-8; }));
+        CHECK(std::any_of(found.begin(), found.end(), [&](const VertexEdgePoint& point) {
+            return (point.on_other - ends[k]).norm() < 1e-8;
+        }));
     }
-    for (const SharpPoint& point : found) CHECK(point.reference_face == static_cast<std::int32_t>(face));
+    for (const VertexEdgePoint& point : found) CHECK(point.reference_face == static_cast<std::int32_t>(face));
 }
 
-bool hasTwin(const SharpPoint& point, const SharpPoints& others) {
-    return std::any_of(others.begin(), others.end(), [&](const SharpPoint& other) {
+bool hasTwin(const VertexEdgePoint& point, const VertexEdgePoints& others) {
+    return std::any_of(others.begin(), others.end(), [&](const VertexEdgePoint& other) {
         const bool same_way =
             point.second_is_reference != other.second_is_reference;  // the same block's face
         const Vec3 &on_reference = same_way ? other.on_reference : other.on_other,
@@ -188,24 +191,25 @@ bool hasTwin(const SharpPoint& point, const SharpPoints& others) {
 
 }  // namespace
 
-TEST_SUITE("detection") {
-    TEST_CASE("findSharpPoints: axis, depth and points of pressed random hulls are those of brute force") {
+TEST_SUITE("contacts") {
+    TEST_CASE(
+        "findVertexEdgePoints: axis, depth and points of pressed random hulls are those of brute force") {
         Random random(71);
         int on_faces = 0, between_edges = 0, crossings = 0;
         for (int trial = 0; trial < 200; ++trial) {
             CAPTURE(trial);
             const auto [first, second] = pressedPair(random, std::pow(10, random.uniform(-4, -1)));
             const BestAxes best = bruteForceAxes(first, second);
-            const SharpPoints found = find(first, second);
+            const VertexEdgePoints found = find(first, second);
             REQUIRE(found.near);
-            const bool edges = best.edges > best.face + kSharpOnly.tie;
+            const bool edges = best.edges > best.face + kNoFaces.tie;
             CHECK(found.distance == doctest::Approx(edges ? best.edges : best.face).epsilon(1e-9));
-            CHECK(std::abs(found.distance - separation(first, second)) <= kSharpOnly.tie * (1 + 1e-9));
-            for (const SharpPoint& point : found) checkPoint(point, first, second, kSharpOnly.reach);
+            CHECK(std::abs(found.distance - separation(first, second)) <= kNoFaces.tie * (1 + 1e-9));
+            for (const VertexEdgePoint& point : found) checkPoint(point, first, second, kNoFaces.reach);
             if (edges) {
                 ++between_edges;
                 REQUIRE(found.count == 1);
-                const SharpPoint& point = found.points[0];
+                const VertexEdgePoint& point = found.points[0];
                 CHECK_FALSE(point.second_is_reference);
                 CHECK(point.gap == doctest::Approx(best.edges).epsilon(1e-9));
                 CHECK(shadowGap(first, second, point.e1.cross(point.e2)) ==
@@ -217,8 +221,8 @@ TEST_SUITE("detection") {
             CHECK(found.points[0].second_is_reference == best.second_is_reference);
             const Polyhedron &reference = best.second_is_reference ? second : first,
                              &other = best.second_is_reference ? first : second;
-            checkPointsOnFace(found, reference, best.reference_face, other, kSharpOnly.reach);
-            for (const SharpPoint& point : found)
+            checkPointsOnFace(found, reference, best.reference_face, other, kNoFaces.reach);
+            for (const VertexEdgePoint& point : found)
                 crossings += std::none_of(other.vertices.begin(), other.vertices.end(),
                                           [&](const Vec3& v) { return (v - point.on_other).norm() < 1e-9; });
         }
@@ -227,20 +231,20 @@ TEST_SUITE("detection") {
         CHECK(crossings > 20);
     }
 
-    TEST_CASE("findSharpPoints: the same whichever block comes first, and wherever in space") {
+    TEST_CASE("findVertexEdgePoints: the same whichever block comes first, and wherever in space") {
         Random random(72);
         for (int trial = 0; trial < 80; ++trial) {
             CAPTURE(trial);
             const auto [first, second] = pressedPair(random, std::pow(10, random.uniform(-4, -1)));
-            const SharpPoints there = find(first, second), back = find(second, first);
+            const VertexEdgePoints there = find(first, second), back = find(second, first);
             CHECK(back.distance == within(1e-9, there.distance));
             CHECK(back.first_face == there.second_face);
             CHECK(back.second_face == there.first_face);
             REQUIRE(back.count == there.count);
-            for (const SharpPoint& point : there) CHECK(hasTwin(point, back));
+            for (const VertexEdgePoint& point : there) CHECK(hasTwin(point, back));
             const Mat3 turn = random.rotation();
             const Vec3 shift = random.inBox(10);
-            const SharpPoints elsewhere = find(moved(first, turn, shift), moved(second, turn, shift));
+            const VertexEdgePoints elsewhere = find(moved(first, turn, shift), moved(second, turn, shift));
             CHECK(elsewhere.distance == doctest::Approx(there.distance).epsilon(1e-9));
             REQUIRE(elsewhere.count == there.count);
             for (std::size_t k = 0; k < there.count; ++k)
@@ -250,44 +254,45 @@ TEST_SUITE("detection") {
     }
 
     TEST_CASE(
-        "findSharpPoints: what is farther apart than the reach is not near, and told no farther than it is") {
+        "findVertexEdgePoints: what is farther apart than the reach is not near, and told no farther than it "
+        "is") {
         Random random(73);
         for (int trial = 0; trial < 80; ++trial) {
             CAPTURE(trial);
             const auto [first, second] = pressedPair(random, -std::pow(10, random.uniform(-3, 0)));
             const double apart = separation(first, second);
-            const SharpPoints found = find(first, second);
-            CHECK(found.near == (apart <= kSharpOnly.reach));
+            const VertexEdgePoints found = find(first, second);
+            CHECK(found.near == (apart <= kNoFaces.reach));
             CHECK(found.distance <= apart + 1e-12);
             if (found.near) continue;
             CHECK(found.count == 0);
-            CHECK(found.distance > kSharpOnly.reach);
+            CHECK(found.distance > kNoFaces.reach);
             const Placed placed_1(first), placed_2(second);
             if (areApart(placed_1.world(), placed_2.world(), 0.1)) CHECK(apart > 0.1);
         }
     }
 
     TEST_CASE(
-        "findSharpPoints: a cube over a floor comes down on a vertex, an edge, an edge over the brink") {
+        "findVertexEdgePoints: a cube over a floor comes down on a vertex, an edge, an edge over the brink") {
         const Polyhedron floor = box({-2, -2, -1}, {2, 2, 0}),
                          cube = box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
         const Mat3 roof = Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitY()).toRotationMatrix();
-        const SharpPoints edge = find(floor, moved(cube, roof, {0, 0, std::sqrt(0.5) - 0.01}));
+        const VertexEdgePoints edge = find(floor, moved(cube, roof, {0, 0, std::sqrt(0.5) - 0.01}));
         REQUIRE(edge.count == 2);
-        for (const SharpPoint& point : edge) {
+        for (const VertexEdgePoint& point : edge) {
             CHECK_FALSE(point.second_is_reference);
             CHECK(point.gap == within(1e-12, -0.01));
             CHECK(std::abs(point.on_other.y()) == within(1e-12, 0.5));
             CHECK((point.e1.cross(point.e2) - Vec3::UnitZ()).norm() < 1e-15);
         }
-        const SharpPoints over = find(floor, moved(cube, roof, {0.3, 1.8, std::sqrt(0.5) + 0.001}));
+        const VertexEdgePoints over = find(floor, moved(cube, roof, {0.3, 1.8, std::sqrt(0.5) + 0.001}));
         REQUIRE(over.count == 2);
-        for (const SharpPoint& point : over) {
+        for (const VertexEdgePoint& point : over) {
             CHECK(point.gap == within(1e-9, 0.001));
             CHECK((point.on_other.y() == doctest::Approx(1.3) || point.on_other.y() == doctest::Approx(2)));
         }
         const Mat3 tip = Eigen::Quaterniond::FromTwoVectors(Vec3(1, 1, 1), Vec3::UnitZ()).toRotationMatrix();
-        const SharpPoints vertex = find(moved(cube, tip, {0.2, 0.1, std::sqrt(0.75) - 0.003}), floor);
+        const VertexEdgePoints vertex = find(moved(cube, tip, {0.2, 0.1, std::sqrt(0.75) - 0.003}), floor);
         REQUIRE(vertex.count == 1);
         CHECK(vertex.points[0].second_is_reference);
         CHECK((vertex.points[0].on_other - Vec3(0.2, 0.1, -0.003)).norm() < 1e-12);
@@ -295,9 +300,9 @@ TEST_SUITE("detection") {
     }
 
     TEST_CASE(
-        "findSharpPoints: faces that lie on each other are left alone, up to their angle and more when "
+        "findVertexEdgePoints: faces that lie on each other are left alone, up to their angle and more when "
         "pressed") {
-        const SharpLimits limits{.face_angle = 0.05, .angle_per_depth = 10, .tie = 1e-4, .reach = 1e-3};
+        const VertexEdgeLimits limits{.face_angle = 0.05, .angle_per_depth = 10, .tie = 1e-4, .reach = 1e-3};
         const Polyhedron below = box({-0.5, -0.5, -1}, {0.5, 0.5, 0}),
                          above = box({-0.5, -0.5, 0}, {0.5, 0.5, 1});
         const auto tilted = [&](double angle, double depth) {  // about its lowest edge
@@ -305,7 +310,7 @@ TEST_SUITE("detection") {
             return moved(above, turn, Vec3(0.2, 0, -depth - (turn * Vec3(-0.5, 0, 0)).z()));
         };
         for (const double angle : {0.0, 0.01, 0.049}) {
-            const SharpPoints found = find(below, tilted(angle, 1e-5), limits);
+            const VertexEdgePoints found = find(below, tilted(angle, 1e-5), limits);
             CHECK(found.near);
             CHECK(found.count == 0);
             CHECK(found.first_face == 5);  // top on bottom
@@ -317,7 +322,8 @@ TEST_SUITE("detection") {
     }
 
     TEST_CASE(
-        "findSharpPoints: edges win over a face, and vertices over faces that meet, by more than the tie "
+        "findVertexEdgePoints: edges win over a face, and vertices over faces that meet, by more than the "
+        "tie "
         "only") {
         // Two roofs across each other: ridges along x and y, each of half the angle `steep` to the horizontal.
         const auto roofs = [](double depth) {
@@ -339,9 +345,9 @@ TEST_SUITE("detection") {
             const BestAxes best = bruteForceAxes(first, second);
             REQUIRE(best.edges > best.face);
             const double lead = best.edges - best.face;
-            SharpLimits limits = kSharpOnly;
+            VertexEdgeLimits limits = kNoFaces;
             limits.tie = lead * 0.999;
-            const SharpPoints edges = find(first, second, limits);
+            const VertexEdgePoints edges = find(first, second, limits);
             REQUIRE(edges.count == 1);
             CHECK((edges.points[0].e1.cross(edges.points[0].e2) - Vec3::UnitZ()).norm() < 1e-12);
             CHECK(edges.distance == within(1e-9, best.edges));
@@ -353,7 +359,7 @@ TEST_SUITE("detection") {
     TEST_CASE(
         "approachOf: within the moves it was asked for no vertex or edge meets that it did not foresee") {
         constexpr double kTravel = 0.02, kTurn = 0.01;
-        const SharpLimits limits{.face_angle = 0.05, .angle_per_depth = 10, .tie = 1e-4, .reach = 1e-3};
+        const VertexEdgeLimits limits{.face_angle = 0.05, .angle_per_depth = 10, .tie = 1e-4, .reach = 1e-3};
         Random random(75);
         int sharp = 0, seen = 0;
         for (int trial = 0; trial < 60; ++trial) {
@@ -370,8 +376,8 @@ TEST_SUITE("detection") {
                     : moved(randomPolyhedron(random, 8), random.rotation(), 1.2 * random.direction());
             const Placed placed_1(first), placed_2(second);
             const Approach approach = approachOf(placed_1.world(), placed_2.world(), limits, kTravel, kTurn);
-            sharp += approach == Approach::sharp;
-            if (approach == Approach::sharp) continue;
+            sharp += approach == Approach::vertex_edge;
+            if (approach == Approach::vertex_edge) continue;
             Vec3 middle = Vec3::Zero();
             for (const Vec3& v : second.vertices) middle += v / static_cast<double>(second.vertices.size());
             for (int k = 0; k < 30; ++k) {
@@ -380,7 +386,7 @@ TEST_SUITE("detection") {
                 const Mat3 turn = Eigen::AngleAxisd(turn_by, random.direction()).toRotationMatrix();
                 const Vec3 shift =
                     middle - turn * middle + random.uniform(0, 0.25 * kTravel) * random.direction();
-                const SharpPoints found = find(first, moved(second, turn, shift), limits);
+                const VertexEdgePoints found = find(first, moved(second, turn, shift), limits);
                 CHECK(found.count == 0);
                 ++seen;
             }

@@ -49,9 +49,9 @@ TEST_SUITE("equilibrium") {
         state.load.tilt = radians(19.99);
         const Equilibrium found = findEquilibrium(state, {});
         CHECK((found.verdict == Verdict::stable));
-        stages::updateForces(state, false);
-        CHECK(stages::outOfBalanceRatio(state) < 1e-6);
-        CHECK(stages::outOfBalanceRatio(state) == doctest::Approx(found.out_of_balance).epsilon(1e-3));
+        updateForces(state, false);
+        CHECK(outOfBalanceRatio(state) < 1e-6);
+        CHECK(outOfBalanceRatio(state) == doctest::Approx(found.out_of_balance).epsilon(1e-3));
         steep.load.tilt = radians(20.01);
         CHECK((findEquilibrium(steep, {}).verdict == Verdict::failing));
     }
@@ -94,6 +94,6 @@ TEST_SUITE("equilibrium") {
         equilibrium::Options threads;
         threads.parallel = true;
         CHECK(findEquilibrium(one, {}).factors == findEquilibrium(two, threads).factors);
-        CHECK(stages::stateHash(one) == stages::stateHash(two));
+        CHECK(stateHash(one) == stateHash(two));
     }
 }

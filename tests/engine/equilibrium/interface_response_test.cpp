@@ -17,7 +17,8 @@ using namespace talus::equilibrium;
 
 namespace {
 
-/// Two boxes one on the other on a floor, pressed together and moved at random, so that some Lps stick, slip and open.
+/// Two boxes one on the other on a floor, pressed together and moved at random, so that some contact points stick,
+/// slip and open.
 State shaken(int seed) {
     Model model = floorModel(30, 1e9);
     model.joints[0].shear_stiffness = 4e8;
@@ -51,10 +52,9 @@ TEST_SUITE("equilibrium") {
             State state = shaken(seed);
             Balance balance = makeBalance(state);
             const Vec6s force = forcesAt(state, balance, posesOf(state));
-            stages::updateForces(state, false);
+            updateForces(state, false);
             for (std::size_t r = 0; r < 2; ++r) {
-                const stages::Wrench own =
-                    stages::outOfBalance(state, balance.block[r], stages::gravity(state));
+                const Wrench own = outOfBalance(state, balance.block[r], gravity(state));
                 CHECK((force[r].head<3>() - own.force).norm() < 1e-6);
                 CHECK((force[r].tail<3>() * balance.radius[r] - own.torque).norm() < 1e-6);
             }

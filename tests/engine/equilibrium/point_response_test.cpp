@@ -10,7 +10,7 @@ using equilibrium::PointResponse;
 
 namespace {
 
-/// Joints and Lps with and without what they may have: cohesion, tension, dilation, a bond partly gone.
+/// Joints and contact points with and without what they may have: cohesion, tension, dilation, a bond partly gone.
 struct Case {
     contact::JointLaw joint;
     contact::PointMemory memory;

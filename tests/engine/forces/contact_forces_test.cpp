@@ -36,19 +36,19 @@ void turn(State& state, std::size_t b, const Eigen::AngleAxisd& rotation) {
     state.blocks.orientation[b].z = turned.z();
 }
 
-stages::Wrench contactWrench(State& state, std::size_t b) {
-    stages::updateForces(state, false);
-    return stages::outOfBalance(state, b, Vec3::Zero());
+Wrench contactWrench(State& state, std::size_t b) {
+    updateForces(state, false);
+    return outOfBalance(state, b, Vec3::Zero());
 }
 
 }  // namespace
 
-TEST_SUITE("stages") {
+TEST_SUITE("forces") {
     TEST_CASE("closed stiffness is that of the distributed joint: k_n A, k_s A") {
         State state = bondedBox();
         const Vec3 u(3e-7, -2e-7, 1e-7);
         state.blocks.position.set(1, state.blocks.position.get(1) + u);
-        const stages::Wrench wrench = contactWrench(state, 1);
+        const Wrench wrench = contactWrench(state, 1);
         CHECK(wrench.force.x() == doctest::Approx(-4e9 * 0.08 * u.x()).epsilon(1e-6));
         CHECK(wrench.force.y() == doctest::Approx(-4e9 * 0.08 * u.y()).epsilon(1e-6));
         CHECK(wrench.force.z() == doctest::Approx(-1e10 * 0.08 * u.z()).epsilon(1e-6));
@@ -81,7 +81,7 @@ TEST_SUITE("stages") {
                 b, state.blocks.position.get(b) + Vec3(jitter(random), jitter(random), jitter(random)));
             turn(state, b, Eigen::AngleAxisd(jitter(random), Vec3(1, 2, 3).normalized()));
         }
-        const stages::Wrench a = contactWrench(state, 1), b = contactWrench(state, 2);
+        const Wrench a = contactWrench(state, 1), b = contactWrench(state, 2);
         CHECK(a.force.norm() > 1);
         CHECK((a.force + b.force).norm() < 1e-12 * a.force.norm());
         const Vec3 moment = a.torque + b.torque + state.blocks.position.get(1).cross(a.force) +
@@ -105,7 +105,7 @@ TEST_SUITE("stages") {
             turn(turned, b, rotation);
         }
         for (std::size_t b = 1; b < still.blocks.size(); ++b) {
-            const stages::Wrench before = contactWrench(still, b), after = contactWrench(turned, b);
+            const Wrench before = contactWrench(still, b), after = contactWrench(turned, b);
             CHECK((rotation * before.force - after.force).norm() < 1e-5 * before.force.norm());
             CHECK((rotation * before.torque - after.torque).norm() < 1e-5 * before.force.norm());
         }
@@ -142,8 +142,8 @@ TEST_SUITE("stages") {
         Model model = stackModel(3, 3, 2, 30);
         State whole = *buildState(model, false);
         State cut = whole;
-        stages::updateContacts(whole, {0, whole.interfaces.groups.size()});
-        for (std::size_t g = cut.interfaces.groups.size(); g-- > 0;) stages::updateContacts(cut, {g, g + 1});
+        updateContacts(whole, {0, whole.interfaces.groups.size()});
+        for (std::size_t g = cut.interfaces.groups.size(); g-- > 0;) updateContacts(cut, {g, g + 1});
         CHECK(whole.interfaces.wrenches == cut.interfaces.wrenches);
         CHECK(whole.points.memory == cut.points.memory);
     }

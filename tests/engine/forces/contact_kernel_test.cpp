@@ -1,4 +1,5 @@
-// The builds of the contact kernel against each other, to the bit, and against a plain sum over Lps, to rounding.
+// The builds of the contact kernel against each other, to the bit, and against a plain sum over contact points, to
+// rounding.
 
 #include <doctest/doctest.h>
 
@@ -90,16 +91,16 @@ void jolt(State& state, std::mt19937& random) {
         state.blocks.velocity.set(b, any(1e-3));
         state.blocks.angular_momentum.set(b, any(1e-3));
     }
-    stages::updateSpin(state, {0, state.blocks.size()});
+    updateSpin(state, {0, state.blocks.size()});
 }
 
-/// The wrench of interface i on b by a plain sum over its Lps, from what they remembered before the step.
-stages::Wrench plainSum(const State& before, std::size_t i) {
-    const stages::RelativePose pose = stages::relativePose(before, i);
+/// The wrench of interface i on b by a plain sum over its contact points, from what they remembered before the step.
+Wrench plainSum(const State& before, std::size_t i) {
+    const RelativePose pose = relativePose(before, i);
     const auto b = static_cast<std::size_t>(before.interfaces.block_b[i]);
     const contact::JointLaw& law = before.laws[static_cast<std::size_t>(before.interfaces.joint[i])];
-    stages::Wrench sum;
-    for (const stages::PointState& p : stages::pointStates(before, i)) {
+    Wrench sum;
+    for (const ContactPoint& p : contactPoints(before, i)) {
         const auto at = [&](const Vec3& f) {
             return f.x() + f.y() * p.position.x() + f.z() * p.position.y();
         };
@@ -117,8 +118,8 @@ stages::Wrench plainSum(const State& before, std::size_t i) {
 
 void count(const State& last, const State& before, const State& after, Seen& seen) {
     for (std::size_t i = 0; i < after.interfaces.size(); ++i) {
-        const auto earlier = stages::pointStates(last, i), then = stages::pointStates(before, i),
-                   now = stages::pointStates(after, i);
+        const auto earlier = contactPoints(last, i), then = contactPoints(before, i),
+                   now = contactPoints(after, i);
         for (std::size_t k = 0; k < now.size(); ++k) {
             const bool moved = now[k].memory.offset_1 != then[k].memory.offset_1;
             seen.open += now[k].force.open;
@@ -136,7 +137,7 @@ bool sameBits(const State& a, const State& b) {
         const InterfaceWrench of_a = a.interfaces.wrench(i), of_b = b.interfaces.wrench(i);
         for (const auto vector : kWrenchVectors)
             if (of_a.*vector != of_b.*vector) return false;
-        const auto in_a = stages::pointStates(a, i), in_b = stages::pointStates(b, i);
+        const auto in_a = contactPoints(a, i), in_b = contactPoints(b, i);
         for (std::size_t k = 0; k < in_a.size(); ++k) {
             const contact::PointMemory &m = in_a[k].memory, &n = in_b[k].memory;
             if (m.offset_1 != n.offset_1 || m.offset_2 != n.offset_2 || m.bond != n.bond ||
@@ -157,19 +158,19 @@ Seen compare(const PointRule& rule, const Joint& strength, double contact_dampin
         const State last = scalar;
         jolt(scalar, random);
         const State before = scalar;
-        stages::updateForces(scalar, false);
+        updateForces(scalar, false);
         for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
             if (!simd::isAvailable(set)) continue;
             State lanes = before;
             lanes.instructions = set;
-            stages::updateForces(lanes, false);
+            updateForces(lanes, false);
             CHECK(sameBits(scalar, lanes));
         }
         count(last, before, scalar, seen);
         if (contact_damping > 0) continue;
         double error = 0;
         for (std::size_t i = 0; i < scalar.interfaces.size(); ++i) {
-            const stages::Wrench sum = plainSum(before, i);
+            const Wrench sum = plainSum(before, i);
             const InterfaceWrench kernel = scalar.interfaces.wrench(i);
             error = std::max({error, (sum.force - kernel.force).norm() / (1 + sum.force.norm()),
                               (sum.torque - kernel.moment_b).norm() / (1 + sum.torque.norm())});
@@ -184,7 +185,7 @@ constexpr PointRule kVertex{PointRule::Kind::vertex, 0}, kCorner{PointRule::Kind
 
 }  // namespace
 
-TEST_SUITE("stages") {
+TEST_SUITE("forces") {
     TEST_CASE("contact kernel: every build gives the same bits, and the plain sum over Lps to rounding") {
         if (simd::bestInstructionSet() == InstructionSet::scalar)
             MESSAGE("this processor has no AVX2: the scalar build is compared with itself");
@@ -238,10 +239,10 @@ TEST_SUITE("stages") {
             lanes.instructions = set;
             scalar = start;
             for (int step = 0; step < 100; ++step) {
-                stages::advance(scalar, {1e-4, false});
-                stages::advance(lanes, {1e-4, false});
+                advance(scalar, {1e-4, false});
+                advance(lanes, {1e-4, false});
             }
-            REQUIRE(stages::isFinite(scalar));
+            REQUIRE(isFinite(scalar));
             CHECK(scalar.blocks.position == lanes.blocks.position);
             CHECK(scalar.blocks.orientation == lanes.blocks.orientation);
             CHECK(scalar.blocks.angular_momentum.z == lanes.blocks.angular_momentum.z);

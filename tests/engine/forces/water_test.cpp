@@ -16,9 +16,9 @@ namespace {
 constexpr double kGammaWater = 1000 * 9.81;
 
 /// Sum of water on a block; gravity off the scale by looking at the wet wrenches alone.
-stages::Wrench waterOnBlock(State& state, std::size_t b) {
-    stages::updateWater(state);
-    stages::Wrench sum;
+Wrench waterOnBlock(State& state, std::size_t b) {
+    updateWater(state);
+    Wrench sum;
     const Mat3 turn = state.blocks.orientation.matrix(b);
     for (std::size_t w = 0; w < state.wet.size(); ++w) {
         if (state.wet.block[w] != static_cast<std::int32_t>(b)) continue;
@@ -29,11 +29,11 @@ stages::Wrench waterOnBlock(State& state, std::size_t b) {
 }
 
 /// Midpoint quadrature of the pressure p = rho g max(0, down . (x - table)) over a rectangle.
-stages::Wrench quadrature(const Vec3& corner, const Vec3& side_1, const Vec3& side_2, const Vec3& outward,
-                          const Vec3& centroid, const Vec3& table, double tilt) {
+Wrench quadrature(const Vec3& corner, const Vec3& side_1, const Vec3& side_2, const Vec3& outward,
+                  const Vec3& centroid, const Vec3& table, double tilt) {
     const Vec3 down(-std::sin(tilt), 0, -std::cos(tilt));
     const int n = 2000;
-    stages::Wrench sum;
+    Wrench sum;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
             const Vec3 x = corner + (i + 0.5) / n * side_1 + (j + 0.5) / n * side_2;
@@ -45,14 +45,14 @@ stages::Wrench quadrature(const Vec3& corner, const Vec3& side_1, const Vec3& si
     return sum;
 }
 
-void checkClose(const stages::Wrench& a, const stages::Wrench& b, double relative) {
+void checkClose(const Wrench& a, const Wrench& b, double relative) {
     CHECK((a.force - b.force).norm() < relative * b.force.norm());
     CHECK((a.torque - b.torque).norm() < relative * b.force.norm());
 }
 
 }  // namespace
 
-TEST_SUITE("stages") {
+TEST_SUITE("forces") {
     TEST_CASE("a wall across the slope: rho g cos(beta) H^2/2 per width, a third up (eq 16)") {
         for (const double tilt_deg : {0.0, 7.0, 25.0}) {
             Model model = floorModel(40);
@@ -60,7 +60,7 @@ TEST_SUITE("stages") {
             addBox(model, "box", {0, 0, 0}, {1, 2, 1.5});
             model.waters = {waterOn(model, 1, Vec3::UnitX(), 0.9)};
             State state = *buildState(model, false);
-            const stages::Wrench wrench = waterOnBlock(state, 1);
+            const Wrench wrench = waterOnBlock(state, 1);
             const double thrust = kGammaWater * std::cos(radians(tilt_deg)) * 0.9 * 0.9 / 2 * 2;
             CHECK(wrench.force.x() == doctest::Approx(-thrust));
             CHECK(wrench.torque.y() == doctest::Approx(-thrust * (0.3 - 0.75)));
@@ -76,8 +76,8 @@ TEST_SUITE("stages") {
         State state = *buildState(model, false);
         // The lowest point of the face is its corner at the toe; 0.4 m up the steepest line from there.
         const Vec3 up(std::sin(tilt), 0, std::cos(tilt));
-        const stages::Wrench exact = quadrature({0.5, 0, 0}, {1, 0, 0}, {0, 0, 0.7}, -Vec3::UnitY(),
-                                                {1, 0.3, 0.35}, Vec3(0.5, 0, 0) + 0.4 * up, tilt);
+        const Wrench exact = quadrature({0.5, 0, 0}, {1, 0, 0}, {0, 0, 0.7}, -Vec3::UnitY(), {1, 0.3, 0.35},
+                                        Vec3(0.5, 0, 0) + 0.4 * up, tilt);
         checkClose(waterOnBlock(state, 1), exact, 1e-5);
     }
 
@@ -110,7 +110,7 @@ TEST_SUITE("stages") {
         water.base = 0.5;
         model.waters = {water};
         State state = *buildState(model, false);
-        const stages::Wrench wrench = waterOnBlock(state, 1);
+        const Wrench wrench = waterOnBlock(state, 1);
         const double thrust = kGammaWater * 0.8 * 0.8 / 2;
         CHECK(wrench.force.x() == doctest::Approx(-thrust));
         CHECK(wrench.torque.y() == doctest::Approx(-thrust * (0.5 + 0.8 / 3 - 1.0)));
@@ -148,12 +148,12 @@ TEST_SUITE("stages") {
         water.field = "water[0]";
         model.waters = {water};
         State state = *buildState(model, false);
-        const stages::Wrench key = waterOnBlock(state, 1);
+        const Wrench key = waterOnBlock(state, 1);
         const double unit = kGammaWater * std::cos(radians(10));
         CHECK(key.force.z() == doctest::Approx(unit * 0.2 * 0.3));
         // integral of x p over the base about its middle: slope 0.2 m per 0.6 m times b^3/12 times the width
         CHECK(key.torque.y() == doctest::Approx(-unit * (0.2 / 0.6) * std::pow(0.6, 3) / 12 * 0.5));
-        const stages::Wrench floor = waterOnBlock(state, 0);
+        const Wrench floor = waterOnBlock(state, 0);
         CHECK((key.force + floor.force).norm() < 1e-9);
         const Vec3 moment = key.torque + floor.torque + state.blocks.position.get(1).cross(key.force) +
                             state.blocks.position.get(0).cross(floor.force);
@@ -186,13 +186,13 @@ TEST_SUITE("stages") {
         model.waters = {water};
         State state = *buildState(model, false);
         state.blocks.position[1].x -= 0.5e-3;
-        stages::drainWater(state);
+        drainWater(state);
         CHECK(waterOnBlock(state, 1).force.x() < 0);
         state.blocks.position[1].x -= 1e-3;
-        stages::drainWater(state);
+        drainWater(state);
         CHECK(waterOnBlock(state, 1).force.x() == 0);
         state.blocks.position[1].x += 1.5e-3;
-        stages::drainWater(state);
+        drainWater(state);
         CHECK(waterOnBlock(state, 1).force.x() == 0);
     }
 

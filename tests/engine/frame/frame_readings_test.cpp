@@ -1,4 +1,5 @@
-// What frames say about contact points for reading: shares of the water's thrust, what a point is doing, mobilised friction.
+// What frames say about contact points for reading: shares of the water's thrust, what a point is doing, mobilised
+// friction.
 
 #include "frame/frame_readings.h"
 
@@ -36,7 +37,7 @@ double shareOfAll(const FullFrame& frame) {
 /// Integral of rho g max(0, depth below the table) over a patch, by many small cells of its triangles.
 double thrustBySampling(const State& state, std::size_t i, double table, double unit_weight) {
     const std::vector<Eigen::Vector2d> outline = patchOutline(state.interfaces, i);
-    const stages::RelativePose pose = stages::relativePose(state, i);
+    const RelativePose pose = relativePose(state, i);
     const Vec3 up(std::sin(state.load.tilt), 0, std::cos(state.load.tilt));
     constexpr int kCells = 60;
     double sum = 0;
@@ -55,9 +56,7 @@ double thrustBySampling(const State& state, std::size_t i, double table, double 
     return sum;
 }
 
-bool isVertical(const State& state, std::size_t i) {
-    return std::abs(stages::relativePose(state, i).e3.x()) > 0.999;
-}
+bool isVertical(const State& state, std::size_t i) { return std::abs(relativePose(state, i).e3.x()) > 0.999; }
 
 }  // namespace
 
@@ -75,7 +74,7 @@ TEST_CASE(
              {PointRule::Kind::vertex, PointRule::Kind::quarter, PointRule::Kind::corner}) {
             model.points = {kind, 0};
             State state = *buildState(model, false);
-            stages::updateForces(state, false);
+            updateForces(state, false);
             const FullFrame frame = fullFrameOf(state);
             const double table = lightFrameOf(state).water.table[0];
             double exact = 0;
@@ -106,7 +105,7 @@ TEST_CASE("addReadings: two heads under a block are shared out to its base, and 
     water.field = "water[0]";
     model.waters = {water};
     State state = *buildState(model, false);
-    stages::updateForces(state, false);
+    updateForces(state, false);
     const FullFrame frame = fullFrameOf(state);
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
         const bool base = std::min(state.interfaces.block_a[i], state.interfaces.block_b[i]) == 0;
@@ -119,13 +118,13 @@ TEST_CASE("addReadings: water shares follow the pressure, not the area alone") {
     Model model = stackModel(2, 1, 1, 20);
     model.waters = {fissureAt(model, 0.2, 0.1)};
     State state = *buildState(model, false);
-    stages::updateForces(state, false);
+    updateForces(state, false);
     const FullFrame frame = fullFrameOf(state);
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
         if (!isVertical(state, i)) continue;
         const auto begin = static_cast<std::size_t>(frame.interfaces.point_begin[i]);
-        const std::vector<stages::PointState> points = stages::pointStates(state, i);
-        const stages::RelativePose pose = stages::relativePose(state, i);
+        const std::vector<ContactPoint> points = contactPoints(state, i);
+        const RelativePose pose = relativePose(state, i);
         for (std::size_t k = 0; k < points.size(); ++k) {
             const double z =
                 (pose.origin + points[k].position.x() * pose.e1 + points[k].position.y() * pose.e2).z();
@@ -151,7 +150,7 @@ TEST_CASE("addReadings: a point is open, sticks or slips, and says how much of i
                                moved.blocks.orientation[1].y, moved.blocks.orientation[1].z);
         const Eigen::Quaterniond now = turnAbout(Vec3::UnitY(), degrees(tilt)) * turn;
         moved.blocks.orientation[1] = {now.w(), now.x(), now.y(), now.z()};
-        stages::updateForces(moved, false);
+        updateForces(moved, false);
         return fullFrameOf(moved).points;
     };
     const FramePoints open = readAt(1e-5, 0, 0), sticks = readAt(-1e-5, 2e-6, 0),

@@ -8,7 +8,7 @@ using talus::contact::PointMemory;
 
 namespace {
 
-// k_n = 2e9 Pa/m, k_s = 1e9 Pa/m, tan(phi) = 0.5; an Lp of 0.01 m2 then has 2e7 and 1e7 N/m.
+// k_n = 2e9 Pa/m, k_s = 1e9 Pa/m, tan(phi) = 0.5; a contact point of 0.01 m2 then has 2e7 and 1e7 N/m.
 constexpr double kArea = 0.01;
 
 PointForce contactLaw(const JointLaw& law, double area, double gap, double slide_1, double slide_2,
@@ -23,7 +23,7 @@ JointLaw friction() {
 
 JointLaw cohesive() {
     JointLaw joint = friction();
-    joint.cohesion = 1e5;          // 1000 N on the Lp
+    joint.cohesion = 1e5;          // 1000 N on the contact point
     joint.tensile_strength = 5e4;  // 500 N
     joint.bonded = true;
     return joint;
@@ -31,7 +31,7 @@ JointLaw cohesive() {
 
 }  // namespace
 
-TEST_SUITE("contact") {
+TEST_SUITE("law") {
     TEST_CASE("normal force is k_n A times the overlap (eq 5), and nothing when open (eqs 7-8)") {
         PointMemory memory;
         CHECK(contactLaw(friction(), kArea, -1e-5, 0, 0, 1, memory).normal == doctest::Approx(200));

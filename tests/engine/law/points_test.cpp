@@ -40,7 +40,7 @@ const std::vector<Eigen::Vector2d> kRectangle{{0, 0}, {0.2, 0}, {0.2, 0.1}, {0, 
 
 }  // namespace
 
-TEST_SUITE("contact") {
+TEST_SUITE("law") {
     TEST_CASE("vertex rule: areas and moments up to degree two are exact on random polygons") {
         std::mt19937 random(7);
         for (int k = 0; k < 200; ++k) {

@@ -28,11 +28,11 @@ State spinningBox(const Vec3& angular_velocity) {
     return state;
 }
 
-void fly(State& state, double dt, int steps) { stages::advance(state, {dt, false}, steps); }
+void fly(State& state, double dt, int steps) { advance(state, {dt, false}, steps); }
 
 /// Distance between the orientations of two states [rad].
 double orientationError(const State& a, const State& b) {
-    return stages::rotationFrom(a.blocks.orientation, b.blocks.orientation, 0);
+    return rotationFrom(a.blocks.orientation, b.blocks.orientation, 0);
 }
 
 /// 40 cubes and their floor, everything that moves them random.
@@ -41,7 +41,7 @@ State restlessStack() {
     model.damping = {.mass = 2.0, .rotation = 3.0, .local = 0.3};
     model.waters = {fissureAt(model, 0.4, 0.35)};
     State state = *buildState(model, false);
-    stages::updateWater(state);
+    updateWater(state);
     std::mt19937 random(5);
     std::normal_distribution<double> gauss(0, 1);
     const auto any = [&]() -> Vec3 { return {gauss(random), gauss(random), gauss(random)}; };
@@ -53,14 +53,14 @@ State restlessStack() {
         state.blocks.torque.set(b, 10 * any());
     }
     for (InterfaceWrench& wrench : state.interfaces.wrenches) wrench = {any(), any(), any()};
-    stages::updateSpin(state, {0, state.blocks.size()});
+    updateSpin(state, {0, state.blocks.size()});
     return state;
 }
 
 using Stage = void (*)(State&, Range, double);
 void gatherThenDrift(State& state, Range range, double dt) {
-    stages::gather(state, range, dt);
-    stages::drift(state, range, dt);
+    gather(state, range, dt);
+    drift(state, range, dt);
 }
 
 bool sameBlock(const Blocks& a, const Blocks& b, std::size_t i) {
@@ -72,15 +72,14 @@ bool sameBlock(const Blocks& a, const Blocks& b, std::size_t i) {
 
 }  // namespace
 
-TEST_SUITE("stages") {
+TEST_SUITE("step") {
     TEST_CASE(
         "drift and gather of any piece of the blocks, by every build: the same bits, nothing beside it") {
         constexpr double kStep = 1e-3;
         const State start = restlessStack();
         const std::size_t n = start.blocks.size();
-        for (const auto& [stage, plain] : {std::pair<Stage, Stage>{stages::drift, stages::drift},
-                                           {stages::gather, stages::gather},
-                                           {stages::gatherAndDrift, gatherThenDrift}}) {
+        for (const auto& [stage, plain] :
+             {std::pair<Stage, Stage>{drift, drift}, {gather, gather}, {gatherAndDrift, gatherThenDrift}}) {
             State expected = start;  // block by block, without registers of several
             expected.instructions = simd::InstructionSet::scalar;
             for (std::size_t b = 0; b < n; ++b) plain(expected, {b, b + 1}, kStep);
@@ -108,36 +107,36 @@ TEST_SUITE("stages") {
         model.waters = {fissureAt(model, 0.4, 0.35)};
         model.damping.local = 0.2;
         State together = *buildState(model, false);
-        stages::updateForces(together, false);
+        updateForces(together, false);
         State apart = together;
         const auto tiltAt = [](int k) { return radians(5 + k); };
         for (int round = 0; round < 3; ++round) {
             int loads = 0;
-            stages::advance(together, {1e-5, false}, 7, [&](int k) {
+            advance(together, {1e-5, false}, 7, [&](int k) {
                 CHECK(k == loads++);
                 together.load.tilt = tiltAt(k);
             });
             CHECK(loads == 7);
             for (int k = 0; k < 7; ++k) {
                 apart.load.tilt = tiltAt(k);
-                stages::advance(apart, {1e-5, false});
+                advance(apart, {1e-5, false});
             }
-            CHECK(stages::stateHash(together) == stages::stateHash(apart));
+            CHECK(stateHash(together) == stateHash(apart));
             CHECK(together.step == apart.step);
         }
-        stages::advance(together, {1e-5, false}, 0);
-        CHECK(stages::stateHash(together) == stages::stateHash(apart));
+        advance(together, {1e-5, false}, 0);
+        CHECK(stateHash(together) == stateHash(apart));
     }
 
     TEST_CASE("a spinning box keeps its energy and momentum over 1000 turns") {
         State state = spinningBox({0.3, 6.0, 0.2});  // near the unstable axis: it tumbles
         const Vec3 momentum = state.blocks.angular_momentum.get(0);
-        const double energy = stages::kineticEnergy(state);
+        const double energy = kineticEnergy(state);
         const double dt = 0.005;  // about 200 steps a turn
         double most = 0;
         for (int k = 0; k < 1000; ++k) {
             fly(state, dt, 210);
-            most = std::max(most, std::abs(stages::kineticEnergy(state) / energy - 1));
+            most = std::max(most, std::abs(kineticEnergy(state) / energy - 1));
         }
         MESSAGE("energy error over 1000 turns: " << most);
         CHECK(most < 2e-3);  // bounded, no drift: see the order below
@@ -166,13 +165,13 @@ TEST_SUITE("stages") {
             addBox(model, "cube", {0, 0, 0}, {1, 1, 1}, 1000);
             State state = *buildState(model, false);
             state.blocks.position[1].z += 1e-4;
-            stages::updateForces(state, false);
-            const double energy = stages::elasticEnergy(state);
+            updateForces(state, false);
+            const double energy = elasticEnergy(state);
             const double duration = 0.02;  // omega = sqrt(1e8 / 1000) = 316 rad/s, one turn
             energy_error = 0;
             for (int k = 0; k < steps; ++k) {
-                stages::advance(state, {duration / steps, false});
-                const double now = stages::elasticEnergy(state) + stages::kineticEnergy(state);
+                advance(state, {duration / steps, false});
+                const double now = elasticEnergy(state) + kineticEnergy(state);
                 energy_error = std::max(energy_error, std::abs(now / energy - 1));
             }
             return state.blocks.position[1].z - 0.5 - 1e-4 * std::cos(std::sqrt(1e5) * duration);
@@ -190,13 +189,13 @@ TEST_SUITE("stages") {
         model.gravity.tilt = radians(30);
         model.blocks = {box("body", {0, 0, 0}, {1, 1, 1})};
         State state = *buildState(model, false);
-        stages::updateForces(state, false);
+        updateForces(state, false);
         fly(state, 1e-3, 1000);
         CHECK(state.blocks.velocity.get(0).x() == doctest::Approx(-9.81 * 0.5));
         CHECK(state.blocks.position.get(0).z() == doctest::Approx(0.5 - 0.5 * 9.81 * std::cos(M_PI / 6)));
         State dragged = *buildState(model, false);
         dragged.damping.mass = 2.0;
-        stages::updateForces(dragged, false);
+        updateForces(dragged, false);
         fly(dragged, 1e-3, 1000);  // v = g/c (1 - exp(-c t))
         CHECK(dragged.blocks.velocity.get(0).x() ==
               doctest::Approx(-9.81 * 0.5 / 2 * (1 - std::exp(-2.0))).epsilon(1e-6));
@@ -221,13 +220,13 @@ TEST_SUITE("stages") {
         model.blocks = {box("body", {0, 0, 0}, {1, 1, 1})};
         State state = *buildState(model, false);
         state.blocks.velocity.z[0] = -1;
-        stages::updateForces(state, false);
+        updateForces(state, false);
         CHECK(state.blocks.force.z[0] == doctest::Approx(-0.2 * 2700 * 9.81));
         state.blocks.velocity.z[0] = 1;
-        stages::updateForces(state, false);
+        updateForces(state, false);
         CHECK(state.blocks.force.z[0] == doctest::Approx(-1.8 * 2700 * 9.81));
         state.blocks.velocity.z[0] = 0;
-        stages::updateForces(state, false);
+        updateForces(state, false);
         CHECK(state.blocks.force.z[0] == doctest::Approx(-2700 * 9.81));
     }
 
@@ -236,7 +235,7 @@ TEST_SUITE("stages") {
         model.blocks.push_back(box("driven", {0, 0, 1}, {1, 1, 2}, 2700, Motion::driven));
         model.blocks[1].velocity = {0.1, 0, 0};
         State state = *buildState(model, false);
-        stages::updateForces(state, false);
+        updateForces(state, false);
         fly(state, 1e-3, 100);
         CHECK(state.blocks.position[1].x == doctest::Approx(0.5 + 0.01));
         CHECK(state.blocks.velocity.x[1] == 0.1);

@@ -38,9 +38,9 @@ double highestByBruteForce(const State& state) {
                 moved.blocks.orientation[b].y = axis == 4 ? sign * h / 2 : 0;
                 moved.blocks.orientation[b].z = axis == 5 ? sign * h / 2 : 0;
             }
-            stages::updateForces(moved, false);
+            updateForces(moved, false);
             for (std::size_t k = 0; k < n; ++k) {
-                const stages::Wrench wrench = stages::outOfBalance(moved, k + 1, Vec3::Zero());
+                const Wrench wrench = outOfBalance(moved, k + 1, Vec3::Zero());
                 for (int i = 0; i < 3; ++i) {
                     const auto row = static_cast<Eigen::Index>(6 * k) + i;
                     const double force = -wrench.force[i] / (2 * h), torque = -wrench.torque[i] / (2 * h);
@@ -72,12 +72,12 @@ State bonded(Model model) {
 
 }  // namespace
 
-TEST_SUITE("stages") {
+TEST_SUITE("step") {
     TEST_CASE("the frequency bound is exact for one block on the floor") {
         Model model = floorModel(30, 1e9);
         addBox(model, "box", {0, 0, 0}, {0.6, 0.4, 0.5});
         const State state = bonded(model);
-        const std::vector<double> bounds = stages::frequencyBounds(state, false);
+        const std::vector<double> bounds = frequencyBounds(state, false);
         CHECK(bounds[1] == doctest::Approx(highestByBruteForce(state)).epsilon(1e-4));
         CHECK(bounds[0] == 0);
     }
@@ -86,7 +86,7 @@ TEST_SUITE("stages") {
         for (const auto& [columns, rows, slices] :
              {std::array{3, 1, 1}, std::array{1, 4, 1}, std::array{3, 3, 2}}) {
             const State state = bonded(stackModel(columns, rows, slices, 30));
-            const std::vector<double> bounds = stages::frequencyBounds(state, false);
+            const std::vector<double> bounds = frequencyBounds(state, false);
             const double bound = *std::max_element(bounds.begin(), bounds.end());
             const double exact = highestByBruteForce(state);
             MESSAGE(columns << " x " << rows << " x " << slices << ": bound over exact " << bound / exact);
@@ -99,14 +99,14 @@ TEST_SUITE("stages") {
         Model model = floorModel(30, 1e9);
         addBox(model, "box", {0, 0, 0}, {0.6, 0.4, 0.5});
         State state = bonded(model);
-        const double limit = stages::stableTimeStep(stages::frequencyBounds(state, false)[1], 0.0);
+        const double limit = stableTimeStep(frequencyBounds(state, false)[1], 0.0);
         const auto motionAfter = [&](double dt) {
             State moving = state;
             moving.blocks.velocity.set(1, {1e-6, 2e-6, -1e-6});
             moving.blocks.angular_momentum.set(1, {1e-5, -1e-5, 2e-5});
-            const double before = stages::kineticEnergy(moving);
-            for (int k = 0; k < 2000; ++k) stages::advance(moving, {dt, false});
-            return stages::kineticEnergy(moving) / before;
+            const double before = kineticEnergy(moving);
+            for (int k = 0; k < 2000; ++k) advance(moving, {dt, false});
+            return kineticEnergy(moving) / before;
         };
         CHECK(motionAfter(0.97 * limit) < 100);
         CHECK_FALSE(motionAfter(1.03 * limit) < 1e6);  // also when it has become nan
@@ -117,14 +117,13 @@ TEST_SUITE("stages") {
         addBox(model, "box", {0, 0, 0}, {1, 1, 1}, 1000);
         State state = bonded(model);
         state.damping.contact = 5e-4;
-        const double limit =
-            stages::stableTimeStep(stages::frequencyBounds(state, false)[1], state.damping.contact);
+        const double limit = stableTimeStep(frequencyBounds(state, false)[1], state.damping.contact);
         const auto energyAfter = [&](double dt) {
             State moving = state;
             moving.blocks.velocity.set(1, {1e-4, 1e-4, -1e-4});
             moving.blocks.angular_momentum.set(1, {1e-3, 2e-3, 0});
-            for (int k = 0; k < 3000; ++k) stages::advance(moving, {dt, false});
-            return stages::kineticEnergy(moving);
+            for (int k = 0; k < 3000; ++k) advance(moving, {dt, false});
+            return kineticEnergy(moving);
         };
         CHECK(energyAfter(0.97 * limit) < 1e-3);
         CHECK_FALSE(energyAfter(1.2 * limit) < 1.0);

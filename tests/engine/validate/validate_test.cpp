@@ -38,16 +38,16 @@ State movedState(const Model& model, int steps) {
     state.damping.local = 0.5;
     constexpr double kStep = 2e-6;
     for (int k = 0; k < steps; k += 20) {
-        stages::advance(state, {kStep, false}, 20);
-        stages::refreshInterfaces(state, false, 20 * kStep);
+        advance(state, {kStep, false}, 20);
+        refreshInterfaces(state, false, 20 * kStep);
     }
-    stages::updateForces(state, false);
+    updateForces(state, false);
     return state;
 }
 
 std::size_t firstPlace(const State& state) {
     for (std::size_t i = 0; i < state.interfaces.size(); ++i)
-        if (stages::isSharp(state.interfaces, i)) return i;
+        if (isVertexEdge(state.interfaces, i)) return i;
     FAIL("no place for a vertex or edge");
     return 0;
 }
@@ -55,14 +55,14 @@ std::size_t firstPlace(const State& state) {
 /// A place where a vertex is.
 std::size_t vertexContact(const State& state) {
     for (std::size_t i = firstPlace(state); i < state.interfaces.size(); ++i)
-        if (stages::isSharp(state.interfaces, i) && !stages::isIdle(state.interfaces, i)) return i;
+        if (isVertexEdge(state.interfaces, i) && !isIdle(state.interfaces, i)) return i;
     FAIL("no vertex touches");
     return 0;
 }
 
 std::size_t firstPatch(const State& state) {
     std::size_t i = 0;
-    while (stages::isSharp(state.interfaces, i)) ++i;
+    while (isVertexEdge(state.interfaces, i)) ++i;
     return i;
 }
 
