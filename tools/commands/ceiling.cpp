@@ -24,7 +24,9 @@ Ceiling findCeiling(const formats::Scenario& scenario, Varied load, const Ceilin
                     const SearchResult& result, const Control& control) {
     if (options.never) return {std::nullopt, "not wanted (--no-ceiling)"};
     if (result.status == SearchStatus::interrupted) return {std::nullopt, "the search was interrupted"};
-    return valueOf(limitCeiling(scenario.model, load, options.always, control), scenario);
+    LimitSettings settings;
+    settings.left_out = result.fallen_at_start;  // the answer is for the others
+    return valueOf(limitCeiling(scenario.model, load, options.always, control, settings), scenario);
 }
 
 void holdUnder(const Ceiling& ceiling, Varied load, SearchResult& result) {
