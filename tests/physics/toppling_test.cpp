@@ -25,12 +25,10 @@ SearchResult tilted(const Model& model, const std::string& name) {
 }  // namespace
 
 TEST_SUITE("slow: physics") {
-    TEST_CASE("columns overturn at atan(0.2 / h), alone or behind each other, less what their joints give") {
-        for (const auto& [columns, rows, exact] :
-             {std::tuple{1, 10, 11.310}, {1, 20, 5.711}, {3, 10, 11.310}, {3, 20, 5.711}}) {
-            const Model model = stackModel(columns, rows, 1, 35, {0.2, 1.0, 0.1}, 1e12);
-            const double found =
-                degrees(tilted(model, std::to_string(columns) + " of " + std::to_string(rows)).answer);
+    TEST_CASE("columns overturn at atan(0.2 / h), less what their joints give") {
+        for (const auto& [rows, exact] : {std::pair{10, 11.310}, {20, 5.711}}) {
+            const Model model = stackModel(1, rows, 1, 35, {0.2, 1.0, 0.1}, 1e12);
+            const double found = degrees(tilted(model, std::to_string(rows) + " blocks").answer);
             CHECK(found < exact + 0.02);
             CHECK(found > exact - 0.02);
         }
