@@ -213,7 +213,7 @@ class PlotFile {
 
     /// Row: x, then the 5, 25, 50, 75 and 95 % quantiles.
     void drawBox(const std::vector<double>& row, const std::string& tip) {
-        const double half = 0.3;
+        const double half = 0.16;
         svg_.line(at(row[0], row[1]), at(row[0], row[2]), "frame");
         svg_.line(at(row[0], row[4]), at(row[0], row[5]), "frame");
         svg_.box(at(row[0] - half, row[2]), at(row[0] + half, row[4]), "band", tip);

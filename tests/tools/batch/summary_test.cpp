@@ -82,7 +82,7 @@ TEST_CASE("the report says how the runs are spread, with the probabilities and t
     const Json report = batchReport(summarise(madeUp()), Json{{"version", "1.2.3"}});
     const Json distribution = blocksOf(report, "distribution");
     const Json& table = distribution[1];
-    CHECK(table["columns"].back()["title"] == "failed at 40\u00b0");
+    CHECK(table["columns"].back()["title"] == "critical angle below 40\u00b0");
     CHECK(table["rows"][0][0] == 20);
     CHECK(table["rows"][0][7]["share"] == doctest::Approx(0.55));
     CHECK(table["rows"][0][7]["low"].get<double>() < 0.55);

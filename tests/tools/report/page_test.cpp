@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include "batch/report.h"
-#include "report/csv.h"
 #include "reproduction/page.h"
 #include "support/browser.h"
 #include "tools/batch/samples.h"
@@ -78,16 +77,6 @@ TEST_CASE("values that are not there are null, not numbers that are none") {
     CHECK(maybe(std::nullopt).is_null());
     CHECK(maybe(kInfinity).is_null());
     CHECK(maybe(1.5) == 1.5);
-}
-
-TEST_CASE("CSV fields are quoted when they have to be, numbers read back the same") {
-    CHECK(csvField("plain") == "plain");
-    CHECK(csvField("a,b") == "\"a,b\"");
-    CHECK(csvField("say \"x\"") == "\"say \"\"x\"\"\"");
-    CHECK(csvField("a\nb") == "\"a\nb\"");
-    CHECK(csvLine({"a", "", "b,c"}) == "a,,\"b,c\"\n");
-    CHECK(std::stod(numberCell(0.1 + 0.2)) == 0.1 + 0.2);
-    CHECK(numberCell(kInfinity) == "");
 }
 
 TEST_SUITE("slow: report page") {

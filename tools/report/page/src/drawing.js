@@ -28,7 +28,7 @@ function drawnFigure(drawing) {
   const shown = picture(drawing);
   const framed = drawing.links?.length ? link(drawing.links[0].href, shown) : shown;
   const links = (drawing.links ?? []).flatMap(({ href, text }, k) => [k ? "; " : " ", link(href, text)]);
-  return html("figure", {}, framed, html("figcaption", {}, html("strong", {}, words(caption.title)), ": ", words(caption.text),
+  return html("figure", {}, framed, html("figcaption", {}, html("strong", {}, words(caption.title)), ": ", words(caption.text.replace(/(\d)-(\d)/g, "$1\u2011$2")),
     links, links.length ? "." : null));
 }
 

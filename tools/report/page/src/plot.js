@@ -58,7 +58,7 @@ const drawers = {
     ...tipped(s, by(1), by(0)),
   ],
   box: (s, frame) => {
-    const half = 0.3;
+    const half = 0.16;
     return [
       Plot.ruleX(s.rows, { x: by(0), y1: by(1), y2: by(2), stroke: "var(--ink)" }),
       Plot.ruleX(s.rows, { x: by(0), y1: by(4), y2: by(5), stroke: "var(--ink)" }),
