@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "batch/schedule.h"
+#include "batch/work.h"
 
 namespace talus::tools::batch {
 

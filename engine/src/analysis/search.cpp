@@ -30,7 +30,7 @@ constexpr int kAttemptsAtStart = 2;
 constexpr int kMostReopenings = 12;  // times a failing motion may come to rest before the search gives up
 constexpr std::int64_t kFirstSteps = 20'000;  // of a probe, before the implicit solve is asked
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
-constexpr std::int64_t kLeastFactors = 50, kMostFactors = 600, kStepsPerFactor = 500;
+constexpr std::int64_t kLeastFactors = 30, kMostFactors = 600, kStepsPerFactor = 2000;
 constexpr double kMorePatience = 3.0;
 constexpr double kSettlingDrag = 0.125;
 constexpr double kSettlingPeriods = 3.0;
@@ -133,8 +133,10 @@ class Search {
         if (verdict == Verdict::stable || (verdict == Verdict::failing && !doubtful) || interrupted())
             return verdict;
         if (!implicit_first_) {
+            const State moving = last_moving_;
             const Verdict found = probeImplicitly(stage, load, ramp);
             if (found != Verdict::undecided) implicit_first_ = true;
+            if (found != Verdict::stable) last_moving_ = moving;  // nearer to rest, where a failure is let go
             if (found != Verdict::undecided) return found;
         }
         if (verdict == Verdict::failing) return verdict;
@@ -292,7 +294,7 @@ class Search {
         const Verdict found =
             probeImplicitly("equilibrium", load, [&](State& state, double) { axis_.apply(state, load); });
         if (found == Verdict::stable) implicit_first_ = true;
-        if (found == Verdict::undecided) last_moving_ = moving;
+        if (found != Verdict::stable) last_moving_ = moving;  // nearer to rest, where a failure is let go
         return found == Verdict::stable || (found == Verdict::undecided && settles(moving, load));
     }
 

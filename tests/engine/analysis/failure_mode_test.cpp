@@ -32,7 +32,8 @@ State tiltedBox(double width, double height, double tilt_deg, double friction_de
 double deflection(double height) { return kDensity * kGravity * height / 1e8; }
 
 Failure continued(State& state, double height, const Control& control = {}) {
-    Failure failure = analysis::continueFailure(state, deflection(height), control, false);
+    Failure failure = analysis::continueFailure(
+        state, {.deflection = deflection(height), .share = 2e-4, .most_steps = 400'000}, control, false);
     checkValid(state);
     return failure;
 }

@@ -168,9 +168,9 @@ TEST_SUITE("contacts") {
         forAllPairs(
             state, [&](std::int32_t a, std::int32_t b, const Polyhedron& first, const Polyhedron& second) {
                 const Placed placed_1(first), placed_2(second);
-                const auto expected = findFacePairs(
-                    placed_1.world(), placed_2.world(),
-                    {.max_gap = margin, .max_overlap = margin, .max_angle = 1e-3}, Reference::face_a);
+                const auto expected =
+                    findFacePairs(placed_1.world(), placed_2.world(),
+                                  {.max_gap = margin, .max_overlap = margin, .max_angle = 1e-3});
                 const auto found = findings.find({a, b});
                 REQUIRE((found == findings.end() ? 0 : found->second.faces.size()) == expected.size());
                 faces += expected.size();
