@@ -15,6 +15,7 @@ let passed = 0;
 async function open(hash = "", viewport = { width: 1200, height: 800 }) {
   const context = await browser.newContext({ viewport, offline: true });
   const page = await context.newPage();
+  page.setDefaultTimeout(120_000); // a page of megabytes on cores that are busy
   page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
   page.on("pageerror", (error) => faults.push(error.stack));
   page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || faults.push(`asks for ${request.url()}`));

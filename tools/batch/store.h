@@ -88,8 +88,8 @@ class Store {
 /// run in place of an earlier one. Throws BadInput, FileRefused.
 struct StoredBatch {
     BatchInfo info;
-    std::unordered_map<std::uint64_t, std::string>
-        lines;  ///< by run: its row, as text, since a million may come
+    /// by run: its row, as text, since a million may come
+    std::unordered_map<std::uint64_t, std::string> lines;
 
     Row row(std::uint64_t run) const { return csvFields(lines.at(run)); }
 };

@@ -91,8 +91,8 @@ struct SearchResult {
     FailureMode mode = FailureMode::none;
     std::vector<std::string> moving_blocks;  ///< sorted
     std::vector<BlockMotion> motions;        ///< evidence, one per free block, in the order of the blocks
-    std::vector<std::string>
-        fallen_at_start;             ///< fall whatever the strength: taken out before the search; sorted
+    /// fall whatever the strength: taken out before the search; sorted
+    std::vector<std::string> fallen_at_start;
     std::vector<BlockGroup> groups;  ///< of `safetyFactor`: who goes at which factor; the first is the answer
     double continuation_seconds = 0;  ///< simulated time of the continuation with true inertia [s]
     bool confirmed = false;           ///< the continuation bore the failure out

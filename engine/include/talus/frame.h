@@ -140,8 +140,8 @@ struct FrameWaters {
 
 /// Strengths per joint as the contact law uses them.
 struct FrameLaws {
-    std::array<std::vector<double>, kJointPropertyCount>
-        parameters;  ///< in the order of kJointProperties (lawValue)
+    /// in the order of kJointProperties (lawValue)
+    std::array<std::vector<double>, kJointPropertyCount> parameters;
     std::vector<std::uint8_t> bonded;
 
     std::vector<double>& of(double Joint::*property) { return parameters[jointProperty(property)]; }

@@ -41,11 +41,11 @@ struct LimitResult {
     double lower = -kInfinity;  ///< [rad] for a tilt
     double upper = kInfinity;
     std::vector<std::string> moving_blocks;  ///< of the mechanism, sorted
-    std::vector<BlockVelocity>
-        mechanism;  ///< one per free block, in the order of the blocks; empty where none fails
-    bool plane_section =
-        false;               ///< everything is symmetric about one vertical plane: three equations a block
-    std::size_t blocks = 0;  ///< free ones
+    /// one per free block, in the order of the blocks; empty where none fails
+    std::vector<BlockVelocity> mechanism;
+    /// everything is symmetric about one vertical plane: three equations a block
+    bool plane_section = false;
+    std::size_t blocks = 0;             ///< free ones
     std::size_t contact_points = 0;     ///< in the programme
     std::size_t rows = 0, columns = 0;  ///< of the largest programme
     int programmes = 0;

@@ -37,8 +37,8 @@ struct PairJoint {
     std::int32_t block_a = 0;
     std::int32_t block_b = 0;
     std::int32_t joint = 0;
-    bool must_touch =
-        false;  ///< an error if the two blocks share no interface at the start (written by hand)
+    /// an error if the two blocks share no interface at the start (written by hand)
+    bool must_touch = false;
     std::string field{};
 };
 
@@ -61,17 +61,17 @@ struct Water {
         head        ///< two heads at the ends of one interface, linear between: p = rho_w g cos(tilt) head
     };
     Level kind = Level::depth;
-    std::vector<LevelPoint>
-        level;  ///< depth or elevation over time; one entry when constant; empty for `head`
-    std::array<double, 2>
-        head{};             ///< at the patch's +x and its -x end (+z and -z for patches normal to x) [m]
+    /// depth or elevation over time; one entry when constant; empty for `head`
+    std::vector<LevelPoint> level;
+    /// at the patch's +x and its -x end (+z and -z for patches normal to x) [m]
+    std::array<double, 2> head{};
     double density = 1000;  ///< [kg/m^3]
-    double drains_at_aperture =
-        kInfinity;               ///< [m]; the fissure is empty for good once an interface opens wider
+    /// [m]; the fissure is empty for good once an interface opens wider
+    double drains_at_aperture = kInfinity;
     double base = -kInfinity;    ///< no water below this z of the model at the start (perched water) [m]
     std::vector<WetFace> walls;  ///< the faces it pushes on; empty when `pair` is given
-    std::optional<std::pair<std::int32_t, std::int32_t>>
-        pair;             ///< instead: the interface of two blocks, both walls
+    /// instead: the interface of two blocks, both walls
+    std::optional<std::pair<std::int32_t, std::int32_t>> pair;
     std::string field{};  ///< "water[0]", for messages
 };
 

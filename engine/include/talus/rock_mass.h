@@ -63,8 +63,8 @@ struct JointSet {
     double offset = 0;  ///< along the upward normal [m]
     SpacingLaw law = SpacingLaw::constant;
     double spread = 0;  ///< of SpacingLaw::uniform, 0..1
-    std::optional<double>
-        fisher;  ///< Fisher constant of the scatter of orientation about the mean; none: no scatter
+    /// Fisher constant of the scatter of orientation about the mean; none: no scatter
+    std::optional<double> fisher;
     std::int32_t joint = 0;  ///< index of the strength
     std::string field{};     ///< "joint_set[0]", for messages
 };
@@ -85,9 +85,8 @@ struct RockMass {
     TriangleSurface region;
     std::vector<JointSet> sets;
     std::vector<SingleJoint> singles;
-    std::optional<double>
-        min_thickness;  ///< [m]; default: a thousandth of the least mean spacing, without joint sets
-                        ///< 1e-4 of the region's longest side; at least 1e-6 of that
+    /// [m]; default: a thousandth of the least mean spacing, without joint sets 1e-4 of the region's longest side; at least 1e-6 of that
+    std::optional<double> min_thickness;
     bool refuse_slivers = false;  ///< a cut that would leave a thinner part is an error, not left out
     std::uint64_t seed = 1;
     std::size_t max_blocks = 2'000'000;

@@ -211,9 +211,11 @@ class Continuation {
         return ways_.back() - second > kGathers * (second - first);
     }
 
+    /// What goes on is a failure, and so is what has moved by far more than it gives at rest, though it stands again.
     bool borneOut() const {
+        const bool stands_again = failure_.at_rest && wanted_.deflection > 0;
         return share_ >= wanted_.share && failure_.motion >= kLeastMotion * wanted_.deflection &&
-               gathersSpeed();
+               (gathersSpeed() || stands_again);
     }
 
     void nameFalling() {

@@ -31,6 +31,8 @@ constexpr int kMostReopenings = 12;  // times a failing motion may come to rest 
 constexpr std::int64_t kFirstSteps = 20'000;  // of a probe, before the implicit solve is asked
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kMostFactors = 600, kStepsPerFactor = 2000;
+// An equilibrium that the implicit solve finds is near when it is no farther than this times the way the assembly has come.
+constexpr double kNear = 5.0;
 constexpr double kMorePatience = 3.0;
 constexpr double kSettlingDrag = 0.125;
 constexpr double kSettlingPeriods = 3.0;
@@ -152,6 +154,22 @@ class Search {
         work_.settings = settings;
     }
 
+    /// How far the assembly has come in all, from rest to rest [m].
+    double deflection() const {
+        double sum = 0;
+        for (const Probe& p : result_.probes)
+            if (p.verdict == Verdict::stable) sum += p.displacement;
+        return sum;
+    }
+
+    /// Whether an equilibrium is where the assembly stands, but for what it gives. Blocks that lean on each other have others,
+    /// farther off, in which they are jammed: to get there is to fail first.
+    bool isNear(const Probe& probe) const {
+        if (result_.low == -kInfinity) return true;
+        const double least = kSeenShare * last_stable_.geometry->length_scale;
+        return probe.displacement <= std::max(least, kNear * deflection());
+    }
+
     /// From the last stable state, the whole change of load at once.
     Verdict probeImplicitly(const std::string& stage, double load, const analysis::Ramp& ramp) {
         const bool doubtful = implicit_first_ || result_.low == -kInfinity;
@@ -159,7 +177,14 @@ class Search {
             doubtful ? kMostFactors : std::clamp(probe_steps_ / kStepsPerFactor, kLeastFactors, kMostFactors);
         State state = last_stable_;
         ramp(state, 1.0);
-        return keep(stage, load, analysis::findRest(state, work_, most_factors), state);
+        Probe found = analysis::findRest(state, work_, most_factors);
+        if (found.verdict == Verdict::stable && !isNear(found)) {
+            found.verdict = Verdict::failing;
+            found.reason = "moves " + formatted("%.2g", found.displacement) + " m to where it stands again";
+            state = last_stable_;
+            ramp(state, 1.0);
+        }
+        return keep(stage, load, found, state);
     }
 
     Verdict probe(const std::string& stage, double load, State state, analysis::QuasiStaticWork& work,
@@ -348,13 +373,10 @@ class Search {
     /// The formulas are for joints that do not give.
     void warnOfSoftJoints(const State& state) {
         constexpr double kSoft = 1e-4;  // of the block size
-        double deflection = 0;
-        for (const Probe& p : result_.probes)
-            if (p.verdict == Verdict::stable) deflection += p.displacement;
-        if (deflection <= kSoft * state.geometry->length_scale) return;
+        if (deflection() <= kSoft * state.geometry->length_scale) return;
         result_.warnings.push_back(
             "the joints are soft against the stress on them: blocks move by " +
-            formatted("%.2g", deflection) +
+            formatted("%.2g", deflection()) +
             " m before they fail, so toppling blocks turn about points inside their edges, and "
             "formulas for rigid joints give higher values");
     }
@@ -365,10 +387,7 @@ class Search {
         const std::int64_t most = std::clamp(probe_steps_, kLeastSteps, kMostSteps);
         if (!bracket_.high())
             return {.deflection = 0, .share = kSeenAtStart, .most_steps = kMostStepsAtStart};
-        double deflection = 0;
-        for (const Probe& p : result_.probes)
-            if (p.verdict == Verdict::stable) deflection += p.displacement;
-        return {.deflection = deflection, .share = kSeenShare, .most_steps = most};
+        return {.deflection = deflection(), .share = kSeenShare, .most_steps = most};
     }
 
     void continueToFailure() {

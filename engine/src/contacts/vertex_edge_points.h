@@ -15,8 +15,8 @@ struct VertexEdgePoint {
     Vec3 on_reference = Vec3::Zero();  ///< in the reference plane [m]
     Vec3 on_other = Vec3::Zero();      ///< on the other block's vertex or edge [m]
     Vec3 e1 = Vec3::UnitX(), e2 = Vec3::UnitY();
-    std::int32_t reference_face =
-        0;  ///< for two edges: of each block's two faces those that face each other most
+    /// for two edges: of each block's two faces those that face each other most
+    std::int32_t reference_face = 0;
     std::int32_t other_face = 0;
     double gap = 0;  ///< along the normal, negative for overlap [m]
 };
@@ -26,8 +26,8 @@ struct VertexEdgePoints {
     std::size_t count = 0;
     std::array<VertexEdgePoint, kMost> points{};
     bool near = false;  ///< within reach, by vertices and edges or face to face
-    double distance =
-        0;  ///< when near: along the axis they meet along, negative for overlap; otherwise: at least [m]
+    /// when near: along the axis they meet along, negative for overlap; otherwise: at least [m]
+    double distance = 0;
     std::int32_t first_face = -1,
                  second_face = -1;  ///< the faces that look at each other most where they meet
 

@@ -13,8 +13,8 @@ namespace talus::equilibrium {
 struct Options {
     double limit = 1e-6;                ///< at rest below this out-of-balance force over the weight
     std::int64_t most_factors = 2'000;  ///< factorisations after which it gives up
-    double leaves =
-        2e-4;  ///< of the median block size: neighbours that part or slide farther have left their place
+    /// of the median block size: neighbours that part or slide farther have left their place
+    double leaves = 2e-4;
     double release = 0.25;  ///< share of a broken bond released per step
     bool parallel = false;  ///< the search for contacts; the solve itself is serial
     const std::atomic<bool>* stop = nullptr;

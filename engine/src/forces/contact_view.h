@@ -35,8 +35,8 @@ struct ContactView {
     double* wrenches;  ///< slot by slot, each nine numbers side by side
 
     bool remembers;  ///< whether contact points have bond and dilation in their memory
-    bool
-        beyond_caches;  ///< whether the arrays come from main memory each time: groups are then fetched ahead
+    /// whether the arrays come from main memory each time: groups are then fetched ahead
+    bool beyond_caches;
     double release;
     double contact_damping;
     PointPlaces places;

@@ -23,11 +23,7 @@ double meanWeight(const Assembly& assembly) {
 Programme::Programme(const Assembly& assembly, const std::vector<contact::JointLaw>& laws,
                      const Pyramids& pyramids, Side side, const Loads& fixed, const Loads& growing,
                      const std::atomic<bool>* stop)
-    : assembly_(assembly),
-      laws_(laws),
-      side_(side),
-      mean_weight_(meanWeight(assembly)),
-      program_(makeRows(fixed, stop)) {
+    : assembly_(assembly), laws_(laws), mean_weight_(meanWeight(assembly)), program_(makeRows(fixed, stop)) {
     Columns columns;
     addImbalance(columns);
     addMultiplier(columns, growing);

@@ -87,7 +87,6 @@ class Programme {
 
     const Assembly& assembly_;
     const std::vector<contact::JointLaw>& laws_;
-    Side side_;
     double mean_weight_ = 0;
     std::size_t rows_ = 0, columns_ = 0;
     std::vector<int> limit_row_;  ///< of each point; -1 without one

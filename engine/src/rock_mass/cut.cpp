@@ -200,8 +200,8 @@ class Cutter {
 
     /// A solid where it will stand among the blocks.
     struct Ranked {
-        std::array<std::int64_t, 3>
-            level;  ///< z, x, y of the centroid in steps of the least difference that counts
+        /// z, x, y of the centroid in steps of the least difference that counts
+        std::array<std::int64_t, 3> level;
         const Solid* solid;
     };
 

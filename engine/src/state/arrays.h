@@ -56,10 +56,10 @@ struct Blocks {
     PositionArray position;  ///< of the centroid [m]
     QuaternionArray orientation;
     VectorArray velocity;  ///< of the centroid [m/s]
-    VectorArray
-        angular_momentum;  ///< about the centroid, in the model frame, with the scaled inertia [kg m^2/s]
-    VectorArray force;     ///< sum at the end of the last step, local damping included [N]
-    VectorArray torque;    ///< about the centroid, likewise [N m]
+    /// about the centroid, in the model frame, with the scaled inertia [kg m^2/s]
+    VectorArray angular_momentum;
+    VectorArray force;             ///< sum at the end of the last step, local damping included [N]
+    VectorArray torque;            ///< about the centroid, likewise [N m]
     VectorArray angular_velocity;  ///< in the model frame, of the poses and momenta of the last drift [rad/s]
     std::vector<double> mass;      ///< true mass, for the weight [kg]
     VectorArray inertia;           ///< true principal moments [kg m^2]
@@ -87,10 +87,10 @@ struct Interfaces {
     std::vector<InterfaceKind> kind;
     std::vector<std::uint8_t> idle;  ///< 1: a place for a vertex or an edge that touches nothing now
     // Of two blocks that may meet by vertices and edges, at the first of their places; elsewhere zero.
-    std::vector<double>
-        travel_left;  ///< what they may go towards each other before they are looked at again [m]
-    std::vector<std::uint8_t>
-        faces_are_apart;                 ///< 1: the faces that meet have no interface, so vertices carry
+    /// what they may go towards each other before they are looked at again [m]
+    std::vector<double> travel_left;
+    /// 1: the faces that meet have no interface, so vertices carry
+    std::vector<std::uint8_t> faces_are_apart;
     std::vector<InterfaceGroup> groups;  ///< in the order of the interfaces
     std::vector<std::int32_t> slot;      ///< of each interface: its group times kLanes, plus its place there
     LaneArray frames{kFrameQuantities};

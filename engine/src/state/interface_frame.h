@@ -15,11 +15,11 @@ namespace talus {
 struct InterfaceFrame {
     Vec3 origin_a = Vec3::Zero();  ///< in a's own frame [m]
     Vec3 e1_a = Vec3::Zero(), e2_a = Vec3::Zero();
-    Vec3 origin_b =
-        Vec3::Zero();  ///< in b's own frame: b's face plane, e1 and e2 as they lay at the clipping
+    /// in b's own frame: b's face plane, e1 and e2 as they lay at the clipping
+    Vec3 origin_b = Vec3::Zero();
     Vec3 e1_b = Vec3::Zero(), e2_b = Vec3::Zero();
-    Vec3 reference_gap =
-        Vec3::Zero();  ///< gap [m] and its two slopes along e1, e2 that count as closed and unstressed
+    /// gap [m] and its two slopes along e1, e2 that count as closed and unstressed
+    Vec3 reference_gap = Vec3::Zero();
 };
 inline constexpr std::array<Vec3 InterfaceFrame::*, 7> kFrameVectors{
     &InterfaceFrame::origin_a,     &InterfaceFrame::e1_a, &InterfaceFrame::e2_a,

@@ -31,8 +31,8 @@ struct MotionView {
 using MotionKernel = void (*)(const MotionView& view, std::size_t begin, std::size_t end);
 
 struct MotionKernels {
-    MotionKernel
-        sum_wrenches;  ///< weight and interfaces of free blocks, added up in stored order, into force and torque
+    /// weight and interfaces of free blocks, added up in stored order, into force and torque
+    MotionKernel sum_wrenches;
     MotionKernel kick;            ///< local damping and the second half kick of free blocks
     MotionKernel drift;           ///< the first half kick and the motion of poses
     MotionKernel kick_and_drift;  ///< the two in one pass, from one step to the next

@@ -9,7 +9,6 @@
 namespace talus {
 namespace {
 
-
 constexpr double kSame = 1e-9;    // of the sum of magnitudes
 constexpr double kPlace = 1e-10;  // of the patch's size: rounding of places, which stiffness makes a force
 

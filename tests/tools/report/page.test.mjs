@@ -47,6 +47,7 @@ for (const path of paths) {
     const faults = [];
     const context = await browser.newContext({ viewport: { width, height: 900 }, offline: true });
     const page = await context.newPage();
+    page.setDefaultTimeout(120_000); // a page of megabytes on cores that are busy
     page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
     page.on("pageerror", (error) => faults.push(error.stack));
     page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || faults.push(`asks for ${request.url()}`));

@@ -47,8 +47,8 @@ struct SnapshotHeader {
     RunGeometry geometry;
     std::vector<Joint> joints;
     std::vector<Water> waters;
-    std::optional<SnapshotFailure>
-        failure;  ///< of a run kept by a search, which begins in a state of that search
+    /// of a run kept by a search, which begins in a state of that search
+    std::optional<SnapshotFailure> failure;
 };
 
 /// The header of a run of this scenario by this build.
