@@ -2,7 +2,6 @@
 
 #include "talus/limit_analysis.h"
 
-#include <map>
 #include <memory>
 
 #include "cli/block_names.h"
@@ -38,6 +37,11 @@ LoadWords wordsOf(Varied load) {
             break;
     }
     return {"tilt", "critical angle", " deg", kDegree, 4};
+}
+
+Varied loadNamed(const std::string& name) {
+    if (name == "factor") return Varied::factor;
+    return name == "horizontal" ? Varied::horizontal : Varied::tilt;
 }
 
 Json mechanismJson(const LimitResult& result) {
@@ -136,11 +140,11 @@ Command addLimitAnalysis(CLI::App& root) {
     CLI::App* app = root.add_subcommand(
         "limit-analysis", "A ceiling for the other answers: the limit of the associated rigid-block problem");
     app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
-    const std::map<std::string, Varied> loads{
-        {"tilt", Varied::tilt}, {"factor", Varied::factor}, {"horizontal", Varied::horizontal}};
-    app->add_option("--for", options->load,
-                    "What grows: tilt, factor (of safety), horizontal (load over weight)")
-        ->transform(CLI::Transformer(loads))
+    app->add_option_function<std::string>(
+           "--for", [options](const std::string& name) { options->load = loadNamed(name); },
+           "What grows: tilt, factor (of safety), horizontal (load over weight)")
+        ->check(CLI::IsMember({"tilt", "factor", "horizontal"}))
+        ->type_name("LOAD")
         ->required();
     app->add_option("--max-points", options->max_points, "Refuse models with more contact points")
         ->capture_default_str();
