@@ -11,6 +11,14 @@ const [executablePath, ...paths] = process.argv.slice(2);
 const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
 let passed = 0;
 
+/** The element that reaches farthest to the right. */
+function widest() {
+  const all = [...document.body.querySelectorAll("*")].filter((element) => !element.closest(".scroll"));
+  const right = (element) => element.getBoundingClientRect().right;
+  const one = all.reduce((a, b) => (right(b) > right(a) ? b : a));
+  return `${one.tagName} "${one.getAttribute("class") ?? ""}" in "${one.parentElement.getAttribute("class") ?? ""}"`;
+}
+
 /** What is wrong with the page as it stands; runs in the page. */
 function inspect() {
   const report = JSON.parse(document.getElementById("report").textContent);
@@ -55,7 +63,7 @@ for (const path of paths) {
     const found = await page.evaluate(inspect);
     equal(found.state, "ready");
     deepEqual([...found.faults, ...faults], []);
-    ok(found.wider <= 0, `${path} is ${found.wider} px wider than a screen of ${width} px`);
+    ok(found.wider <= 0, `${path} is ${found.wider} px wider than a screen of ${width} px: ${await page.evaluate(widest)}`);
     ok(found.title);
     deepEqual(found.headings, found.titles);
     equal(found.tables[0], found.tables[1]);

@@ -90,7 +90,9 @@ TEST_SUITE("slow: report page") {
         add("hostile", hostileReport());
         add("paper", paperReport(samples::results()));
         const Json provenance{{"version", "1.2.3"}};
-        add("batch", batch::batchReport(batch::summarise(batch::samples::madeUp()), provenance));
+        batch::Summary summary = batch::summarise(batch::samples::madeUp());
+        summary.info.sweep = "made-up.toml";
+        add("batch", batch::batchReport(summary, provenance));
         const testing::ScriptOutcome seen =
             testing::runScript("tools/report/page.test.mjs", "\"$CHROMIUM\"" + pages);
         if (seen.is_skipped) {
