@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "analysis/bracket.h"
 #include "analysis/failure_mode.h"
@@ -31,8 +32,8 @@ constexpr int kMostReopenings = 12;  // times a failing motion may come to rest 
 constexpr std::int64_t kFirstSteps = 20'000;  // of a probe, before the implicit solve is asked
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kMostFactors = 600, kStepsPerFactor = 2000;
-// An equilibrium that the implicit solve finds is near when it is no farther than this times the way the assembly has come.
-constexpr double kNear = 5.0;
+// Rest is near when it is no farther than this times the way the assembly has come, from rest to rest.
+constexpr double kNear = 1.0;
 constexpr double kMorePatience = 3.0;
 constexpr double kSettlingDrag = 0.125;
 constexpr double kSettlingPeriods = 3.0;
@@ -165,9 +166,19 @@ class Search {
     /// Whether an equilibrium is where the assembly stands, but for what it gives. Blocks that lean on each other have others,
     /// farther off, in which they are jammed: to get there is to fail first.
     bool isNear(const Probe& probe) const {
-        if (result_.low == -kInfinity) return true;
-        const double least = kSeenShare * last_stable_.geometry->length_scale;
-        return probe.displacement <= std::max(least, kNear * deflection());
+        return result_.low == -kInfinity || probe.displacement <= nearLimit();
+    }
+
+    double nearLimit() const {
+        return std::max(kSeenShare * last_stable_.geometry->length_scale, kNear * deflection());
+    }
+
+    /// Of the farthest-moved block [m].
+    static double wayBetween(const State& from, const State& to) {
+        double farthest = 0;
+        for (std::size_t b = 0; b < from.blocks.size(); ++b)
+            farthest = std::max(farthest, (to.blocks.position.get(b) - from.blocks.position.get(b)).norm());
+        return farthest;
     }
 
     /// From the last stable state, the whole change of load at once.
@@ -180,6 +191,7 @@ class Search {
         Probe found = analysis::findRest(state, work_, most_factors);
         if (found.verdict == Verdict::stable && !isNear(found)) {
             found.verdict = Verdict::failing;
+            stands_elsewhere_ = true;
             found.reason = "moves " + formatted("%.2g", found.displacement) + " m to where it stands again";
             state = last_stable_;
             ramp(state, 1.0);
@@ -302,6 +314,8 @@ class Search {
         const double load = axis_.load(*bracket_.high());
         if (!restIsFound(load)) {
             continueToFailure();
+            // What stands again only where it is jammed has failed, whether or not the motion is seen to get there.
+            result_.confirmed = result_.confirmed || stands_elsewhere_;
             if (result_.confirmed || interrupted()) return false;
             State moved = last_moving_;
             axis_.apply(moved, load);
@@ -316,6 +330,7 @@ class Search {
     /// find it. Where that knows nothing, the motion is watched for longer.
     bool restIsFound(double load) {
         const State moving = last_moving_;
+        stands_elsewhere_ = false;
         const Verdict found =
             probeImplicitly("equilibrium", load, [&](State& state, double) { axis_.apply(state, load); });
         if (found == Verdict::stable) implicit_first_ = true;
@@ -329,7 +344,12 @@ class Search {
     bool settles(const State& moving, double load, double watch_periods = kSettlingPeriods) {
         analysis::QuasiStaticWork patient = analysis::patient(work_, kSettlingDrag, watch_periods);
         const auto hold = [](State&, double) {};
-        return probe("settling", load, moving, patient, hold) == Verdict::stable;
+        const State before = last_stable_;
+        if (probe("settling", load, moving, patient, hold) != Verdict::stable) return false;
+        if (result_.low == -kInfinity || wayBetween(before, last_stable_) <= nearLimit()) return true;
+        stands_elsewhere_ = true;
+        last_moving_ = std::exchange(last_stable_, before);
+        return false;
     }
 
     /// Up from the start until a probe fails or the end is reached.
@@ -428,6 +448,8 @@ class Search {
     SearchResult result_;
     double start_tilt_ = 0;  ///< [rad]
     std::vector<std::size_t> falling_{};
+    bool stands_elsewhere_ =
+        false;  ///< the implicit solve found an equilibrium at the failing load, but not near
     bool implicit_first_ = false;  ///< explicit steps have not been enough
     std::int64_t probe_steps_ = 0, continuation_steps_ = 0;
 };
