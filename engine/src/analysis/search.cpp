@@ -301,6 +301,7 @@ class Search {
             result_.high = axis_.start;
         }
         if (verdict == Verdict::stable) result_.low = axis_.start;
+        settlement_ = deflection();
         return verdict == Verdict::stable;
     }
 
@@ -333,6 +334,7 @@ class Search {
         stands_elsewhere_ = false;
         const Verdict found =
             probeImplicitly("equilibrium", load, [&](State& state, double) { axis_.apply(state, load); });
+        no_rest_ = found == Verdict::failing && !stands_elsewhere_;
         if (found == Verdict::stable) implicit_first_ = true;
         if (found != Verdict::stable) last_moving_ = moving;  // nearer to rest, where a failure is let go
         return found == Verdict::stable || (found == Verdict::undecided && settles(moving, load));
@@ -402,12 +404,15 @@ class Search {
     }
 
     /// What is to be seen of a failure: at the start, a block that has gone a share of its size; else less of that, but
-    /// several times what the assembly has moved at rest.
+    /// several times what the assembly has moved at rest. What it has crept from rest to rest is not asked for again
+    /// where no rest is found by either way.
     analysis::Evidence evidence() const {
         const std::int64_t most = std::clamp(probe_steps_, kLeastSteps, kMostSteps);
         if (!bracket_.high())
             return {.deflection = 0, .share = kSeenAtStart, .most_steps = kMostStepsAtStart};
-        return {.deflection = deflection(), .share = kSeenShare, .most_steps = most};
+        const double settled = std::max(kSeenShare * last_stable_.geometry->length_scale, settlement_);
+        const double deflected = no_rest_ ? std::min(deflection(), settled) : deflection();
+        return {.deflection = deflected, .share = kSeenShare, .most_steps = most};
     }
 
     void continueToFailure() {
@@ -447,9 +452,11 @@ class Search {
     analysis::QuasiStaticWork work_;
     SearchResult result_;
     double start_tilt_ = 0;  ///< [rad]
+    double settlement_ = 0;  ///< under weight and water at the start [m]
     std::vector<std::size_t> falling_{};
     bool stands_elsewhere_ =
-        false;  ///< the implicit solve found an equilibrium at the failing load, but not near
+        false;              ///< the implicit solve found an equilibrium at the failing load, but not near
+    bool no_rest_ = false;  ///< nor any other there
     bool implicit_first_ = false;  ///< explicit steps have not been enough
     std::int64_t probe_steps_ = 0, continuation_steps_ = 0;
 };
