@@ -30,6 +30,10 @@ constexpr double kStepAccuracy = 0.02;   // residual of a step over the out-of-b
 constexpr double kLimitAccuracy = 0.02;  // or over the limit at rest
 constexpr int kMostIterations = 15;
 constexpr int kFewIterations = 6, kSomeIterations = 12;  // the step grows much, or a little
+// A step that Newton's method does not come to the end of costs most of all: the next ones stay below it, and are let
+// grow beyond it only after some have gone well.
+constexpr double kAfterFailure = 0.4;
+constexpr int kStepsBelow = 5;
 constexpr int kHalvings = 6;
 constexpr double kLeastDecrease = 0.1;
 constexpr double kRoundings[] = {1e-3, 1e-5, 1e-7, 0.0};  // of the median weight, one after the other
@@ -69,7 +73,9 @@ class Solver {
             const double tolerance =
                 std::max({kLimitAccuracy * options_.limit, kStepAccuracy * ratio, roundingLevel()});
             if (!step(h, tolerance)) {
-                h *= 0.2;
+                too_long_ = h;
+                steps_below_ = kStepsBelow;
+                h *= kAfterFailure;
                 continue;
             }
             commit();
@@ -77,6 +83,7 @@ class Solver {
             judge(h);
             if (result_.verdict == Verdict::undecided) lookForContacts();
             h = nextStep(h);
+            --steps_below_;
         }
         state_.release = release;
         return result_;
@@ -258,7 +265,8 @@ class Solver {
         else if (iterations_ > kMostIterations)
             growth = 0.5;
         if (motion_ > 0) growth = std::min(growth, 0.8 * kStepMotion / motion_);
-        return std::min(growth * h, kLongestStep);
+        const double longest = steps_below_ > 0 ? kAfterFailure * too_long_ : kLongestStep;
+        return std::min(growth * h, longest);
     }
 
     State& state_;
@@ -271,6 +279,8 @@ class Solver {
     std::optional<BlockLu> lu_{};
     Equilibrium result_{};
     std::vector<std::pair<double, double>> track_{};  ///< after each step: way, speed
+    double too_long_ = kLongestStep;                  ///< the last step that failed
+    int steps_below_ = 0;                             ///< still to be made shorter than that
     int iterations_ = 0;                              ///< of the last step
     double motion_ = 0;                               ///< of it, over the block's size
     double way_since_look_ = 0;                       ///< likewise
