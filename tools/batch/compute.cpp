@@ -4,6 +4,7 @@
 #include <ctime>
 
 #include "cli/block_names.h"
+#include "cli/text.h"
 #include "talus/simulation.h"
 
 namespace talus::tools::batch {

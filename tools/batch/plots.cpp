@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "cli/text.h"
+
 namespace talus::tools::batch {
 
 namespace {

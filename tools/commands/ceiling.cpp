@@ -1,5 +1,11 @@
 #include "commands/ceiling.h"
 
+#include <CLI/CLI.hpp>
+
+#include "cli/scenario.h"
+#include "cli/text.h"
+#include "talus/analysis.h"
+
 namespace talus::tools {
 
 namespace {

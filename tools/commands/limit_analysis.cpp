@@ -2,9 +2,15 @@
 
 #include "talus/limit_analysis.h"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/block_names.h"
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/provenance.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 
 namespace talus::tools {

@@ -1,8 +1,13 @@
 // talus critical-angle, talus safety-factor, and whatever else can be searched for: a command per entry of
 // talus/searches.h.
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
 #include "commands/ceiling.h"
 #include "commands/commands.h"
 #include "commands/search_report.h"

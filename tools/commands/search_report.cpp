@@ -4,6 +4,11 @@
 #include <cmath>
 
 #include "cli/block_names.h"
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/provenance.h"
+#include "cli/signals.h"
+#include "cli/text.h"
 #include "report/numbers.h"
 
 namespace talus::tools {

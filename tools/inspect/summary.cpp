@@ -5,6 +5,9 @@
 #include <numeric>
 
 #include "cli/block_names.h"
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/text.h"
 #include "inspect/views.h"
 #include "talus/searches.h"
 

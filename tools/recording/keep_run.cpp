@@ -1,10 +1,14 @@
 #include "recording/keep_run.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
 #include "cli/block_names.h"
+#include "cli/json.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
 #include "report/numbers.h"
 #include "talus/formats/failing.h"
 

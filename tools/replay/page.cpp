@@ -7,7 +7,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "cli/failures.h"
+#include "cli/json.h"
 #include "recording/snapshot_view.h"
+#include "talus/formats/scenario.h"
 #include "talus/motion_roles.h"
 
 namespace talus::tools {

@@ -1,5 +1,7 @@
 #include "report/figures.h"
 
+#include "cli/json.h"
+
 namespace talus::tools {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/command.h"
+#include "cli/json_fwd.h"
 
 namespace talus::tools {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cli/command.h"
+#include "cli/text.h"
 
 namespace talus::tools {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/text.h"
 #include "report/numbers.h"
 
 namespace talus::tools {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/text.h"
 #include "report/svg.h"
 #include "reproduction/laboratory.h"
 #include "talus/theory.h"

@@ -4,6 +4,7 @@
 #include <map>
 #include <sstream>
 
+#include "cli/json.h"
 #include "report/svg.h"
 #include "reproduction/data.h"
 #include "reproduction/page.h"
