@@ -6,12 +6,14 @@
 
 #include "snapshot/alignment.h"
 #include "snapshot/fields.h"
+#include "snapshot/tables.h"
 
 namespace talus::formats {
 namespace {
 
 constexpr std::size_t kMostMessageBytes = std::size_t{2000}
-                                          << 20;  // FlatBuffers hold 2 GiB, offsets included
+                                          << 20;           // FlatBuffers hold 2 GiB, offsets included
+constexpr std::size_t kFirstBytes = std::size_t{1} << 16;  // grows
 constexpr const char* kUnits = "SI: m, kg, s, N, J, Pa, rad";
 
 template <class Table>
@@ -76,11 +78,15 @@ struct FromMessage {
     }
 };
 
+mcap::Bytes bytesOf(const flatbuffers::FlatBufferBuilder& builder) {
+    return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+}
+
 template <class Table, class Message>
 mcap::Bytes pack(const Message& message) {
-    flatbuffers::FlatBufferBuilder builder(1 << 16);
+    flatbuffers::FlatBufferBuilder builder(kFirstBytes);
     builder.Finish(Table::Pack(builder, &message), fb::FrameIdentifier());
-    return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+    return bytesOf(builder);
 }
 
 template <class Table>
@@ -92,14 +98,21 @@ constexpr const char* kTypeName<fb::Frame> = "talus.snapshot.Frame";
 template <>
 constexpr const char* kTypeName<fb::Full> = "talus.snapshot.Full";
 
-/// The message as plain data; false when its bytes are not one.
-template <class Table, class Message>
-bool unpack(const mcap::Bytes& bytes, Message& message) {
+/// The message where it lies; nullptr when its bytes are not one.
+template <class Table>
+const Table* verified(const mcap::Bytes& bytes) {
     flatbuffers::Verifier verifier(bytes.data(), bytes.size());
     if (!verifier.VerifyBuffer<Table>(fb::FrameIdentifier()) || !vectorsAreAligned(bytes, kTypeName<Table>))
-        return false;
-    flatbuffers::GetRoot<Table>(bytes.data())->UnPackTo(&message);
-    return true;
+        return nullptr;
+    return flatbuffers::GetRoot<Table>(bytes.data());
+}
+
+/// The message as plain data; false when its bytes are not one.
+template <class Table, class Message>
+bool readMessage(const mcap::Bytes& bytes, Message& message) {
+    const Table* table = verified<Table>(bytes);
+    if (table != nullptr) table->UnPackTo(&message);
+    return table != nullptr;
 }
 
 std::unique_ptr<fb::WaterT> toMessage(const Water& water) {
@@ -184,6 +197,61 @@ bool fromMessage(const fb::FailureT& m, SnapshotFailure& failure) {
     return true;
 }
 
+template <class Table, class Part>
+auto packScalars(flatbuffers::FlatBufferBuilder& builder, Part& part) {
+    typename Table::NativeTableType message;
+    eachField(part, message, IntoMessage{});
+    return Table::Pack(builder, &message);
+}
+
+template <class Table, class Part>
+void unpackScalars(const Table* table, Part& part) {
+    typename Table::NativeTableType message;
+    if (table != nullptr) table->UnPackTo(&message);
+    eachField(part, message, FromMessage{});
+}
+
+/// Children are written in the schema's order, as flatc's own code does.
+flatbuffers::Offset<fb::Full> packFull(flatbuffers::FlatBufferBuilder& builder, FullFrame& f) {
+    const auto blocks = packTable<fb::Blocks, FieldsOf<kBlockFields>>(builder, f.blocks);
+    const auto interfaces = packTable<fb::Interfaces, FieldsOf<kInterfaceFields>>(builder, f.interfaces);
+    const auto points = packTable<fb::Points, FieldsOf<kPointFields>>(builder, f.points);
+    const auto wet = packTable<fb::WetPatches, FieldsOf<kWetFields>>(builder, f.wet);
+    const auto waters = packTable<fb::WaterLoads, FieldsOf<kWaterFields>>(builder, f.waters);
+    const auto laws = packTable<fb::Laws, LawFields>(builder, f.laws);
+    const auto loads = packScalars<fb::Loads>(builder, f.loads);
+    const auto position = packed(builder, f.search_position);
+    const auto orientation = packed(builder, f.search_orientation);
+    const auto search = fb::CreateSearch(builder, position, orientation, f.search_margin);
+    const auto progress = packScalars<fb::Progress>(builder, f.progress);
+    flatbuffers::Offset<flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>> warnings = 0;
+    if (!f.warnings.empty()) warnings = builder.CreateVectorOfStrings(f.warnings);
+    return fb::CreateFull(builder, f.time, f.step, f.state_hash, blocks, interfaces, points, wet, waters,
+                          laws, loads, search, progress, f.shear_lost, warnings, f.origin_x, f.origin_y,
+                          f.origin_z);
+}
+
+void unpackFull(const fb::Full& m, FullFrame& f) {
+    f.time = m.time(), f.step = m.step(), f.state_hash = m.state_hash();
+    unpackTable<fb::Blocks, FieldsOf<kBlockFields>>(m.blocks(), f.blocks);
+    unpackTable<fb::Interfaces, FieldsOf<kInterfaceFields>>(m.interfaces(), f.interfaces);
+    unpackTable<fb::Points, FieldsOf<kPointFields>>(m.points(), f.points);
+    unpackTable<fb::WetPatches, FieldsOf<kWetFields>>(m.wet(), f.wet);
+    unpackTable<fb::WaterLoads, FieldsOf<kWaterFields>>(m.waters(), f.waters);
+    unpackTable<fb::Laws, LawFields>(m.laws(), f.laws);
+    unpackScalars(m.loads(), f.loads);
+    if (const fb::Search* search = m.search()) {
+        unpack(search->position(), f.search_position);
+        unpack(search->orientation(), f.search_orientation);
+        f.search_margin = search->margin();
+    }
+    unpackScalars(m.progress(), f.progress);
+    f.shear_lost = m.shear_lost();
+    if (m.warnings() != nullptr)
+        for (const flatbuffers::String* warning : *m.warnings()) f.warnings.push_back(warning->str());
+    f.origin_x = m.origin_x(), f.origin_y = m.origin_y(), f.origin_z = m.origin_z();
+}
+
 /// Upper bound of a full frame's message [bytes], generously.
 std::size_t messageBytes(const FullFrame& frame) {
     return 240 * frame.blocks.inverse_mass.size() + 284 * frame.interfaces.size() +
@@ -210,15 +278,15 @@ mcap::Bytes encode(LightFrame frame) {
 
 mcap::Bytes encode(FullFrame frame) {
     if (messageBytes(frame) > kMostMessageBytes) return {};
-    fb::FullT message;
-    eachField(frame, message, IntoMessage{});
-    return pack<fb::Full>(message);
+    flatbuffers::FlatBufferBuilder builder(kFirstBytes);
+    builder.Finish(packFull(builder, frame), fb::FrameIdentifier());
+    return bytesOf(builder);
 }
 
 bool decode(const mcap::Bytes& bytes, SnapshotHeader& header, std::string& why) {
     why = "its header is damaged";
     fb::HeaderT message;
-    if (!unpack<fb::Header>(bytes, message)) return false;
+    if (!readMessage<fb::Header>(bytes, message)) return false;
     if (message.format > kSnapshotFormat) {
         why = "it has format " + std::to_string(message.format) +
               ", of a later version; this one reads up to " + std::to_string(kSnapshotFormat);
@@ -234,16 +302,15 @@ bool decode(const mcap::Bytes& bytes, SnapshotHeader& header, std::string& why) 
 
 bool decode(const mcap::Bytes& bytes, LightFrame& frame) {
     fb::FrameT message;
-    if (!unpack<fb::Frame>(bytes, message)) return false;
+    if (!readMessage<fb::Frame>(bytes, message)) return false;
     eachField(frame, message, FromMessage{});
     return true;
 }
 
 bool decode(const mcap::Bytes& bytes, FullFrame& frame) {
-    fb::FullT message;
-    if (!unpack<fb::Full>(bytes, message)) return false;
-    eachField(frame, message, FromMessage{});
-    return true;
+    const fb::Full* message = verified<fb::Full>(bytes);
+    if (message != nullptr) unpackFull(*message, frame);
+    return message != nullptr;
 }
 
 SnapshotHeader headerOf(const Scenario& scenario, RunGeometry geometry, std::string command_line,
