@@ -86,7 +86,7 @@ Json failureJson(const formats::SnapshotHeader& header) {
     }
     const LoadSearch* search = loadSearch(failure.analysis);  // nullptr: of a later version
     return {{"analysis", failure.analysis},
-            {search ? search->load_key : "load", number(failure.load / (search ? search->scale : 1))},
+            {search ? search->load->key : "load", number(failure.load / (search ? search->load->scale : 1))},
             {"mode", toString(failure.mode)},
             {"slides", compactNames(slides)},
             {"topples", compactNames(topples)}};

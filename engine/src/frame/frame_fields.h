@@ -1,7 +1,7 @@
 #pragma once
 // The one list of what a full frame holds: each pair is an array of the state and its place in the frame. Writing and
 // reading a frame both go through it, so neither can forget what the other knows. An array added to arrays.h that does
-// not follow from others belongs here, in talus/frame.h and in formats/snapshot.fbs.
+// not follow from others belongs here, in talus/frame.h, in talus/frame_table.h and in formats/snapshot.fbs.
 
 #include "law/joint_laws.h"
 #include "state/arrays.h"

@@ -10,6 +10,7 @@
 #include "law/joint_laws.h"
 #include "limit_analysis/assemble.h"
 #include "limit_analysis/solver.h"
+#include "talus/searches.h"
 
 namespace talus {
 namespace {
@@ -266,7 +267,7 @@ class LimitSearch {
             velocity.velocity /= fastest;
             velocity.spin /= fastest;
             velocity.speed /= fastest;
-            velocity.moving = velocity.speed >= kMovingShare;
+            velocity.moving = velocity.speed >= kMechanismShare;
             if (velocity.moving) result_.moving_blocks.push_back(velocity.block);
         }
         std::sort(result_.moving_blocks.begin(), result_.moving_blocks.end());
@@ -360,9 +361,9 @@ Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const
 }
 
 bool isAbove(double stands, const Ceiling& ceiling, Varied load) {
-    constexpr double kTiltTolerance = 0.05 * M_PI / 180, kFactorTolerance = 0.005;
     if (!ceiling.value) return false;
-    const double tolerance = load == Varied::factor ? kFactorTolerance * *ceiling.value : kTiltTolerance;
+    const VariedQuantity& quantity = quantityOf(load);
+    const double tolerance = quantity.give_is_share ? quantity.give * *ceiling.value : quantity.give;
     return stands > *ceiling.value + tolerance;
 }
 

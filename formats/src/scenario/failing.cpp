@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "scenario/reading.h"
+#include "talus/searches.h"
 #include "toml/document.h"
 #include "toml/write_document.h"
 
@@ -13,8 +14,6 @@ namespace scenario {
 namespace {
 
 using Path = std::vector<PathPart>;
-
-double inDegrees(double radians) { return radians / kRadPerDeg; }
 
 Path below(Path path, PathPart part) {
     path.push_back(std::move(part));
@@ -35,8 +34,7 @@ class Editor {
     Editor(Document& document, const Scenario& scenario) : document_(document), scenario_(scenario) {}
 
     void apply(const FailingLoad& load) {
-        if (load.tilt) setTilt(*load.tilt);
-        if (load.factor != 1) divideStrengths(load.factor);
+        setVaried(load);
         set({"run", "duration_s"}, load.duration);
         set({"run", "frame_interval_s"}, load.frame_interval);
         document_.erase({"run", "time_step_s"});
@@ -52,12 +50,13 @@ class Editor {
         if (const auto wrong = document_.set(path, value); wrong && !fault_) fault_ = Error{"", *wrong};
     }
 
-    /// A search of this scenario starts and ends where it did.
-    void setTilt(double tilt) {
-        const Model& model = scenario_.model;
-        set({"analysis", "start_deg"}, inDegrees(model.analysis.start.value_or(model.gravity.tilt)));
-        set({"analysis", "stop_deg"}, inDegrees(model.analysis.stop));
-        set({"gravity", "tilt_deg"}, inDegrees(tilt));
+    void setVaried(const FailingLoad& load) {
+        const VariedQuantity& quantity = quantityOf(load.varied);
+        if (quantity.divides_strengths && load.value != 1) divideStrengths(load.value);
+        Model model = scenario_.model;
+        putUnderLoad(model, load.varied, load.value);
+        for (const ScenarioNumber& number : quantity.written)
+            set({number.section, number.key}, number.value(model));
     }
 
     void divideStrengths(double factor) {
@@ -126,12 +125,7 @@ std::string asComments(const std::string& text) {
 }  // namespace scenario
 
 Model failingModel(Model model, const FailingLoad& load) {
-    if (load.tilt) {  // a search of this model starts and ends where it did
-        model.analysis.start = model.analysis.start.value_or(model.gravity.tilt);
-        model.gravity.tilt = *load.tilt;
-    }
-    if (load.factor != 1)
-        for (Joint& joint : model.joints) joint = reduced(std::move(joint), load.factor);
+    putUnderLoad(model, load.varied, load.value);
     model.run.duration = load.duration;
     model.run.frame_interval = load.frame_interval;
     model.run.time_step.reset();

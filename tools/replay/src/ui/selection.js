@@ -79,12 +79,14 @@ export function interfaceText({ header, full, frames, i }) {
     `<th>P</th><th>area</th><th>state</th><th>used</th></tr></thead><tbody>${points.join("")}</tbody></table></div>`;
 }
 
-// By the names of engine/src/analysis/searches.cpp (a test of the program holds that none is missing).
-const loadTexts = {
-  "critical-angle": (load) => `failing at ${angle(load, 4)}`,
-  "safety-factor": (load) => `strengths divided by ${ratio(load)}`,
-};
-const loadText = ({ analysis, load }) => loadTexts[analysis]?.(load) ?? `load ${ratio(load)}`;
+/** "tilt 19.5312°": the program says how it tells the loads of its searches. */
+function loadText({ analysis, load }) {
+  const words = JSON.parse(document.getElementById("searches")?.textContent ?? "{}")[analysis];
+  if (!words) return `load ${ratio(load)}`;  // a search of another version
+  const figure = (load / words.scale).toFixed(words.decimals).replace("-", "−");
+  const unit = words.unit === "deg" ? "°" : words.unit && ` ${words.unit}`;
+  return `${words.text} ${figure}${unit}`;
+}
 
 /** What the file says of the run: for the panel's last section. */
 export function runText(file, mode) {
