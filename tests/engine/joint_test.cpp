@@ -60,6 +60,21 @@ TEST_CASE("each property is a parameter of the law of its own: angles by their t
     CHECK(law.bonded);
 }
 
+TEST_CASE("the list of the law's parameters has every number of the law once") {
+    struct Numbers {
+        std::array<double, contact::kLawParameterCount> values;
+        bool bonded;
+    };
+    static_assert(sizeof(contact::JointLaw) == sizeof(Numbers), "a number of the law is not in its list");
+    contact::JointLaw law;
+    std::set<std::string_view> names;
+    for (const auto& parameter : contact::kLawParameters<double>) {
+        CHECK(law.*parameter.value == 0);
+        law.*parameter.value = 1;
+        CHECK(names.insert(parameter.name).second);
+    }
+}
+
 TEST_CASE("strength reduction divides tan(phi) and C, peak and residual, and nothing else") {
     const Joint joint = numbered();
     const contact::JointLaw law = jointLaws({joint}, 1.7).front(), whole = jointLaws({joint}).front();
@@ -71,8 +86,8 @@ TEST_CASE("strength reduction divides tan(phi) and C, peak and residual, and not
     CHECK(law.normal_stiffness == whole.normal_stiffness);
     CHECK(law.tan_dilation == whole.tan_dilation);
     const contact::JointLaw same = jointLaws({reduced(joint, 1.7)}).front();
-    for (const auto parameter : kLawParameters)
-        CHECK(same.*parameter == doctest::Approx(law.*parameter).epsilon(1e-15));
+    for (const auto& parameter : contact::kLawParameters<double>)
+        CHECK(same.*parameter.value == doctest::Approx(law.*parameter.value).epsilon(1e-15));
 }
 
 }  // namespace

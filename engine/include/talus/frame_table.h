@@ -141,9 +141,9 @@ void eachFrameArray(Frame& frame, const Visit& visit) {
     all("wet", kWetFields, frame.wet);
     all("waters", kWaterFields, frame.waters);
     using Values = std::vector<double>;
-    for (std::size_t p = 0; p < kJointPropertyCount; ++p)
-        visit("laws", FrameField<FrameLaws, Values>{kJointProperties[p].in_law, nullptr, Item::joint, "", {}},
-              frame.laws.parameters[p]);
+    for (auto& parameter : frame.laws.parameters)
+        visit("laws", FrameField<FrameLaws, Values>{parameter.name, nullptr, Item::joint, "", {}},
+              parameter.values);
     visit("laws", frameField("bonded", &FrameLaws::bonded, Item::joint), frame.laws.bonded);
     visit("search", frameField("position", &FullFrame::search_position, Item::block, "m"),
           frame.search_position);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "forces/contact_view.h"
 #include "forces/relative_pose.h"
@@ -118,19 +119,16 @@ TALUS_KERNEL FramesOf<V> loadFrames(const Members<V>& members, const double* row
             loadTriple(members, row + 18 * kRow)};
 }
 
-template <class V>
-TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, const ContactView& view) {
-    using contact::JointLaw;
-    const auto take = [&](double JointLaw::*field) { return members.gather(view.laws, field, view.joint); };
-    return {take(&JointLaw::normal_stiffness),
-            take(&JointLaw::shear_stiffness),
-            take(&JointLaw::tan_friction),
-            take(&JointLaw::cohesion),
-            take(&JointLaw::tensile_strength),
-            take(&JointLaw::residual_tan_friction),
-            take(&JointLaw::residual_cohesion),
-            take(&JointLaw::tan_dilation),
-            members.gatherFlag(view.laws, view.joint)};
+/// In the order of contact::kLawParameters; what nobody asks for is not loaded.
+template <class V, std::size_t... P>
+TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, const ContactView& view,
+                                                   std::index_sequence<P...>) {
+    contact::JointParameters<V> law;
+    ((law.*contact::kLawParameters<V>[P].value =
+          members.gather(view.laws, contact::kLawParameters<double>[P].value, view.joint)),
+     ...);
+    law.bonded = members.gatherFlag(view.laws, view.joint);
+    return law;
 }
 
 /// One group's contact points, one after the other.
@@ -149,7 +147,7 @@ struct PointLoop {
     TALUS_KERNEL void addDashpot(V xi, V eta, V area, V bond, contact::ForceOf<V>& total) const {
         using simd::either, simd::larger, simd::select;
         const V damped = total.normal - damping_normal * area * affine(velocity.normal, xi, eta);
-        const V least = -(bond * law.tensile_strength * area);
+        const V least = -contact::tensileStrength(law, area, bond);
         total.normal = select(total.open, total.normal, larger(damped, least));
         const V c = select(either(total.open, total.slips), V{}, damping_shear * area);
         total.shear_1 = total.shear_1 - c * affine(velocity.tangent_1, xi, eta);
@@ -234,7 +232,8 @@ TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index
     const RelativePoseOf<V> pose =
         relativePoseOf(frames, members.gatherPose(view.position, view.orientation, view.block_a),
                        members.gatherPose(view.position, view.orientation, view.block_b));
-    const contact::JointParameters<V> law = gatherLaw(members, view);
+    const contact::JointParameters<V> law =
+        gatherLaw(members, view, std::make_index_sequence<contact::kLawParameterCount>{});
     RelativeVelocity<V> velocity;
     V damping_normal{}, damping_shear{};
     if constexpr (Damped) {

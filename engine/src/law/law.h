@@ -11,24 +11,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "law/parameters.h"
 #include "simd/scalar.h"
 
 namespace talus::contact {
-
-/// A joint's parameters as the kernel wants them.
-template <class V>
-struct JointParameters {
-    V normal_stiffness{};       ///< k_n [Pa/m]
-    V shear_stiffness{};        ///< k_s [Pa/m]
-    V tan_friction{};           ///< tan(phi), peak
-    V cohesion{};               ///< C [Pa]
-    V tensile_strength{};       ///< sigma_t [Pa]
-    V residual_tan_friction{};  ///< tan(phi_r)
-    V residual_cohesion{};      ///< C_r [Pa]
-    V tan_dilation{};           ///< tan(psi)
-    simd::MaskOf<V> bonded{};   ///< C > 0 or sigma_t > 0: opening breaks it for good
-};
-using JointLaw = JointParameters<double>;
 
 /// Whether contact points of this joint have to remember more than their plastic slide: strength that is lost for
 /// good, dilation.
@@ -36,6 +22,9 @@ inline bool hasMemory(const JointLaw& joint) {
     return joint.bonded || joint.residual_tan_friction != joint.tan_friction ||
            joint.residual_cohesion != joint.cohesion || joint.tan_dilation != 0;
 }
+
+/// Whether it opens as it slips.
+inline bool dilates(const JointLaw& joint) { return joint.tan_dilation != 0; }
 
 /// What a contact point remembers. The shear force is -k_s A (slide - offset): a total form of eq 6 in the frame that
 /// turns with the reference block, so that nothing drifts however many steps are taken.
@@ -69,14 +58,24 @@ TALUS_KERNEL StiffnessOf<V> stiffnessOf(const JointParameters<V>& joint) {
     return {joint.normal_stiffness, joint.shear_stiffness};
 }
 
+/// Largest tension the contact point carries [N].
+template <class V>
+TALUS_KERNEL V tensileStrength(const JointParameters<V>& joint, V area, V bond) {
+    return bond * joint.tensile_strength * area;
+}
+
+/// How its shear strength grows with the normal force: between residual and peak by what is left of the bond.
+template <class V>
+TALUS_KERNEL V strengthSlope(const JointParameters<V>& joint, V bond) {
+    return joint.residual_tan_friction + bond * (joint.tan_friction - joint.residual_tan_friction);
+}
+
 /// Largest shear force the contact point carries (right-hand side of the sliding rule, eq 9), zero when open.
 template <class V>
 TALUS_KERNEL V shearStrength(const JointParameters<V>& joint, V area, V normal_force, V bond) {
     const V cohesion = joint.residual_cohesion + bond * (joint.cohesion - joint.residual_cohesion);
-    const V tan_friction =
-        joint.residual_tan_friction + bond * (joint.tan_friction - joint.residual_tan_friction);
     using simd::larger;
-    return larger(cohesion * area + normal_force * tan_friction, V{});
+    return larger(cohesion * area + normal_force * strengthSlope(joint, bond), V{});
 }
 
 /// Forces at a contact point from its gap and slide; updates its memory.
@@ -94,9 +93,9 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     V trial_normal, bond = memory.bond;
     if constexpr (Remembers) {
         trial_normal = -joint.normal_stiffness * area * (gap - memory.dilation);
-        const auto torn = both(joint.bonded, trial_normal < -(bond * joint.tensile_strength * area));
+        const auto torn = both(joint.bonded, trial_normal < -tensileStrength(joint, area, bond));
         bond = select(either(torn, bond < 1.0), larger(bond - release, zero), bond);
-        const V tension_limit = bond * joint.tensile_strength * area;
+        const V tension_limit = tensileStrength(joint, area, bond);
         force.open = both(trial_normal < 0.0, tension_limit == 0.0);
         force.normal = select(force.open, zero, larger(trial_normal, -tension_limit));
     } else {
@@ -180,5 +179,17 @@ inline double pressedBy(const JointLaw& joint, double area, double overlap, doub
 inline double largestStiffness(const JointLaw& joint) {
     return std::max(joint.normal_stiffness, joint.shear_stiffness);
 }
+
+/// The straight envelope of its peak strength, for limit analysis: |tau| <= cohesion + sigma_n tan_friction, and no more
+/// tension than tensile_strength [Pa].
+struct StrengthLine {
+    double tan_friction, cohesion, tensile_strength;
+};
+inline StrengthLine strengthLine(const JointLaw& joint) {
+    return {joint.tan_friction, joint.cohesion, joint.tensile_strength};
+}
+
+/// What both tension and shear without normal force have to overcome before an intact joint gives [Pa].
+inline double bondStrength(const JointLaw& joint) { return std::min(joint.cohesion, joint.tensile_strength); }
 
 }  // namespace talus::contact

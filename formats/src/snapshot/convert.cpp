@@ -22,6 +22,21 @@ Table& made(std::unique_ptr<Table>& table) {
     return *table;
 }
 
+/// The column of a message that is for a name; null when there is none.
+template <class Columns, class Message>
+std::vector<double>* columnOf(const Columns& columns, std::string_view name, Message& message) {
+    for (const auto& [column_name, values] : columns)
+        if (column_name == name) return &(message.*values);
+    return nullptr;
+}
+
+std::unique_ptr<fb::JointNumbersT> jointNumbers(std::string_view name, std::vector<double> values) {
+    auto numbers = std::make_unique<fb::JointNumbersT>();
+    numbers->name = name;
+    numbers->values = std::move(values);
+    return numbers;
+}
+
 /// Frame to message. Arrays are handed over, not copied.
 struct IntoMessage {
     template <class Table>
@@ -47,6 +62,14 @@ struct IntoMessage {
     }
     void operator()(QuaternionList& f, std::unique_ptr<fb::QuaternionsT>& m) const {
         made(m).w = std::move(f.w), m->x = std::move(f.x), m->y = std::move(f.y), m->z = std::move(f.z);
+    }
+    void laws(FrameLaws& f, fb::LawsT& m) const {
+        for (FrameLaws::Parameter& parameter : f.parameters)
+            if (auto* column = columnOf(kLawColumns, parameter.name, m))
+                *column = std::move(parameter.values);
+            else
+                m.parameter.push_back(jointNumbers(parameter.name, std::move(parameter.values)));
+        m.bonded = std::move(f.bonded);
     }
 };
 
@@ -75,6 +98,12 @@ struct FromMessage {
     }
     void operator()(QuaternionList& f, std::unique_ptr<fb::QuaternionsT>& m) const {
         f.w = std::move(made(m).w), f.x = std::move(m->x), f.y = std::move(m->y), f.z = std::move(m->z);
+    }
+    void laws(FrameLaws& f, fb::LawsT& m) const {
+        f.parameters.clear();
+        for (const LawColumn& column : kLawColumns) f.named(column.name) = std::move(m.*column.values);
+        for (const auto& numbers : m.parameter) f.named(numbers->name) = std::move(numbers->values);
+        f.bonded = std::move(m.bonded);
     }
 };
 
@@ -153,26 +182,41 @@ bool fromMessage(const fb::WaterT& m, Water& water) {
     return true;
 }
 
+std::vector<double> valuesOf(const std::vector<Joint>& joints, double Joint::*property) {
+    std::vector<double> values;
+    for (const Joint& joint : joints) values.push_back(joint.*property);
+    return values;
+}
+
 fb::JointsT toMessage(const std::vector<Joint>& joints) {
     fb::JointsT m;
-    for (const Joint& joint : joints) {
-        m.name.push_back(joint.name);
-        for (std::size_t p = 0; p < kJointPropertyCount; ++p)
-            (m.*kJointMessages[p]).push_back(joint.*kJointProperties[p].value);
+    for (const Joint& joint : joints) m.name.push_back(joint.name);
+    for (const JointProperty& property : kJointProperties) {
+        std::vector<double> values = valuesOf(joints, property.value);
+        if (auto* column = columnOf(kJointColumns, property.key, m))
+            *column = std::move(values);
+        else
+            m.property.push_back(jointNumbers(property.key, std::move(values)));
     }
     return m;
 }
 
+/// False when there are not as many values as joints.
+bool putValues(const std::vector<double>& values, std::string_view key, std::vector<Joint>& joints) {
+    if (values.size() != joints.size()) return false;
+    if (const auto property = jointProperty(key))
+        for (std::size_t k = 0; k < joints.size(); ++k)
+            joints[k].*kJointProperties[*property].value = values[k];
+    return true;
+}
+
+/// What an older file does not have stays as Joint{} has it; what a later one has beside is left.
 bool fromMessage(const fb::JointsT& m, std::vector<Joint>& joints) {
-    const std::size_t n = m.name.size();
-    for (const auto values : kJointMessages)
-        if ((m.*values).size() != n) return false;
-    for (std::size_t k = 0; k < n; ++k) {
-        Joint& joint = joints.emplace_back();
-        joint.name = m.name[k];
-        for (std::size_t p = 0; p < kJointPropertyCount; ++p)
-            joint.*kJointProperties[p].value = (m.*kJointMessages[p])[k];
-    }
+    for (const std::string& name : m.name) joints.emplace_back().name = name;
+    for (const JointColumn& column : kJointColumns)
+        if (!putValues(m.*column.values, column.key, joints)) return false;
+    for (const auto& numbers : m.property)
+        if (!putValues(numbers->values, numbers->name, joints)) return false;
     return true;
 }
 
@@ -198,14 +242,14 @@ bool fromMessage(const fb::FailureT& m, SnapshotFailure& failure) {
 }
 
 template <class Table, class Part>
-auto packScalars(flatbuffers::FlatBufferBuilder& builder, Part& part) {
+auto packPart(flatbuffers::FlatBufferBuilder& builder, Part& part) {
     typename Table::NativeTableType message;
     eachField(part, message, IntoMessage{});
     return Table::Pack(builder, &message);
 }
 
 template <class Table, class Part>
-void unpackScalars(const Table* table, Part& part) {
+void unpackPart(const Table* table, Part& part) {
     typename Table::NativeTableType message;
     if (table != nullptr) table->UnPackTo(&message);
     eachField(part, message, FromMessage{});
@@ -218,12 +262,12 @@ flatbuffers::Offset<fb::Full> packFull(flatbuffers::FlatBufferBuilder& builder, 
     const auto points = packTable<fb::Points, FieldsOf<kPointFields>>(builder, f.points);
     const auto wet = packTable<fb::WetPatches, FieldsOf<kWetFields>>(builder, f.wet);
     const auto waters = packTable<fb::WaterLoads, FieldsOf<kWaterFields>>(builder, f.waters);
-    const auto laws = packTable<fb::Laws, LawFields>(builder, f.laws);
-    const auto loads = packScalars<fb::Loads>(builder, f.loads);
+    const auto laws = packPart<fb::Laws>(builder, f.laws);
+    const auto loads = packPart<fb::Loads>(builder, f.loads);
     const auto position = packed(builder, f.search_position);
     const auto orientation = packed(builder, f.search_orientation);
     const auto search = fb::CreateSearch(builder, position, orientation, f.search_margin);
-    const auto progress = packScalars<fb::Progress>(builder, f.progress);
+    const auto progress = packPart<fb::Progress>(builder, f.progress);
     flatbuffers::Offset<flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>> warnings = 0;
     if (!f.warnings.empty()) warnings = builder.CreateVectorOfStrings(f.warnings);
     return fb::CreateFull(builder, f.time, f.step, f.state_hash, blocks, interfaces, points, wet, waters,
@@ -238,14 +282,14 @@ void unpackFull(const fb::Full& m, FullFrame& f) {
     unpackTable<fb::Points, FieldsOf<kPointFields>>(m.points(), f.points);
     unpackTable<fb::WetPatches, FieldsOf<kWetFields>>(m.wet(), f.wet);
     unpackTable<fb::WaterLoads, FieldsOf<kWaterFields>>(m.waters(), f.waters);
-    unpackTable<fb::Laws, LawFields>(m.laws(), f.laws);
-    unpackScalars(m.loads(), f.loads);
+    unpackPart(m.laws(), f.laws);
+    unpackPart(m.loads(), f.loads);
     if (const fb::Search* search = m.search()) {
         unpack(search->position(), f.search_position);
         unpack(search->orientation(), f.search_orientation);
         f.search_margin = search->margin();
     }
-    unpackScalars(m.progress(), f.progress);
+    unpackPart(m.progress(), f.progress);
     f.shear_lost = m.shear_lost();
     if (m.warnings() != nullptr)
         for (const flatbuffers::String* warning : *m.warnings()) f.warnings.push_back(warning->str());

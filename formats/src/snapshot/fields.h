@@ -3,6 +3,8 @@
 // and reading both go through it.
 
 #include <array>
+#include <string_view>
+#include <vector>
 
 #include "snapshot_generated.h"
 #include "talus/formats/snapshot.h"
@@ -33,12 +35,40 @@ void eachField(LightFrame& f, fb::FrameT& m, const Move& move) {
     move(f.water.drained, m.water->drained);
 }
 
-// Where a joint's properties stand as the scenario gives them, in the order of kJointProperties.
-inline constexpr std::array<std::vector<double> fb::JointsT::*, kJointPropertyCount> kJointMessages{
-    &fb::JointsT::normal_stiffness,  &fb::JointsT::shear_stiffness,  &fb::JointsT::friction,
-    &fb::JointsT::cohesion,          &fb::JointsT::tensile_strength, &fb::JointsT::residual_cohesion,
-    &fb::JointsT::residual_friction, &fb::JointsT::dilation};
-static_assert(kJointMessages.back() != nullptr);
+// Columns of the first version: of a joint's properties by their keys, of the law's parameters by their names. Everything
+// that has none goes by its name (JointsT::property, LawsT::parameter), so that nothing here changes with a new property.
+struct JointColumn {
+    std::string_view key;
+    std::vector<double> fb::JointsT::*values;
+};
+inline constexpr std::array kJointColumns{
+    JointColumn{"normal_stiffness", &fb::JointsT::normal_stiffness},
+    JointColumn{"shear_stiffness", &fb::JointsT::shear_stiffness},
+    JointColumn{"friction_deg", &fb::JointsT::friction},
+    JointColumn{"cohesion", &fb::JointsT::cohesion},
+    JointColumn{"tensile_strength", &fb::JointsT::tensile_strength},
+    JointColumn{"residual_friction_deg", &fb::JointsT::residual_friction},
+    JointColumn{"residual_cohesion", &fb::JointsT::residual_cohesion},
+    JointColumn{"dilation_deg", &fb::JointsT::dilation}};
+
+struct LawColumn {
+    std::string_view name;
+    std::vector<double> fb::LawsT::*values;
+};
+inline constexpr std::array kLawColumns{
+    LawColumn{"normal_stiffness", &fb::LawsT::normal_stiffness},
+    LawColumn{"shear_stiffness", &fb::LawsT::shear_stiffness},
+    LawColumn{"tan_friction", &fb::LawsT::tan_friction},
+    LawColumn{"cohesion", &fb::LawsT::cohesion},
+    LawColumn{"tensile_strength", &fb::LawsT::tensile_strength},
+    LawColumn{"residual_tan_friction", &fb::LawsT::residual_tan_friction},
+    LawColumn{"residual_cohesion", &fb::LawsT::residual_cohesion},
+    LawColumn{"tan_dilation", &fb::LawsT::tan_dilation}};
+
+template <class Move>
+void eachField(FrameLaws& f, fb::LawsT& m, const Move& move) {
+    move.laws(f, m);
+}
 
 template <class Move>
 void eachField(FrameLoads& f, fb::LoadsT& m, const Move& move) {

@@ -82,26 +82,6 @@ struct FieldsOf {
     }
 };
 
-/// Laws have an array per property of a joint.
-struct LawFields {
-    static constexpr std::size_t count = kJointPropertyCount + 1;
-
-    static consteval std::size_t placeOf(std::string_view name) {
-        if (name == "bonded") return kJointPropertyCount;
-        for (std::size_t p = 0; p < kJointPropertyCount; ++p)
-            if (kJointProperties[p].in_law == name) return p;
-        throw "no property of a joint is called so by the law";
-    }
-    template <std::size_t place>
-    static auto& array(auto& laws) {
-        if constexpr (place < kJointPropertyCount) {
-            return laws.parameters[place];
-        } else {
-            return laws.bonded;
-        }
-    }
-};
-
 /// Calls each(place in Fields, index in the schema's table), as constants, in the schema's order.
 template <class Table, class Fields, class Each>
 auto withFields(const Each& each) {
