@@ -92,6 +92,18 @@ Json failureJson(const formats::SnapshotHeader& header) {
             {"topples", compactNames(topples)}};
 }
 
+/// Its law and the numbers of that law, as a scenario has them.
+Json jointJson(const Joint& joint) {
+    Json json = {{"joint", joint.name}, {"law", toString(joint.law)}};
+    for (const JointProperty& property : kJointProperties)
+        if (property.laws.has(joint.law))
+            json[std::string(property.key)] = number(joint.*property.value / property.toSi());
+    if (joint.law != StrengthLaw::envelope) return json;
+    for (const EnvelopePoint& point : joint.shear_strength)
+        json["shear_strength"].push_back({number(point.normal_stress), number(point.shear_strength)});
+    return json;
+}
+
 std::size_t count(const formats::SnapshotHeader& header, Motion motion) {
     return static_cast<std::size_t>(std::count(header.motions.begin(), header.motions.end(), motion));
 }
@@ -109,6 +121,9 @@ View viewSummary(formats::SnapshotReader& reader, const std::string& path) {
     facts["fixed_blocks"] = count(header, Motion::fixed);
     facts["driven_blocks"] = count(header, Motion::driven);
     facts["joints"] = header.joints.size();
+    facts["joint_laws"] = Json::array();
+    for (const Joint& joint : header.joints)
+        if (joint.law != StrengthLaw::coulomb) facts["joint_laws"].push_back(jointJson(joint));
     facts["waters"] = header.waters.size();
     if (reader.fulls() > 0) {
         if (const auto full = reader.full(reader.fulls() - 1); full) {

@@ -68,7 +68,7 @@ inline PointResponse pointResponse(const contact::JointLaw& joint, double area, 
     point.stiffness(0, 1) = point.stiffness(1, 0) = left * t1 * t2;
     point.stiffness(1, 1) += left * t2 * t2;
     if (strength <= 0) return point;
-    const double slope = contact::strengthSlope(joint, memory.bond);
+    const double slope = contact::strengthSlope(joint, area, normal.force, memory.bond);
     point.stiffness(0, 2) = slope * t1 * point.stiffness(2, 2);
     point.stiffness(1, 2) = slope * t2 * point.stiffness(2, 2);
     return point;

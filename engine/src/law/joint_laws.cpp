@@ -14,7 +14,7 @@ constexpr double contact::JointLaw::*parameterOf(const JointProperty& property) 
 
 constexpr bool allAreKnown() {
     for (const JointProperty& property : kJointProperties)
-        if (parameterOf(property) == nullptr) return false;
+        if (!property.in_law.empty() && parameterOf(property) == nullptr) return false;
     return true;
 }
 static_assert(allAreKnown(), "a property names a parameter that the law does not have");
@@ -22,12 +22,17 @@ static_assert(allAreKnown(), "a property names a parameter that the law does not
 contact::JointLaw lawOf(const Joint& joint, double factor) {
     contact::JointLaw law;
     for (const JointProperty& property : kJointProperties)
-        law.*parameterOf(property) = lawValue(joint, property, factor);
+        if (!property.in_law.empty()) law.*parameterOf(property) = lawValue(joint, property, factor);
     law.bonded = joint.cohesion > 0 || joint.tensile_strength > 0;
+    setCurve(joint, law);
     return law;
 }
 
 }  // namespace
+
+void setCurve(const Joint& joint, contact::JointLaw& law) {
+    law.setCurve(contact::strengthCurve(joint, law.strength_factor));
+}
 
 std::vector<contact::JointLaw> jointLaws(const std::vector<Joint>& joints, double factor) {
     std::vector<contact::JointLaw> laws;

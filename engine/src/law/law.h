@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "law/parameters.h"
+#include "law/strength_curve.h"
 #include "simd/scalar.h"
 
 namespace talus::contact {
@@ -19,8 +20,9 @@ namespace talus::contact {
 /// Whether contact points of this joint have to remember more than their plastic slide: strength that is lost for
 /// good, dilation.
 inline bool hasMemory(const JointLaw& joint) {
-    return joint.bonded || joint.residual_tan_friction != joint.tan_friction ||
-           joint.residual_cohesion != joint.cohesion || joint.tan_dilation != 0;
+    const bool falls =
+        joint.residual_tan_friction != joint.tan_friction || joint.residual_cohesion != joint.cohesion;
+    return joint.bonded || (falls && !joint.curved) || joint.tan_dilation != 0;
 }
 
 /// Whether it opens as it slips.
@@ -64,26 +66,40 @@ TALUS_KERNEL V tensileStrength(const JointParameters<V>& joint, V area, V bond) 
     return bond * joint.tensile_strength * area;
 }
 
-/// How its shear strength grows with the normal force: between residual and peak by what is left of the bond.
+/// How Coulomb's strength grows with the normal force: between residual and peak by what is left of the bond.
 template <class V>
-TALUS_KERNEL V strengthSlope(const JointParameters<V>& joint, V bond) {
+TALUS_KERNEL V coulombSlope(const JointParameters<V>& joint, V bond) {
     return joint.residual_tan_friction + bond * (joint.tan_friction - joint.residual_tan_friction);
 }
 
-/// Largest shear force the contact point carries (right-hand side of the sliding rule, eq 9), zero when open.
+/// Coulomb's: the right-hand side of the sliding rule, eq 9.
 template <class V>
-TALUS_KERNEL V shearStrength(const JointParameters<V>& joint, V area, V normal_force, V bond) {
+TALUS_KERNEL V coulombStrength(const JointParameters<V>& joint, V area, V normal_force, V bond) {
     const V cohesion = joint.residual_cohesion + bond * (joint.cohesion - joint.residual_cohesion);
     using simd::larger;
-    return larger(cohesion * area + normal_force * strengthSlope(joint, bond), V{});
+    return larger(cohesion * area + normal_force * coulombSlope(joint, bond), V{});
+}
+
+/// Largest shear force the contact point carries; by a curve that of its stress, with nothing to lose.
+inline double shearStrength(const JointParameters<double>& joint, double area, double normal_force,
+                            double bond) {
+    if (!joint.curved) return coulombStrength(joint, area, normal_force, bond);
+    return area * strengthOnCurve(joint.curve, simd::larger(normal_force / area, 0.0));
+}
+
+/// Its derivative by the normal force.
+inline double strengthSlope(const JointParameters<double>& joint, double area, double normal_force,
+                            double bond) {
+    if (!joint.curved) return coulombSlope(joint, bond);
+    return normal_force > 0 ? slopeOfCurve(joint.curve, normal_force / area) : 0.0;
 }
 
 /// Forces at a contact point from its gap and slide; updates its memory.
 ///
 /// `release` is the share of the bond that goes per call once it breaks: 1 in a time history (brittle, eqs 7-9),
 /// less in quasi-static work, where a break is released slowly so that its energy does not break its neighbours.
-/// `Remembers` may be false when no joint `hasMemory`; the result is the same, to the bit.
-template <bool Remembers = true, class V>
+/// `Remembers` may be false when no joint `hasMemory`, `Curved` when none is; the result is the same, to the bit.
+template <bool Remembers = true, bool Curved = true, class V>
 TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V gap, V slide_1, V slide_2,
                                    V release, MemoryOf<V>& memory) {
     using simd::any, simd::both, simd::either, simd::larger, simd::select, simd::smaller, simd::squareRoot;
@@ -109,17 +125,26 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     const V trial_squared = stiffness * stiffness * (back_1 * back_1 + back_2 * back_2);
     V strength;
     if constexpr (Remembers)
-        strength = shearStrength(joint, area, force.normal, bond);
+        strength = coulombStrength(joint, area, force.normal, bond);
     else
         strength = force.normal * joint.tan_friction;
+    if constexpr (Curved) {
+        if (any(joint.curved)) {
+            V opening = gap;
+            if constexpr (Remembers) opening = gap - memory.dilation;
+            const V stress = larger(-joint.normal_stiffness * opening, zero);
+            strength = select(joint.curved, area * strengthOnCurve(joint.curve, stress), strength);
+        }
+    }
     force.slips = both(!force.open, trial_squared > strength * strength);
     V stiffness_left = stiffness;
     if (any(force.slips)) {
         if constexpr (Remembers) {
-            const auto breaks = both(force.slips, bond == 1.0);
+            auto breaks = both(force.slips, bond == 1.0);
+            if constexpr (Curved) breaks = both(breaks, !joint.curved);
             bond = select(breaks, larger(bond - release, zero), bond);
             strength =
-                select(breaks, smaller(strength, shearStrength(joint, area, force.normal, bond)), strength);
+                select(breaks, smaller(strength, coulombStrength(joint, area, force.normal, bond)), strength);
         }
         const V trial = squareRoot(trial_squared);
         const V keep = strength / trial;

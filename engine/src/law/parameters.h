@@ -5,8 +5,11 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
 
-#include "simd/scalar.h"
+#include "simd/table.h"
 
 namespace talus::contact {
 
@@ -21,9 +24,23 @@ struct JointParameters {
     V residual_tan_friction{};  ///< tan(phi_r)
     V residual_cohesion{};      ///< C_r [Pa]
     V tan_dilation{};           ///< tan(psi)
+    V strength_factor{};        ///< that the curve was made with
     simd::MaskOf<V> bonded{};   ///< C > 0 or sigma_t > 0: opening breaks it for good
+    simd::MaskOf<V> curved{};   ///< the strength is the curve's, not Coulomb's
+    simd::TablesOf<V> curve{};  ///< shear strength over normal stress [Pa] (strength_curve.h)
 };
-using JointLaw = JointParameters<double>;
+
+/// A joint's law: its parameters, and what its curve lies in.
+struct JointLaw : JointParameters<double> {
+    std::shared_ptr<const std::vector<double>> table{};
+
+    /// Null: Coulomb's line.
+    void setCurve(std::shared_ptr<const std::vector<double>> of) {
+        table = std::move(of);
+        curved = table != nullptr;
+        curve.at = curved ? table->data() : nullptr;
+    }
+};
 
 template <class V>
 struct LawParameter {
@@ -41,7 +58,8 @@ inline constexpr std::array kLawParameters{
     LawParameter<V>{"tensile_strength", &JointParameters<V>::tensile_strength},
     LawParameter<V>{"residual_tan_friction", &JointParameters<V>::residual_tan_friction},
     LawParameter<V>{"residual_cohesion", &JointParameters<V>::residual_cohesion},
-    LawParameter<V>{"tan_dilation", &JointParameters<V>::tan_dilation}};
+    LawParameter<V>{"tan_dilation", &JointParameters<V>::tan_dilation},
+    LawParameter<V>{"strength_factor", &JointParameters<V>::strength_factor}};
 inline constexpr std::size_t kLawParameterCount = kLawParameters<double>.size();
 
 }  // namespace talus::contact

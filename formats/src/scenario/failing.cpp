@@ -63,27 +63,54 @@ class Editor {
         const Node root = document_.root();
         if (const auto joints = root.find("joint"))
             for (const Entry& joint : joints->entries())
-                divideStrengths(joint.value, {"joint", joint.key}, factor);
-        eachTable(root, "interface",
-                  [&](const Node& table, const Path& path) { divideStrengths(table, path, factor); });
+                divideStrengths(joint.value, {"joint", joint.key}, lawOf(joint.value), factor);
+        eachTable(root, "interface", [&](const Node& table, const Path& path) {
+            divideStrengths(table, path, lawOfEntry(root, table), factor);
+        });
         eachTable(root, "stack", [&](const Node& table, const Path& path) {
-            divide(table, path, propertyOf(&Joint::friction), "bed_friction_deg", factor);
+            divide(table, path, propertyOf(&Joint::friction), StrengthLaw::coulomb, "bed_friction_deg",
+                   factor);
         });
     }
 
-    void divideStrengths(const Node& table, const Path& path, double factor) {
-        for (const JointProperty& property : kJointProperties)
-            if (property.is_reduced) divide(table, path, property, std::string(property.key), factor);
+    /// What is not given and not zero either is written out.
+    void divideStrengths(const Node& table, const Path& path, StrengthLaw law, double factor) {
+        for (const JointProperty& property : kJointProperties) {
+            if (!property.reduced_in.has(law)) continue;
+            const bool of_joint = path.front() == PathPart(std::string("joint"));
+            if (of_joint && !table.find(property.key) && property.same_as == nullptr &&
+                Joint{}.*property.value != 0)
+                set(below(path, std::string(property.key)),
+                    Joint{}.*property.value / property.toSi() / factor);
+            else
+                divide(table, path, property, law, std::string(property.key), factor);
+        }
+    }
+
+    /// Of a joint's table. The scenario has been read, so that there is no other law.
+    static StrengthLaw lawOf(const Node& joint) {
+        const auto name = joint.find("law");
+        for (std::size_t k = 0; name && k < kStrengthLawNames.size(); ++k)
+            if (name->text() == kStrengthLawNames[k]) return static_cast<StrengthLaw>(k);
+        return StrengthLaw::coulomb;
+    }
+
+    /// Of the joint that an entry for two blocks names.
+    static StrengthLaw lawOfEntry(const Node& root, const Node& entry) {
+        const auto joints = root.find("joint"), name = entry.find("joint");
+        const auto joint = joints && name ? joints->find(name->text()) : std::nullopt;
+        return joint ? lawOf(*joint) : StrengthLaw::coulomb;
     }
 
     /// One number, or all of an array's.
-    void divide(const Node& table, const Path& path, const JointProperty& property, const std::string& key,
-                double factor) {
+    void divide(const Node& table, const Path& path, const JointProperty& property, StrengthLaw law,
+                const std::string& key, double factor) {
         const auto node = table.find(key);
         if (!node) return;
         std::vector<std::pair<Path, double>> values;  // writing replaces the nodes that are read here
         eachNumber(*node, below(path, key), [&](const Path& place, double value) {
             Joint joint;
+            joint.law = law;
             joint.*property.value = value * property.toSi();
             values.emplace_back(place, reduced(joint, factor).*property.value / property.toSi());
         });

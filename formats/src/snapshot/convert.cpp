@@ -188,6 +188,45 @@ std::vector<double> valuesOf(const std::vector<Joint>& joints, double Joint::*pr
     return values;
 }
 
+bool allCoulomb(const std::vector<Joint>& joints) {
+    return std::all_of(joints.begin(), joints.end(),
+                       [](const Joint& joint) { return joint.law == StrengthLaw::coulomb; });
+}
+
+void addLaws(const std::vector<Joint>& joints, fb::JointsT& m) {
+    m.envelope_begin = {0};
+    for (const Joint& joint : joints) {
+        m.law.emplace_back(toString(joint.law));
+        for (const EnvelopePoint& point : joint.shear_strength) {
+            m.envelope_normal.push_back(point.normal_stress);
+            m.envelope_shear.push_back(point.shear_strength);
+        }
+        m.envelope_begin.push_back(static_cast<std::int32_t>(m.envelope_normal.size()));
+    }
+}
+
+bool readLaw(const std::string& name, Joint& joint) {
+    const auto found = std::find(kStrengthLawNames.begin(), kStrengthLawNames.end(), name);
+    if (found == kStrengthLawNames.end()) return false;
+    joint.law = static_cast<StrengthLaw>(found - kStrengthLawNames.begin());
+    return true;
+}
+
+/// \pre the law names are as many as joints
+bool readLaws(const fb::JointsT& m, std::vector<Joint>& joints) {
+    const auto& begin = m.envelope_begin;
+    const std::size_t points = m.envelope_normal.size();
+    if (begin.size() != joints.size() + 1 || m.envelope_shear.size() != points) return false;
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+        if (!readLaw(m.law[k], joints[k]) || begin[k] < 0 || begin[k] > begin[k + 1] ||
+            static_cast<std::size_t>(begin[k + 1]) > points)
+            return false;
+        for (auto p = static_cast<std::size_t>(begin[k]); p < static_cast<std::size_t>(begin[k + 1]); ++p)
+            joints[k].shear_strength.push_back({m.envelope_normal[p], m.envelope_shear[p]});
+    }
+    return true;
+}
+
 fb::JointsT toMessage(const std::vector<Joint>& joints) {
     fb::JointsT m;
     for (const Joint& joint : joints) m.name.push_back(joint.name);
@@ -198,6 +237,7 @@ fb::JointsT toMessage(const std::vector<Joint>& joints) {
         else
             m.property.push_back(jointNumbers(property.key, std::move(values)));
     }
+    if (!allCoulomb(joints)) addLaws(joints, m);
     return m;
 }
 
@@ -217,7 +257,7 @@ bool fromMessage(const fb::JointsT& m, std::vector<Joint>& joints) {
         if (!putValues(m.*column.values, column.key, joints)) return false;
     for (const auto& numbers : m.property)
         if (!putValues(numbers->values, numbers->name, joints)) return false;
-    return true;
+    return m.law.empty() || (m.law.size() == joints.size() && readLaws(m, joints));
 }
 
 fb::FailureT toMessage(const SnapshotFailure& failure) {
@@ -376,6 +416,7 @@ SnapshotHeader headerOf(const Scenario& scenario, RunGeometry geometry, std::str
     }
     header.geometry = std::move(geometry);
     header.joints = model.joints;
+    if (!allCoulomb(model.joints)) header.format = kFormatWithLaws;
     header.waters = model.waters;
     return header;
 }
