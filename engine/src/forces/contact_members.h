@@ -61,12 +61,12 @@ struct Members<Lanes> {
                                                    const std::int32_t* index) const {
         simd::TablesOf<Lanes> curves;
         const double* some = nullptr;
-        for (int l = 0; l < kWidth; ++l) {
-            curves.at[l] = laws[index[member[l]]].curve.at;
-            if (curves.at[l] != nullptr) some = curves.at[l];
-        }
         for (int l = 0; l < kWidth; ++l)
-            if (curves.at[l] == nullptr) curves.at[l] = some;
+            if (const double* curve = laws[index[member[l]]].curve.at) some = curve;
+        for (int l = 0; l < kWidth; ++l) {
+            const double* curve = laws[index[member[l]]].curve.at;
+            curves.set(l, curve != nullptr ? curve : some);
+        }
         return curves;
     }
     TALUS_KERNEL PoseOf<Lanes> gatherPose(const double* position, const double* orientation,

@@ -31,7 +31,10 @@ Piece line(double begin, double end, double first, double last) {
 class CurveMaker {
  public:
     CurveMaker(const StrengthFormula& formula, const Joint& joint, double factor)
-        : formula_(formula), joint_(joint), factor_(factor), kinks_(formula.kinks(joint)) {}
+        : formula_(formula), joint_(joint), factor_(factor), kinks_(formula.kinks(joint)) {
+        // Below 1 Pa a curve is one straight piece.
+        if (!formula.is_straight) std::erase_if(kinks_, [](double kink) { return kink < 1; });
+    }
 
     std::vector<double> make() {
         addPieces(0, 1);

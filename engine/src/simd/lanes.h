@@ -191,27 +191,35 @@ TALUS_KERNEL FourLanes loadRecords(const double* records, const std::int32_t* it
     return loadRecords(at);
 }
 
+constexpr int kPieceBytesShift = 5;  // 32 bytes a piece
+
+typedef std::uint64_t LaneWords __attribute__((vector_size(sizeof(double) * kWidth)));
+
 }  // namespace
 
+/// By the addresses of the piece that the bits of zero would tell: the rest is a shift and a sum.
 template <>
 struct TablesOf<Lanes> {
-    const double* at[kWidth];
+    LaneWords zero;
+
+    TALUS_KERNEL void set(int lane, const double* table) {
+        zero[lane] = reinterpret_cast<std::uintptr_t>(table) - (kFirstPiece << kPieceBytesShift);
+    }
+    TALUS_KERNEL const double* table(int lane) const {
+        return reinterpret_cast<const double*>(zero[lane] + (kFirstPiece << kPieceBytesShift));
+    }
 };
 
 namespace {
 
-typedef std::uint64_t LaneWords __attribute__((vector_size(sizeof(double) * kWidth)));
-
 TALUS_KERNEL FourLanes pieceAt(const TablesOf<Lanes>& tables, Lanes x) {
     const Lanes inside = larger(smaller(x, Lanes{} + kGreatest), Lanes{} + kLeast);
-    const LaneWords piece = ((LaneWords)inside.v >> kPieceShift) - kFirstPiece;
-    std::uint64_t index[kWidth];
-    std::memcpy(index, &piece, sizeof index);
+    const LaneWords address = tables.zero + (((LaneWords)inside.v >> kPieceShift) << kPieceBytesShift);
     const double* at[kWidth];
-    for (int l = 0; l < kWidth; ++l) at[l] = tables.at[l] + 4 * index[l];
+    std::memcpy(at, &address, sizeof at);
     FourLanes found = loadRecords(at);
     if (any(x > found.number[3])) {
-        for (int l = 0; l < kWidth; ++l) at[l] = pieceFor(tables.at[l], x.v[l]);
+        for (int l = 0; l < kWidth; ++l) at[l] = pieceFor(tables.table(l), x.v[l]);
         found = loadRecords(at);
     }
     return found;
