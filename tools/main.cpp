@@ -1,12 +1,18 @@
 // The talus command line: finds the subcommand, runs it, and turns every failure into a message and an exit code.
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <numeric>
 
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/provenance.h"
+#include "cli/signals.h"
 #include "commands/commands.h"
 #include "talus/build_info.h"
+#include "talus/formats/scenario.h"
 
 namespace talus::tools {
 

@@ -62,6 +62,10 @@ Counting read(double v) {
     tally.read += sizeof v;
     return {v};
 }
+[[maybe_unused]] simd::FourOf<Counting> pieceAt(const simd::TablesOf<Counting>& tables, Counting x) {
+    const double* piece = simd::pieceFor(tables.at, x.v);
+    return {{read(piece[0]), read(piece[1]), read(piece[2]), read(piece[3])}};
+}
 void write(double& to, Counting v) {
     tally.written += sizeof to;
     to = v.v;
@@ -91,12 +95,16 @@ struct Members<Counting> {
     }
     Counting take(const double* values) const { return bench::read(values[0]); }
     Counting gather(const double* values, const std::int32_t* index) const { return {values[index[0]]}; }
-    Counting gather(const contact::JointLaw* laws, double contact::JointLaw::*field,
+    Counting gather(const contact::JointLaw* laws, double contact::JointParameters<double>::*field,
                     const std::int32_t* index) const {
         return {laws[index[0]].*field};
     }
-    bool gatherFlag(const contact::JointLaw* laws, const std::int32_t* index) const {
-        return laws[index[0]].bonded;
+    bool gatherFlag(const contact::JointLaw* laws, bool contact::JointParameters<double>::*flag,
+                    const std::int32_t* index) const {
+        return laws[index[0]].*flag;
+    }
+    simd::TablesOf<Counting> gatherCurve(const contact::JointLaw* laws, const std::int32_t* index) const {
+        return {laws[index[0]].curve.at};
     }
     PoseOf<Counting> gatherPose(const double* position, const double* orientation,
                                 const std::int32_t*) const {
@@ -136,14 +144,22 @@ constexpr std::size_t kPlaces = 512;  // more than any patch here has
 
 constexpr auto kRow = static_cast<std::size_t>(simd::kLanes);
 
-/// One interface between two blocks that press on each other, the upper one slid far or not at all; a square patch.
+contact::JointLaw frictional() {
+    contact::JointLaw law;
+    law.normal_stiffness = law.shear_stiffness = 1;
+    law.tan_friction = 0.3;
+    return law;
+}
+
+/// One interface between two blocks that press on each other, the upper one
+/// slid far or not at all; a square patch.
 struct OneInterface {
     std::vector<double> zero = std::vector<double>(kPlaces, 0.0), one = std::vector<double>(kPlaces, 1.0);
     std::vector<double> orientation{1, 0, 0, 0};
     std::vector<double> memory = zero, wrenches = zero;
     LaneArray frames{kFrameQuantities}, corners{kCornerQuantities};
     std::array<std::int32_t, 1> index{0};
-    contact::JointLaw law{.normal_stiffness = 1, .shear_stiffness = 1, .tan_friction = 0.3};
+    contact::JointLaw law = frictional();
     InterfaceGroup group;
 
     ContactView view(PointRule rule, bool slips) {
@@ -179,6 +195,7 @@ struct OneInterface {
                 .memory = memory.data(),
                 .wrenches = wrenches.data(),
                 .remembers = false,
+                .curved = false,
                 .beyond_caches = false,
                 .release = 1,
                 .contact_damping = 0,

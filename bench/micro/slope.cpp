@@ -76,6 +76,12 @@ std::vector<Joint> jointsOf(Filling filling) {
         joints[0].cohesion = 5000;
         joints[0].tensile_strength = 500;
     }
+    if (filling == Filling::rough) {  // some 20 degrees at the stresses of these slopes
+        joints[0].law = StrengthLaw::barton_bandis;
+        joints[0].jrc = 3;
+        joints[0].jcs = 5e7;
+        joints[0].residual_friction = 7 * kDegree;
+    }
     return joints;
 }
 
@@ -97,7 +103,7 @@ void settle(Slope& slope) {
 }  // namespace
 
 const char* toString(Filling filling) {
-    constexpr std::array<const char*, 4> kNames{"", "+water", "+cohesion", "+mixed"};
+    constexpr std::array<const char*, 5> kNames{"", "+water", "+cohesion", "+mixed", "+rough"};
     return kNames[static_cast<std::size_t>(filling)];
 }
 

@@ -10,7 +10,7 @@
 namespace talus::bench {
 
 /// What is in the joints of a slope beside friction.
-enum class Filling { plain, water, cohesion, mixed };
+enum class Filling { plain, water, cohesion, mixed, rough };
 const char* toString(Filling filling);
 
 struct SlopeKind {

@@ -252,7 +252,7 @@ void addSlopes(const Extent& extent) {
         for (const PointRule rule : {kCorner, kVertex, kGrid})
             addSlope(extent, {blocks, rule, Filling::plain});
         if (blocks != 105 && blocks != 10000) continue;
-        for (const Filling filling : {Filling::water, Filling::cohesion, Filling::mixed})
+        for (const Filling filling : {Filling::water, Filling::cohesion, Filling::mixed, Filling::rough})
             addSlope(extent, {blocks, kVertex, filling});
     }
 }

@@ -262,6 +262,36 @@ kN/m3. Factor of safety 1.008, UDEC 1.01: to be met within 0.5 %.
           block("rock", [face[0], tops[0], (40, 20), (40, 0), (17, 0)], True))
 
 
+# --- other laws of strength ----------------------------------------------------------------------------------------------
+
+def law(name, text):
+    """A joint of another law than Coulomb's."""
+    return f"[joint.{name}]\nnormal_stiffness = 1e+11\nshear_stiffness = 1e+11\n{text}\n"
+
+
+def plane_blocks():
+    """A flat block, 10 x 1 x 1 m, on a plane that dips 35 degrees towards -x: the stress under it is nearly the same all over."""
+    dip, stress = rad(35), 26000 * math.cos(rad(35))
+    joints = {
+        "barton-bandis": ('law = "barton-bandis"\njrc = 10.0\njcs = 5e+7\nresidual_friction_deg = 28.0',
+                          stress * math.tan(rad(28 + 10 * math.log10(5e7 / stress))),
+                          "tan(phi_r + JRC log10(JCS / sigma_n)) / tan(dip), phi_r 28 degrees, JRC 10, JCS 50 MPa"),
+        "power": ('law = "power"\na = 1.2\nb = 0.95', 1.2 * stress ** 0.95,
+                  "1.2 sigma_n^0.95 / (sigma_n tan(dip))"),
+        "envelope": ('law = "envelope"\nshear_strength = [[0.0, 4000.0], [10000.0, 12000.0], [60000.0, 40000.0]]',
+                     12000 + 28000 / 50000 * (stress - 10000),
+                     "strength over sigma_n tan(dip), of an envelope through (0, 4), (10, 12) and (60, 40) kPa"),
+    }
+    for name, (text, strength, formula) in joints.items():
+        write(f"plane-{name}", f"""
+A block of 10 x 1 x 1 m, 26 kN/m3, on a plane that dips 35 degrees: sigma_n = {stress / 1000:.3f} kPa. Factor of safety
+{formula}
+= {strength / (stress * math.tan(dip)):.4f}, to be met within 0.5 %.
+  talus safety-factor bench/verification/plane-{name}.toml""",
+              "[gravity]\ntilt_deg = 35.0\n", material(26), law("default", text),
+              box("floor", (-5, 15), (-1, 0), True), box("block", (0, 10), (0, 1)))
+
+
 # --- large slopes ------------------------------------------------------------------------------------------------------
 
 def joint_set(name, dip, towards, spacing, origin):
@@ -330,5 +360,5 @@ forces alone across the line of intersection; so joints are soft in shear here, 
 
 if __name__ == "__main__":
     for figure in (columns, arches, brick_walls, goodman_bray, alejano_alonso, barla_table, slabs, bilinear_slab,
-                   parallel_slabs, large_slopes, wedge):
+                   parallel_slabs, plane_blocks, large_slopes, wedge):
         figure()

@@ -62,6 +62,25 @@ TEST_SUITE("determinism") {
         checkRestarts(model, 12);
     }
 
+    TEST_CASE("restart: joints of every law, their strength reduced") {
+        Model model = scenarioModel(
+            "[gravity]\ntilt_deg = 32.0\n[run]\nduration_s = 0.04\nframe_interval_s = 0.001\n"
+            "[damping]\ncontact = 1e-5\n[material.rock]\ndensity = 2700.0\n"
+            "[joint.default]\nnormal_stiffness = 1e8\nshear_stiffness = 1e8\nlaw = \"barton-bandis\"\n"
+            "jrc = 8.0\njcs = 1e5\nresidual_friction_deg = 15.0\nstrength_factor = 0.8\n"
+            "[joint.table]\nnormal_stiffness = 1e8\nshear_stiffness = 1e8\nlaw = \"envelope\"\n"
+            "shear_strength = [[0.0, 0.0], [2e3, 1e3], [1e4, 3e3]]\n"
+            "[joint.power]\nnormal_stiffness = 1e8\nshear_stiffness = 1e8\nlaw = \"power\"\na = 1.1\nb = "
+            "0.9\n"
+            "dilation_deg = 3.0\n"
+            "[[stack]]\ncolumns = 3\nrows = 3\nslices = 1\nblock = [0.2, 0.1, 0.1]\n"
+            "joint = \"power\"\nside_joint = \"power\"\n"
+            "[[interface]]\nbetween = [\"c2r1s1\", \"floor\"]\njoint = \"table\"\n");
+        for (Joint& joint : model.joints) joint = reduced(std::move(joint), 1.3);
+        model.run.start = RunSettings::Start::unstressed;
+        checkRestarts(model, 8);
+    }
+
     TEST_CASE("restart: blocks that fly, hit and turn") {
         Model model = floorModel(30, 1e7);
         addBox(model, "falling", {0, 0, 0.02}, {0.3, 0.3, 0.3});

@@ -16,6 +16,9 @@ namespace {
 
 using test::radians;
 
+constexpr std::array kStrengthLaws{StrengthLaw::coulomb, StrengthLaw::barton_bandis, StrengthLaw::envelope,
+                                   StrengthLaw::power};
+
 /// Every property its own value.
 Joint numbered() {
     Joint joint;
@@ -27,7 +30,9 @@ Joint numbered() {
 TEST_CASE("the table has every number of a joint once, under keys of their own") {
     struct Numbers {
         std::string name;
+        StrengthLaw law;
         std::array<double, kJointPropertyCount> values;
+        std::vector<EnvelopePoint> shear_strength;
     };
     static_assert(sizeof(Joint) == sizeof(Numbers), "a number of Joint is not in kJointProperties");
     const Joint joint = numbered();
@@ -39,7 +44,10 @@ TEST_CASE("the table has every number of a joint once, under keys of their own")
         keys.insert(property.key);
         CHECK(jointProperty(property.key) == p);
         CHECK(jointProperty(property.value) == p);
-        CHECK((property.when_absent == JointProperty::Default::same_as) == (property.same_as != nullptr));
+        for (const StrengthLaw law : kStrengthLaws) {
+            CHECK((!property.required_by.has(law) || property.laws.has(law)));
+            CHECK((!property.reduced_in.has(law) || property.laws.has(law)));
+        }
         CHECK(property.key.ends_with("_deg") == property.isAngle());
         CHECK_FALSE(property.what.empty());
     }
@@ -60,6 +68,23 @@ TEST_CASE("each property is a parameter of the law of its own: angles by their t
     CHECK(law.bonded);
 }
 
+TEST_CASE("the list of the law's parameters has every number of the law once") {
+    struct Numbers {
+        std::array<double, contact::kLawParameterCount> values;
+        bool bonded, curved;
+        const double* curve;
+    };
+    static_assert(sizeof(contact::JointParameters<double>) == sizeof(Numbers),
+                  "a number of the law is not in its list");
+    contact::JointLaw law;
+    std::set<std::string_view> names;
+    for (const auto& parameter : contact::kLawParameters<double>) {
+        CHECK(law.*parameter.value == 0);
+        law.*parameter.value = 1;
+        CHECK(names.insert(parameter.name).second);
+    }
+}
+
 TEST_CASE("strength reduction divides tan(phi) and C, peak and residual, and nothing else") {
     const Joint joint = numbered();
     const contact::JointLaw law = jointLaws({joint}, 1.7).front(), whole = jointLaws({joint}).front();
@@ -71,8 +96,8 @@ TEST_CASE("strength reduction divides tan(phi) and C, peak and residual, and not
     CHECK(law.normal_stiffness == whole.normal_stiffness);
     CHECK(law.tan_dilation == whole.tan_dilation);
     const contact::JointLaw same = jointLaws({reduced(joint, 1.7)}).front();
-    for (const auto parameter : kLawParameters)
-        CHECK(same.*parameter == doctest::Approx(law.*parameter).epsilon(1e-15));
+    for (const auto& parameter : contact::kLawParameters<double>)
+        CHECK(same.*parameter.value == doctest::Approx(law.*parameter.value).epsilon(1e-15));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <ctime>
 
 #include "cli/block_names.h"
+#include "cli/text.h"
 #include "talus/simulation.h"
 
 namespace talus::tools::batch {
@@ -69,10 +70,11 @@ void fail(RowWriter& row, const std::vector<Error>& errors) {
 
 void writeSearch(const SearchResult& result, const LoadSearch& search, const Model& model, RowWriter& row) {
     row.set("status", std::string(toString(result.status)));
-    if (result.status == SearchStatus::found) row.set(search.answer_key, result.answer / search.scale);
-    row.set(search.keyInUnit("bracket_low"), result.low / search.scale);
-    row.set(search.keyInUnit("bracket_high"), result.high / search.scale);
-    if (const auto theory = search.theory(model)) row.set(search.theory_key, theory->value / search.scale);
+    if (result.status == SearchStatus::found) row.set(search.answer_key, result.answer / search.load->scale);
+    row.set(search.keyInUnit("bracket_low"), result.low / search.load->scale);
+    row.set(search.keyInUnit("bracket_high"), result.high / search.load->scale);
+    if (const auto theory = search.theory(model))
+        row.set(search.theory_key, theory->value / search.load->scale);
     row.set("failure_mode", std::string(toString(result.mode)));
     row.set("moving_count", static_cast<std::int64_t>(result.moving_blocks.size()));
     row.set("moving_blocks", compactNames(result.moving_blocks));

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "batch/queue.h"
+#include "cli/text.h"
 
 namespace talus::tools::batch {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "cli/text.h"
+
 namespace talus::tools::batch {
 
 namespace {
@@ -94,7 +96,7 @@ std::string thresholdText(const BatchInfo& info, double threshold) {
 
 Plot plotHistogram(const Summary& summary) {
     Plot plot{"histogram", "Histogram of the " + summary.info.answerTitle(), "Runs in cells of equal width.",
-              Axis{summary.info.answerTitle()}, Axis{"runs"}};
+              PlotAxis{summary.info.answerTitle()}, PlotAxis{"runs"}};
     plot.series.push_back(histogramBars(finite(summary.all.sorted)));
     addThresholds(plot, summary);
     return plot;
@@ -102,10 +104,11 @@ Plot plotHistogram(const Summary& summary) {
 
 Plot plotDistribution(const Summary& summary) {
     const std::vector<double>& sorted = summary.all.sorted;
-    Plot plot{"share", "Share of the runs that have failed",
-              "Empirical distribution of the " + summary.info.answerTitle() + " with its confidence band.",
-              Axis{summary.info.answerTitle()},
-              Axis{summary.info.search() ? "probability of failure" : "share of the runs", {0, 1}, 0.2, 1}};
+    Plot plot{
+        "share", "Share of the runs that have failed",
+        "Empirical distribution of the " + summary.info.answerTitle() + " with its confidence band.",
+        PlotAxis{summary.info.answerTitle()},
+        PlotAxis{summary.info.search() ? "probability of failure" : "share of the runs", {0, 1}, 0.2, 1}};
     Series steps{"steps", "theory", "runs", {}};
     Series band{"band", "band", confidenceText(summary) + ", point by point", {}};
     const std::size_t stride = std::max<std::size_t>(1, sorted.size() / kMostSteps);
@@ -126,7 +129,7 @@ Plot plotConvergence(const Summary& summary, std::size_t threshold) {
         "convergence-" + std::to_string(threshold),
         "Probability of a " + thresholdText(summary.info, value) + ", with the number of runs",
         "The share of the first runs, in the order in which they were drawn, and its confidence interval.",
-        Axis{"runs that can be told"}, Axis{"probability of failure"}};
+        PlotAxis{"runs that can be told"}, PlotAxis{"probability of failure"}};
     Series share{"line", "theory", "share that failed", {}};
     Series band{"band", "band", confidenceText(summary), {}};
     const std::uint64_t all = summary.all.failure[threshold].count;
@@ -153,14 +156,14 @@ Plot plotInput(const Summary& summary, std::size_t value) {
         if (std::isfinite(seen.values[value])) drawn.push_back(seen.values[value]);
     std::sort(drawn.begin(), drawn.end());
     Plot plot{"input-" + std::to_string(value), columnTitle(summary, value), "",
-              Axis{columnTitle(summary, value)}, Axis{"runs"}};
+              PlotAxis{columnTitle(summary, value)}, PlotAxis{"runs"}};
     if (!drawn.empty()) plot.series.push_back(histogramBars(drawn));
     return plot;
 }
 
 Plot plotCorrelations(const Summary& summary) {
     Plot plot{"correlations", "Rank correlation of the answer with each column that varies", "",
-              Axis{"Spearman\u2019s rank correlation with the answer", {-1, 1}, 0.5, 1}, Axis{""}};
+              PlotAxis{"Spearman\u2019s rank correlation with the answer", {-1, 1}, 0.5, 1}, PlotAxis{""}};
     plot.y.first_on_top = true;
     Series bars{"correlation", "bar", "", {}};
     for (std::size_t i = 0; i < std::min(summary.sensitivities.size(), kMostCorrelations); ++i) {
@@ -179,7 +182,7 @@ Plot plotResponse(const Summary& summary, std::size_t value) {
     const auto means = meansOver(summary, value);
     Plot plot{"response-" + std::to_string(value),
               summary.info.answerTitle() + " against " + columnTitle(summary, value), "",
-              Axis{columnTitle(summary, value)}, Axis{summary.info.answerTitle()}};
+              PlotAxis{columnTitle(summary, value)}, PlotAxis{summary.info.answerTitle()}};
     if (means.size() <= kFewValues) {
         addMeans(plot, means);
         return plot;
@@ -205,7 +208,7 @@ Plot plotHeatMap(const Summary& summary, std::size_t x_value, std::size_t y_valu
     Plot plot{"map-" + std::to_string(x_value) + "-" + std::to_string(y_value),
               "Mean " + summary.info.answerTitle(),
               "Over " + columnTitle(summary, x_value) + " and " + columnTitle(summary, y_value) + ".",
-              Axis{columnTitle(summary, x_value)}, Axis{columnTitle(summary, y_value)}};
+              PlotAxis{columnTitle(summary, x_value)}, PlotAxis{columnTitle(summary, y_value)}};
     for (const double column : columns) plot.x.categories.push_back(csvNumber(column));
     for (const double row : rows) plot.y.categories.push_back(csvNumber(row));
     Series means{"cells", "bar", "", {}};

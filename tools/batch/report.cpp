@@ -4,6 +4,10 @@
 #include <cmath>
 
 #include "batch/plots.h"
+#include "cli/files.h"
+#include "cli/json.h"
+#include "cli/provenance.h"
+#include "cli/text.h"
 #include "report/numbers.h"
 #include "report/page.h"
 

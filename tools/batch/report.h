@@ -4,7 +4,8 @@
 #include <string>
 
 #include "batch/summary.h"
-#include "cli/command.h"
+#include "cli/common.h"
+#include "cli/json_fwd.h"
 
 namespace talus::tools::batch {
 

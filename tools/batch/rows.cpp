@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cli/json.h"
+
 namespace talus::tools::batch {
 
 namespace {
@@ -41,7 +43,7 @@ void addVaried(const SweepColumn& column, std::vector<Column>& columns) {
 }
 
 void addSearchColumns(const LoadSearch& search, std::vector<Column>& columns) {
-    const std::string unit = search.unit;
+    const std::string unit = search.load->unit;
     columns.push_back({search.answer_key, "number", unit, "middle of the bracket; empty unless found"});
     columns.push_back(
         {search.keyInUnit("bracket_low"), "number", unit, "last that stood; empty at an open end"});
@@ -113,7 +115,7 @@ std::string BatchInfo::answerTitle() const {
 }
 
 std::string BatchInfo::unitSymbol() const {
-    const std::string unit = search() ? search()->unit : "";
+    const std::string unit = search() ? search()->load->unit : "";
     return unit == "deg" ? "\u00b0" : unit;
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/command.h"
+#include "cli/json_fwd.h"
 #include "report/csv.h"
 #include "talus/formats/sweep.h"
 

@@ -11,6 +11,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "cli/failures.h"
+#include "cli/files.h"
+#include "cli/json.h"
+
 namespace talus::tools::batch {
 
 namespace {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/json.h"
+#include "cli/text.h"
+
 namespace talus::tools::batch {
 
 namespace {

@@ -8,7 +8,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "cli/command.h"
+#include "cli/failures.h"
+#include "cli/files.h"
 
 namespace talus::tools {
 

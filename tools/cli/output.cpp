@@ -7,29 +7,14 @@
 #include <cstdio>
 #include <cstring>
 
-#include "cli/command.h"
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/text.h"
 
 namespace talus::tools {
 
-void addCommon(CLI::App& app, Common& common, bool computes) {
-    app.add_flag("--json", common.json, "Print the result as one JSON object on stdout");
-    app.add_flag("--quiet", common.quiet, "No progress and no notes on stderr");
-    if (computes)
-        app.add_option("--threads", common.threads, "Threads to compute with (0: all cores)")
-            ->check(CLI::Range(0, 1024))
-            ->capture_default_str();
-}
-
 FileRefused::FileRefused(const std::string& path, const std::string& doing, int error_number)
     : std::runtime_error(path + ": " + doing + ": " + std::strerror(error_number)) {}
-
-formats::Scenario loadScenario(const std::string& path) { return valueOf(formats::readScenario(path)); }
-
-formats::Scenario loadScenario(const std::string& path, const Common& common) {
-    formats::Scenario scenario = loadScenario(path);
-    for (const std::string& warning : scenario.warnings) note(common, "warning: " + path + ": " + warning);
-    return scenario;
-}
 
 void printText(const std::string& text) {
     errno = 0;
@@ -43,10 +28,6 @@ void printJson(const Json& json) {
 }
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json vector(const Vec3& value) {
-    return Json::array({number(value.x()), number(value.y()), number(value.z())});
-}
 
 std::string hashText(std::uint64_t state_hash) {
     std::array<char, 17> text{};

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "cli/command.h"
+#include "cli/progress.h"
+#include "cli/signals.h"
 
 namespace talus::tools {
 

@@ -2,7 +2,8 @@
 
 #include <thread>
 
-#include "cli/command.h"
+#include "cli/json.h"
+#include "cli/provenance.h"
 #include "talus/build_info.h"
 
 namespace talus::tools {

@@ -3,7 +3,7 @@
 #include <csignal>
 #include <ctime>
 
-#include "cli/command.h"
+#include "cli/signals.h"
 
 namespace talus::tools {
 

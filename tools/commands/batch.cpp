@@ -1,5 +1,6 @@
 // talus batch: sweeps, Monte Carlo, reliability.
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <memory>
 
@@ -7,6 +8,12 @@
 #include "batch/report.h"
 #include "batch/schedule.h"
 #include "batch/store.h"
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/provenance.h"
+#include "cli/signals.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 
 namespace talus::tools {

@@ -1,8 +1,14 @@
 // talus blocks: what a scenario's blocks are, before anything moves: a table, a mesh, a picture.
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
+#include "cli/files.h"
+#include "cli/json.h"
+#include "cli/provenance.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 #include "report/blocks_files.h"
 

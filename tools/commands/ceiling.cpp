@@ -1,12 +1,20 @@
 #include "commands/ceiling.h"
 
+#include <CLI/CLI.hpp>
+
+#include "cli/scenario.h"
+#include "cli/text.h"
+#include "talus/searches.h"
+
 namespace talus::tools {
 
 namespace {
 
-/// A load for people.
+/// A load for people: "19.512 deg", "factor 1.0133".
 std::string said(double value, Varied load) {
-    return load == Varied::factor ? "factor " + text(value, 4) : text(degrees(value), 3) + " deg";
+    const VariedQuantity& quantity = quantityOf(load);
+    const std::string figure = text(value / quantity.scale, quantity.decimals);
+    return *quantity.unit != '\0' ? figure + " " + quantity.unit : quantity.name + (" " + figure);
 }
 
 }  // namespace

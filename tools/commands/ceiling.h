@@ -4,8 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "cli/command.h"
+#include "talus/formats/scenario.h"
 #include "talus/limit_analysis.h"
+
+namespace CLI {
+class App;
+}
 
 namespace talus::tools {
 

@@ -1,12 +1,20 @@
 // talus export: snapshots for ParaView, spreadsheets and CAD.
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
+#include "cli/failures.h"
+#include "cli/files.h"
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/signals.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 #include "recording/snapshot_view.h"
+#include "report/table.h"
 #include "talus/formats/export.h"
 
 namespace talus::tools {

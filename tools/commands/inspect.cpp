@@ -1,7 +1,11 @@
 // talus inspect: what is in a snapshot file.
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 #include "inspect/views.h"
 

@@ -2,9 +2,15 @@
 
 #include "talus/limit_analysis.h"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/block_names.h"
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/provenance.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 
 namespace talus::tools {
@@ -18,30 +24,10 @@ struct LimitOptions {
     std::size_t max_points = LimitSettings{}.max_contact_points;
 };
 
-/// How a load is said, and its unit.
-struct LoadWords {
-    const char* name;
-    const char* title;
-    const char* unit;
-    double scale;
-    int decimals;
-};
-
-LoadWords wordsOf(Varied load) {
-    switch (load) {
-        case Varied::factor:
-            return {"factor", "factor of safety", "", 1, 4};
-        case Varied::horizontal:
-            return {"horizontal", "horizontal load", " of the weight", 1, 5};
-        case Varied::tilt:
-            break;
-    }
-    return {"tilt", "critical angle", " deg", kDegree, 4};
-}
-
 Varied loadNamed(const std::string& name) {
-    if (name == "factor") return Varied::factor;
-    return name == "horizontal" ? Varied::horizontal : Varied::tilt;
+    for (const VariedQuantity& quantity : variedQuantities())
+        if (name == quantity.name) return quantity.varied;
+    return Varied::tilt;
 }
 
 Json mechanismJson(const LimitResult& result) {
@@ -56,12 +42,12 @@ Json mechanismJson(const LimitResult& result) {
 }
 
 Json toJson(const LimitOptions& options, const LimitResult& result) {
-    const LoadWords words = wordsOf(options.load);
+    const VariedQuantity& load = quantityOf(options.load);
     return {{"status", toString(result.status)},
-            {"for", words.name},
-            {"unit", options.load == Varied::tilt ? Json("deg") : Json(nullptr)},
-            {"lower", number(result.lower / words.scale)},
-            {"upper", number(result.upper / words.scale)},
+            {"for", load.name},
+            {"unit", *load.unit != '\0' ? Json(load.unit) : Json(nullptr)},
+            {"lower", number(result.lower / load.scale)},
+            {"upper", number(result.upper / load.scale)},
             {"moving_blocks", result.moving_blocks},
             {"mechanism", mechanismJson(result)},
             {"plane_section", result.plane_section},
@@ -77,8 +63,11 @@ Json toJson(const LimitOptions& options, const LimitResult& result) {
 }
 
 std::string answerText(const LimitOptions& options, const LimitResult& result) {
-    const LoadWords words = wordsOf(options.load);
-    const auto say = [&](double value) { return text(value / words.scale, words.decimals) + words.unit; };
+    const VariedQuantity& load = quantityOf(options.load);
+    const std::string unit = *load.unit != '\0' ? load.unit : load.of;
+    const auto say = [&](double value) {
+        return text(value / load.scale, load.limit_decimals) + (unit.empty() ? "" : " " + unit);
+    };
     switch (result.status) {
         case SearchStatus::found:
             return say(result.lower) + (result.upper > result.lower ? " to " + say(result.upper) : "");
@@ -103,7 +92,8 @@ std::string movingText(const LimitResult& result) {
 
 std::string toText(const LimitOptions& options, const LimitResult& result) {
     const std::string kind = result.plane_section ? "plane section" : "in space";
-    return row("scenario", options.scenario) + row(wordsOf(options.load).title, answerText(options, result)) +
+    return row("scenario", options.scenario) +
+           row(quantityOf(options.load).limit, answerText(options, result)) +
            (result.moving_blocks.empty() ? "" : row("moving blocks", movingText(result))) +
            row("programme", kind + ", " + std::to_string(result.contact_points) + " contact points, " +
                                 std::to_string(result.rows) + " equations, " +
@@ -140,10 +130,16 @@ Command addLimitAnalysis(CLI::App& root) {
     CLI::App* app = root.add_subcommand(
         "limit-analysis", "A ceiling for the other answers: the limit of the associated rigid-block problem");
     app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
+    std::vector<std::string> names;
+    std::string meanings;
+    for (const VariedQuantity& quantity : variedQuantities()) {
+        names.emplace_back(quantity.name);
+        meanings += std::string(meanings.empty() ? "" : ", ") + quantity.name + " (" + quantity.limit + ")";
+    }
     app->add_option_function<std::string>(
            "--for", [options](const std::string& name) { options->load = loadNamed(name); },
-           "What grows: tilt, factor (of safety), horizontal (load over weight)")
-        ->check(CLI::IsMember({"tilt", "factor", "horizontal"}))
+           "What grows: " + meanings)
+        ->check(CLI::IsMember(names))
         ->type_name("LOAD")
         ->required();
     app->add_option("--max-points", options->max_points, "Refuse models with more contact points")

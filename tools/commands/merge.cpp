@@ -1,10 +1,15 @@
 // talus merge: the results of shards, or of several folders, as one batch with its summary.
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
 #include "batch/report.h"
 #include "batch/store.h"
+#include "cli/failures.h"
+#include "cli/files.h"
+#include "cli/json.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 
 namespace talus::tools {

@@ -1,7 +1,15 @@
 // talus paper: the paper's Table 1, Fig. 6 and section 5, computed again.
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 
+#include "cli/failures.h"
+#include "cli/files.h"
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/provenance.h"
+#include "cli/signals.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 #include "report/page.h"
 #include "report/svg.h"

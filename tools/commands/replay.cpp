@@ -1,7 +1,13 @@
 // talus replay: a run played again, as a page for the browser, as a summary in the terminal, or computed anew.
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "cli/failures.h"
+#include "cli/files.h"
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 #include "inspect/views.h"
 #include "recording/verify.h"

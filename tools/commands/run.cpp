@@ -1,7 +1,13 @@
 // talus run: time history of a scenario, or of one that was begun earlier and goes on.
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/provenance.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 #include "recording/run_output.h"
 

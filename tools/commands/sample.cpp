@@ -1,7 +1,12 @@
 // talus sample: one run of a sweep as a scenario file of its own.
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "cli/failures.h"
+#include "cli/files.h"
+#include "cli/json.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 #include "talus/formats/sweep.h"
 

@@ -1,8 +1,13 @@
 // talus critical-angle, talus safety-factor, and whatever else can be searched for: a command per entry of
 // talus/searches.h.
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
 #include "commands/ceiling.h"
 #include "commands/commands.h"
 #include "commands/search_report.h"
@@ -37,8 +42,8 @@ int find(const LoadSearch& search, const SearchOptions& options) {
     control.keep_failing_state = keeper.wanted();
     control.groups = options.groups;
     SearchResult result = valueOf(search.find(scenario.model, control, {}), scenario);
-    const Ceiling ceiling = ceilingOf(scenario, search.load, options.ceiling, result, control);
-    holdUnder(ceiling, search.load, result);
+    const Ceiling ceiling = ceilingOf(scenario, search.load->varied, options.ceiling, result, control);
+    holdUnder(ceiling, search.load->varied, result);
     SearchReport report{options.common, scenario, search, result, search.theory(scenario.model), ceiling};
     if (keeper.wanted()) report.kept = keeper.keep(result, search, control);
     progress.finish();
@@ -63,7 +68,7 @@ Command addSearch(CLI::App& root, const LoadSearch& search) {
     CLI::App* app = root.add_subcommand(search.name, search.about);
     app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
     app->add_flag("--verbose", options->verbose, "Also print every probe and every block's motion");
-    if (search.load == Varied::factor)
+    if (search.follows_groups)
         app->add_option(
                "--groups", options->groups,
                "How many groups of blocks to follow: after the answer the search goes on without those "

@@ -4,6 +4,11 @@
 #include <cmath>
 
 #include "cli/block_names.h"
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/provenance.h"
+#include "cli/signals.h"
+#include "cli/text.h"
 #include "report/numbers.h"
 
 namespace talus::tools {
@@ -23,12 +28,12 @@ bool wasInterrupted(const SearchResult& result) {
 
 /// A load, or a difference of loads, without its unit.
 std::string figureOf(const SearchReport& report, double load) {
-    return loadFigure(report.search, load, report.search.decimals);
+    return loadFigure(report.search, load, report.search.load->decimals);
 }
 
 /// " deg" or "".
 std::string unitOf(const SearchReport& report) {
-    return *report.search.unit == '\0' ? "" : " " + std::string(report.search.unit);
+    return *report.search.load->unit == '\0' ? "" : " " + std::string(report.search.load->unit);
 }
 
 /// A line of the table: the label in its column, then the content.
@@ -158,7 +163,7 @@ std::string motionTable(const SearchResult& result) {
 }
 
 Json probeJson(const SearchReport& report, const Probe& probe) {
-    return {{report.search.load_key, number(probe.load / report.search.scale)},
+    return {{report.search.load->key, number(probe.load / report.search.load->scale)},
             {"verdict", toString(probe.verdict)},
             {"steps", probe.steps},
             {"out_of_balance", number(probe.out_of_balance)},
@@ -184,13 +189,13 @@ Json motionJson(const BlockMotion& motion) {
 /// Null unless found.
 Json answerJson(const SearchReport& report) {
     if (report.result.status != SearchStatus::found) return nullptr;
-    return number(report.result.answer / report.search.scale);
+    return number(report.result.answer / report.search.load->scale);
 }
 
 /// [low, high], null at an open end.
 Json bracketJson(const SearchReport& report) {
-    return Json::array(
-        {number(report.result.low / report.search.scale), number(report.result.high / report.search.scale)});
+    return Json::array({number(report.result.low / report.search.load->scale),
+                        number(report.result.high / report.search.load->scale)});
 }
 
 Json theoryJson(const SearchReport& report) {
@@ -219,18 +224,20 @@ int exitCode(const SearchReport& report) {
 Json searchJson(const SearchReport& report) {
     const LoadSearch& search = report.search;
     const SearchResult& result = report.result;
-    Json json{
-        {"status", statusText(result.status)},
-        {search.answer_key, answerJson(report)},
-        {search.keyInUnit("bracket"), bracketJson(report)},
-        {search.theory_key, report.theory ? number(report.theory->value / search.scale) : Json(nullptr)}};
-    if (search.load != Varied::tilt) json["tilt_deg"] = number(degrees(report.scenario.model.gravity.tilt));
-    json["ceiling"] = report.ceiling.value ? number(*report.ceiling.value / search.scale) : Json(nullptr);
+    Json json{{"status", statusText(result.status)},
+              {search.answer_key, answerJson(report)},
+              {search.keyInUnit("bracket"), bracketJson(report)},
+              {search.theory_key,
+               report.theory ? number(report.theory->value / search.load->scale) : Json(nullptr)}};
+    if (search.load->varied != Varied::tilt)
+        json["tilt_deg"] = number(degrees(report.scenario.model.gravity.tilt));
+    json["ceiling"] =
+        report.ceiling.value ? number(*report.ceiling.value / search.load->scale) : Json(nullptr);
     json["ceiling_reason"] = report.ceiling.value ? Json(nullptr) : Json(report.ceiling.reason);
     json["failure_mode"] = toString(result.mode);
     json["moving_blocks"] = result.moving_blocks;
     json["fallen_at_start"] = result.fallen_at_start;
-    if (search.load == Varied::factor) json["groups"] = list(result.groups, groupJson);
+    if (search.follows_groups) json["groups"] = list(result.groups, groupJson);
     json["theory"] = theoryJson(report);
     json["probes"] = result.probes.size();
     json["steps"] = result.steps;

@@ -4,8 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "cli/command.h"
+#include "cli/common.h"
+#include "cli/json_fwd.h"
 #include "recording/keep_run.h"
+#include "talus/formats/scenario.h"
 #include "talus/limit_analysis.h"
 #include "talus/searches.h"
 

@@ -2,8 +2,13 @@
 
 #include "talus/theory.h"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "cli/json.h"
+#include "cli/provenance.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 #include "commands/theory_formulas.h"
 

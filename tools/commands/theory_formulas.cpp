@@ -2,9 +2,13 @@
 
 #include "commands/theory_formulas.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <optional>
 
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/text.h"
 #include "reproduction/laboratory.h"
 #include "talus/theory.h"
 

@@ -6,6 +6,10 @@
 
 #include "cli/command.h"
 
+namespace CLI {
+class Validator;
+}
+
 namespace talus::tools {
 
 /// A finite number from low to high.

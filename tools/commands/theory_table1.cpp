@@ -1,7 +1,11 @@
 // The paper's Table 1 beside the exact limits of sliding.
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/text.h"
 #include "commands/theory_formulas.h"
 #include "reproduction/laboratory.h"
 #include "talus/theory.h"

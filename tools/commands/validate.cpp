@@ -1,8 +1,13 @@
 // talus validate: reads and checks a scenario, computes nothing.
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
+#include "cli/json.h"
+#include "cli/provenance.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 #include "talus/simulation.h"
 

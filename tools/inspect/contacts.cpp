@@ -4,6 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/text.h"
 #include "inspect/views.h"
 
 namespace talus::tools {

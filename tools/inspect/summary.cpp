@@ -5,6 +5,9 @@
 #include <numeric>
 
 #include "cli/block_names.h"
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/text.h"
 #include "inspect/views.h"
 #include "talus/searches.h"
 
@@ -83,10 +86,22 @@ Json failureJson(const formats::SnapshotHeader& header) {
     }
     const LoadSearch* search = loadSearch(failure.analysis);  // nullptr: of a later version
     return {{"analysis", failure.analysis},
-            {search ? search->load_key : "load", number(failure.load / (search ? search->scale : 1))},
+            {search ? search->load->key : "load", number(failure.load / (search ? search->load->scale : 1))},
             {"mode", toString(failure.mode)},
             {"slides", compactNames(slides)},
             {"topples", compactNames(topples)}};
+}
+
+/// Its law and the numbers of that law, as a scenario has them.
+Json jointJson(const Joint& joint) {
+    Json json = {{"joint", joint.name}, {"law", toString(joint.law)}};
+    for (const JointProperty& property : kJointProperties)
+        if (property.laws.has(joint.law))
+            json[std::string(property.key)] = number(joint.*property.value / property.toSi());
+    if (joint.law != StrengthLaw::envelope) return json;
+    for (const EnvelopePoint& point : joint.shear_strength)
+        json["shear_strength"].push_back({number(point.normal_stress), number(point.shear_strength)});
+    return json;
 }
 
 std::size_t count(const formats::SnapshotHeader& header, Motion motion) {
@@ -106,6 +121,9 @@ View viewSummary(formats::SnapshotReader& reader, const std::string& path) {
     facts["fixed_blocks"] = count(header, Motion::fixed);
     facts["driven_blocks"] = count(header, Motion::driven);
     facts["joints"] = header.joints.size();
+    facts["joint_laws"] = Json::array();
+    for (const Joint& joint : header.joints)
+        if (joint.law != StrengthLaw::coulomb) facts["joint_laws"].push_back(jointJson(joint));
     facts["waters"] = header.waters.size();
     if (reader.fulls() > 0) {
         if (const auto full = reader.full(reader.fulls() - 1); full) {

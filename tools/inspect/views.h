@@ -1,7 +1,9 @@
 #pragma once
 // What `talus inspect` shows: each view is a few facts and a table.
 
+#include "cli/json.h"
 #include "recording/snapshot_view.h"
+#include "report/table.h"
 
 namespace talus::tools {
 

@@ -1,10 +1,14 @@
 #include "recording/keep_run.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
 #include "cli/block_names.h"
+#include "cli/json.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
 #include "report/numbers.h"
 #include "talus/formats/failing.h"
 
@@ -25,21 +29,7 @@ double ownTime(double block_size, double gravity) {
 
 /// With one decimal more than the answer's, because it lies a fraction of the bracket beyond it.
 std::string loadText(const KeptRun& kept) {
-    return talus::tools::loadText(*kept.search, kept.failure.load, kept.search->decimals + 1);
-}
-
-/// How the load is written into a scenario.
-void setLoad(Varied load, double value, formats::FailingLoad& failing) {
-    switch (load) {
-        case Varied::tilt:
-            failing.tilt = value;
-            return;
-        case Varied::factor:
-            failing.factor = value;
-            return;
-        case Varied::horizontal:
-            return;  // no search varies it
-    }
+    return talus::tools::loadText(*kept.search, kept.failure.load, kept.search->load->decimals + 1);
 }
 
 std::string whyNothing(const SearchResult& result) {
@@ -125,7 +115,8 @@ FailureKeeper::FailureKeeper(const KeepRunOptions& options, const Common& common
 void FailureKeeper::play(const FailingState& failing, KeptRun& kept, const Control& control) {
     const double time = ownTime(failing.block_size, scenario_.model.gravity.magnitude);
     formats::FailingLoad load;
-    setLoad(kept.search->load, failing.load, load);
+    load.varied = kept.search->load->varied;
+    load.value = failing.load;
     load.contact_damping = failing.contact_damping;
     load.duration = options_.seconds.value_or(kMostTimes * time);
     load.frame_interval = options_.seconds ? *options_.seconds / kFramesInGivenTime : time / kFramesPerTime;
@@ -181,7 +172,7 @@ Json keptRunJson(const KeptRun& kept) {
     if (kept.file.empty()) return {{"file", nullptr}, {"reason", kept.reason}};
     return {{"file", kept.file},
             {"reason", kept.reason.empty() ? Json(nullptr) : Json(kept.reason)},
-            {kept.search->load_key, number(kept.failure.load / kept.search->scale)},
+            {kept.search->load->key, number(kept.failure.load / kept.search->load->scale)},
             {"simulated_seconds", number(kept.run.simulated_seconds)},
             {"steps", kept.run.steps},
             {"time_step_s", number(kept.run.time_step)},

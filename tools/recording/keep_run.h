@@ -8,9 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "cli/command.h"
+#include "cli/common.h"
+#include "cli/failures.h"
+#include "cli/json_fwd.h"
 #include "recording/run_output.h"
+#include "talus/formats/scenario.h"
 #include "talus/searches.h"
+
+namespace CLI {
+class App;
+}
 
 namespace talus::tools {
 

@@ -2,6 +2,11 @@
 
 #include <filesystem>
 
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/provenance.h"
+#include "cli/signals.h"
+#include "cli/text.h"
 #include "talus/build_info.h"
 
 namespace talus::tools {

@@ -5,8 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "cli/command.h"
+#include "cli/common.h"
+#include "cli/json_fwd.h"
 #include "talus/formats/history.h"
+#include "talus/formats/scenario.h"
 #include "talus/formats/snapshot.h"
 #include "talus/simulation.h"
 

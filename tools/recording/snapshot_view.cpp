@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "cli/failures.h"
+
 namespace talus::tools {
 
 formats::SnapshotReader openSnapshot(const std::string& path) {

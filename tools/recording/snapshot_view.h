@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/command.h"
-#include "report/table.h"
 #include "talus/formats/snapshot.h"
 
 namespace talus::tools {

@@ -7,7 +7,12 @@
 #include <mutex>
 #include <optional>
 
+#include "cli/common.h"
+#include "cli/failures.h"
+#include "cli/signals.h"
+#include "cli/text.h"
 #include "talus/build_info.h"
+#include "talus/formats/scenario.h"
 #include "talus/simulation.h"
 
 namespace talus::tools {

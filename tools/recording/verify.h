@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/common.h"
 #include "recording/snapshot_view.h"
 
 namespace talus::tools {

@@ -7,8 +7,12 @@
 #include <fstream>
 #include <sstream>
 
+#include "cli/failures.h"
+#include "cli/json.h"
 #include "recording/snapshot_view.h"
+#include "talus/formats/scenario.h"
 #include "talus/motion_roles.h"
+#include "talus/searches.h"
 
 namespace talus::tools {
 
@@ -95,6 +99,17 @@ std::string motionRule() {
     return "<script id=\"motion-rule\" type=\"application/json\">" + rule.dump() + "</script>\n";
 }
 
+/// How the page says at which load a search's failure was kept, by the searches' names.
+std::string searchWords() {
+    Json words = Json::object();
+    for (const LoadSearch& search : loadSearches())
+        words[search.name] = {{"text", search.load->text},
+                              {"unit", search.load->unit},
+                              {"scale", search.load->scale},
+                              {"decimals", search.load->decimals + 1}};
+    return "<script id=\"searches\" type=\"application/json\">" + words.dump() + "</script>\n";
+}
+
 void appendBase64(std::string_view bytes, std::string& out) {
     static constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (std::size_t k = 0; k < bytes.size(); k += 3) {
@@ -123,7 +138,7 @@ std::string replayPage(std::string_view snapshot) {
     const std::size_t place = kReplayPage.find(kPlace);
     std::string page(kReplayPage.substr(0, place));
     page.reserve(kReplayPage.size() + snapshot.size() / 3 * 4 + snapshot.size() / kPieceBytes * 100 + 1000);
-    page += motionRule();
+    page += motionRule() + searchWords();
     for (std::size_t k = 0; k < snapshot.size(); k += kPieceBytes) {
         page += "<script class=\"snapshot\" type=\"text/plain\">";
         appendBase64(snapshot.substr(k, kPieceBytes), page);

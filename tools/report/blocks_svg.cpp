@@ -9,12 +9,19 @@
 
 #include "report/blocks_files.h"
 #include "report/svg.h"
+#include "report/svg_writer.h"
 
 namespace talus::tools {
 
 namespace {
 
 constexpr double kWidth = 900, kMargin = 20;  // [px]
+constexpr std::string_view kStyle = R"css(
+.page{fill:#fff}
+.block{stroke:#3b342b;stroke-width:.7;stroke-linejoin:round}
+.bar{stroke:#1a1a1a}
+.text{fill:#1a1a1a;font:13px system-ui,sans-serif}
+)css";
 
 /// Right, up and towards the reader.
 struct Camera {
@@ -152,12 +159,6 @@ std::string colour(const Block& block, std::size_t index, const Vec3& normal, co
     return text;
 }
 
-std::string pixel(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", value);
-    return text;
-}
-
 /// Millimetres to kilometres, without trailing noise.
 std::string lengthText(double metres) {
     char text[32];
@@ -174,29 +175,24 @@ std::string blocksSvg(const Model& model, const View& view, std::string_view tit
         for (const Vec3& v : block.shape.vertices) flat.add({camera.right.dot(v), camera.up.dot(v), 0});
     const double scale = (kWidth - 2 * kMargin) / std::max(flat.max.x() - flat.min.x(), 1e-12);
     const double height = scale * (flat.max.y() - flat.min.y()) + 2 * kMargin + 30;
-    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + pixel(kWidth) + " " +
-                      pixel(height) + "\" width=\"" + pixel(kWidth) + "\" height=\"" + pixel(height) +
-                      "\" role=\"img\">\n<title>" + escaped(title) +
-                      "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" +
-                      "<g stroke=\"#3b342b\" stroke-width=\"0.7\" stroke-linejoin=\"round\">\n";
+    const auto pixel = [&](const Vec3& x) {
+        return Spot{kMargin + scale * (camera.right.dot(x) - flat.min.x()),
+                    kMargin + scale * (flat.max.y() - camera.up.dot(x))};
+    };
+    SvgWriter svg;
     for (const VisibleFace& visible : visibleFaces(model, camera)) {
         const Block& block = model.blocks[visible.block];
-        svg += "<polygon fill=\"" + colour(block, visible.block, visible.normal, camera) + "\" points=\"";
-        for (const std::int32_t v : block.shape.faces[visible.face]) {
-            const Vec3& x = block.shape.vertices[static_cast<std::size_t>(v)];
-            svg += pixel(kMargin + scale * (camera.right.dot(x) - flat.min.x())) + "," +
-                   pixel(kMargin + scale * (flat.max.y() - camera.up.dot(x))) + " ";
-        }
-        svg.back() = '"';
-        svg += "><title>" + escaped(block.name) + "</title></polygon>\n";
+        std::vector<Spot> outline;
+        for (const std::int32_t v : block.shape.faces[visible.face])
+            outline.push_back(pixel(block.shape.vertices[static_cast<std::size_t>(v)]));
+        svg.shape(outline, false, "block", block.name, colour(block, visible.block, visible.normal, camera));
     }
     const double bar = niceStep(flat.max.x() - flat.min.x(), 6), base = height - 14;
-    svg += "</g>\n<path d=\"M" + pixel(kMargin) + " " + pixel(base) + "h" + pixel(scale * bar) + "m0 -4v8m-" +
-           pixel(scale * bar) + " -8v8\" stroke=\"#1a1a1a\" fill=\"none\"/>\n<text x=\"" +
-           pixel(kMargin + scale * bar + 8) + "\" y=\"" + pixel(base + 4) +
-           "\" font-family=\"system-ui,sans-serif\" font-size=\"13\" fill=\"#1a1a1a\">" + lengthText(bar) +
-           "</text>\n</svg>\n";
-    return svg;
+    const double end = kMargin + scale * bar;
+    svg.line({kMargin, base}, {end, base}, "bar");
+    for (const double x : {kMargin, end}) svg.line({x, base - 4}, {x, base + 4}, "bar");
+    svg.label({end + 8, base + 4}, lengthText(bar));
+    return svg.file(kWidth, height, title, "", kStyle);
 }
 
 }  // namespace talus::tools

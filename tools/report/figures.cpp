@@ -1,9 +1,11 @@
 #include "report/figures.h"
 
+#include "cli/json.h"
+
 namespace talus::tools {
 namespace {
 
-Json toJson(const Axis& axis) {
+Json toJson(const PlotAxis& axis) {
     Json json{{"title", axis.title}};
     if (!axis.domain.empty()) json["domain"] = axis.domain;
     if (axis.step > 0) json["step"] = axis.step;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/command.h"
+#include "cli/json_fwd.h"
 
 namespace talus::tools {
 
@@ -42,7 +42,7 @@ struct Reference {
 
 /// An axis over `domain`, or over the data and up to round numbers when it is empty; or over names, which stand at
 /// 0, 1, 2, ...
-struct Axis {
+struct PlotAxis {
     std::string title;
     std::vector<double> domain{};
     double step = 0;    ///< between ticks; 0: chosen by the page
@@ -53,7 +53,7 @@ struct Axis {
 
 struct Plot {
     std::string id, title, description;
-    Axis x, y;
+    PlotAxis x, y;
     std::vector<Series> series{};
     std::vector<Reference> references{};
     std::vector<Series> key{};  ///< further entries of the legend: type, role and name

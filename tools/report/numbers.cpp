@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cli/command.h"
+#include "cli/text.h"
 
 namespace talus::tools {
 
@@ -21,12 +21,12 @@ std::string typeset(std::string number) {
 }
 
 std::string loadFigure(const LoadSearch& search, double load, int decimals) {
-    return text(load / search.scale, decimals);
+    return text(load / search.load->scale, decimals);
 }
 
 std::string loadText(const LoadSearch& search, double load, int decimals) {
-    const std::string unit = search.unit;
-    return search.load_text + (" " + loadFigure(search, load, decimals)) + (unit.empty() ? "" : " " + unit);
+    const std::string unit = search.load->unit;
+    return search.load->text + (" " + loadFigure(search, load, decimals)) + (unit.empty() ? "" : " " + unit);
 }
 
 }  // namespace talus::tools

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cli/json.h"
+
 namespace talus::tools {
 namespace {
 

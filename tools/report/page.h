@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/json.h"
 #include "report/figures.h"
 
 namespace talus::tools {

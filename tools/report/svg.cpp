@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/text.h"
 #include "report/numbers.h"
+#include "report/svg_writer.h"
 
 namespace talus::tools {
 namespace {
@@ -37,65 +39,11 @@ constexpr std::string_view kStyle = R"css(
 .toppling{fill:#7a2f6b}
 )css";
 
-std::string px(double value) { return text(value, 1); }
-
-/// The elements of a file; places are pixels, y downwards.
-class Svg {
- public:
-    void shape(const std::vector<Spot>& spots, bool open, const std::string& role,
-               const std::string& tip = "") {
-        std::string list;
-        for (const Spot& spot : spots) list += (list.empty() ? "" : " ") + px(spot.x) + "," + px(spot.y);
-        element(open ? "polyline" : "polygon", "points=\"" + list + '"', role, tip);
-    }
-    void line(Spot from, Spot to, const std::string& role) { shape({from, to}, true, role); }
-    void box(Spot a, Spot b, const std::string& role, const std::string& tip = "") {
-        shape({a, {b.x, a.y}, b, {a.x, b.y}}, false, role, tip);
-    }
-    void symbol(const std::string& kind, Spot at, double r, const std::string& role,
-                const std::string& tip = "") {
-        if (kind == "triangle")
-            shape({{at.x, at.y - 1.15 * r}, {at.x + r, at.y + 0.6 * r}, {at.x - r, at.y + 0.6 * r}}, false,
-                  role, tip);
-        else if (kind == "square")
-            box({at.x - 0.9 * r, at.y - 0.9 * r}, {at.x + 0.9 * r, at.y + 0.9 * r}, role, tip);
-        else
-            element("circle", "cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) + "\" r=\"" + px(r) + '"', role,
-                    tip);
-    }
-    void label(Spot at, const std::string& words, const char* anchor = "start", const char* look = "text",
-               const std::string& turn = "") {
-        body_ +=
-            "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + "\" text-anchor=\"" + anchor + "\" class=\"" +
-            look + '"' +
-            (turn.empty() ? "" : " transform=\"rotate(" + turn + " " + px(at.x) + " " + px(at.y) + ")\"") +
-            ">" + escaped(words) + "</text>\n";
-    }
-    std::string file(double width, double height, const std::string& title,
-                     const std::string& description) const {
-        return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
-               "role=\"img\" width=\"" +
-               px(width) + "\" height=\"" + px(height) + "\" viewBox=\"0 0 " + px(width) + " " + px(height) +
-               "\">\n<title>" + escaped(title) + "</title>\n<desc>" + escaped(description) +
-               "</desc>\n<style>" + std::string(kStyle) +
-               "</style>\n<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n" + body_ + "</svg>\n";
-    }
-
- private:
-    void element(const std::string& name, const std::string& attributes, const std::string& role,
-                 const std::string& tip) {
-        body_ += "<" + name + " " + attributes + " class=\"" + escaped(role) + '"' +
-                 (tip.empty() ? "/>\n" : "><title>" + escaped(tip) + "</title></" + name + ">\n");
-    }
-
-    std::string body_;
-};
-
 // --- plots ----------------------------------------------------------------------------------------------------------
 
 /// Values of an axis onto pixels from..to.
 struct Scale {
-    const Axis& axis;
+    const PlotAxis& axis;
     double from, to;
 
     double low() const { return axis.categories.empty() ? axis.domain.at(0) : -0.5; }
@@ -133,7 +81,7 @@ class PlotFile {
             if (!reference.to) draw(reference);
         for (const Series& series : plot_.series) draw(series);
         const double bottom = drawLegend();
-        return svg_.file(kWidth, bottom, plot_.title, plot_.description);
+        return svg_.file(kWidth, bottom, plot_.title, plot_.description, kStyle);
     }
 
  private:
@@ -250,7 +198,7 @@ class PlotFile {
 
     const Plot& plot_;
     const Scale x_{plot_.x, kLeft, kRight}, y_{plot_.y, kBase, kTop};
-    Svg svg_;
+    SvgWriter svg_;
 };
 
 }  // namespace
@@ -269,40 +217,15 @@ std::string svgFile(const Drawing& drawing) {
     const auto pixel = [&](Spot spot) {
         return Spot{kMargin + scale * (spot.x - low.x), kMargin + scale * (high.y - spot.y)};
     };
-    Svg svg;
+    SvgWriter svg;
     for (const Shape& shape : drawing.shapes) {
         std::vector<Spot> spots = shape.spots;
         std::transform(spots.begin(), spots.end(), spots.begin(), pixel);
         svg.shape(spots, shape.open, shape.role, shape.tip);
     }
     if (drawing.label) svg.label(pixel(drawing.label->first), drawing.label->second, "start", "caption");
-    return svg.file(kWidth, scale * (high.y - low.y) + 2 * kMargin, drawing.title, drawing.description);
-}
-
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char letter : text) {
-        switch (letter) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            case '\'':
-                safe += "&#39;";
-                break;
-            default:
-                safe += letter;
-        }
-    }
-    return safe;
+    return svg.file(kWidth, scale * (high.y - low.y) + 2 * kMargin, drawing.title, drawing.description,
+                    kStyle);
 }
 
 double niceStep(double span, int count) {

@@ -3,7 +3,6 @@
 // itself; what only the page shows (histograms, heat maps, correlations) this does not know.
 
 #include <string>
-#include <string_view>
 
 #include "report/figures.h"
 
@@ -13,9 +12,6 @@ namespace talus::tools {
 std::string svgFile(const Plot& plot);
 
 std::string svgFile(const Drawing& drawing);
-
-/// Text made safe for XML, attributes included.
-std::string escaped(std::string_view text);
 
 /// A step of 1, 2 or 5 times a power of ten that cuts the span into about `count` parts.
 double niceStep(double span, int count);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "cli/failures.h"
+#include "cli/text.h"
 #include "paper_scenarios.h"
 #include "reproduction/laboratory.h"
 #include "reproduction/scenario_text.h"

@@ -1,5 +1,7 @@
 #include "reproduction/data.h"
 
+#include "cli/json.h"
+#include "cli/text.h"
 #include "report/csv.h"
 #include "report/page.h"
 #include "reproduction/laboratory.h"

@@ -7,6 +7,12 @@
 #include <filesystem>
 #include <mutex>
 
+#include "cli/failures.h"
+#include "cli/files.h"
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/signals.h"
+#include "cli/text.h"
 #include "recording/snapshot_view.h"
 #include "replay/page.h"
 #include "report/page.h"

@@ -5,6 +5,7 @@
 
 #include "reproduction/kept.h"
 #include "reproduction/slope.h"
+#include "talus/analysis.h"
 #include "talus/formats/export.h"
 
 namespace talus::tools {

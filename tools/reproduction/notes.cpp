@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/text.h"
 #include "reproduction/laboratory.h"
 
 namespace talus::tools {

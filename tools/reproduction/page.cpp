@@ -1,5 +1,7 @@
 #include "reproduction/page.h"
 
+#include "cli/json.h"
+#include "cli/text.h"
 #include "report/page.h"
 #include "reproduction/kept.h"
 #include "reproduction/laboratory.h"

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cli/json.h"
+#include "cli/text.h"
 #include "report/page.h"
 #include "reproduction/laboratory.h"
 #include "reproduction/notes.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/text.h"
 #include "report/svg.h"
 #include "reproduction/laboratory.h"
 #include "talus/theory.h"
@@ -23,7 +24,7 @@ const char* const kAngleTitle = "critical angle (\u00b0)";
 double densityOf(const Model& model) { return model.blocks.empty() ? 0 : model.blocks.back().density; }
 
 /// The exact limit with L as a continuous length, so that the curve passes between the fissures.
-Series theoryCurve(const PaperRun& sample, const Axis& x, const Axis& y) {
+Series theoryCurve(const PaperRun& sample, const PlotAxis& x, const PlotAxis& y) {
     const Model& model = sample.what.scenario.model;
     theory::SlidingMass mass;
     mass.height = model.stack->rows * model.stack->block.z();
@@ -145,8 +146,8 @@ Plot plotFig6(const PaperResults& results) {
     Plot plot{"plot-fig6", "Critical angle against L/H",
               "Critical angle in degrees against the distance of the watered fissure from the toe over the "
               "water depth: laboratory, DEM and exact limit.",
-              Axis{"L/H: distance of the fissure from the toe over water depth", {0, 3.75}, 0.5, 1},
-              Axis{kAngleTitle, {0, 22}, 2, 0}};
+              PlotAxis{"L/H: distance of the fissure from the toe over water depth", {0, 3.75}, 0.5, 1},
+              PlotAxis{kAngleTitle, {0, 22}, 2, 0}};
     plot.references.push_back({'x', kPaperRatio, {}, "dots", "", "beyond 3 the paper neglects the water"});
     addDryLines(plot, results);
     plot.series.push_back(demBand(results));
@@ -164,11 +165,11 @@ Plot plotDifference(const PaperResults& results) {
         "plot-difference", "Difference from the exact limit",
         "The search ends with a bracket between the last tilt that held and the first that did not; the "
         "answer is its middle.",
-        Axis{"watered fissure"},
-        Axis{"DEM \u2212 exact limit (\u00b0)",
-             {-range, range},
-             step,
-             std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)))}};
+        PlotAxis{"watered fissure"},
+        PlotAxis{"DEM \u2212 exact limit (\u00b0)",
+                 {-range, range},
+                 step,
+                 std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)))}};
     // Side by side, apart by symbol as well.
     std::vector<Series> by_friction{
         {"points", "dem-open", "friction angle 18\u00b0", {}, {}, "square", 5, -10},
@@ -201,8 +202,8 @@ Plot plotPoints(const PaperResults& results) {
         "The paper\u2019s four points per interface sit inside the edge and let the columns overturn too "
         "early; grids of N by N points approach the exact limit from below, points on the edge meet "
         "it.",
-        Axis{"N of a grid of N \u00d7 N contact points per interface, or the rule\u2019s name"},
-        Axis{kAngleTitle, {10, 21}, 1, 0}};
+        PlotAxis{"N of a grid of N \u00d7 N contact points per interface, or the rule\u2019s name"},
+        PlotAxis{kAngleTitle, {10, 21}, 1, 0}};
     const std::vector<std::string> rules = pointRules();
     for (const std::string& rule : rules)
         plot.x.categories.push_back(rule.starts_with("grid ") ? rule.substr(5) : rule);

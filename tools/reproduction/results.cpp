@@ -5,6 +5,7 @@
 #include <set>
 
 #include "cli/block_names.h"
+#include "cli/text.h"
 
 namespace talus::tools {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/command.h"
+#include "cli/json.h"
 #include "recording/keep_run.h"
 #include "report/numbers.h"
 #include "reproduction/scatter.h"

@@ -10,6 +10,8 @@
 #include <numeric>
 
 #include "reproduction/cases.h"
+#include "talus/analysis.h"
+#include "talus/formats/scenario.h"
 
 namespace talus::tools {
 namespace {

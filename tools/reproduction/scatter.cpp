@@ -6,6 +6,12 @@
 #include "batch/schedule.h"
 #include "batch/statistics.h"
 #include "batch/store.h"
+#include "cli/failures.h"
+#include "cli/files.h"
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/signals.h"
+#include "cli/text.h"
 #include "paper_scenarios.h"
 #include "report/page.h"
 #include "reproduction/laboratory.h"
@@ -153,7 +159,7 @@ Plot plotScatter(const Scatter& scatter) {
         "plot-scatter", "Scatter of the laboratory, computed",
         "Critical angles of samples in which every interface drew its own friction angle, beside the three "
         "laboratory tests of each case.",
-        Axis{"watered fissure"}, Axis{"critical angle (\u00b0)", {0, 22}, 2, 0}};
+        PlotAxis{"watered fissure"}, PlotAxis{"critical angle (\u00b0)", {0, 22}, 2, 0}};
     Series boxes{"box", "band", "computed: middle half of the samples", {}};
     Series repeats{"points", "laboratory", "laboratory, each test", {}, {}, "circle", 3, 24};
     for (const ScatterCase& one : scatter.cases) {

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/command.h"
+#include "cli/common.h"
+#include "cli/json_fwd.h"
 #include "report/figures.h"
 
 namespace talus::tools {

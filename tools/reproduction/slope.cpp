@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/json.h"
+#include "cli/text.h"
+#include "talus/analysis.h"
+
 namespace talus::tools {
 namespace {
 

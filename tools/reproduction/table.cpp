@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "cli/text.h"
 #include "reproduction/laboratory.h"
+#include "talus/formats/scenario.h"
 
 namespace talus::tools {
 namespace {

@@ -30,8 +30,7 @@ struct Control {
     int groups = 1;  ///< most groups of SearchResult::groups; each further one is a search more
 };
 
-/// What an analysis varies until the assembly fails. Where a scenario is written at such a load, or a model put under one, each
-/// has its own rule.
+/// What an analysis varies until the assembly fails; described in talus/searches.h.
 enum class Varied : std::uint8_t {
     tilt,       ///< of gravity about y [rad]
     factor,     ///< by which tan(phi) and C, peak and residual, are divided

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "talus/joint.h"
@@ -138,15 +139,40 @@ struct FrameWaters {
     std::vector<std::uint8_t> drained;  ///< as it is now
 };
 
-/// Strengths per joint as the contact law uses them.
+/// What the contact law takes of each joint, divided by the factor of a strength reduction.
 struct FrameLaws {
-    /// in the order of kJointProperties (lawValue)
-    std::array<std::vector<double>, kJointPropertyCount> parameters;
+    struct Parameter {
+        std::string name;            ///< as the law calls it
+        std::vector<double> values;  ///< per joint
+    };
+    /// One for each name that joint properties give (JointProperty::in_law); a file may lack some, or know others.
+    std::vector<Parameter> parameters = none();
     std::vector<std::uint8_t> bonded;
 
-    std::vector<double>& of(double Joint::*property) { return parameters[jointProperty(property)]; }
+    /// Null when there is none of this name.
+    const std::vector<double>* find(std::string_view name) const {
+        for (const Parameter& parameter : parameters)
+            if (parameter.name == name) return &parameter.values;
+        return nullptr;
+    }
+    /// The parameter's values, made empty when there are none of this name.
+    std::vector<double>& named(std::string_view name) {
+        for (Parameter& parameter : parameters)
+            if (parameter.name == name) return parameter.values;
+        return parameters.emplace_back(Parameter{std::string(name), {}}).values;
+    }
+    /// What a property became. \pre the law takes something of it
+    std::vector<double>& of(double Joint::*property) { return named(propertyOf(property).in_law); }
     const std::vector<double>& of(double Joint::*property) const {
-        return parameters[jointProperty(property)];
+        return *find(propertyOf(property).in_law);
+    }
+
+ private:
+    static std::vector<Parameter> none() {
+        std::vector<Parameter> all;
+        for (const JointProperty& property : kJointProperties)
+            if (!property.in_law.empty()) all.push_back({std::string(property.in_law), {}});
+        return all;
     }
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 // The one description of a full frame's arrays: the name each has in snapshot files, what it has one entry for, its unit,
-// and what an index in it points at. Checks of frames from files go through it (misfit); that the schema, the codec and
-// the replay page agree with it is tested (tests/formats/snapshot/frame_table_test.cpp).
+// and what an index in it points at. Checks of frames from files go through it (misfit), and so does the codec; that the schema
+// agrees with it is tested (tests/formats/snapshot/frame_table_test.cpp).
 
 #include <cstdint>
 #include <optional>
@@ -141,9 +141,9 @@ void eachFrameArray(Frame& frame, const Visit& visit) {
     all("wet", kWetFields, frame.wet);
     all("waters", kWaterFields, frame.waters);
     using Values = std::vector<double>;
-    for (std::size_t p = 0; p < kJointPropertyCount; ++p)
-        visit("laws", FrameField<FrameLaws, Values>{kJointProperties[p].in_law, nullptr, Item::joint, "", {}},
-              frame.laws.parameters[p]);
+    for (auto& parameter : frame.laws.parameters)
+        visit("laws", FrameField<FrameLaws, Values>{parameter.name, nullptr, Item::joint, "", {}},
+              parameter.values);
     visit("laws", frameField("bonded", &FrameLaws::bonded, Item::joint), frame.laws.bonded);
     visit("search", frameField("position", &FullFrame::search_position, Item::block, "m"),
           frame.search_position);

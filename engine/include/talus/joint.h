@@ -1,8 +1,8 @@
 #pragma once
-// What a joint is made of: its values, and the one table that says of each how it is called, in which unit people give
-// it, what is allowed, what it is when nobody gives it, and whether strength reduction divides it. Whoever reads, writes,
-// draws, reduces, keeps or checks joints goes through the table: a new property is a value here, a line of the table, its
-// place in a snapshot (formats/snapshot.fbs) and the law that uses it.
+// The one table of what a joint is made of: how each value is called, in which unit people give it, what is allowed,
+// which laws of strength have it, what it is when nobody gives it, and whether strength reduction divides it. Whoever
+// reads, writes, draws, reduces, keeps or checks joints goes through the table: a new property is a value of Joint
+// (talus/joint_values.h), a line of the table, and the law that uses it.
 
 #include <array>
 #include <cmath>
@@ -12,32 +12,21 @@
 #include <string_view>
 
 #include "talus/interval.h"
+#include "talus/joint_values.h"
 
 namespace talus {
 
-/// Strength and stiffness of an interface (Mohr-Coulomb, eqs 5-9 of the paper).
-struct Joint {
-    std::string name;
-    double normal_stiffness = 0;   ///< k_n [Pa/m]
-    double shear_stiffness = 0;    ///< k_s [Pa/m]
-    double friction = 0;           ///< phi [rad]
-    double cohesion = 0;           ///< C [Pa]
-    double tensile_strength = 0;   ///< sigma_t [Pa]
-    double residual_cohesion = 0;  ///< C_r, after the first slip or opening [Pa]
-    double residual_friction = 0;  ///< phi_r, after the first slip [rad]
-    double dilation = 0;           ///< psi, opening per slip [rad]
-};
-
 struct JointProperty {
-    std::string_view key;   ///< in a scenario
-    double Joint::*value;   ///< in SI units and radians
-    std::string_view unit;  ///< of what stands under the key
-    Interval allowed;       ///< in that unit
-    enum class Default { required, zero, same_as } when_absent = Default::zero;
-    double Joint::*same_as = nullptr;  ///< the property it follows unless it is given
-    bool is_reduced = false;           ///< the factor of safety divides it, an angle by its tangent
-    std::string_view in_law;  ///< what the law calls what it takes of it; so it is called in snapshots, too
-    std::string_view what;    ///< for people
+    std::string_view key;              ///< in a scenario
+    double Joint::*value;              ///< in SI units and radians
+    std::string_view unit;             ///< of what stands under the key
+    Interval allowed;                  ///< in that unit
+    LawSet laws = kAllLaws;            ///< joints of these have it
+    LawSet required_by{};              ///< of these it has to be given; else it is as Joint{} has it
+    double Joint::*same_as = nullptr;  ///< ... or as this property, unless it is given
+    LawSet reduced_in{};               ///< of these the factor of safety divides it, an angle by its tangent
+    std::string_view in_law;           ///< what the law and snapshots call it; "" where a curve is made of it
+    std::string_view what;             ///< for people
 
     /// The law takes an angle's tangent.
     constexpr bool isAngle() const { return unit == "deg"; }
@@ -47,69 +36,123 @@ struct JointProperty {
 namespace detail {
 
 inline constexpr Interval kFrictionDeg{0, 90, false, true};
-using Default = JointProperty::Default;
+inline constexpr LawSet kCoulomb{StrengthLaw::coulomb}, kBartonBandis{StrengthLaw::barton_bandis},
+    kPower{StrengthLaw::power};
 
 }  // namespace detail
 
-// The order is that of the parameters in the law (law/law.h), and of their names in messages.
+// The order is that of their names in messages.
 inline constexpr std::array kJointProperties{
     JointProperty{.key = "normal_stiffness",
                   .value = &Joint::normal_stiffness,
                   .unit = "Pa/m",
                   .allowed = Interval::positive(),
-                  .when_absent = detail::Default::required,
+                  .required_by = kAllLaws,
                   .in_law = "normal_stiffness",
                   .what = "normal stress per closure"},
     JointProperty{.key = "shear_stiffness",
                   .value = &Joint::shear_stiffness,
                   .unit = "Pa/m",
                   .allowed = Interval::positive(),
-                  .when_absent = detail::Default::required,
+                  .required_by = kAllLaws,
                   .in_law = "shear_stiffness",
                   .what = "shear stress per slip before sliding"},
     JointProperty{.key = "friction_deg",
                   .value = &Joint::friction,
                   .unit = "deg",
                   .allowed = detail::kFrictionDeg,
-                  .when_absent = detail::Default::required,
-                  .is_reduced = true,
+                  .laws = detail::kCoulomb,
+                  .required_by = detail::kCoulomb,
+                  .reduced_in = detail::kCoulomb,
                   .in_law = "tan_friction",
                   .what = "angle of friction, peak"},
     JointProperty{.key = "cohesion",
                   .value = &Joint::cohesion,
                   .unit = "Pa",
                   .allowed = Interval::notNegative(),
-                  .is_reduced = true,
+                  .laws = detail::kCoulomb,
+                  .reduced_in = detail::kCoulomb,
                   .in_law = "cohesion",
                   .what = "shear strength without normal stress, peak"},
     JointProperty{.key = "tensile_strength",
                   .value = &Joint::tensile_strength,
                   .unit = "Pa",
                   .allowed = Interval::notNegative(),
+                  .laws = detail::kCoulomb,
                   .in_law = "tensile_strength",
                   .what = "tension at which it opens"},
     JointProperty{.key = "residual_cohesion",
                   .value = &Joint::residual_cohesion,
                   .unit = "Pa",
                   .allowed = Interval::notNegative(),
-                  .is_reduced = true,
+                  .laws = detail::kCoulomb,
+                  .reduced_in = detail::kCoulomb,
                   .in_law = "residual_cohesion",
                   .what = "cohesion after the first slip or opening"},
     JointProperty{.key = "residual_friction_deg",
                   .value = &Joint::residual_friction,
                   .unit = "deg",
                   .allowed = detail::kFrictionDeg,
-                  .when_absent = detail::Default::same_as,
+                  .laws = {StrengthLaw::coulomb, StrengthLaw::barton_bandis},
+                  .required_by = detail::kBartonBandis,
                   .same_as = &Joint::friction,
-                  .is_reduced = true,
+                  .reduced_in = detail::kCoulomb,
                   .in_law = "residual_tan_friction",
-                  .what = "angle of friction after the first slip"},
+                  .what = "angle of friction after the first slip, or of a smooth joint"},
     JointProperty{.key = "dilation_deg",
                   .value = &Joint::dilation,
                   .unit = "deg",
                   .allowed = detail::kFrictionDeg,
                   .in_law = "tan_dilation",
                   .what = "opening per slip, as an angle"},
+    JointProperty{.key = "jrc",
+                  .value = &Joint::jrc,
+                  .unit = "",
+                  .allowed = {0, 20},
+                  .laws = detail::kBartonBandis,
+                  .required_by = detail::kBartonBandis,
+                  .in_law = "",
+                  .what = "joint roughness coefficient"},
+    JointProperty{.key = "jcs",
+                  .value = &Joint::jcs,
+                  .unit = "Pa",
+                  .allowed = Interval::positive(),
+                  .laws = detail::kBartonBandis,
+                  .required_by = detail::kBartonBandis,
+                  .in_law = "",
+                  .what = "joint wall compressive strength"},
+    // Up to where the strength grows with the normal stress at any roughness: sin(2 phi) > 2 JRC (pi/180) / ln 10.
+    JointProperty{.key = "max_friction_deg",
+                  .value = &Joint::max_friction,
+                  .unit = "deg",
+                  .allowed = {0, 80, true, false},
+                  .laws = detail::kBartonBandis,
+                  .in_law = "",
+                  .what = "greatest angle of the strength over the normal stress"},
+    JointProperty{.key = "a",
+                  .value = &Joint::a,
+                  .unit = "Pa^(1-b)",
+                  .allowed = Interval::positive(),
+                  .laws = detail::kPower,
+                  .required_by = detail::kPower,
+                  .in_law = "",
+                  .what = "strength at a normal stress of 1 Pa"},
+    JointProperty{.key = "b",
+                  .value = &Joint::b,
+                  .unit = "",
+                  .allowed = {0, 1, true, false},
+                  .laws = detail::kPower,
+                  .required_by = detail::kPower,
+                  .in_law = "",
+                  .what = "exponent of the normal stress"},
+    JointProperty{.key = "strength_factor",
+                  .value = &Joint::strength_factor,
+                  .unit = "",
+                  .allowed = Interval::positive(),
+                  .laws = kCurvedLaws,
+                  .reduced_in = kCurvedLaws,
+                  .in_law = "strength_factor",
+                  .what = "times the law's shear strength"},
 };
 inline constexpr std::size_t kJointPropertyCount = kJointProperties.size();
 
@@ -135,13 +178,14 @@ constexpr const JointProperty& propertyOf(double Joint::*value) {
 /// reduction divides it.
 inline double lawValue(const Joint& joint, const JointProperty& property, double factor = 1) {
     const double value = joint.*property.value;
-    return (property.isAngle() ? std::tan(value) : value) / (property.is_reduced ? factor : 1.0);
+    return (property.isAngle() ? std::tan(value) : value) /
+           (property.reduced_in.has(joint.law) ? factor : 1.0);
 }
 
 /// A joint with its strengths over `factor`.
 inline Joint reduced(Joint joint, double factor) {
     for (const JointProperty& property : kJointProperties)
-        if (property.is_reduced)
+        if (property.reduced_in.has(joint.law))
             joint.*property.value = property.isAngle() ? std::atan(lawValue(joint, property, factor))
                                                        : lawValue(joint, property, factor);
     return joint;
@@ -149,6 +193,7 @@ inline Joint reduced(Joint joint, double factor) {
 
 /// A joint that neither slips nor opens below `strength` [Pa].
 inline Joint holding(Joint joint, double strength) {
+    joint.law = StrengthLaw::coulomb;
     joint.cohesion = joint.tensile_strength = joint.residual_cohesion = strength;
     return joint;
 }

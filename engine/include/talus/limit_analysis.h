@@ -24,9 +24,9 @@ struct BlockVelocity {
     Vec3 velocity = Vec3::Zero();  ///< of its centroid [m/s]
     Vec3 spin = Vec3::Zero();      ///< [rad/s]
     double speed = 0;     ///< of its centroid, and with its spin of the corner farthest from it [m/s]
-    bool moving = false;  ///< speed at least `kMovingShare` of the fastest block's
+    bool moving = false;  ///< speed at least `kMechanismShare` of the fastest block's
 };
-inline constexpr double kMovingShare = 0.01;
+inline constexpr double kMechanismShare = 0.01;
 
 struct LimitSettings {
     double factor_width = 1e-4;               ///< of the bracket of a factor, as a share of it

@@ -20,21 +20,48 @@ struct TheoryFigure {
     theory::Prediction prediction;
 };
 
+/// Where a scenario says a number, and which that is of a model, in the scenario's unit.
+struct ScenarioNumber {
+    const char* section;
+    const char* key;
+    double (*value)(const Model& model);
+};
+
+/// What an analysis varies, described once: how it is called, told, put on a model and written into a scenario. An entry of
+/// engine/src/analysis/searches.cpp.
+struct VariedQuantity {
+    Varied varied;
+    const char* name;    ///< on the command line: "tilt"
+    const char* limit;   ///< the greatest one: "critical angle"
+    const char* text;    ///< before a figure for people: "tilt", "strengths divided by"
+    const char* key;     ///< in JSON and in a sweep's [report]: "tilt_deg"
+    const char* unit;    ///< where people see it, and behind keys: "deg"; "" without one
+    const char* of;      ///< behind a figure for people instead of a unit: "of the weight"
+    double scale;        ///< one unit in SI
+    int decimals;        ///< of a figure for people
+    int limit_decimals;  ///< of one of limit analysis
+    /// By how much joints that give a little may stand above the limit of those that do not; a share of it, or in SI
+    double give;
+    bool give_is_share;
+    void (*apply)(Model& model, double value);  ///< nullptr where only limit analysis varies it
+    bool divides_strengths;                     ///< of all joints, wherever a scenario says one
+    std::span<const ScenarioNumber> written;    ///< else: what a scenario at such a load says
+};
+
+const VariedQuantity& quantityOf(Varied varied);
+std::span<const VariedQuantity> variedQuantities();
+
 struct LoadSearch {
-    const char* name;        ///< on the command line and in files: "critical-angle"
-    const char* about;       ///< one sentence for people, without its full stop
-    const char* details;     ///< more of them, for a help text
-    const char* answer;      ///< what is found: "critical angle"
-    const char* answer_key;  ///< the same in JSON and CSV: "critical_angle_deg"
-    const char* theory_key;  ///< what the closed formulas say of it: "theory_deg"
-    Varied load;
-    const char* load_text;  ///< before a load's figure: "tilt", "strengths divided by"
-    const char* load_key;   ///< in JSON and in a sweep's [report]: "tilt_deg"
-    const char* unit;  ///< of answer and load where people see them, and behind keys: "deg"; "" without one
-    double scale;      ///< one unit in SI
-    int decimals;      ///< of a figure for people
+    const char* name;                 ///< on the command line and in files: "critical-angle"
+    const char* about;                ///< one sentence for people, without its full stop
+    const char* details;              ///< more of them, for a help text
+    const char* answer;               ///< what is found: "critical angle"
+    const char* answer_key;           ///< the same in JSON and CSV: "critical_angle_deg"
+    const char* theory_key;           ///< what the closed formulas say of it: "theory_deg"
+    const VariedQuantity* load;       ///< what is varied, and with it the answer's unit
     double lowest, highest;           ///< loads between which a threshold may be asked for, in the unit
     std::optional<double> threshold;  ///< that is asked for unless a sweep names others, in the unit
+    bool follows_groups;              ///< finds who goes next, too (Control::groups)
     Result<SearchResult> (*find)(const Model& model, const Control& control, const QuasiStatic& settings);
     std::optional<TheoryFigure> (*theory)(const Model& model);  ///< nothing where no formula applies
 
@@ -48,7 +75,7 @@ std::span<const LoadSearch> loadSearches();
 /// The one of this name; nullptr when there is none.
 const LoadSearch* loadSearch(std::string_view name);
 
-/// The model with its gravity or its joints as they are at this load.
+/// The model as it is at this load.
 void putUnderLoad(Model& model, Varied load, double value);
 
 }  // namespace talus

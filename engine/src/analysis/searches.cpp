@@ -63,6 +63,79 @@ std::optional<TheoryFigure> theoryOfFactor(const Model& model) {
     return at_limit ? std::optional(TheoryFigure{high, *prediction}) : std::nullopt;
 }
 
+constexpr double inDegrees(double radians) { return radians / kDegree; }
+
+/// A search of the tilted model starts and ends where it did.
+void tilt(Model& model, double value) {
+    model.analysis.start = model.analysis.start.value_or(model.gravity.tilt);
+    model.gravity.tilt = value;
+}
+
+constexpr std::array kTiltWritten{
+    ScenarioNumber{"analysis", "start_deg",
+                   [](const Model& m) { return inDegrees(m.analysis.start.value_or(m.gravity.tilt)); }},
+    ScenarioNumber{"analysis", "stop_deg", [](const Model& m) { return inDegrees(m.analysis.stop); }},
+    ScenarioNumber{"gravity", "tilt_deg", [](const Model& m) { return inDegrees(m.gravity.tilt); }}};
+
+void divideStrengths(Model& model, double factor) {
+    if (factor == 1) return;  // to the bit: an angle's tangent and back rounds
+    for (Joint& joint : model.joints) joint = reduced(std::move(joint), factor);
+}
+
+// In the order of Varied.
+constexpr std::array kQuantities{VariedQuantity{.varied = Varied::tilt,
+                                                .name = "tilt",
+                                                .limit = "critical angle",
+                                                .text = "tilt",
+                                                .key = "tilt_deg",
+                                                .unit = "deg",
+                                                .of = "",
+                                                .scale = kDegree,
+                                                .decimals = 3,
+                                                .limit_decimals = 4,
+                                                .give = 0.05 * kDegree,
+                                                .give_is_share = false,
+                                                .apply = tilt,
+                                                .divides_strengths = false,
+                                                .written = kTiltWritten},
+                                 VariedQuantity{.varied = Varied::factor,
+                                                .name = "factor",
+                                                .limit = "factor of safety",
+                                                .text = "strengths divided by",
+                                                .key = "factor",
+                                                .unit = "",
+                                                .of = "",
+                                                .scale = 1,
+                                                .decimals = 4,
+                                                .limit_decimals = 4,
+                                                .give = 0.005,
+                                                .give_is_share = true,
+                                                .apply = divideStrengths,
+                                                .divides_strengths = true,
+                                                .written = {}},
+                                 VariedQuantity{.varied = Varied::horizontal,
+                                                .name = "horizontal",
+                                                .limit = "horizontal load",
+                                                .text = "horizontal load",
+                                                .key = "horizontal",
+                                                .unit = "",
+                                                .of = "of the weight",
+                                                .scale = 1,
+                                                .decimals = 4,
+                                                .limit_decimals = 5,
+                                                .give = 0.05 * kDegree,
+                                                .give_is_share = false,
+                                                .apply = nullptr,
+                                                .divides_strengths = false,
+                                                .written = {}}};
+
+}  // namespace
+
+const VariedQuantity& quantityOf(Varied varied) { return kQuantities[static_cast<std::size_t>(varied)]; }
+std::span<const VariedQuantity> variedQuantities() { return kQuantities; }
+
+namespace {
+
 const std::array kSearches{
     LoadSearch{.name = "critical-angle",
                .about = "The tilt at which the assembly first fails",
@@ -73,15 +146,11 @@ const std::array kSearches{
                .answer = "critical angle",
                .answer_key = "critical_angle_deg",
                .theory_key = "theory_deg",
-               .load = Varied::tilt,
-               .load_text = "tilt",
-               .load_key = "tilt_deg",
-               .unit = "deg",
-               .scale = kDegree,
-               .decimals = 3,
+               .load = &quantityOf(Varied::tilt),
                .lowest = -90,
                .highest = 90,
                .threshold = std::nullopt,
+               .follows_groups = false,
                .find = criticalAngle,
                .theory = theoryOfTilt},
     LoadSearch{
@@ -93,22 +162,18 @@ const std::array kSearches{
         .answer = "factor of safety",
         .answer_key = "safety_factor",
         .theory_key = "theory_factor",
-        .load = Varied::factor,
-        .load_text = "strengths divided by",
-        .load_key = "factor",
-        .unit = "",
-        .scale = 1,
-        .decimals = 4,
+        .load = &quantityOf(Varied::factor),
         .lowest = 0,
         .highest = kInfinity,
         .threshold = 1.0,
+        .follows_groups = true,
         .find = safetyFactor,
         .theory = theoryOfFactor}};
 
 }  // namespace
 
 std::string LoadSearch::keyInUnit(std::string_view key) const {
-    return std::string(key) + (*unit == '\0' ? "" : "_") + unit;
+    return std::string(key) + (*load->unit == '\0' ? "" : "_") + load->unit;
 }
 
 std::span<const LoadSearch> loadSearches() { return kSearches; }
@@ -120,16 +185,7 @@ const LoadSearch* loadSearch(std::string_view name) {
 }
 
 void putUnderLoad(Model& model, Varied load, double value) {
-    switch (load) {
-        case Varied::tilt:
-            model.gravity.tilt = value;
-            return;
-        case Varied::factor:
-            for (Joint& joint : model.joints) joint = reduced(joint, value);
-            return;
-        case Varied::horizontal:
-            return;  // no search varies it
-    }
+    if (const auto apply = quantityOf(load).apply) apply(model, value);
 }
 
 }  // namespace talus

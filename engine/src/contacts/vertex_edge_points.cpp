@@ -57,7 +57,7 @@ struct Pair {
 };
 
 /// An axis along which the two may be told apart.
-struct Axis {
+struct SeparatingAxis {
     double distance = -std::numeric_limits<double>::infinity();
     bool is_edges = false;
     bool second_is_reference = false;  // whose face it is
@@ -70,11 +70,11 @@ const Vec3& vertexOf(const WorldShape& shape, std::int32_t v) {
     return shape.vertices[static_cast<std::size_t>(v)];
 }
 
-Axis faceAxis(const Pair& pair, bool second_is_reference, std::size_t face) {
+SeparatingAxis faceAxis(const Pair& pair, bool second_is_reference, std::size_t face) {
     const WorldShape& reference = pair.shape(second_is_reference);
     const WorldShape& other = pair.shape(!second_is_reference);
-    Axis axis{std::numeric_limits<double>::infinity(), false, second_is_reference,
-              static_cast<std::int32_t>(face),         -1,    reference.normals[face]};
+    SeparatingAxis axis{std::numeric_limits<double>::infinity(), false, second_is_reference,
+                        static_cast<std::int32_t>(face),         -1,    reference.normals[face]};
     const Vec3& origin = vertexOf(reference, reference.faces[face][0]);
     for (std::size_t v = 0; v < other.vertices.size(); ++v) {
         const double height = axis.normal.dot(other.vertices[v] - origin);
@@ -86,7 +86,7 @@ Axis faceAxis(const Pair& pair, bool second_is_reference, std::size_t face) {
 /// The cross product of two edges, when they are the two blocks' outermost along it: when the arc between the normals
 /// of one edge's faces and that between the opposites of the other's cross on the unit sphere (the Gauss map;
 /// Gregorius 2013).
-Axis edgeAxis(const Pair& pair, std::size_t e, std::size_t f) {
+SeparatingAxis edgeAxis(const Pair& pair, std::size_t e, std::size_t f) {
     const Edge &first = pair.first_edges[e], &second = pair.second_edges[f];
     const auto normal_1 = [&](std::int32_t face) -> const Vec3& {
         return pair.first.normals[static_cast<std::size_t>(face)];
@@ -126,7 +126,7 @@ struct Faces {
 };
 
 /// The faces that meet along an axis: those that look at each other most.
-Faces meetingFaces(const Pair& pair, const Axis& axis) {
+Faces meetingFaces(const Pair& pair, const SeparatingAxis& axis) {
     if (!axis.is_edges) {
         const std::int32_t other =
             incidentFace(pair.shape(!axis.second_is_reference), axis.other, axis.normal);
@@ -145,7 +145,7 @@ Faces meetingFaces(const Pair& pair, const Axis& axis) {
     return best;
 }
 
-bool meetsFaceToFace(const Pair& pair, const Axis& axis, const VertexEdgeLimits& limits) {
+bool meetsFaceToFace(const Pair& pair, const SeparatingAxis& axis, const VertexEdgeLimits& limits) {
     const Faces faces = meetingFaces(pair, axis);
     const Vec3 &first = pair.first.normals[static_cast<std::size_t>(faces.first)],
                &second = pair.second.normals[static_cast<std::size_t>(faces.second)];
@@ -165,21 +165,21 @@ void forEachAxis(Pair& pair, const Each& each) {
     pair.second_edges = edgesOf(pair.second);
     for (std::size_t e = 0; e < pair.first_edges.size(); ++e)
         for (std::size_t f = 0; f < pair.second_edges.size(); ++f) {
-            const Axis axis = edgeAxis(pair, e, f);
+            const SeparatingAxis axis = edgeAxis(pair, e, f);
             if (axis.is_edges && !each(axis)) return;
         }
 }
 
 /// The axes they meet along, at best.
 struct Meeting {
-    Axis faces, sharp;
+    SeparatingAxis faces, sharp;
     bool apart = false;
     double apart_by = 0;  // [m], at least
 };
 
 Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
     Meeting best;
-    forEachAxis(pair, [&](const Axis& axis) {
+    forEachAxis(pair, [&](const SeparatingAxis& axis) {
         best.apart = axis.distance > limits.reach;
         best.apart_by = axis.distance;
         if (best.apart) return false;
@@ -248,7 +248,7 @@ Share clip(const FaceOutline& face, const Vec3& from, const Vec3& to) {
     return share;
 }
 
-VertexEdgePoints pointsOnFace(Pair& pair, const Axis& axis, double reach) {
+VertexEdgePoints pointsOnFace(Pair& pair, const SeparatingAxis& axis, double reach) {
     const WorldShape& other = pair.shape(!axis.second_is_reference);
     const FaceOutline face(pair.shape(axis.second_is_reference), static_cast<std::size_t>(axis.face));
     const Vec3 e1 = (face.corner(1) - face.corner(0)).normalized(), e2 = face.normal.cross(e1);
@@ -279,7 +279,7 @@ VertexEdgePoints pointsOnFace(Pair& pair, const Axis& axis, double reach) {
     return found;
 }
 
-VertexEdgePoints pointBetweenEdges(const Pair& pair, const Axis& axis) {
+VertexEdgePoints pointBetweenEdges(const Pair& pair, const SeparatingAxis& axis) {
     const Edge& e = pair.first_edges[static_cast<std::size_t>(axis.face)];
     const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
     const Vec3 &p = vertexOf(pair.first, e.from), &q = vertexOf(pair.second, f.from);
@@ -310,7 +310,7 @@ VertexEdgePoints findVertexEdgePoints(const WorldShape& first, const WorldShape&
         return found;
     }
     const bool sharp = meeting.sharp.distance > meeting.faces.distance + limits.tie;
-    const Axis& axis = sharp ? meeting.sharp : meeting.faces;
+    const SeparatingAxis& axis = sharp ? meeting.sharp : meeting.faces;
     if (sharp) found = axis.is_edges ? pointBetweenEdges(pair, axis) : pointsOnFace(pair, axis, limits.reach);
     const Faces faces = meetingFaces(pair, axis);
     found.near = true;
@@ -354,7 +354,7 @@ Approach approachOf(const WorldShape& first, const WorldShape& second, const Ver
     narrow.angle_per_depth = 0;
     double most = -std::numeric_limits<double>::infinity(), sharpest = most;
     bool apart = false;
-    forEachAxis(pair, [&](const Axis& axis) {
+    forEachAxis(pair, [&](const SeparatingAxis& axis) {
         apart = axis.distance > limits.reach + travel;
         if (apart) return false;
         most = std::max(most, axis.distance);

@@ -74,11 +74,10 @@ void findDrag(const State& state, Balance& balance) {
     balance.drag.assign(balance.block.size(), 0.0);
     double stiffest = 0;
     for (const contact::JointLaw& law : state.laws)
-        stiffest = std::max({stiffest, law.normal_stiffness, law.shear_stiffness});
+        stiffest = std::max(stiffest, contact::largestStiffness(law));
     for (const ActiveInterface& i : balance.interfaces) {
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(i.joint)];
-        const double stiffness =
-            state.interfaces.area[i.interface] * std::max(law.normal_stiffness, law.shear_stiffness);
+        const double stiffness = state.interfaces.area[i.interface] * contact::largestStiffness(law);
         for (const std::size_t b : {i.block_a, i.block_b})
             if (balance.row[b] >= 0) balance.drag[static_cast<std::size_t>(balance.row[b])] += stiffness;
     }

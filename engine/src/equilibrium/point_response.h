@@ -1,5 +1,5 @@
 #pragma once
-// The contact law at one contact point together with its derivative, for Newton's method: what contact/law.h gives
+// The contact law at one contact point together with its derivative, for Newton's method: what law/law.h gives
 // for a trial pose while nothing is committed, and how it changes with the pose.
 
 #include <Eigen/Core>
@@ -45,8 +45,9 @@ inline PointResponse pointResponse(const contact::JointLaw& joint, double area, 
                                    double slide_2, double gap, const contact::PointMemory& memory,
                                    double rounding) {
     PointResponse point;
-    const double normal_stiffness = joint.normal_stiffness * area, stiffness = joint.shear_stiffness * area;
-    const double tension_limit = memory.bond * joint.tensile_strength * area;
+    const contact::StiffnessOf<double> sticking = contact::stiffnessOf(joint);
+    const double normal_stiffness = sticking.normal * area, stiffness = sticking.shear * area;
+    const double tension_limit = contact::tensileStrength(joint, area, memory.bond);
     const double trial_normal = -normal_stiffness * (gap - memory.dilation);
     point.open = trial_normal < 0 && tension_limit == 0 && !(rounding > 0);
     if (point.open) return point;
@@ -67,10 +68,9 @@ inline PointResponse pointResponse(const contact::JointLaw& joint, double area, 
     point.stiffness(0, 1) = point.stiffness(1, 0) = left * t1 * t2;
     point.stiffness(1, 1) += left * t2 * t2;
     if (strength <= 0) return point;
-    const double tan_friction =
-        joint.residual_tan_friction + memory.bond * (joint.tan_friction - joint.residual_tan_friction);
-    point.stiffness(0, 2) = tan_friction * t1 * point.stiffness(2, 2);
-    point.stiffness(1, 2) = tan_friction * t2 * point.stiffness(2, 2);
+    const double slope = contact::strengthSlope(joint, area, normal.force, memory.bond);
+    point.stiffness(0, 2) = slope * t1 * point.stiffness(2, 2);
+    point.stiffness(1, 2) = slope * t2 * point.stiffness(2, 2);
     return point;
 }
 
@@ -78,9 +78,8 @@ inline PointResponse pointResponse(const contact::JointLaw& joint, double area, 
 inline void commitSlide(const PointResponse& point, const contact::JointLaw& joint, double area,
                         double slide_1, double slide_2, contact::PointMemory& memory) {
     if (!point.open && !point.slips) return;
-    const double stiffness = joint.shear_stiffness * area;
-    memory.offset_1 = slide_1 + (point.open ? 0.0 : point.force.x() / stiffness);
-    memory.offset_2 = slide_2 + (point.open ? 0.0 : point.force.y() / stiffness);
+    memory.offset_1 = slide_1 + (point.open ? 0.0 : contact::offsetFor(joint, area, point.force.x()));
+    memory.offset_2 = slide_2 + (point.open ? 0.0 : contact::offsetFor(joint, area, point.force.y()));
 }
 
 }  // namespace talus::equilibrium

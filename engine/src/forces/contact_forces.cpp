@@ -1,5 +1,6 @@
 #include "forces/contact_forces.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "forces/contact_view.h"
@@ -54,6 +55,8 @@ ContactView contactView(State& state) {
             .memory = points.memory.data(),
             .wrenches = f.wrenches.empty() ? nullptr : f.wrenches.front().force.data(),
             .remembers = points.remembers(),
+            .curved =
+                std::any_of(state.laws.begin(), state.laws.end(), [](const auto& law) { return law.curved; }),
             .beyond_caches = isBeyondCaches(state),
             .release = state.release,
             .contact_damping = state.damping.contact,

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "forces/contact_view.h"
 #include "forces/relative_pose.h"
@@ -79,12 +80,17 @@ struct Members<double> {
     TALUS_KERNEL double gather(const double* values, const std::int32_t* index) const {
         return values[index[interface]];
     }
-    TALUS_KERNEL double gather(const contact::JointLaw* laws, double contact::JointLaw::*field,
+    TALUS_KERNEL double gather(const contact::JointLaw* laws, double contact::JointParameters<double>::*field,
                                const std::int32_t* index) const {
         return laws[index[interface]].*field;
     }
-    TALUS_KERNEL bool gatherFlag(const contact::JointLaw* laws, const std::int32_t* index) const {
-        return laws[index[interface]].bonded;
+    TALUS_KERNEL bool gatherFlag(const contact::JointLaw* laws, bool contact::JointParameters<double>::*flag,
+                                 const std::int32_t* index) const {
+        return laws[index[interface]].*flag;
+    }
+    TALUS_KERNEL simd::TablesOf<double> gatherCurve(const contact::JointLaw* laws,
+                                                    const std::int32_t* index) const {
+        return laws[index[interface]].curve;
     }
     TALUS_KERNEL PoseOf<double> gatherPose(const double* position, const double* orientation,
                                            const std::int32_t* block) const {
@@ -118,23 +124,25 @@ TALUS_KERNEL FramesOf<V> loadFrames(const Members<V>& members, const double* row
             loadTriple(members, row + 18 * kRow)};
 }
 
-template <class V>
-TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, const ContactView& view) {
-    using contact::JointLaw;
-    const auto take = [&](double JointLaw::*field) { return members.gather(view.laws, field, view.joint); };
-    return {take(&JointLaw::normal_stiffness),
-            take(&JointLaw::shear_stiffness),
-            take(&JointLaw::tan_friction),
-            take(&JointLaw::cohesion),
-            take(&JointLaw::tensile_strength),
-            take(&JointLaw::residual_tan_friction),
-            take(&JointLaw::residual_cohesion),
-            take(&JointLaw::tan_dilation),
-            members.gatherFlag(view.laws, view.joint)};
+/// In the order of contact::kLawParameters; what nobody asks for is not loaded.
+template <bool Curved, class V, std::size_t... P>
+TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, const ContactView& view,
+                                                   std::index_sequence<P...>) {
+    contact::JointParameters<V> law;
+    ((law.*contact::kLawParameters<V>[P].value =
+          members.gather(view.laws, contact::kLawParameters<double>[P].value, view.joint)),
+     ...);
+    using Parameters = contact::JointParameters<double>;
+    law.bonded = members.gatherFlag(view.laws, &Parameters::bonded, view.joint);
+    if constexpr (Curved) {
+        law.curved = members.gatherFlag(view.laws, &Parameters::curved, view.joint);
+        law.curve = members.gatherCurve(view.laws, view.joint);
+    }
+    return law;
 }
 
 /// One group's contact points, one after the other.
-template <class V, bool Damped, bool Remembers>
+template <class V, bool Damped, bool Remembers, bool Curved>
 struct PointLoop {
     const ContactView& view;
     const Members<V>& members;
@@ -149,7 +157,7 @@ struct PointLoop {
     TALUS_KERNEL void addDashpot(V xi, V eta, V area, V bond, contact::ForceOf<V>& total) const {
         using simd::either, simd::larger, simd::select;
         const V damped = total.normal - damping_normal * area * affine(velocity.normal, xi, eta);
-        const V least = -(bond * law.tensile_strength * area);
+        const V least = -contact::tensileStrength(law, area, bond);
         total.normal = select(total.open, total.normal, larger(damped, least));
         const V c = select(either(total.open, total.slips), V{}, damping_shear * area);
         total.shear_1 = total.shear_1 - c * affine(velocity.tangent_1, xi, eta);
@@ -166,8 +174,8 @@ struct PointLoop {
             memory.dilation = members.load(row + 3 * kRow);
         }
         const V slide_1 = affine(pose.slide_1, xi, eta), slide_2 = affine(pose.slide_2, xi, eta);
-        contact::ForceOf<V> force = contact::contactLaw<Remembers>(law, area, affine(pose.gap, xi, eta),
-                                                                   slide_1, slide_2, release, memory);
+        contact::ForceOf<V> force = contact::contactLaw<Remembers, Curved>(
+            law, area, affine(pose.gap, xi, eta), slide_1, slide_2, release, memory);
         members.store(row, memory.offset_1);
         members.store(row + kRow, memory.offset_2);
         if constexpr (Remembers) {
@@ -227,14 +235,15 @@ TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& gr
     }
 }
 
-template <class V, PointPlaces Places, bool Damped, bool Remembers>
+template <class V, PointPlaces Places, bool Damped, bool Remembers, bool Curved>
 TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index, const Members<V>& members) {
     const InterfaceGroup& group = view.groups[group_index];
     const FramesOf<V> frames = loadFrames(members, view.frames + group_index * kFrameQuantities * kRow);
     const RelativePoseOf<V> pose =
         relativePoseOf(frames, members.gatherPose(view.position, view.orientation, view.block_a),
                        members.gatherPose(view.position, view.orientation, view.block_b));
-    const contact::JointParameters<V> law = gatherLaw(members, view);
+    const contact::JointParameters<V> law =
+        gatherLaw<Curved>(members, view, std::make_index_sequence<contact::kLawParameterCount>{});
     RelativeVelocity<V> velocity;
     V damping_normal{}, damping_shear{};
     if constexpr (Damped) {
@@ -246,7 +255,7 @@ TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index
         damping_normal = view.contact_damping * stiffness.normal;
         damping_shear = view.contact_damping * stiffness.shear;
     }
-    PointLoop<V, Damped, Remembers> points{
+    PointLoop<V, Damped, Remembers, Curved> points{
         view, members, pose, law, velocity, V{} + view.release, damping_normal, damping_shear};
     forEachPoint<Places>(view, group, members, points);
     const PatchSum<V>& sum = points.sum;
@@ -284,22 +293,28 @@ TALUS_KERNEL void fetch(const ContactView& view, std::size_t group_index) {
     fetchRows<true>(view.wrenches + group_index * kWrenchQuantities * kRow, kWrenchQuantities);
 }
 
-template <class V, PointPlaces Places, bool Damped, bool Remembers>
+template <class V, PointPlaces Places, bool Damped, bool Remembers, bool Curved>
 void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
         if (view.beyond_caches && g + kGroupsAhead < end) fetch<Places, Remembers>(view, g + kGroupsAhead);
         for (int lane = 0; lane < view.groups[g].size; lane += Members<V>::kWidth)
-            updateMembers<V, Places, Damped, Remembers>(view, g, Members<V>(view.groups[g], lane));
+            updateMembers<V, Places, Damped, Remembers, Curved>(view, g, Members<V>(view.groups[g], lane));
     }
+}
+
+template <class V, PointPlaces Places, bool Curved>
+void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
+    const bool damped = view.contact_damping > 0, remembers = view.remembers;
+    if (damped && remembers) return updateGroups<V, Places, true, true, Curved>(view, begin, end);
+    if (damped) return updateGroups<V, Places, true, false, Curved>(view, begin, end);
+    if (remembers) return updateGroups<V, Places, false, true, Curved>(view, begin, end);
+    updateGroups<V, Places, false, false, Curved>(view, begin, end);
 }
 
 template <class V, PointPlaces Places>
 void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
-    const bool damped = view.contact_damping > 0, remembers = view.remembers;
-    if (damped && remembers) return updateGroups<V, Places, true, true>(view, begin, end);
-    if (damped) return updateGroups<V, Places, true, false>(view, begin, end);
-    if (remembers) return updateGroups<V, Places, false, true>(view, begin, end);
-    updateGroups<V, Places, false, false>(view, begin, end);
+    if (view.curved) return updateGroups<V, Places, true>(view, begin, end);
+    updateGroups<V, Places, false>(view, begin, end);
 }
 
 template <class V>

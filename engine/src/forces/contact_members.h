@@ -43,16 +43,31 @@ struct Members<Lanes> {
         for (int l = 0; l < kWidth; ++l) result.v[l] = values[index[member[l]]];
         return result;
     }
-    TALUS_KERNEL Lanes gather(const contact::JointLaw* laws, double contact::JointLaw::*field,
+    TALUS_KERNEL Lanes gather(const contact::JointLaw* laws, double contact::JointParameters<double>::*field,
                               const std::int32_t* index) const {
         Lanes result;
         for (int l = 0; l < kWidth; ++l) result.v[l] = laws[index[member[l]]].*field;
         return result;
     }
-    TALUS_KERNEL simd::LaneMask gatherFlag(const contact::JointLaw* laws, const std::int32_t* index) const {
+    TALUS_KERNEL simd::LaneMask gatherFlag(const contact::JointLaw* laws,
+                                           bool contact::JointParameters<double>::*flag,
+                                           const std::int32_t* index) const {
         simd::LaneMask mask{};
-        for (int l = 0; l < kWidth; ++l) simd::setLane(mask, l, laws[index[member[l]]].bonded);
+        for (int l = 0; l < kWidth; ++l) simd::setLane(mask, l, laws[index[member[l]]].*flag);
         return mask;
+    }
+    /// Lanes without a curve get another's: what it gives them is not taken.
+    TALUS_KERNEL simd::TablesOf<Lanes> gatherCurve(const contact::JointLaw* laws,
+                                                   const std::int32_t* index) const {
+        simd::TablesOf<Lanes> curves;
+        const double* some = nullptr;
+        for (int l = 0; l < kWidth; ++l)
+            if (const double* curve = laws[index[member[l]]].curve.at) some = curve;
+        for (int l = 0; l < kWidth; ++l) {
+            const double* curve = laws[index[member[l]]].curve.at;
+            curves.set(l, curve != nullptr ? curve : some);
+        }
+        return curves;
     }
     TALUS_KERNEL PoseOf<Lanes> gatherPose(const double* position, const double* orientation,
                                           const std::int32_t* block) const {

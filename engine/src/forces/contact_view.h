@@ -35,6 +35,7 @@ struct ContactView {
     double* wrenches;  ///< slot by slot, each nine numbers side by side
 
     bool remembers;  ///< whether contact points have bond and dilation in their memory
+    bool curved;     ///< whether the strength of some joint is a curve
     /// whether the arrays come from main memory each time: groups are then fetched ahead
     bool beyond_caches;
     double release;

@@ -87,16 +87,16 @@ void addWaterLoads(const State& state, FrameWaters& waters) {
 }
 
 void addLaws(const State& state, FrameLaws& laws) {
-    const std::size_t n = state.laws.size();
-    for (std::vector<double>& values : laws.parameters) values.resize(n);
-    laws.bonded.resize(n);
-    for (std::size_t joint = 0; joint < n; ++joint) eachLawField(state.laws[joint], laws, joint, ToFrame{});
+    for (const auto& parameter : contact::kLawParameters<double>) {
+        std::vector<double>& values = laws.named(parameter.name);
+        for (const contact::JointLaw& law : state.laws) values.push_back(law.*parameter.value);
+    }
+    for (const contact::JointLaw& law : state.laws) laws.bonded.push_back(law.bonded ? 1 : 0);
 }
 
 /// Frames, corners and contact points interface by interface, with what the contact points carry.
 void addPatches(const State& state, FrameInterfaces& f, FramePoints& points) {
-    const bool dilates = std::any_of(state.laws.begin(), state.laws.end(),
-                                     [](const contact::JointLaw& law) { return law.tan_dilation != 0; });
+    const bool dilates = std::any_of(state.laws.begin(), state.laws.end(), contact::dilates);
     f.patch_begin = f.point_begin = {0};
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
         InterfaceFrame frame = state.interfaces.frame(i);

@@ -1,9 +1,8 @@
 #pragma once
 // The one list of what a full frame holds: each pair is an array of the state and its place in the frame. Writing and
 // reading a frame both go through it, so neither can forget what the other knows. An array added to arrays.h that does
-// not follow from others belongs here, in talus/frame.h and in formats/snapshot.fbs.
+// not follow from others belongs here, in talus/frame.h, in talus/frame_table.h and in formats/snapshot.fbs.
 
-#include "law/joint_laws.h"
 #include "state/arrays.h"
 #include "talus/frame.h"
 
@@ -69,13 +68,6 @@ void eachWetField(Wet& s, FrameWet& f, const Pair& pair) {
     pair(s.moment, f.moment);
     pair(s.computed_position, f.computed_position);
     pair(s.computed_orientation, f.computed_orientation);
-}
-
-template <class Law, class FrameLaws, class Pair>
-void eachLawField(Law& law, FrameLaws& f, std::size_t joint, const Pair& pair) {
-    for (std::size_t p = 0; p < kJointPropertyCount; ++p)
-        pair(law.*kLawParameters[p], f.parameters[p][joint]);
-    pair(law.bonded, f.bonded[joint]);
 }
 
 template <class State, class FullFrame, class Pair>

@@ -9,6 +9,7 @@
 #include "frame/frame.h"
 #include "frame/frame_fields.h"
 #include "frame/vertex_edge_fields.h"
+#include "law/joint_laws.h"
 #include "law/points.h"
 #include "measure/measure.h"
 #include "state/block_motion.h"
@@ -186,6 +187,17 @@ std::uint64_t hashOf(const FullFrame& frame) {
 
 namespace {
 
+/// A parameter that the frame does not have, because it is older, is the model's.
+void restoreLaws(const FrameLaws& frame, const std::vector<Joint>& joints,
+                 std::vector<contact::JointLaw>& laws) {
+    for (const auto& parameter : contact::kLawParameters<double>)
+        if (const std::vector<double>* values = frame.find(parameter.name))
+            for (std::size_t joint = 0; joint < laws.size(); ++joint)
+                laws[joint].*parameter.value = (*values)[joint];
+    for (std::size_t joint = 0; joint < laws.size(); ++joint) laws[joint].bonded = frame.bonded[joint] != 0;
+    for (std::size_t joint = 0; joint < laws.size(); ++joint) setCurve(joints[joint], laws[joint]);
+}
+
 Error misfitError(const std::string& field) {
     return {field,
             "the full frame does not fit its scenario or is damaged; allowed: a frame of the same model"};
@@ -198,10 +210,8 @@ std::vector<Error> restoreFrame(const FullFrame& frame, State& state) {
     if (const auto field = misfit(frame, counts)) return {misfitError("full." + *field)};
     if (!isFinite(frame) || !(frame.loads.release > 0) || !(frame.search_margin > 0))
         return {misfitError("full")};
-    for (std::size_t joint = 0; joint < state.laws.size(); ++joint)
-        eachLawField(state.laws[joint], frame.laws, joint, FromFrame{});
-    const bool dilates = std::any_of(state.laws.begin(), state.laws.end(),
-                                     [](const contact::JointLaw& law) { return law.tan_dilation != 0; });
+    restoreLaws(frame.laws, state.geometry->model.joints, state.laws);
+    const bool dilates = std::any_of(state.laws.begin(), state.laws.end(), contact::dilates);
     if (!facesFit(frame.interfaces, state) || !placesFit(frame.interfaces))
         return {misfitError("full.interfaces")};
     if (!pointsFit(frame, state.geometry->model.points, dilates)) return {misfitError("full.points")};

@@ -11,31 +11,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "law/parameters.h"
+#include "law/strength_curve.h"
 #include "simd/scalar.h"
 
 namespace talus::contact {
 
-/// A joint's parameters as the kernel wants them.
-template <class V>
-struct JointParameters {
-    V normal_stiffness{};       ///< k_n [Pa/m]
-    V shear_stiffness{};        ///< k_s [Pa/m]
-    V tan_friction{};           ///< tan(phi), peak
-    V cohesion{};               ///< C [Pa]
-    V tensile_strength{};       ///< sigma_t [Pa]
-    V residual_tan_friction{};  ///< tan(phi_r)
-    V residual_cohesion{};      ///< C_r [Pa]
-    V tan_dilation{};           ///< tan(psi)
-    simd::MaskOf<V> bonded{};   ///< C > 0 or sigma_t > 0: opening breaks it for good
-};
-using JointLaw = JointParameters<double>;
-
 /// Whether contact points of this joint have to remember more than their plastic slide: strength that is lost for
 /// good, dilation.
 inline bool hasMemory(const JointLaw& joint) {
-    return joint.bonded || joint.residual_tan_friction != joint.tan_friction ||
-           joint.residual_cohesion != joint.cohesion || joint.tan_dilation != 0;
+    const bool falls =
+        joint.residual_tan_friction != joint.tan_friction || joint.residual_cohesion != joint.cohesion;
+    return joint.bonded || (falls && !joint.curved) || joint.tan_dilation != 0;
 }
+
+/// Whether it opens as it slips.
+inline bool dilates(const JointLaw& joint) { return joint.tan_dilation != 0; }
 
 /// What a contact point remembers. The shear force is -k_s A (slide - offset): a total form of eq 6 in the frame that
 /// turns with the reference block, so that nothing drifts however many steps are taken.
@@ -69,22 +60,46 @@ TALUS_KERNEL StiffnessOf<V> stiffnessOf(const JointParameters<V>& joint) {
     return {joint.normal_stiffness, joint.shear_stiffness};
 }
 
-/// Largest shear force the contact point carries (right-hand side of the sliding rule, eq 9), zero when open.
+/// Largest tension the contact point carries [N].
 template <class V>
-TALUS_KERNEL V shearStrength(const JointParameters<V>& joint, V area, V normal_force, V bond) {
+TALUS_KERNEL V tensileStrength(const JointParameters<V>& joint, V area, V bond) {
+    return bond * joint.tensile_strength * area;
+}
+
+/// How Coulomb's strength grows with the normal force: between residual and peak by what is left of the bond.
+template <class V>
+TALUS_KERNEL V coulombSlope(const JointParameters<V>& joint, V bond) {
+    return joint.residual_tan_friction + bond * (joint.tan_friction - joint.residual_tan_friction);
+}
+
+/// Coulomb's: the right-hand side of the sliding rule, eq 9.
+template <class V>
+TALUS_KERNEL V coulombStrength(const JointParameters<V>& joint, V area, V normal_force, V bond) {
     const V cohesion = joint.residual_cohesion + bond * (joint.cohesion - joint.residual_cohesion);
-    const V tan_friction =
-        joint.residual_tan_friction + bond * (joint.tan_friction - joint.residual_tan_friction);
     using simd::larger;
-    return larger(cohesion * area + normal_force * tan_friction, V{});
+    return larger(cohesion * area + normal_force * coulombSlope(joint, bond), V{});
+}
+
+/// Largest shear force the contact point carries; by a curve that of its stress, with nothing to lose.
+inline double shearStrength(const JointParameters<double>& joint, double area, double normal_force,
+                            double bond) {
+    if (!joint.curved) return coulombStrength(joint, area, normal_force, bond);
+    return area * strengthOnCurve(joint.curve, simd::larger(normal_force / area, 0.0));
+}
+
+/// Its derivative by the normal force.
+inline double strengthSlope(const JointParameters<double>& joint, double area, double normal_force,
+                            double bond) {
+    if (!joint.curved) return coulombSlope(joint, bond);
+    return normal_force > 0 ? slopeOfCurve(joint.curve, normal_force / area) : 0.0;
 }
 
 /// Forces at a contact point from its gap and slide; updates its memory.
 ///
 /// `release` is the share of the bond that goes per call once it breaks: 1 in a time history (brittle, eqs 7-9),
 /// less in quasi-static work, where a break is released slowly so that its energy does not break its neighbours.
-/// `Remembers` may be false when no joint `hasMemory`; the result is the same, to the bit.
-template <bool Remembers = true, class V>
+/// `Remembers` may be false when no joint `hasMemory`, `Curved` when none is; the result is the same, to the bit.
+template <bool Remembers = true, bool Curved = true, class V>
 TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V gap, V slide_1, V slide_2,
                                    V release, MemoryOf<V>& memory) {
     using simd::any, simd::both, simd::either, simd::larger, simd::select, simd::smaller, simd::squareRoot;
@@ -94,9 +109,9 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     V trial_normal, bond = memory.bond;
     if constexpr (Remembers) {
         trial_normal = -joint.normal_stiffness * area * (gap - memory.dilation);
-        const auto torn = both(joint.bonded, trial_normal < -(bond * joint.tensile_strength * area));
+        const auto torn = both(joint.bonded, trial_normal < -tensileStrength(joint, area, bond));
         bond = select(either(torn, bond < 1.0), larger(bond - release, zero), bond);
-        const V tension_limit = bond * joint.tensile_strength * area;
+        const V tension_limit = tensileStrength(joint, area, bond);
         force.open = both(trial_normal < 0.0, tension_limit == 0.0);
         force.normal = select(force.open, zero, larger(trial_normal, -tension_limit));
     } else {
@@ -110,17 +125,26 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     const V trial_squared = stiffness * stiffness * (back_1 * back_1 + back_2 * back_2);
     V strength;
     if constexpr (Remembers)
-        strength = shearStrength(joint, area, force.normal, bond);
+        strength = coulombStrength(joint, area, force.normal, bond);
     else
         strength = force.normal * joint.tan_friction;
+    if constexpr (Curved) {
+        if (any(joint.curved)) {
+            V opening = gap;
+            if constexpr (Remembers) opening = gap - memory.dilation;
+            const V stress = larger(-joint.normal_stiffness * opening, zero);
+            strength = select(joint.curved, area * strengthOnCurve(joint.curve, stress), strength);
+        }
+    }
     force.slips = both(!force.open, trial_squared > strength * strength);
     V stiffness_left = stiffness;
     if (any(force.slips)) {
         if constexpr (Remembers) {
-            const auto breaks = both(force.slips, bond == 1.0);
+            auto breaks = both(force.slips, bond == 1.0);
+            if constexpr (Curved) breaks = both(breaks, !joint.curved);
             bond = select(breaks, larger(bond - release, zero), bond);
             strength =
-                select(breaks, smaller(strength, shearStrength(joint, area, force.normal, bond)), strength);
+                select(breaks, smaller(strength, coulombStrength(joint, area, force.normal, bond)), strength);
         }
         const V trial = squareRoot(trial_squared);
         const V keep = strength / trial;
@@ -180,5 +204,17 @@ inline double pressedBy(const JointLaw& joint, double area, double overlap, doub
 inline double largestStiffness(const JointLaw& joint) {
     return std::max(joint.normal_stiffness, joint.shear_stiffness);
 }
+
+/// The straight envelope of its peak strength, for limit analysis: |tau| <= cohesion + sigma_n tan_friction, and no more
+/// tension than tensile_strength [Pa].
+struct StrengthLine {
+    double tan_friction, cohesion, tensile_strength;
+};
+inline StrengthLine strengthLine(const JointLaw& joint) {
+    return {joint.tan_friction, joint.cohesion, joint.tensile_strength};
+}
+
+/// What both tension and shear without normal force have to overcome before an intact joint gives [Pa].
+inline double bondStrength(const JointLaw& joint) { return std::min(joint.cohesion, joint.tensile_strength); }
 
 }  // namespace talus::contact

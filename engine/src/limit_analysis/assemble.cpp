@@ -49,7 +49,7 @@ Companions bonded(const State& state) {
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
-        if (std::min(law.cohesion, law.tensile_strength) * f.area[i] > unbreakable && !isVertexEdge(f, i))
+        if (contact::bondStrength(law) * f.area[i] > unbreakable && !isVertexEdge(f, i))
             companions.join(static_cast<std::size_t>(f.block_a[i]), static_cast<std::size_t>(f.block_b[i]));
     }
     return companions;

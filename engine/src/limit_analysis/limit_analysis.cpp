@@ -10,6 +10,7 @@
 #include "law/joint_laws.h"
 #include "limit_analysis/assemble.h"
 #include "limit_analysis/solver.h"
+#include "talus/searches.h"
 
 namespace talus {
 namespace {
@@ -266,7 +267,7 @@ class LimitSearch {
             velocity.velocity /= fastest;
             velocity.spin /= fastest;
             velocity.speed /= fastest;
-            velocity.moving = velocity.speed >= kMovingShare;
+            velocity.moving = velocity.speed >= kMechanismShare;
             if (velocity.moving) result_.moving_blocks.push_back(velocity.block);
         }
         std::sort(result_.moving_blocks.begin(), result_.moving_blocks.end());
@@ -292,6 +293,20 @@ class LimitSearch {
     Solver solver_;
     LimitResult result_;
 };
+
+/// Limit analysis takes straight envelopes: the first joint between bodies whose strength is another law's.
+const Joint* curvedJoint(const State& state, const Assembly& assembly) {
+    for (const ContactPoint& point : assembly.points) {
+        const auto joint = static_cast<std::size_t>(point.joint);
+        if (state.laws[joint].curved) return &state.geometry->model.joints[joint];
+    }
+    return nullptr;
+}
+
+std::string curvedText(const Joint& joint) {
+    return "joint \"" + joint.name + "\" has law \"" + std::string(toString(joint.law)) +
+           "\", and limit analysis is for straight envelopes (\"coulomb\")";
+}
 
 Error tooLarge(std::size_t points, std::size_t most) {
     return {"", "limit analysis: the model has " + std::to_string(points) +
@@ -341,6 +356,7 @@ Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control
         model, control, settings, [&](State& state, const Assembly& assembly) -> Result<LimitResult> {
             if (assembly.points.size() > settings.max_contact_points)
                 return tooLarge(assembly.points.size(), settings.max_contact_points);
+            if (const Joint* curved = curvedJoint(state, assembly)) return Error{"", curvedText(*curved)};
             LimitResult result = analyse(state, assembly, load, control, settings);
             result.wall_seconds =
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -352,6 +368,8 @@ Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const
                              const LimitSettings& settings) {
     return withAssembly<
         Ceiling>(model, control, settings, [&](State& state, const Assembly& assembly) -> Result<Ceiling> {
+        if (const Joint* curved = curvedJoint(state, assembly))
+            return Ceiling{std::nullopt, curvedText(*curved)};
         const std::size_t most = assembly.plane_section ? kCeilingPointsInSection : kCeilingPoints;
         if (!always && assembly.points.size() > most)
             return Ceiling{std::nullopt, tooManyPoints(assembly.points.size(), most, assembly.plane_section)};
@@ -360,9 +378,9 @@ Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const
 }
 
 bool isAbove(double stands, const Ceiling& ceiling, Varied load) {
-    constexpr double kTiltTolerance = 0.05 * M_PI / 180, kFactorTolerance = 0.005;
     if (!ceiling.value) return false;
-    const double tolerance = load == Varied::factor ? kFactorTolerance * *ceiling.value : kTiltTolerance;
+    const VariedQuantity& quantity = quantityOf(load);
+    const double tolerance = quantity.give_is_share ? quantity.give * *ceiling.value : quantity.give;
     return stands > *ceiling.value + tolerance;
 }
 

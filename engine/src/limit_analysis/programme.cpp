@@ -45,9 +45,9 @@ double Programme::scaleOf(const ContactPoint& point) const {
 /// Tension bears shear only as the envelope says; where the tensile strength is beyond the envelope's apex, the convex
 /// hull of both counts.
 Programme::Strength Programme::strengthOf(const ContactPoint& point) const {
-    const contact::JointLaw& law = laws_[static_cast<std::size_t>(point.joint)];
-    const double cohesion = std::max(law.cohesion - law.tan_friction * law.tensile_strength, 0.0);
-    return {law.tan_friction, cohesion * point.area, law.tensile_strength * point.area};
+    const contact::StrengthLine line = contact::strengthLine(laws_[static_cast<std::size_t>(point.joint)]);
+    const double cohesion = std::max(line.cohesion - line.tan_friction * line.tensile_strength, 0.0);
+    return {line.tan_friction, cohesion * point.area, line.tensile_strength * point.area};
 }
 
 LinearProgram Programme::makeRows(const Loads& fixed, const std::atomic<bool>* stop) {

@@ -27,8 +27,8 @@ std::int32_t JointChoice::between(std::size_t block_a, std::size_t face_a, std::
     if (found != pairs_.end() && blocksOf(*found) == key) return found->joint;
     const std::int32_t joint_a = model_.blocks[block_a].face_joint[face_a];
     const std::int32_t joint_b = model_.blocks[block_b].face_joint[face_b];
-    const double phi_a = model_.joints[static_cast<std::size_t>(joint_a)].friction;
-    const double phi_b = model_.joints[static_cast<std::size_t>(joint_b)].friction;
+    const double phi_a = frictionAngle(model_.joints[static_cast<std::size_t>(joint_a)]);
+    const double phi_b = frictionAngle(model_.joints[static_cast<std::size_t>(joint_b)]);
     if (phi_a == phi_b) return std::min(joint_a, joint_b);
     return phi_a < phi_b ? joint_a : joint_b;
 }

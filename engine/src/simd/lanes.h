@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "simd/scalar.h"
+#include "simd/table.h"
 #ifdef __AVX__
 #include <immintrin.h>
 #endif
@@ -109,9 +110,7 @@ TALUS_KERNEL Lanes squareRoot(Lanes a) {
 #endif  // __AVX512F__
 
 /// Records of four doubles, one per lane, turned into one register per number, and back (`stride` doubles apart).
-struct FourLanes {
-    Lanes number[4];
-};
+using FourLanes = FourOf<Lanes>;
 #if defined(__AVX512F__)
 /// Halves of rows 0, 2 and of rows 1, 3 side by side: the place of each record's numbers in a register of two records.
 TALUS_KERNEL FourLanes transposed(__m512d a, __m512d b, __m512d c, __m512d d) {
@@ -127,10 +126,9 @@ TALUS_KERNEL FourLanes transposed(__m512d a, __m512d b, __m512d c, __m512d d) {
 TALUS_KERNEL __m512d twoRecords(const double* first, const double* second) {
     return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(first)), _mm256_loadu_pd(second), 1);
 }
-TALUS_KERNEL FourLanes loadRecords(const double* records, const std::int32_t* item) {
-    const auto at = [&](int l) { return records + 4 * static_cast<std::ptrdiff_t>(item[l]); };
-    return transposed(twoRecords(at(0), at(4)), twoRecords(at(1), at(5)), twoRecords(at(2), at(6)),
-                      twoRecords(at(3), at(7)));
+TALUS_KERNEL FourLanes loadRecords(const double* const* at) {
+    return transposed(twoRecords(at[0], at[4]), twoRecords(at[1], at[5]), twoRecords(at[2], at[6]),
+                      twoRecords(at[3], at[7]));
 }
 /// Consecutive records.
 TALUS_KERNEL FourLanes loadRecords(const double* from) {
@@ -154,11 +152,9 @@ TALUS_KERNEL FourLanes transposed(__m256d a, __m256d b, __m256d c, __m256d d) {
              {_mm256_permute2f128_pd(ab_even, cd_even, 0x31)},
              {_mm256_permute2f128_pd(ab_odd, cd_odd, 0x31)}}};
 }
-TALUS_KERNEL FourLanes loadRecords(const double* records, const std::int32_t* item) {
-    const auto at = [&](int l) {
-        return _mm256_loadu_pd(records + 4 * static_cast<std::ptrdiff_t>(item[l]));
-    };
-    return transposed(at(0), at(1), at(2), at(3));
+TALUS_KERNEL FourLanes loadRecords(const double* const* at) {
+    return transposed(_mm256_loadu_pd(at[0]), _mm256_loadu_pd(at[1]), _mm256_loadu_pd(at[2]),
+                      _mm256_loadu_pd(at[3]));
 }
 /// Consecutive records.
 TALUS_KERNEL FourLanes loadRecords(const double* from) {
@@ -171,11 +167,10 @@ TALUS_KERNEL void storeRecords(double* to, std::ptrdiff_t stride, const FourLane
     for (int k = 0; k < 4; ++k) _mm256_storeu_pd(to + stride * k, rows.number[k].v);
 }
 #else
-TALUS_KERNEL FourLanes loadRecords(const double* records, const std::int32_t* item) {
+TALUS_KERNEL FourLanes loadRecords(const double* const* at) {
     FourLanes values;
     for (int k = 0; k < 4; ++k)
-        for (int l = 0; l < kWidth; ++l)
-            values.number[k].v[l] = records[4 * static_cast<std::ptrdiff_t>(item[l]) + k];
+        for (int l = 0; l < kWidth; ++l) values.number[k].v[l] = at[l][k];
     return values;
 }
 TALUS_KERNEL FourLanes loadRecords(const double* from) {
@@ -189,6 +184,46 @@ TALUS_KERNEL void storeRecords(double* to, std::ptrdiff_t stride, const FourLane
         for (int l = 0; l < kWidth; ++l) to[stride * l + k] = values.number[k].v[l];
 }
 #endif
+
+TALUS_KERNEL FourLanes loadRecords(const double* records, const std::int32_t* item) {
+    const double* at[kWidth];
+    for (int l = 0; l < kWidth; ++l) at[l] = records + 4 * static_cast<std::ptrdiff_t>(item[l]);
+    return loadRecords(at);
+}
+
+constexpr int kPieceBytesShift = 5;  // 32 bytes a piece
+
+typedef std::uint64_t LaneWords __attribute__((vector_size(sizeof(double) * kWidth)));
+
+}  // namespace
+
+/// By the addresses of the piece that the bits of zero would tell: the rest is a shift and a sum.
+template <>
+struct TablesOf<Lanes> {
+    LaneWords zero;
+
+    TALUS_KERNEL void set(int lane, const double* table) {
+        zero[lane] = reinterpret_cast<std::uintptr_t>(table) - (kFirstPiece << kPieceBytesShift);
+    }
+    TALUS_KERNEL const double* table(int lane) const {
+        return reinterpret_cast<const double*>(zero[lane] + (kFirstPiece << kPieceBytesShift));
+    }
+};
+
+namespace {
+
+TALUS_KERNEL FourLanes pieceAt(const TablesOf<Lanes>& tables, Lanes x) {
+    const Lanes inside = larger(smaller(x, Lanes{} + kGreatest), Lanes{} + kLeast);
+    const LaneWords address = tables.zero + (((LaneWords)inside.v >> kPieceShift) << kPieceBytesShift);
+    const double* at[kWidth];
+    std::memcpy(at, &address, sizeof at);
+    FourLanes found = loadRecords(at);
+    if (any(x > found.number[3])) {
+        for (int l = 0; l < kWidth; ++l) at[l] = pieceFor(tables.table(l), x.v[l]);
+        found = loadRecords(at);
+    }
+    return found;
+}
 
 }  // namespace
 }  // namespace talus::simd

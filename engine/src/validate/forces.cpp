@@ -49,7 +49,7 @@ PointSum sumOver(const State& state, std::size_t i, const RelativePose& pose) {
         sum.moment += place.cross(force);
         sum.magnitude += force.norm();
         sum.energy += springEnergy(law, pose, point);
-        sum.dilates = sum.dilates || (law.tan_dilation != 0 && point.force.slips);
+        sum.dilates = sum.dilates || (contact::dilates(law) && point.force.slips);
     }
     return sum;
 }

@@ -146,7 +146,7 @@ bool Reader::readMessageIndex(std::size_t chunk) {
         return false;
     Bytes bytes;
     if (!source_.read(index.offset + index.length, index.message_index_length, bytes)) return false;
-    std::vector<Place> places;
+    std::vector<MessagePlace> places;
     Decoder d(bytes);
     while (d.ok() && !d.empty()) {
         const auto opcode = static_cast<Opcode>(d.integer<std::uint8_t>());
@@ -160,7 +160,7 @@ bool Reader::readMessageIndex(std::size_t chunk) {
         for (const IndexEntry& entry : entries) places.push_back({channel, entry.time, chunk, entry.offset});
     }
     std::sort(places.begin(), places.end(),
-              [](const Place& a, const Place& b) { return a.offset < b.offset; });
+              [](const MessagePlace& a, const MessagePlace& b) { return a.offset < b.offset; });
     places_.insert(places_.end(), places.begin(), places.end());
     return d.ok();
 }
@@ -290,7 +290,7 @@ bool Reader::loadChunk(std::size_t chunk) {
     return true;
 }
 
-Result<Bytes> Reader::message(const Place& place) {
+Result<Bytes> Reader::message(const MessagePlace& place) {
     const Error damaged{
         "", "the chunk at byte " + std::to_string(chunks_[place.chunk].offset) + " is damaged", path_};
     if (!loadChunk(place.chunk) || place.offset >= chunk_.size()) return damaged;
@@ -336,7 +336,7 @@ Result<Written> Reader::prefix(std::size_t chunks) {
     written.size =
         chunks_[chunks - 1].offset + chunks_[chunks - 1].length + chunks_[chunks - 1].message_index_length;
     Statistics& s = written.statistics;
-    for (const Place& place : places_) {
+    for (const MessagePlace& place : places_) {
         if (place.chunk >= chunks) continue;
         s.start_time = s.messages == 0 ? place.time : std::min(s.start_time, place.time);
         s.end_time = std::max(s.end_time, place.time);

@@ -33,7 +33,7 @@ class Source {
 };
 
 /// A message and where it is.
-struct Place {
+struct MessagePlace {
     std::uint16_t channel = 0;
     std::uint64_t time = 0;    ///< [ns]
     std::size_t chunk = 0;     ///< index into chunks()
@@ -48,7 +48,7 @@ class Reader {
     const std::vector<Schema>& schemas() const { return schemas_; }
     const std::vector<Channel>& channels() const { return channels_; }
     const std::vector<ChunkIndex>& chunks() const { return chunks_; }
-    const std::vector<Place>& places() const { return places_; }  ///< in the file's order
+    const std::vector<MessagePlace>& places() const { return places_; }  ///< in the file's order
     const std::map<std::string, Metadata>& metadata() const { return metadata_; }
 
     bool finished() const { return finished_; }  ///< with a sound end and summary
@@ -59,7 +59,7 @@ class Reader {
 
     /// The bytes of a message, in a buffer of their own (aligned for FlatBuffers). Keeps the last chunk.
     /// Errors: a chunk whose checksum does not hold.
-    Result<Bytes> message(const Place& place);
+    Result<Bytes> message(const MessagePlace& place);
 
     /// Reads every chunk and holds all checksums, that of the whole data section included; faults as text.
     std::vector<std::string> verify();
@@ -85,7 +85,7 @@ class Reader {
     std::vector<Schema> schemas_;
     std::vector<Channel> channels_;
     std::vector<ChunkIndex> chunks_;
-    std::vector<Place> places_;
+    std::vector<MessagePlace> places_;
     std::map<std::string, Metadata> metadata_;
     std::vector<std::string> faults_;
     bool finished_ = false;

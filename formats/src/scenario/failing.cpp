@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "scenario/reading.h"
+#include "talus/searches.h"
 #include "toml/document.h"
 #include "toml/write_document.h"
 
@@ -13,8 +14,6 @@ namespace scenario {
 namespace {
 
 using Path = std::vector<PathPart>;
-
-double inDegrees(double radians) { return radians / kRadPerDeg; }
 
 Path below(Path path, PathPart part) {
     path.push_back(std::move(part));
@@ -35,8 +34,7 @@ class Editor {
     Editor(Document& document, const Scenario& scenario) : document_(document), scenario_(scenario) {}
 
     void apply(const FailingLoad& load) {
-        if (load.tilt) setTilt(*load.tilt);
-        if (load.factor != 1) divideStrengths(load.factor);
+        setVaried(load);
         set({"run", "duration_s"}, load.duration);
         set({"run", "frame_interval_s"}, load.frame_interval);
         document_.erase({"run", "time_step_s"});
@@ -52,39 +50,67 @@ class Editor {
         if (const auto wrong = document_.set(path, value); wrong && !fault_) fault_ = Error{"", *wrong};
     }
 
-    /// A search of this scenario starts and ends where it did.
-    void setTilt(double tilt) {
-        const Model& model = scenario_.model;
-        set({"analysis", "start_deg"}, inDegrees(model.analysis.start.value_or(model.gravity.tilt)));
-        set({"analysis", "stop_deg"}, inDegrees(model.analysis.stop));
-        set({"gravity", "tilt_deg"}, inDegrees(tilt));
+    void setVaried(const FailingLoad& load) {
+        const VariedQuantity& quantity = quantityOf(load.varied);
+        if (quantity.divides_strengths && load.value != 1) divideStrengths(load.value);
+        Model model = scenario_.model;
+        putUnderLoad(model, load.varied, load.value);
+        for (const ScenarioNumber& number : quantity.written)
+            set({number.section, number.key}, number.value(model));
     }
 
     void divideStrengths(double factor) {
         const Node root = document_.root();
         if (const auto joints = root.find("joint"))
             for (const Entry& joint : joints->entries())
-                divideStrengths(joint.value, {"joint", joint.key}, factor);
-        eachTable(root, "interface",
-                  [&](const Node& table, const Path& path) { divideStrengths(table, path, factor); });
+                divideStrengths(joint.value, {"joint", joint.key}, lawOf(joint.value), factor);
+        eachTable(root, "interface", [&](const Node& table, const Path& path) {
+            divideStrengths(table, path, lawOfEntry(root, table), factor);
+        });
         eachTable(root, "stack", [&](const Node& table, const Path& path) {
-            divide(table, path, propertyOf(&Joint::friction), "bed_friction_deg", factor);
+            divide(table, path, propertyOf(&Joint::friction), StrengthLaw::coulomb, "bed_friction_deg",
+                   factor);
         });
     }
 
-    void divideStrengths(const Node& table, const Path& path, double factor) {
-        for (const JointProperty& property : kJointProperties)
-            if (property.is_reduced) divide(table, path, property, std::string(property.key), factor);
+    /// What is not given and not zero either is written out.
+    void divideStrengths(const Node& table, const Path& path, StrengthLaw law, double factor) {
+        for (const JointProperty& property : kJointProperties) {
+            if (!property.reduced_in.has(law)) continue;
+            const bool of_joint = path.front() == PathPart(std::string("joint"));
+            if (of_joint && !table.find(property.key) && property.same_as == nullptr &&
+                Joint{}.*property.value != 0)
+                set(below(path, std::string(property.key)),
+                    Joint{}.*property.value / property.toSi() / factor);
+            else
+                divide(table, path, property, law, std::string(property.key), factor);
+        }
+    }
+
+    /// Of a joint's table. The scenario has been read, so that there is no other law.
+    static StrengthLaw lawOf(const Node& joint) {
+        const auto name = joint.find("law");
+        for (std::size_t k = 0; name && k < kStrengthLawNames.size(); ++k)
+            if (name->text() == kStrengthLawNames[k]) return static_cast<StrengthLaw>(k);
+        return StrengthLaw::coulomb;
+    }
+
+    /// Of the joint that an entry for two blocks names.
+    static StrengthLaw lawOfEntry(const Node& root, const Node& entry) {
+        const auto joints = root.find("joint"), name = entry.find("joint");
+        const auto joint = joints && name ? joints->find(name->text()) : std::nullopt;
+        return joint ? lawOf(*joint) : StrengthLaw::coulomb;
     }
 
     /// One number, or all of an array's.
-    void divide(const Node& table, const Path& path, const JointProperty& property, const std::string& key,
-                double factor) {
+    void divide(const Node& table, const Path& path, const JointProperty& property, StrengthLaw law,
+                const std::string& key, double factor) {
         const auto node = table.find(key);
         if (!node) return;
         std::vector<std::pair<Path, double>> values;  // writing replaces the nodes that are read here
         eachNumber(*node, below(path, key), [&](const Path& place, double value) {
             Joint joint;
+            joint.law = law;
             joint.*property.value = value * property.toSi();
             values.emplace_back(place, reduced(joint, factor).*property.value / property.toSi());
         });
@@ -126,12 +152,7 @@ std::string asComments(const std::string& text) {
 }  // namespace scenario
 
 Model failingModel(Model model, const FailingLoad& load) {
-    if (load.tilt) {  // a search of this model starts and ends where it did
-        model.analysis.start = model.analysis.start.value_or(model.gravity.tilt);
-        model.gravity.tilt = *load.tilt;
-    }
-    if (load.factor != 1)
-        for (Joint& joint : model.joints) joint = reduced(std::move(joint), load.factor);
+    putUnderLoad(model, load.varied, load.value);
     model.run.duration = load.duration;
     model.run.frame_interval = load.frame_interval;
     model.run.time_step.reset();

@@ -44,6 +44,7 @@ std::optional<Target> jointTarget(const Scenario& scenario, const JointField& fi
                                     [&](const Joint& candidate) { return candidate.name == field.joint; });
     if (!p || joint == joints.end()) return std::nullopt;
     const auto j = static_cast<std::size_t>(joint - joints.begin());
+    if (!kJointProperties[*p].laws.has(joint->law)) return std::nullopt;
     const bool is_friction = kJointProperties[*p].value == &Joint::friction;
     if (origins[j].kind != JointOrigin::Kind::file || origins.back().kind == JointOrigin::Kind::intact_rock ||
         (is_friction && origins[j].has_bed_levels))
@@ -241,8 +242,11 @@ bool applyOverride(Scenario& scenario, std::string_view field, double value) {
 }
 
 bool overridePairs(Scenario& scenario, const std::vector<PairOverride>& overrides) {
-    for (const PairOverride& change : overrides)
-        if (!kJointProperties[change.property].allowed.contains(change.value)) return false;
+    for (const PairOverride& change : overrides) {
+        const JointProperty& property = kJointProperties[change.property];
+        const StrengthLaw law = scenario.model.joints[static_cast<std::size_t>(change.joint)].law;
+        if (!property.laws.has(law) || !property.allowed.contains(change.value)) return false;
+    }
     scenario::InterfaceEntries entries(scenario);
     for (const PairOverride& change : overrides) entries.set(change);
     entries.store();

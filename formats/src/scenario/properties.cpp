@@ -7,17 +7,88 @@ namespace talus::formats::scenario {
 namespace {
 
 constexpr const char* kDefaultJoint = "default";
+constexpr const char *kLaw = "law", *kShearStrength = "shear_strength";
 
-/// Takes over what the table gives; says what that is.
+std::vector<std::string> keysOfLaw(StrengthLaw law) {
+    std::vector<std::string> keys;
+    for (const JointProperty& property : kJointProperties)
+        if (property.laws.has(law)) keys.emplace_back(property.key);
+    if (law == StrengthLaw::envelope) keys.emplace_back(kShearStrength);
+    return keys;
+}
+
+void reportOfAnotherLaw(TableReader& table, std::string_view key, StrengthLaw law) {
+    table.error(key,
+                "found in a joint of law " + quoted(toString(law)) + ", allowed: " + listed(keysOfLaw(law)));
+}
+
+/// Takes over what the table gives to a joint of a law; says what that is.
 JointProperties readGiven(TableReader& table, Joint& joint) {
     JointProperties given;
     for (std::size_t p = 0; p < kJointPropertyCount; ++p) {
         const JointProperty& property = kJointProperties[p];
+        if (!property.laws.has(joint.law)) {
+            if (table.has(property.key)) reportOfAnotherLaw(table, property.key, joint.law);
+            continue;
+        }
         const auto value = table.number(property.key, property.allowed);
         if (value) joint.*property.value = *value * property.toSi();
         given[p] = value.has_value();
     }
     return given;
+}
+
+/// What is wrong with a point that follows others.
+std::optional<std::string> faultOf(const EnvelopePoint& point, const std::vector<EnvelopePoint>& before) {
+    if (before.empty() && point.normal_stress != 0)
+        return "found a first normal stress of " + numberText(point.normal_stress) + ", allowed: 0";
+    if (before.empty()) return std::nullopt;
+    if (!(point.normal_stress > before.back().normal_stress))
+        return "found a normal stress of " + numberText(point.normal_stress) +
+               ", allowed: greater than the one before, " + numberText(before.back().normal_stress);
+    if (point.shear_strength < before.back().shear_strength)
+        return "found a shear strength of " + numberText(point.shear_strength) +
+               ", allowed: at least the one before, " + numberText(before.back().shear_strength);
+    return std::nullopt;
+}
+
+std::vector<EnvelopePoint> readEnvelope(Report& report, TableReader& table) {
+    std::vector<EnvelopePoint> envelope;
+    const auto array = table.array(kShearStrength);
+    if (!array) return envelope;
+    if (array->size() < 2)
+        table.error(kShearStrength, "found " + std::to_string(array->size()) +
+                                        " points, allowed: two or more of [normal stress Pa, strength Pa]");
+    for (std::size_t i = 0; i < array->size(); ++i) {
+        const std::string field = elementField(table.fieldOf(kShearStrength), i);
+        const auto numbers = readNumbers(report, array->at(i), field, kNotNegative, 2);
+        if (!numbers) continue;
+        const EnvelopePoint point{(*numbers)[0], (*numbers)[1]};
+        if (const auto fault = faultOf(point, envelope)) report.add(array->at(i).place(), field, *fault);
+        envelope.push_back(point);
+    }
+    return envelope;
+}
+
+/// Nothing when it is none that there is.
+std::optional<StrengthLaw> readLaw(TableReader& table) {
+    static const std::vector<std::string> names(kStrengthLawNames.begin(), kStrengthLawNames.end());
+    if (!table.has(kLaw)) return StrengthLaw::coulomb;
+    const auto law = table.choice(kLaw, names);
+    return law ? std::optional(static_cast<StrengthLaw>(*law)) : std::nullopt;
+}
+
+/// \pre the law is known
+JointProperties readStrength(Report& report, TableReader& table, Joint& joint) {
+    for (const JointProperty& property : kJointProperties)
+        if (property.required_by.has(joint.law)) table.require({property.key});
+    if (joint.law == StrengthLaw::envelope) {
+        table.require({kShearStrength});
+        joint.shear_strength = readEnvelope(report, table);
+    } else if (table.has(kShearStrength)) {
+        reportOfAnotherLaw(table, kShearStrength, joint.law);
+    }
+    return readGiven(table, joint);
 }
 
 }  // namespace
@@ -48,7 +119,7 @@ void inherit(Joint& joint, JointProperties given, const Joint& base, JointProper
         if (!given[p]) joint.*kJointProperties[p].value = base.*kJointProperties[p].value;
     for (std::size_t p = 0; p < kJointPropertyCount; ++p) {
         const JointProperty& property = kJointProperties[p];
-        if (property.when_absent != JointProperty::Default::same_as || given[p] || base_given[p]) continue;
+        if (property.same_as == nullptr || given[p] || base_given[p]) continue;
         if (given[jointProperty(property.same_as)]) joint.*property.value = joint.*property.same_as;
     }
 }
@@ -62,6 +133,8 @@ void Joints::add(Joint joint, JointProperties given) {
 
 std::int32_t Joints::derive(std::int32_t base, JointOrigin::Kind kind, JointProperties given, Joint joint) {
     const auto index = static_cast<std::size_t>(base);
+    joint.law = joints_[index].law;
+    joint.shear_strength = joints_[index].shear_strength;
     inherit(joint, given, joints_[index], origins_[index].given);
     joints_.push_back(std::move(joint));
     origins_.push_back({kind, base, given});
@@ -76,7 +149,9 @@ std::int32_t Joints::withFriction(std::int32_t base, double friction_deg) {
     const auto [place, is_new] =
         bed_levels_.try_emplace({base, friction_deg}, static_cast<std::int32_t>(joints_.size()));
     if (!is_new) return place->second;
-    Joint joint{.name = joints_[index].name + "@" + numberText(friction_deg) + "deg", .friction = friction};
+    Joint joint;
+    joint.name = joints_[index].name + "@" + numberText(friction_deg) + "deg";
+    joint.friction = friction;
     JointProperties given;
     given.set(jointProperty(&Joint::friction));
     return derive(base, JointOrigin::Kind::bed_level, given, std::move(joint));
@@ -84,7 +159,9 @@ std::int32_t Joints::withFriction(std::int32_t base, double friction_deg) {
 
 std::int32_t Joints::withOverrides(std::int32_t base, TableReader& table, const std::string& field) {
     if (table.present(jointKeys()).empty()) return base;
-    Joint joint{.name = joints_[static_cast<std::size_t>(base)].name + "@" + field};
+    Joint joint;
+    joint.name = joints_[static_cast<std::size_t>(base)].name + "@" + field;
+    joint.law = joints_[static_cast<std::size_t>(base)].law;
     const JointProperties given = readGiven(table, joint);
     return derive(base, JointOrigin::Kind::interface, given, std::move(joint));
 }
@@ -107,12 +184,17 @@ Materials readMaterials(Report& report, TableReader& root) {
 
 Joints readJoints(Report& report, TableReader& root) {
     Joints joints;
+    std::vector<std::string> keys = jointKeys();
+    keys.insert(keys.end(), {kLaw, kShearStrength});
     for (const FieldNode& entry : root.namedTables("joint")) {
-        TableReader table(report, entry.node, entry.field, jointKeys());
-        for (const JointProperty& property : kJointProperties)
-            if (property.when_absent == JointProperty::Default::required) table.require({property.key});
-        Joint joint{.name = entry.name};
-        const JointProperties given = readGiven(table, joint);
+        TableReader table(report, entry.node, entry.field, keys);
+        Joint joint;
+        joint.name = entry.name;
+        JointProperties given;
+        if (const auto law = readLaw(table)) {
+            joint.law = *law;
+            given = readStrength(report, table, joint);
+        }
         joints.add(std::move(joint), given);
     }
     return joints;

@@ -108,6 +108,16 @@ void readBedFriction(Report& report, TableReader& table, Stack& stack) {
     }
 }
 
+/// A bed level's friction angle is one of Coulomb's law.
+void checkBedFriction(TableReader& table, const Joints& joints, const Stack& stack) {
+    const auto bed = static_cast<std::size_t>(stack.bed_joint);
+    if (stack.bed_friction_deg.empty() || bed >= joints.all().size()) return;
+    const Joint& joint = joints.all()[bed];
+    if (joint.law != StrengthLaw::coulomb)
+        table.error("bed_friction_deg", "found with the bed joint " + quoted(joint.name) + " of law " +
+                                            quoted(toString(joint.law)) + ", allowed: with law \"coulomb\"");
+}
+
 }  // namespace
 
 Stack readStack(Report& report, const FieldNode& entry, const Materials& materials, const Joints& joints,
@@ -135,6 +145,7 @@ Stack readStack(Report& report, const FieldNode& entry, const Materials& materia
     stack.bed_joint = readJoint(report, table, "bed_joint", joints).value_or(0);
     stack.side_joint = readJoint(report, table, "side_joint", joints).value_or(0);
     readBedFriction(report, table, stack);
+    checkBedFriction(table, joints, stack);
     return stack;
 }
 

@@ -6,18 +6,35 @@
 
 #include "snapshot/alignment.h"
 #include "snapshot/fields.h"
+#include "snapshot/tables.h"
 
 namespace talus::formats {
 namespace {
 
 constexpr std::size_t kMostMessageBytes = std::size_t{2000}
-                                          << 20;  // FlatBuffers hold 2 GiB, offsets included
+                                          << 20;           // FlatBuffers hold 2 GiB, offsets included
+constexpr std::size_t kFirstBytes = std::size_t{1} << 16;  // grows
 constexpr const char* kUnits = "SI: m, kg, s, N, J, Pa, rad";
 
 template <class Table>
 Table& made(std::unique_ptr<Table>& table) {
     if (!table) table = std::make_unique<Table>();
     return *table;
+}
+
+/// The column of a message that is for a name; null when there is none.
+template <class Columns, class Message>
+std::vector<double>* columnOf(const Columns& columns, std::string_view name, Message& message) {
+    for (const auto& [column_name, values] : columns)
+        if (column_name == name) return &(message.*values);
+    return nullptr;
+}
+
+std::unique_ptr<fb::JointNumbersT> jointNumbers(std::string_view name, std::vector<double> values) {
+    auto numbers = std::make_unique<fb::JointNumbersT>();
+    numbers->name = name;
+    numbers->values = std::move(values);
+    return numbers;
 }
 
 /// Frame to message. Arrays are handed over, not copied.
@@ -45,6 +62,14 @@ struct IntoMessage {
     }
     void operator()(QuaternionList& f, std::unique_ptr<fb::QuaternionsT>& m) const {
         made(m).w = std::move(f.w), m->x = std::move(f.x), m->y = std::move(f.y), m->z = std::move(f.z);
+    }
+    void laws(FrameLaws& f, fb::LawsT& m) const {
+        for (FrameLaws::Parameter& parameter : f.parameters)
+            if (auto* column = columnOf(kLawColumns, parameter.name, m))
+                *column = std::move(parameter.values);
+            else
+                m.parameter.push_back(jointNumbers(parameter.name, std::move(parameter.values)));
+        m.bonded = std::move(f.bonded);
     }
 };
 
@@ -74,13 +99,23 @@ struct FromMessage {
     void operator()(QuaternionList& f, std::unique_ptr<fb::QuaternionsT>& m) const {
         f.w = std::move(made(m).w), f.x = std::move(m->x), f.y = std::move(m->y), f.z = std::move(m->z);
     }
+    void laws(FrameLaws& f, fb::LawsT& m) const {
+        f.parameters.clear();
+        for (const LawColumn& column : kLawColumns) f.named(column.name) = std::move(m.*column.values);
+        for (const auto& numbers : m.parameter) f.named(numbers->name) = std::move(numbers->values);
+        f.bonded = std::move(m.bonded);
+    }
 };
+
+mcap::Bytes bytesOf(const flatbuffers::FlatBufferBuilder& builder) {
+    return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+}
 
 template <class Table, class Message>
 mcap::Bytes pack(const Message& message) {
-    flatbuffers::FlatBufferBuilder builder(1 << 16);
+    flatbuffers::FlatBufferBuilder builder(kFirstBytes);
     builder.Finish(Table::Pack(builder, &message), fb::FrameIdentifier());
-    return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+    return bytesOf(builder);
 }
 
 template <class Table>
@@ -92,14 +127,21 @@ constexpr const char* kTypeName<fb::Frame> = "talus.snapshot.Frame";
 template <>
 constexpr const char* kTypeName<fb::Full> = "talus.snapshot.Full";
 
-/// The message as plain data; false when its bytes are not one.
-template <class Table, class Message>
-bool unpack(const mcap::Bytes& bytes, Message& message) {
+/// The message where it lies; nullptr when its bytes are not one.
+template <class Table>
+const Table* verified(const mcap::Bytes& bytes) {
     flatbuffers::Verifier verifier(bytes.data(), bytes.size());
     if (!verifier.VerifyBuffer<Table>(fb::FrameIdentifier()) || !vectorsAreAligned(bytes, kTypeName<Table>))
-        return false;
-    flatbuffers::GetRoot<Table>(bytes.data())->UnPackTo(&message);
-    return true;
+        return nullptr;
+    return flatbuffers::GetRoot<Table>(bytes.data());
+}
+
+/// The message as plain data; false when its bytes are not one.
+template <class Table, class Message>
+bool readMessage(const mcap::Bytes& bytes, Message& message) {
+    const Table* table = verified<Table>(bytes);
+    if (table != nullptr) table->UnPackTo(&message);
+    return table != nullptr;
 }
 
 std::unique_ptr<fb::WaterT> toMessage(const Water& water) {
@@ -140,27 +182,82 @@ bool fromMessage(const fb::WaterT& m, Water& water) {
     return true;
 }
 
+std::vector<double> valuesOf(const std::vector<Joint>& joints, double Joint::*property) {
+    std::vector<double> values;
+    for (const Joint& joint : joints) values.push_back(joint.*property);
+    return values;
+}
+
+bool allCoulomb(const std::vector<Joint>& joints) {
+    return std::all_of(joints.begin(), joints.end(),
+                       [](const Joint& joint) { return joint.law == StrengthLaw::coulomb; });
+}
+
+void addLaws(const std::vector<Joint>& joints, fb::JointsT& m) {
+    m.envelope_begin = {0};
+    for (const Joint& joint : joints) {
+        m.law.emplace_back(toString(joint.law));
+        for (const EnvelopePoint& point : joint.shear_strength) {
+            m.envelope_normal.push_back(point.normal_stress);
+            m.envelope_shear.push_back(point.shear_strength);
+        }
+        m.envelope_begin.push_back(static_cast<std::int32_t>(m.envelope_normal.size()));
+    }
+}
+
+bool readLaw(const std::string& name, Joint& joint) {
+    const auto found = std::find(kStrengthLawNames.begin(), kStrengthLawNames.end(), name);
+    if (found == kStrengthLawNames.end()) return false;
+    joint.law = static_cast<StrengthLaw>(found - kStrengthLawNames.begin());
+    return true;
+}
+
+/// \pre the law names are as many as joints
+bool readLaws(const fb::JointsT& m, std::vector<Joint>& joints) {
+    const auto& begin = m.envelope_begin;
+    const std::size_t points = m.envelope_normal.size();
+    if (begin.size() != joints.size() + 1 || m.envelope_shear.size() != points) return false;
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+        if (!readLaw(m.law[k], joints[k]) || begin[k] < 0 || begin[k] > begin[k + 1] ||
+            static_cast<std::size_t>(begin[k + 1]) > points)
+            return false;
+        for (auto p = static_cast<std::size_t>(begin[k]); p < static_cast<std::size_t>(begin[k + 1]); ++p)
+            joints[k].shear_strength.push_back({m.envelope_normal[p], m.envelope_shear[p]});
+    }
+    return true;
+}
+
 fb::JointsT toMessage(const std::vector<Joint>& joints) {
     fb::JointsT m;
-    for (const Joint& joint : joints) {
-        m.name.push_back(joint.name);
-        for (std::size_t p = 0; p < kJointPropertyCount; ++p)
-            (m.*kJointMessages[p]).push_back(joint.*kJointProperties[p].value);
+    for (const Joint& joint : joints) m.name.push_back(joint.name);
+    for (const JointProperty& property : kJointProperties) {
+        std::vector<double> values = valuesOf(joints, property.value);
+        if (auto* column = columnOf(kJointColumns, property.key, m))
+            *column = std::move(values);
+        else
+            m.property.push_back(jointNumbers(property.key, std::move(values)));
     }
+    if (!allCoulomb(joints)) addLaws(joints, m);
     return m;
 }
 
-bool fromMessage(const fb::JointsT& m, std::vector<Joint>& joints) {
-    const std::size_t n = m.name.size();
-    for (const auto values : kJointMessages)
-        if ((m.*values).size() != n) return false;
-    for (std::size_t k = 0; k < n; ++k) {
-        Joint& joint = joints.emplace_back();
-        joint.name = m.name[k];
-        for (std::size_t p = 0; p < kJointPropertyCount; ++p)
-            joint.*kJointProperties[p].value = (m.*kJointMessages[p])[k];
-    }
+/// False when there are not as many values as joints.
+bool putValues(const std::vector<double>& values, std::string_view key, std::vector<Joint>& joints) {
+    if (values.size() != joints.size()) return false;
+    if (const auto property = jointProperty(key))
+        for (std::size_t k = 0; k < joints.size(); ++k)
+            joints[k].*kJointProperties[*property].value = values[k];
     return true;
+}
+
+/// What an older file does not have stays as Joint{} has it; what a later one has beside is left.
+bool fromMessage(const fb::JointsT& m, std::vector<Joint>& joints) {
+    for (const std::string& name : m.name) joints.emplace_back().name = name;
+    for (const JointColumn& column : kJointColumns)
+        if (!putValues(m.*column.values, column.key, joints)) return false;
+    for (const auto& numbers : m.property)
+        if (!putValues(numbers->values, numbers->name, joints)) return false;
+    return m.law.empty() || (m.law.size() == joints.size() && readLaws(m, joints));
 }
 
 fb::FailureT toMessage(const SnapshotFailure& failure) {
@@ -182,6 +279,61 @@ bool fromMessage(const fb::FailureT& m, SnapshotFailure& failure) {
     failure.mode = static_cast<FailureMode>(m.mode);
     for (const std::uint8_t role : m.role) failure.roles.push_back(static_cast<FailureMode>(role));
     return true;
+}
+
+template <class Table, class Part>
+auto packPart(flatbuffers::FlatBufferBuilder& builder, Part& part) {
+    typename Table::NativeTableType message;
+    eachField(part, message, IntoMessage{});
+    return Table::Pack(builder, &message);
+}
+
+template <class Table, class Part>
+void unpackPart(const Table* table, Part& part) {
+    typename Table::NativeTableType message;
+    if (table != nullptr) table->UnPackTo(&message);
+    eachField(part, message, FromMessage{});
+}
+
+/// Children are written in the schema's order, as flatc's own code does.
+flatbuffers::Offset<fb::Full> packFull(flatbuffers::FlatBufferBuilder& builder, FullFrame& f) {
+    const auto blocks = packTable<fb::Blocks, FieldsOf<kBlockFields>>(builder, f.blocks);
+    const auto interfaces = packTable<fb::Interfaces, FieldsOf<kInterfaceFields>>(builder, f.interfaces);
+    const auto points = packTable<fb::Points, FieldsOf<kPointFields>>(builder, f.points);
+    const auto wet = packTable<fb::WetPatches, FieldsOf<kWetFields>>(builder, f.wet);
+    const auto waters = packTable<fb::WaterLoads, FieldsOf<kWaterFields>>(builder, f.waters);
+    const auto laws = packPart<fb::Laws>(builder, f.laws);
+    const auto loads = packPart<fb::Loads>(builder, f.loads);
+    const auto position = packed(builder, f.search_position);
+    const auto orientation = packed(builder, f.search_orientation);
+    const auto search = fb::CreateSearch(builder, position, orientation, f.search_margin);
+    const auto progress = packPart<fb::Progress>(builder, f.progress);
+    flatbuffers::Offset<flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>> warnings = 0;
+    if (!f.warnings.empty()) warnings = builder.CreateVectorOfStrings(f.warnings);
+    return fb::CreateFull(builder, f.time, f.step, f.state_hash, blocks, interfaces, points, wet, waters,
+                          laws, loads, search, progress, f.shear_lost, warnings, f.origin_x, f.origin_y,
+                          f.origin_z);
+}
+
+void unpackFull(const fb::Full& m, FullFrame& f) {
+    f.time = m.time(), f.step = m.step(), f.state_hash = m.state_hash();
+    unpackTable<fb::Blocks, FieldsOf<kBlockFields>>(m.blocks(), f.blocks);
+    unpackTable<fb::Interfaces, FieldsOf<kInterfaceFields>>(m.interfaces(), f.interfaces);
+    unpackTable<fb::Points, FieldsOf<kPointFields>>(m.points(), f.points);
+    unpackTable<fb::WetPatches, FieldsOf<kWetFields>>(m.wet(), f.wet);
+    unpackTable<fb::WaterLoads, FieldsOf<kWaterFields>>(m.waters(), f.waters);
+    unpackPart(m.laws(), f.laws);
+    unpackPart(m.loads(), f.loads);
+    if (const fb::Search* search = m.search()) {
+        unpack(search->position(), f.search_position);
+        unpack(search->orientation(), f.search_orientation);
+        f.search_margin = search->margin();
+    }
+    unpackPart(m.progress(), f.progress);
+    f.shear_lost = m.shear_lost();
+    if (m.warnings() != nullptr)
+        for (const flatbuffers::String* warning : *m.warnings()) f.warnings.push_back(warning->str());
+    f.origin_x = m.origin_x(), f.origin_y = m.origin_y(), f.origin_z = m.origin_z();
 }
 
 /// Upper bound of a full frame's message [bytes], generously.
@@ -210,15 +362,15 @@ mcap::Bytes encode(LightFrame frame) {
 
 mcap::Bytes encode(FullFrame frame) {
     if (messageBytes(frame) > kMostMessageBytes) return {};
-    fb::FullT message;
-    eachField(frame, message, IntoMessage{});
-    return pack<fb::Full>(message);
+    flatbuffers::FlatBufferBuilder builder(kFirstBytes);
+    builder.Finish(packFull(builder, frame), fb::FrameIdentifier());
+    return bytesOf(builder);
 }
 
 bool decode(const mcap::Bytes& bytes, SnapshotHeader& header, std::string& why) {
     why = "its header is damaged";
     fb::HeaderT message;
-    if (!unpack<fb::Header>(bytes, message)) return false;
+    if (!readMessage<fb::Header>(bytes, message)) return false;
     if (message.format > kSnapshotFormat) {
         why = "it has format " + std::to_string(message.format) +
               ", of a later version; this one reads up to " + std::to_string(kSnapshotFormat);
@@ -234,16 +386,15 @@ bool decode(const mcap::Bytes& bytes, SnapshotHeader& header, std::string& why) 
 
 bool decode(const mcap::Bytes& bytes, LightFrame& frame) {
     fb::FrameT message;
-    if (!unpack<fb::Frame>(bytes, message)) return false;
+    if (!readMessage<fb::Frame>(bytes, message)) return false;
     eachField(frame, message, FromMessage{});
     return true;
 }
 
 bool decode(const mcap::Bytes& bytes, FullFrame& frame) {
-    fb::FullT message;
-    if (!unpack<fb::Full>(bytes, message)) return false;
-    eachField(frame, message, FromMessage{});
-    return true;
+    const fb::Full* message = verified<fb::Full>(bytes);
+    if (message != nullptr) unpackFull(*message, frame);
+    return message != nullptr;
 }
 
 SnapshotHeader headerOf(const Scenario& scenario, RunGeometry geometry, std::string command_line,
@@ -265,6 +416,7 @@ SnapshotHeader headerOf(const Scenario& scenario, RunGeometry geometry, std::str
     }
     header.geometry = std::move(geometry);
     header.joints = model.joints;
+    if (!allCoulomb(model.joints)) header.format = kFormatWithLaws;
     header.waters = model.waters;
     return header;
 }

@@ -66,7 +66,7 @@ struct SnapshotReader::File {
     std::string path;
     SnapshotHeader header{};
     std::vector<FrameEntry> frames{};
-    std::vector<mcap::Place> frame_places{}, full_places{};
+    std::vector<mcap::MessagePlace> frame_places{}, full_places{};
     std::vector<std::size_t> frame_of_full{};
     std::vector<std::string> faults{};
 
@@ -74,7 +74,7 @@ struct SnapshotReader::File {
     void listFrames();
     std::uint16_t channelOf(const char* topic) const;
     template <class Frame>
-    Result<Frame> read(const mcap::Place& place, const char* what);
+    Result<Frame> read(const mcap::MessagePlace& place, const char* what);
 };
 
 /// By topic: another program may have numbered the channels anew.
@@ -88,7 +88,7 @@ std::vector<Error> SnapshotReader::File::readHeader() {
     const std::uint16_t channel = channelOf(kChannels[0].topic);
     const auto& places = mcap.places();
     const auto place = std::find_if(places.begin(), places.end(),
-                                    [&](const mcap::Place& p) { return p.channel == channel; });
+                                    [&](const mcap::MessagePlace& p) { return p.channel == channel; });
     if (channel == 0) return {{"", "is an MCAP file without Talus snapshots", path}};
     if (place == places.end()) return {{"", "is cut before its header: there is nothing to read", path}};
     const auto message = mcap.message(*place);
@@ -101,7 +101,7 @@ std::vector<Error> SnapshotReader::File::readHeader() {
 
 void SnapshotReader::File::listFrames() {
     const std::uint16_t light = channelOf(kChannels[1].topic), full = channelOf(kChannels[2].topic);
-    for (const mcap::Place& place : mcap.places()) {
+    for (const mcap::MessagePlace& place : mcap.places()) {
         if (place.channel == light) {
             frame_places.push_back(place);
             frames.push_back({seconds(place.time)});
@@ -120,7 +120,7 @@ void SnapshotReader::File::listFrames() {
 }
 
 template <class Frame>
-Result<Frame> SnapshotReader::File::read(const mcap::Place& place, const char* what) {
+Result<Frame> SnapshotReader::File::read(const mcap::MessagePlace& place, const char* what) {
     const auto message = mcap.message(place);
     if (!message) return message.errors();
     Frame frame;

@@ -195,7 +195,7 @@ Result<SnapshotWriter> SnapshotWriter::continueFile(const std::string& path, std
     // Counted as the reader counts them: full states that stand behind the light frame of their instant.
     std::size_t seen = 0;
     std::optional<std::uint64_t> last_light;
-    for (const mcap::Place& place : reader->places()) {
+    for (const mcap::MessagePlace& place : reader->places()) {
         if (place.channel == kFrameChannel) last_light = place.time;
         if (place.channel != kFullChannel || last_light != place.time || seen++ != full) continue;
         auto written = reader->prefix(place.chunk + 1);

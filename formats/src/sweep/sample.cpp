@@ -202,13 +202,20 @@ SweepRun runOf(const Sweep& sweep, std::uint64_t index) {
 
 void prepareRuns(Sweep& sweep, std::shared_ptr<const Scenario> base) {
     sweep.only_overrides = true;
-    bool same_joints = true;  // the joint between two blocks is the one with less friction
+    // The joint between two blocks is the one with less friction: a number of its strength may make it another.
+    const auto decides = [](std::string_view key) {
+        const auto p = jointProperty(key);
+        return p && (kJointProperties[*p].value == &Joint::friction ||
+                     kJointProperties[*p].value == &Joint::residual_friction ||
+                     !kJointProperties[*p].laws.has(StrengthLaw::coulomb));
+    };
+    bool same_joints = true;
     for (const SweepColumn& column : sweep.columns) {
         if (column.per == SampledPer::interface) continue;
         for (const std::string& target : column.targets) {
             sweep.only_overrides = sweep.only_overrides && canOverride(*base, target);
             const auto of_joint = scenario::jointField(*toml::parseField(target));
-            same_joints = same_joints && !(of_joint && of_joint->key == propertyOf(&Joint::friction).key);
+            same_joints = same_joints && !(of_joint && decides(of_joint->key));
         }
     }
     if (sweep.only_overrides && same_joints && drawsPerInterface(sweep))

@@ -110,17 +110,17 @@ class SweepReader {
 
     void readReport() {
         std::vector<std::string> keys{"confidence"};
-        for (const LoadSearch& search : loadSearches()) keys.push_back(search.load_key);
+        for (const LoadSearch& search : loadSearches()) keys.push_back(search.load->key);
         auto table = root_.table("report", keys);
         if (!table) return;
         constexpr Interval kConfidence{0.5, 1, false, true};
         sweep_.report.confidence = table->number("confidence", kConfidence).value_or(0.95);
         for (const LoadSearch& search : loadSearches()) {
             const Interval range{search.lowest, search.highest, true, std::isfinite(search.highest)};
-            auto thresholds = table->numbers(search.load_key, range, std::nullopt);
+            auto thresholds = table->numbers(search.load->key, range, std::nullopt);
             if (&search == sweep_.search && thresholds) sweep_.report.thresholds = std::move(*thresholds);
-            if (&search != sweep_.search && table->has(search.load_key))
-                table->error(search.load_key,
+            if (&search != sweep_.search && table->has(search.load->key))
+                table->error(search.load->key,
                              "found in another analysis, allowed: with \"" + std::string(search.name) + "\"");
         }
     }

@@ -95,7 +95,7 @@ TEST_CASE("a failing run computes what the search's continuation computed, to th
     const SearchResult angle = *criticalAngle(model, control);
     REQUIRE(angle.failing != nullptr);
     formats::FailingLoad tilted;
-    tilted.tilt = angle.failing->load;
+    tilted.value = angle.failing->load;
     CHECK(playedOn(angle, tilted) == angle.state_hash);
 
     // tan(phi) over the factor is not the tangent of an angle: the strengths are the state's own.
@@ -103,7 +103,8 @@ TEST_CASE("a failing run computes what the search's continuation computed, to th
     const SearchResult factor = *safetyFactor(model, control);
     REQUIRE(factor.failing != nullptr);
     formats::FailingLoad weakened;
-    weakened.factor = factor.failing->load;
+    weakened.varied = Varied::factor;
+    weakened.value = factor.failing->load;
     CHECK(playedOn(factor, weakened) == factor.state_hash);
 }
 

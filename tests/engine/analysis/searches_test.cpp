@@ -18,8 +18,8 @@ TEST_CASE("searches are found by their names, and no two share a name or a key")
     for (const LoadSearch& search : loadSearches()) {
         CHECK(loadSearch(search.name) == &search);
         names.insert(search.name);
-        for (const char* key : {search.answer_key, search.load_key, search.theory_key}) keys.insert(key);
-        CHECK(search.scale > 0);
+        for (const char* key : {search.answer_key, search.load->key, search.theory_key}) keys.insert(key);
+        CHECK(search.load->scale > 0);
         CHECK(search.lowest < search.highest);
     }
     CHECK(names.size() == loadSearches().size());
@@ -27,6 +27,20 @@ TEST_CASE("searches are found by their names, and no two share a name or a key")
     CHECK(loadSearch("run") == nullptr);
     CHECK(loadSearch("critical-angle")->keyInUnit("bracket") == "bracket_deg");
     CHECK(loadSearch("safety-factor")->keyInUnit("bracket") == "bracket");
+}
+
+TEST_CASE("quantities stand in the order of their enumeration, and no two share a name or a key") {
+    std::set<std::string> names, keys;
+    for (std::size_t k = 0; k < variedQuantities().size(); ++k) {
+        const VariedQuantity& quantity = variedQuantities()[k];
+        CHECK(static_cast<std::size_t>(quantity.varied) == k);
+        CHECK(&quantityOf(quantity.varied) == &quantity);
+        names.insert(quantity.name), keys.insert(quantity.key);
+        // What can be put on a model can be written into a scenario, in one of two ways.
+        CHECK((quantity.apply != nullptr) == (quantity.divides_strengths || !quantity.written.empty()));
+    }
+    CHECK(names.size() == variedQuantities().size());
+    CHECK(keys.size() == variedQuantities().size());
 }
 
 TEST_CASE("a model under a load is the one that fails there") {
@@ -49,7 +63,7 @@ TEST_CASE("each search finds the load of a block on a plane, and its theory says
     model.analysis.stop = radians(25);
     const double factor = std::tan(radians(20)) / std::tan(radians(12));
     const auto exactOf = [&](const LoadSearch& search) {
-        switch (search.load) {
+        switch (search.load->varied) {
             case Varied::tilt:
                 return radians(20);
             case Varied::factor:

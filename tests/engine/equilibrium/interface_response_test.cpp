@@ -19,9 +19,16 @@ namespace {
 
 /// Two boxes one on the other on a floor, pressed together and moved at random, so that some contact points stick,
 /// slip and open.
-State shaken(int seed) {
+State shaken(int seed, StrengthLaw law = StrengthLaw::coulomb) {
     Model model = floorModel(30, 1e9);
     model.joints[0].shear_stiffness = 4e8;
+    model.joints[0].law = law;
+    model.joints[0].jrc = 12;  // at some 1 to 4 kPa
+    model.joints[0].jcs = 5e4;
+    if (law == StrengthLaw::barton_bandis) model.joints[0].residual_friction = radians(20);
+    model.joints[0].a = 1.5;
+    model.joints[0].b = 0.85;
+    model.joints[0].shear_strength = {{0, 10}, {900, 600}, {5e3, 1.5e3}};
     addBox(model, "a", {0, 0, 0}, {0.4, 0.2, 0.1});
     addBox(model, "b", {0.1, 0.05, 0.1}, {0.4, 0.2, 0.1});
     State state = *buildState(model, false);
@@ -47,9 +54,9 @@ Vec6s forcesAt(const State& state, Balance& balance, const Poses& poses) {
 }  // namespace
 
 TEST_SUITE("equilibrium") {
-    TEST_CASE("forces are those of the engine's own kernel") {
-        for (int seed = 0; seed < 20; ++seed) {
-            State state = shaken(seed);
+    TEST_CASE("forces are those of the engine's own kernel, with every law") {
+        for (int seed = 0; seed < 80; ++seed) {
+            State state = shaken(seed, static_cast<StrengthLaw>(seed % 4));
             Balance balance = makeBalance(state);
             const Vec6s force = forcesAt(state, balance, posesOf(state));
             updateForces(state, false);
@@ -83,8 +90,8 @@ TEST_SUITE("equilibrium") {
 
     TEST_CASE("the matrix is minus the derivative of the forces, finite turns and lever arms included") {
         constexpr double kStep = 1e-10;
-        for (int seed = 0; seed < 20; ++seed) {
-            const State state = shaken(seed);
+        for (int seed = 0; seed < 60; ++seed) {
+            const State state = shaken(seed, static_cast<StrengthLaw>(seed % 4));
             Balance balance = makeBalance(state);
             const Poses poses = posesOf(state);
             Vec6s force;

@@ -22,13 +22,35 @@ using simd::InstructionSet;
 
 namespace {
 
+Joint frictional() {
+    Joint strength = joint(25);
+    strength.normal_stiffness = 1e8;
+    strength.shear_stiffness = 5e7;
+    return strength;
+}
+
+/// Stresses in these tests are some 10 Pa.
+Joint curved(StrengthLaw law) {
+    Joint strength = frictional();
+    strength.law = law;
+    strength.jrc = 12;
+    strength.jcs = 30;
+    strength.residual_friction = radians(20);
+    strength.max_friction = radians(30);
+    strength.a = 1.5;
+    strength.b = 0.6;
+    strength.shear_strength = {{0, 0}, {5, 3}, {5.02, 3.005}, {20, 8}};
+    return strength;
+}
+
 /// Prisms of 3 to 7 sides and boxes on a floor, so that groups are of many shapes and not all full.
 Model prisms(const PointRule& rule, const Joint& strength) {
     Model model = floorModel(25, 1e8);
     model.joints[0] = strength;
     model.joints.push_back(strength);
     model.joints[1].name = "other";
-    model.joints[1].friction = radians(35);
+    if (strength.law == StrengthLaw::coulomb) model.joints[1].friction = radians(35);
+    if (strength.law == StrengthLaw::power) model.joints[1] = frictional();
     model.points = rule;
     for (int k = 0; k < 23; ++k) {
         const double x = 2.5 * (k % 5), y = 2.1 * (k / 5) - 4;
@@ -58,13 +80,6 @@ Joint brittle() {
     strength.tensile_strength = 10;
     strength.residual_friction = radians(20);
     strength.dilation = radians(5);
-    return strength;
-}
-
-Joint frictional() {
-    Joint strength = joint(25);
-    strength.normal_stiffness = 1e8;
-    strength.shear_stiffness = 5e7;
     return strength;
 }
 
@@ -200,6 +215,13 @@ TEST_SUITE("forces") {
                 const Seen rich = compare(rule, brittle(), damping);
                 seenAll(rich);
                 CHECK(rich.broken > 0);
+                for (const StrengthLaw law :
+                     {StrengthLaw::barton_bandis, StrengthLaw::envelope, StrengthLaw::power}) {
+                    Joint strength = curved(law);
+                    seenAll(compare(rule, strength, damping));
+                    strength.dilation = radians(5);
+                    seenAll(compare(rule, strength, damping));
+                }
             }
     }
 

@@ -17,8 +17,11 @@ PointForce contactLaw(const JointLaw& law, double area, double gap, double slide
 }
 
 JointLaw friction() {
-    return {
-        .normal_stiffness = 2e9, .shear_stiffness = 1e9, .tan_friction = 0.5, .residual_tan_friction = 0.5};
+    JointLaw joint;
+    joint.normal_stiffness = 2e9;
+    joint.shear_stiffness = 1e9;
+    joint.tan_friction = joint.residual_tan_friction = 0.5;
+    return joint;
 }
 
 JointLaw cohesive() {
@@ -32,7 +35,9 @@ JointLaw cohesive() {
 }  // namespace
 
 TEST_SUITE("law") {
-    TEST_CASE("normal force is k_n A times the overlap (eq 5), and nothing when open (eqs 7-8)") {
+    TEST_CASE(
+        "normal force is k_n A times the overlap (eq 5), and nothing when "
+        "open (eqs 7-8)") {
         PointMemory memory;
         CHECK(contactLaw(friction(), kArea, -1e-5, 0, 0, 1, memory).normal == doctest::Approx(200));
         const PointForce open = contactLaw(friction(), kArea, 1e-9, 1e-3, 0, 1, memory);
@@ -55,7 +60,9 @@ TEST_SUITE("law") {
         CHECK(force.slips);
         CHECK(force.shear_1 == doctest::Approx(-60));  // 100 N along (3, -4) / 5
         CHECK(force.shear_2 == doctest::Approx(80));
-        SUBCASE("and what has slipped stays: back at zero slide the force points the other way") {
+        SUBCASE(
+            "and what has slipped stays: back at zero slide the force points "
+            "the other way") {
             const PointForce back = contactLaw(friction(), kArea, -1e-5, 2.4e-5, -3.2e-5, 1, memory);
             CHECK_FALSE(back.slips);
             CHECK(back.shear_1 == doctest::Approx(0).epsilon(1e-9));
@@ -107,7 +114,9 @@ TEST_SUITE("law") {
         CHECK(broken.shear_1 == 0);
     }
 
-    TEST_CASE("brittle cohesion: peak C A + F_n tan(phi), then C_r A + F_n tan(phi_r)") {
+    TEST_CASE(
+        "brittle cohesion: peak C A + F_n tan(phi), then C_r A + F_n "
+        "tan(phi_r)") {
         JointLaw joint = cohesive();
         joint.residual_cohesion = 2e4;       // 200 N
         joint.residual_tan_friction = 0.25;  // 50 N at 200 N
@@ -129,7 +138,9 @@ TEST_SUITE("law") {
         CHECK(memory.bond == doctest::Approx(0).epsilon(1e-12));
     }
 
-    TEST_CASE("unbonded Lps keep their peak friction when they open, and lose it when they slip") {
+    TEST_CASE(
+        "unbonded Lps keep their peak friction when they open, and lose it "
+        "when they slip") {
         JointLaw joint = friction();
         joint.residual_tan_friction = 0.25;
         PointMemory memory;

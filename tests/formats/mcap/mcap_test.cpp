@@ -49,7 +49,7 @@ std::set<int> readable(const Bytes& bytes) {
     auto reader = Reader::open(Source::of(bytes), "sample", kMost);
     std::set<int> found;
     if (!reader) return found;
-    for (const Place& place : reader->places()) {
+    for (const MessagePlace& place : reader->places()) {
         const auto message = reader->message(place);
         if (!message) continue;
         const int k = static_cast<int>(place.time / 10);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "formats/scenario/scenario_texts.h"
 #include "talus/formats/failing.h"
 
 using namespace talus;
@@ -38,7 +39,8 @@ double reducedBy(double factor, double angle_deg) {
 TEST_CASE("strengths are divided wherever the file gives them; joints keep their number and order") {
     const Scenario before = original();
     FailingLoad load;
-    load.factor = 1.25;
+    load.varied = Varied::factor;
+    load.value = 1.25;
     load.frame_interval = 0.01;
     const auto after = failingScenario(before, load, "first line\nsecond line");
     REQUIRE(after.ok());
@@ -61,13 +63,13 @@ TEST_CASE("strengths are divided wherever the file gives them; joints keep their
 TEST_CASE("the model is the search's to the bit; the text reads back as it but for the rounding of degrees") {
     const Scenario before = original();
     FailingLoad load;
-    load.tilt = 0.3;
-    load.factor = 1.37;
+    load.varied = Varied::factor;
+    load.value = 1.37;
     load.contact_damping = 1.0 / 3;
     load.frame_interval = 0.01;
     const auto after = failingScenario(before, load, "");
     REQUIRE(after.ok());
-    CHECK(after->model.gravity.tilt == 0.3);
+    CHECK(after->model.gravity.tilt == before.model.gravity.tilt);
     const auto read = parseScenario(after->text, "again.toml");
     REQUIRE(read.ok());
     REQUIRE(read->model.joints.size() == before.model.joints.size());
@@ -78,24 +80,55 @@ TEST_CASE("the model is the search's to the bit; the text reads back as it but f
             CHECK(exact == reduced(before.model.joints[j], 1.37).*property.value);
             CHECK(read->model.joints[j].*property.value == doctest::Approx(exact).epsilon(1e-15));
         }
-    CHECK(read->model.gravity.tilt == doctest::Approx(0.3).epsilon(1e-15));
+    CHECK(read->model.gravity.tilt == before.model.gravity.tilt);
     CHECK(read->model.damping.contact == 1.0 / 3);
     CHECK(read->model.analysis.stop == doctest::Approx(after->model.analysis.stop).epsilon(1e-15));
     CHECK(read->model.run.duration == after->model.run.duration);
     for (const LevelPoint& point : after->model.waters[0].level) CHECK(point.value == 0.05);
 }
 
+TEST_CASE("strength of every law is divided, also where the file gives no strength_factor") {
+    const Scenario before = readGood(
+        joint("default", "law = \"barton-bandis\"\njrc = 8\njcs = 5e7\nresidual_friction_deg = 28") +
+        joint("table", "law = \"envelope\"\nshear_strength = [[0, 0], [1e5, 9e4]]\nstrength_factor = 0.5") +
+        joint("plain", "friction_deg = 30") + material() + stack("bed_joint = \"table\"\n") +
+        "[[interface]]\nbetween = [\"c1r1s1\", \"c2r1s1\"]\njoint = \"default\"\njrc = 3\n"
+        "[[interface]]\nbetween = [\"c2r1s1\", \"c3r1s1\"]\njoint = \"table\"\nstrength_factor = 0.7\n");
+    FailingLoad load;
+    load.factor = 1.37;
+    load.frame_interval = 0.01;
+    const auto after = failingScenario(before, load, "");
+    REQUIRE(after.ok());
+    const auto read = parseScenario(after->text, "again.toml");
+    REQUIRE(read.ok());
+    REQUIRE(read->model.joints.size() == before.model.joints.size());
+    for (std::size_t j = 0; j < before.model.joints.size(); ++j) {
+        const Joint &old = before.model.joints[j], &now = read->model.joints[j];
+        CAPTURE(old.name);
+        const double stress = 3e4;
+        CHECK(shearStrength(now, stress) ==
+              doctest::Approx(shearStrength(old, stress) / 1.37).epsilon(1e-13));
+        CHECK(now.jrc == old.jrc);
+        CHECK(now.shear_strength == old.shear_strength);
+        CHECK(after->model.joints[j].strength_factor == doctest::Approx(now.strength_factor).epsilon(1e-15));
+    }
+}
+
 TEST_CASE("the tilt is written out, and a search of the new text goes where that of the old one went") {
     const Scenario before = original();
     FailingLoad load;
-    load.tilt = 0.3;
+    load.value = 0.3;
     load.contact_damping = 2e-6;
     load.duration = 3;
     load.frame_interval = 0.02;
     const auto after = failingScenario(before, load, "");
     REQUIRE(after.ok());
     const Model& model = after->model;
-    CHECK(model.gravity.tilt == doctest::Approx(0.3).epsilon(1e-14));
+    CHECK(model.gravity.tilt == 0.3);
+    const auto read = parseScenario(after->text, "again.toml");
+    REQUIRE(read.ok());
+    CHECK(read->model.gravity.tilt == doctest::Approx(0.3).epsilon(1e-15));
+    CHECK(read->model.analysis.stop == doctest::Approx(model.analysis.stop).epsilon(1e-15));
     CHECK(model.analysis.start.value_or(0) == doctest::Approx(5 * kDegree));
     CHECK(model.analysis.stop == doctest::Approx(30 * kDegree));
     CHECK(model.run.duration == 3);
@@ -110,6 +143,7 @@ TEST_CASE("the tilt is written out, and a search of the new text goes where that
 
 TEST_CASE("water stands as at time 0") {
     FailingLoad load;
+    load.value = 0.3;
     load.frame_interval = 0.01;
     const auto after = failingScenario(original(), load, "");
     REQUIRE(after.ok());

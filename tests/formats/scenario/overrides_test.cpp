@@ -20,6 +20,8 @@ namespace {
 void checkSame(const Joint& a, const Joint& b) {
     CAPTURE(a.name);
     CHECK(a.name == b.name);
+    CHECK((a.law == b.law));
+    CHECK(a.shear_strength == b.shear_strength);
     for (const JointProperty& property : kJointProperties) {
         CAPTURE(property.key);
         CHECK(a.*property.value == b.*property.value);
@@ -107,11 +109,30 @@ TEST_CASE("each property of each joint, alone and after others") {
     for (const std::string name : {"weak", "default", "bed"})
         for (const JointProperty& property : kJointProperties) {
             if (name == "bed" && property.value == &Joint::friction) continue;
+            if (!property.laws.has(StrengthLaw::coulomb)) continue;
             const std::string field = "joint." + name + "." + std::string(property.key);
             CAPTURE(field);
             checkOverrides(slope(), {{field, 17.3}});
             checkOverrides(slope(), {{"joint.default.friction_deg", 31.7}, {field, 0.7}});
             checkOverrides(slope(), {{field, 11.1}, {"joint.default.residual_friction_deg", 9.9}});
+        }
+}
+
+TEST_CASE("each number of each law, and of entries that follow the joint") {
+    const std::string text =
+        joint("default", "law = \"barton-bandis\"\njrc = 8\njcs = 5e7\nresidual_friction_deg = 28") +
+        joint("table", "law = \"envelope\"\nshear_strength = [[0, 0], [1e5, 9e4], [1e6, 6e5]]") +
+        joint("power", "law = \"power\"\na = 1.2\nb = 0.8") + material() + stack("bed_joint = \"power\"\n") +
+        "[[interface]]\nbetween = [\"c1r1s1\", \"c2r1s1\"]\njoint = \"default\"\njrc = 3\n"
+        "[[interface]]\nbetween = [\"c2r1s1\", \"c3r1s1\"]\njoint = \"table\"\nstrength_factor = 0.5\n";
+    for (const Joint& of : readGood(text).model.joints)
+        for (const JointProperty& property : kJointProperties) {
+            const std::string field = "joint." + of.name + "." + std::string(property.key);
+            CAPTURE(field);
+            Scenario scenario = readGood(text);
+            const bool is_named = of.name.find('@') == std::string::npos;
+            CHECK(canOverride(scenario, field) == (is_named && property.laws.has(of.law)));
+            if (canOverride(scenario, field)) checkOverrides(text, {{field, 0.7}});
         }
 }
 

@@ -85,6 +85,33 @@ TEST_CASE("what stands at a path is told apart") {
           std::string::npos);
 }
 
+TEST_CASE("joints of every law come back from a header, which says that it has them") {
+    SnapshotHeader header = headerOf(sample().scenario, sample().run.geometry, "", 10);
+    CHECK(header.format == kFirstFormat);
+    Scenario scenario = sample().scenario;
+    auto& joints = scenario.model.joints;
+    joints.resize(4, joints[0]);
+    for (std::size_t k = 1; k < 4; ++k) {
+        joints[k].name = toString(static_cast<StrengthLaw>(k));
+        joints[k].law = static_cast<StrengthLaw>(k);
+        for (const JointProperty& property : kJointProperties)
+            joints[k].*property.value = 0.1 * static_cast<double>(k) + (property.isAngle() ? 0.01 : 3.0);
+    }
+    joints[2].shear_strength = {{0, 1}, {2, 3}, {4, 5}};
+    header = headerOf(scenario, sample().run.geometry, "", 10);
+    CHECK(header.format == kFormatWithLaws);
+    SnapshotHeader read;
+    std::string why;
+    REQUIRE(decode(encode(header), read, why));
+    REQUIRE(read.joints.size() == 4);
+    for (std::size_t k = 0; k < 4; ++k) {
+        CHECK((read.joints[k].law == joints[k].law));
+        CHECK(read.joints[k].shear_strength == joints[k].shear_strength);
+        for (const JointProperty& property : kJointProperties)
+            CHECK(read.joints[k].*property.value == joints[k].*property.value);
+    }
+}
+
 TEST_CASE("a header of a later format is refused") {
     SnapshotHeader header = headerOf(sample().scenario, sample().run.geometry, "", 10);
     header.format = kSnapshotFormat + 1;

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "batch/report.h"
+#include "cli/json.h"
 #include "tools/batch/samples.h"
 
 namespace talus::tools::batch {

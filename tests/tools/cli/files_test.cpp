@@ -4,7 +4,10 @@
 
 #include <cmath>
 
-#include "cli/command.h"
+#include "cli/failures.h"
+#include "cli/files.h"
+#include "cli/json.h"
+#include "cli/text.h"
 #include "tools/program.h"
 
 using namespace talus::tools;

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "cli/text.h"
 #include "commands/ceiling.h"
 #include "tools/program.h"
 

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <regex>
+
 #include <algorithm>
 
 #include "replay/page.h"
@@ -75,10 +77,19 @@ TEST_CASE("replay -o: the page holds the file, byte for byte, and nothing from e
 }
 
 TEST_CASE("the page has words for the load of every search") {
+    const std::string page = talus::tools::replayPage("");
+    std::smatch match;
+    REQUIRE(std::regex_search(
+        page, match, std::regex("<script id=\"searches\" type=\"application/json\">([^<]*)</script>")));
+    const json words = json::parse(match[1].str());
     for (const talus::LoadSearch& search : talus::loadSearches()) {
         CAPTURE(search.name);
-        CHECK(talus::tools::kReplayPage.find('"' + std::string(search.name) + '"') != std::string_view::npos);
+        const json& said = words.at(search.name);
+        CHECK(said.at("text") == search.load->text);
+        CHECK(said.at("unit") == search.load->unit);
+        CHECK(said.at("scale").get<double>() == search.load->scale);
     }
+    CHECK(words.size() == talus::loadSearches().size());
 }
 
 TEST_CASE("replay -o: bytes of any length survive base64, large files go in pieces") {

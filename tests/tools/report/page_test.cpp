@@ -37,7 +37,7 @@ Json hostileReport() {
     Drawing drawing{kHostile, kHostile, {{"stable", {{0, 0}, {1, 0}, {1, 1}}, kHostile}}};
     drawing.caption_title = drawing.caption = kHostile;
     drawing.links = {{"javascript:window.ran=true", kHostile}, {"https://example.org/", kHostile}};
-    Plot plot{"hostile", kHostile, kHostile, Axis{kHostile}, Axis{kHostile}};
+    Plot plot{"hostile", kHostile, kHostile, PlotAxis{kHostile}, PlotAxis{kHostile}};
     plot.x.categories = {kHostile, "b"};
     plot.series = {{"points", "dem", kHostile, {{0, 1}, {1, 2}}, {kHostile, kHostile}}};
     report.sections = Json::array({section(

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/json.h"
 #include "reproduction/kept.h"
 #include "reproduction/slope.h"
 #include "tools/program.h"

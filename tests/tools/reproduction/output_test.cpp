@@ -4,7 +4,9 @@
 #include <map>
 #include <sstream>
 
+#include "cli/json.h"
 #include "report/svg.h"
+#include "report/svg_writer.h"
 #include "reproduction/data.h"
 #include "reproduction/page.h"
 #include "reproduction/plots.h"
@@ -221,8 +223,11 @@ TEST_CASE("the terminal table holds the answers, and the cases without one") {
     CHECK(parts.find("failed") != std::string::npos);
 }
 
-TEST_CASE("steps between ticks are round, and XML is safe") {
+TEST_CASE("steps between ticks are round, and SVG files are safe XML") {
     CHECK(niceStep(22, 11) == doctest::Approx(2));
     CHECK(niceStep(0.04, 6) == doctest::Approx(0.005));
-    CHECK(escaped("<a href=\"x\">&'") == "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
+    SvgWriter svg;
+    svg.label({}, "<a href=\"x\">&'");
+    CHECK(svg.file(1, 1, "", "", "").find(">&lt;a href=&quot;x&quot;&gt;&amp;&#39;</text>") !=
+          std::string::npos);
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/text.h"
 #include "reproduction/laboratory.h"
 #include "reproduction/results.h"
 

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "cli/json.h"
 #include "tools/program.h"
 
 namespace talus::tools {

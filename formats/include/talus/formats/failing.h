@@ -1,10 +1,10 @@
 #pragma once
-// A scenario as it fails: at the tilt or with the reduced strengths that a search has found. Its model is the search's, to
+// A scenario as it fails, at the load that a search has found. Its model is the search's, to
 // the bit; its text says the same to whoever reads a kept run.
 
-#include <optional>
 #include <string>
 
+#include "talus/analysis.h"
 #include "talus/formats/scenario.h"
 #include "talus/result.h"
 
@@ -12,8 +12,8 @@ namespace talus::formats {
 
 /// What a search changes in a scenario, and how its failure is played on.
 struct FailingLoad {
-    std::optional<double> tilt;  ///< [rad]; else the scenario's own
-    double factor = 1;  ///< of safety: tan(friction) and cohesion, peak and residual, are divided by it
+    Varied varied = Varied::tilt;
+    double value = 0;            ///< of what is varied, in its SI unit
     double contact_damping = 0;  ///< Damping::contact [s]; all other damping is off
     double duration = 1;         ///< [s]
     double frame_interval = 0;   ///< [s]

@@ -21,7 +21,10 @@
 
 namespace talus::formats {
 
-inline constexpr int kSnapshotFormat = 1;
+inline constexpr int kSnapshotFormat = 2;  ///< the latest that is read
+inline constexpr int kFirstFormat = 1;
+inline constexpr int kFormatWithLaws =
+    2;  ///< joints of other laws than Coulomb's, which who reads 1 would not see
 
 /// What a search says of the failing run that it keeps.
 struct SnapshotFailure {
@@ -33,7 +36,7 @@ struct SnapshotFailure {
 
 /// What a file says of its run before the first frame.
 struct SnapshotHeader {
-    int format = kSnapshotFormat;
+    int format = kFirstFormat;
     std::string scenario_path, scenario_text;
     std::string units;
     BuildInfo build;

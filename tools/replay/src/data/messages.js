@@ -1,143 +1,101 @@
-// The messages of formats/snapshot.fbs as plain objects of arrays, through the code that flatc writes for the schema.
+// The messages of formats/snapshot.fbs as plain objects of arrays, through the code that flatc writes for the schema: all
+// fields, under flatc's names, so that a field the schema gets needs no line here.
 
 import { Frame } from "schema/frame";
 import { Full } from "schema/full";
 import { Header } from "schema/header";
 
-const none = { f64: new Float64Array(0), f32: new Float32Array(0), i32: new Int32Array(0), u8: new Uint8Array(0) };
+const empty = new Float64Array(0);
+const kept = new Map(); // names of the fields, by the class of the table
 
-const vectors = (v) => ({ x: v?.xArray() ?? none.f64, y: v?.yArray() ?? none.f64, z: v?.zArray() ?? none.f64 });
-const floats = (v) => ({ x: v?.xArray() ?? none.f32, y: v?.yArray() ?? none.f32, z: v?.zArray() ?? none.f32 });
-const quaternions = (v) => ({ ...vectors(v), w: v?.wArray() ?? none.f64 });
-const listOf = (length, item) => Array.from({ length }, (_, k) => item(k));
-const indices = (length, item) => Float64Array.from({ length }, (_, k) => Number(item(k)));
+/** Methods of flatc's class that are fields; a vector has a NAMELength, one of numbers up to 53 bits a NAMEArray beside. */
+function fieldsOf(table) {
+  const methods = Object.getPrototypeOf(table);
+  if (!kept.has(methods)) {
+    const names = Object.getOwnPropertyNames(methods).filter((name) => !["constructor", "__init"].includes(name));
+    kept.set(methods, names.filter((name) => {
+      const helped = name.match(/(.+)(Length|Array)$/)?.[1];
+      return !names.includes(helped) && !names.includes(`${helped}_`);
+    }));
+  }
+  return kept.get(methods);
+}
+
+/** As flatc calls its helpers: a field with the name of a keyword ("interface") has an underscore behind it, they have not. */
+const stem = (name) => name.replace(/_$/, "");
+
+function vector(table, name) {
+  const array = table[`${stem(name)}Array`], length = table[`${stem(name)}Length`].call(table);
+  if (array) return array.call(table) ?? empty;
+  const items = Array.from({ length }, (_, k) => plain(table[name](k)));
+  return typeof items[0] === "bigint" ? Float64Array.from(items, Number) : items;
+}
+
+/** A table as an object of its fields; what is no table as it is. */
+function plain(table) {
+  if (table === null || typeof table !== "object") return table;
+  return Object.fromEntries(fieldsOf(table).map((name) =>
+    [stem(name), table[`${stem(name)}Length`] ? vector(table, name) : plain(table[name]())]));
+}
+
+/** { name: [..], friction: [..] } as [{ name, friction }, ..]. */
+const rows = (columns, length) => Array.from({ length }, (_, k) =>
+  Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[k]])));
 
 export function decodeHeader(buffer) {
-  const h = Header.getRootAsHeader(buffer);
-  const g = h.geometry(), j = h.joints(), b = h.build();
+  const header = plain(Header.getRootAsHeader(buffer));
   return {
-    format: h.format(),
-    scenarioPath: h.scenarioPath() ?? "",
-    scenarioText: h.scenarioText() ?? "",
-    gravity: h.gravity(),
-    duration: h.duration(),
-    frameInterval: h.frameInterval(),
-    framesPerFull: h.framesPerFull(),
-    build: { version: b?.version() ?? "", gitHash: b?.gitHash() ?? "", compiler: b?.compiler() ?? "" },
-    commandLine: b?.commandLine() ?? "",
-    names: listOf(g.nameLength(), (k) => g.name(k)),
-    motion: g.motionArray() ?? none.u8,
-    mass: g.massArray() ?? none.f64,
-    centroid: vectors(g.centroid()),
-    orientation: quaternions(g.orientation()),
-    size: g.sizeArray() ?? none.f64,
-    vertexBegin: g.vertexBeginArray() ?? none.i32,
-    vertex: vectors(g.vertex()),
-    faceBegin: g.faceBeginArray() ?? none.i32,
-    faceVertexBegin: g.faceVertexBeginArray() ?? none.i32,
-    faceVertex: g.faceVertexArray() ?? none.i32,
-    joints: listOf(j?.nameLength() ?? 0, (k) => ({
-      name: j.name(k),
-      friction: j.friction(k),
-      cohesion: j.cohesion(k),
-      tensileStrength: j.tensileStrength(k),
-      residualFriction: j.residualFriction(k),
-      residualCohesion: j.residualCohesion(k),
-    })),
-    waters: listOf(h.watersLength(), (k) => decodeWater(h.waters(k))),
-    failure: decodeFailure(h.failure()),
+    ...header,
+    ...header.geometry,
+    scenarioPath: header.scenarioPath ?? "",
+    scenarioText: header.scenarioText ?? "",
+    build: { version: header.build?.version ?? "", gitHash: header.build?.gitHash ?? "" },
+    names: header.geometry.name,
+    joints: rows(header.joints ?? {}, header.joints?.name.length ?? 0),
+    waters: header.waters.map(waterOf),
+    failure: failureOf(header.failure),
   };
 }
 
 /** What the search says that kept this run; null for others. */
-function decodeFailure(f) {
-  if (!f) return null;
-  return {
-    analysis: f.analysis() ?? "",
-    load: f.load(),
-    mode: ["none", "sliding", "toppling", "mixed"][f.mode()] ?? "none",
-    role: f.roleArray() ?? none.u8,
-  };
-}
+const failureOf = (failure) => failure && {
+  ...failure,
+  analysis: failure.analysis ?? "",
+  mode: ["none", "sliding", "toppling", "mixed"][failure.mode] ?? "none",
+};
 
-function decodeWater(w) {
-  return {
-    kind: ["depth", "elevation", "head"][w.level()] ?? "depth",
-    head: [...(w.headArray() ?? none.f64)],
-    density: w.density(),
-    field: w.field() ?? "water",
-  };
-}
+const waterOf = (water) => ({
+  ...water,
+  kind: ["depth", "elevation", "head"][water.level] ?? "depth",
+  field: water.field ?? "water",
+});
 
 export function decodeFrame(buffer) {
-  const f = Frame.getRootAsFrame(buffer);
-  const e = f.energies(), w = f.water();
+  const frame = plain(Frame.getRootAsFrame(buffer));
   return {
-    time: f.time(),
-    step: Number(f.step()),
-    stateHash: f.stateHash().toString(16).padStart(16, "0"),
-    tilt: f.tilt(),
-    timeStep: f.timeStep(),
-    kinetic: e?.kinetic() ?? 0,
-    elastic: e?.elastic() ?? 0,
-    gravity: e?.gravity() ?? 0,
-    outOfBalance: f.outOfBalance(),
-    displacement: floats(f.displacement()),
-    rotation: floats(f.rotation()),
-    velocity: floats(f.velocity()),
-    waterLevel: w?.levelArray() ?? none.f64,
-    waterTable: w?.tableArray() ?? none.f64,
-    waterDrained: w?.drainedArray() ?? none.u8,
+    ...frame,
+    ...frame.energies,
+    step: Number(frame.step),
+    stateHash: frame.stateHash.toString(16).padStart(16, "0"),
+    waterLevel: frame.water?.level ?? empty,
+    waterTable: frame.water?.table ?? empty,
+    waterDrained: frame.water?.drained ?? empty,
   };
 }
 
-/** What is shown of a full state; what only a restart needs stays in the file. */
+/** `interfaces.origin`, `e1` and `e2` are those of the reference face, a's. */
 export function decodeFull(buffer) {
-  const f = Full.getRootAsFull(buffer);
-  const i = f.interfaces(), p = f.points(), w = f.wet();
-  const faces = i?.blockALength() ?? 0;
+  const full = plain(Full.getRootAsFull(buffer));
   return {
-    time: f.time(),
-    force: vectors(f.blocks()?.force()),
+    ...full,
+    force: full.blocks.force,
     interfaces: {
-      count: faces,
-      blockA: i?.blockAArray() ?? none.i32,
-      blockB: i?.blockBArray() ?? none.i32,
-      joint: i?.jointArray() ?? none.i32,
-      area: i?.areaArray() ?? none.f64,
-      origin: vectors(i?.originA()),
-      e1: vectors(i?.e1A()),
-      e2: vectors(i?.e2A()),
-      pointBegin: indices(i?.pointBeginLength() ?? 0, (k) => i.pointBegin(k)),
-      patchBegin: indices(i?.patchBeginLength() ?? 0, (k) => i.patchBegin(k)),
-      patchXi: i?.patchXiArray() ?? none.f64,
-      patchEta: i?.patchEtaArray() ?? none.f64,
-      force: vectors(i?.force()),
+      ...full.interfaces,
+      count: full.interfaces.blockA.length,
+      origin: full.interfaces.originA,
+      e1: full.interfaces.e1A,
+      e2: full.interfaces.e2A,
     },
-    points: {
-      xi: p?.xiArray() ?? none.f64,
-      eta: p?.etaArray() ?? none.f64,
-      area: p?.areaArray() ?? none.f64,
-      bond: p?.bondArray() ?? none.f64,
-      normal: p?.normalArray() ?? none.f64,
-      shear1: p?.shear1Array() ?? none.f64,
-      shear2: p?.shear2Array() ?? none.f64,
-      water: p?.waterArray() ?? none.f32,
-      state: p?.stateArray() ?? none.u8,
-      mobilised: p?.mobilisedArray() ?? none.f32,
-    },
-    wet: {
-      count: w?.blockLength() ?? 0,
-      block: w?.blockArray() ?? none.i32,
-      water: w?.waterArray() ?? none.i32,
-      origin: vectors(w?.origin()),
-      e1: vectors(w?.e1()),
-      e2: vectors(w?.e2()),
-      vertexBegin: indices(w?.vertexBeginLength() ?? 0, (k) => w.vertexBegin(k)),
-      vertexX: w?.vertexXArray() ?? none.f64,
-      vertexY: w?.vertexYArray() ?? none.f64,
-      head: vectors(w?.head()),
-      force: vectors(w?.force()),
-    },
+    wet: { ...full.wet, count: full.wet.block.length },
   };
 }

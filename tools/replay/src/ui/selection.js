@@ -47,6 +47,12 @@ function neighbourTable(header, full, block) {
     `<th>normal</th><th>shear</th><th>friction used</th></tr></thead><tbody>${rows.join("")}</tbody></table></div>`;
 }
 
+/** Friction and cohesion, or which other law its strength follows. */
+function strengthText(joint) {
+  if (joint?.law && joint.law !== "coulomb") return escape(joint.law);
+  return `φ = ${angle(joint?.friction ?? NaN)}, C = ${quantity(joint?.cohesion ?? NaN, "Pa", 3)}`;
+}
+
 export function interfaceText({ header, full, frames, i }) {
   const f = full.interfaces, p = full.points, s = full.sums[i];
   const joint = header.joints[f.joint[i]];
@@ -59,7 +65,7 @@ export function interfaceText({ header, full, frames, i }) {
   const steep = Math.abs(dot(turn(pose.turn, normal), upOf(frames.a.tilt))) / norm(normal);
   const dip = degrees(Math.acos(Math.min(1, steep)));
   const rows = [
-    ["Joint", `${escape(joint?.name ?? "–")}, φ = ${angle(joint?.friction ?? NaN)}, C = ${quantity(joint?.cohesion ?? NaN, "Pa", 3)}`],
+    ["Joint", `${escape(joint?.name ?? "–")}, ${strengthText(joint)}`],
     ["Area, open", `${area(f.area[i])}, ${percent(s.openShare)}`],
     ["Normal force", quantity(s.normal, "N")],
     ["Shear force", quantity(Math.hypot(s.shear1, s.shear2), "N")],
@@ -79,12 +85,14 @@ export function interfaceText({ header, full, frames, i }) {
     `<th>P</th><th>area</th><th>state</th><th>used</th></tr></thead><tbody>${points.join("")}</tbody></table></div>`;
 }
 
-// By the names of engine/src/analysis/searches.cpp (a test of the program holds that none is missing).
-const loadTexts = {
-  "critical-angle": (load) => `failing at ${angle(load, 4)}`,
-  "safety-factor": (load) => `strengths divided by ${ratio(load)}`,
-};
-const loadText = ({ analysis, load }) => loadTexts[analysis]?.(load) ?? `load ${ratio(load)}`;
+/** "tilt 19.5312°": the program says how it tells the loads of its searches. */
+function loadText({ analysis, load }) {
+  const words = JSON.parse(document.getElementById("searches")?.textContent ?? "{}")[analysis];
+  if (!words) return `load ${ratio(load)}`;  // a search of another version
+  const figure = (load / words.scale).toFixed(words.decimals).replace("-", "−");
+  const unit = words.unit === "deg" ? "°" : words.unit && ` ${words.unit}`;
+  return `${words.text} ${figure}${unit}`;
+}
 
 /** What the file says of the run: for the panel's last section. */
 export function runText(file, mode) {

@@ -1,0 +1,65 @@
+#pragma once
+// What the contact law takes of a joint, and the one list of it: kernels gather it, properties of joints (talus/joint.h)
+// become it, frames keep it, each by going through the list. A parameter is a member, a line of the list, and what
+// law.h makes of it.
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "simd/table.h"
+
+namespace talus::contact {
+
+/// V is a double, or one joint's numbers per lane of a register.
+template <class V>
+struct JointParameters {
+    V normal_stiffness{};       ///< k_n [Pa/m]
+    V shear_stiffness{};        ///< k_s [Pa/m]
+    V tan_friction{};           ///< tan(phi), peak
+    V cohesion{};               ///< C [Pa]
+    V tensile_strength{};       ///< sigma_t [Pa]
+    V residual_tan_friction{};  ///< tan(phi_r)
+    V residual_cohesion{};      ///< C_r [Pa]
+    V tan_dilation{};           ///< tan(psi)
+    V strength_factor{};        ///< that the curve was made with
+    simd::MaskOf<V> bonded{};   ///< C > 0 or sigma_t > 0: opening breaks it for good
+    simd::MaskOf<V> curved{};   ///< the strength is the curve's, not Coulomb's
+    simd::TablesOf<V> curve{};  ///< shear strength over normal stress [Pa] (strength_curve.h)
+};
+
+/// A joint's law: its parameters, and what its curve lies in.
+struct JointLaw : JointParameters<double> {
+    std::shared_ptr<const std::vector<double>> table{};
+
+    /// Null: Coulomb's line.
+    void setCurve(std::shared_ptr<const std::vector<double>> of) {
+        table = std::move(of);
+        curved = table != nullptr;
+        curve.at = curved ? table->data() : nullptr;
+    }
+};
+
+template <class V>
+struct LawParameter {
+    const char* name;  ///< in frames, and where a property says what it becomes (JointProperty::in_law)
+    V JointParameters<V>::*value;
+};
+
+/// All of them but what follows from the others.
+template <class V>
+inline constexpr std::array kLawParameters{
+    LawParameter<V>{"normal_stiffness", &JointParameters<V>::normal_stiffness},
+    LawParameter<V>{"shear_stiffness", &JointParameters<V>::shear_stiffness},
+    LawParameter<V>{"tan_friction", &JointParameters<V>::tan_friction},
+    LawParameter<V>{"cohesion", &JointParameters<V>::cohesion},
+    LawParameter<V>{"tensile_strength", &JointParameters<V>::tensile_strength},
+    LawParameter<V>{"residual_tan_friction", &JointParameters<V>::residual_tan_friction},
+    LawParameter<V>{"residual_cohesion", &JointParameters<V>::residual_cohesion},
+    LawParameter<V>{"tan_dilation", &JointParameters<V>::tan_dilation},
+    LawParameter<V>{"strength_factor", &JointParameters<V>::strength_factor}};
+inline constexpr std::size_t kLawParameterCount = kLawParameters<double>.size();
+
+}  // namespace talus::contact

@@ -1,0 +1,20 @@
+#pragma once
+// Options every subcommand takes, and what is said on stderr.
+
+#include <string>
+
+namespace talus::tools {
+
+/// Options every computing subcommand takes.
+struct Common {
+    bool json = false;   ///< one JSON object on stdout
+    bool quiet = false;  ///< no progress and no notes on stderr
+    int threads = 0;     ///< 0: all cores
+};
+
+int threadsUsed(const Common& common);
+
+/// A line for people on stderr ("warning: ..."); nothing with --quiet.
+void note(const Common& common, const std::string& line);
+
+}  // namespace talus::tools

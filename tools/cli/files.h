@@ -1,0 +1,16 @@
+#pragma once
+// Files are written whole or not at all.
+
+#include <string>
+#include <string_view>
+
+namespace talus::tools {
+
+/// Writes a whole file: into a temporary one beside it, then renamed, so that no half-written file is ever left. What
+/// is not a regular file (a device, a pipe) is written in place. Throws FileRefused.
+void writeFile(const std::string& path, std::string_view content);
+
+/// Makes a folder and its parents if needed; throws FileRefused.
+void makeFolder(const std::string& path);
+
+}  // namespace talus::tools
