@@ -182,8 +182,9 @@ class Search {
     }
 
     /// From the last stable state, the whole change of load at once.
-    Verdict probeImplicitly(const std::string& stage, double load, const analysis::Ramp& ramp) {
-        const bool doubtful = implicit_first_ || result_.low == -kInfinity;
+    Verdict probeImplicitly(const std::string& stage, double load, const analysis::Ramp& ramp,
+                            bool patiently = false) {
+        const bool doubtful = patiently || implicit_first_ || result_.low == -kInfinity;
         const std::int64_t most_factors =
             doubtful ? kMostFactors : std::clamp(probe_steps_ / kStepsPerFactor, kLeastFactors, kMostFactors);
         State state = last_stable_;
@@ -317,6 +318,7 @@ class Search {
             continueToFailure();
             // What stands again only where it is jammed has failed, whether or not the motion is seen to get there.
             result_.confirmed = result_.confirmed || stands_elsewhere_;
+            if (result_.confirmed && !interrupted() && restIsFoundPatiently(load)) return true;
             if (result_.confirmed || interrupted()) return false;
             State moved = last_moving_;
             axis_.apply(moved, load);
@@ -335,9 +337,25 @@ class Search {
         const Verdict found =
             probeImplicitly("equilibrium", load, [&](State& state, double) { axis_.apply(state, load); });
         no_rest_ = found == Verdict::failing && !stands_elsewhere_;
+        rest_is_open_ = found == Verdict::undecided;
         if (found == Verdict::stable) implicit_first_ = true;
         if (found != Verdict::stable) last_moving_ = moving;  // nearer to rest, where a failure is let go
         return found == Verdict::stable || (found == Verdict::undecided && settles(moving, load));
+    }
+
+    /// Blocks that topple may have been shaken there by the explicit steps: where these alone have the word, the implicit
+    /// solve, which is strong on hinges, is asked once more and given its time. (Slides are sharp, and it is slow on them.)
+    bool restIsFoundPatiently(double load) {
+        if (!rest_is_open_ || result_.mode == FailureMode::sliding) return false;
+        State moving = std::move(last_moving_);
+        const Verdict found = probeImplicitly(
+            "equilibrium", load, [&](State& state, double) { axis_.apply(state, load); }, true);
+        last_moving_ = std::move(moving);
+        if (found != Verdict::stable) return false;
+        implicit_first_ = true;
+        result_.confirmed = false;
+        bracket_.reopen();
+        return true;
     }
 
     /// Whether a state that moves at a load comes to rest when it is watched for longer; it is the last stable one
@@ -457,6 +475,7 @@ class Search {
     bool stands_elsewhere_ =
         false;              ///< the implicit solve found an equilibrium at the failing load, but not near
     bool no_rest_ = false;  ///< nor any other there
+    bool rest_is_open_ = false;    ///< it found neither
     bool implicit_first_ = false;  ///< explicit steps have not been enough
     std::int64_t probe_steps_ = 0, continuation_steps_ = 0;
 };

@@ -95,7 +95,8 @@ TEST_CASE("strength of every law is divided, also where the file gives no streng
         "[[interface]]\nbetween = [\"c1r1s1\", \"c2r1s1\"]\njoint = \"default\"\njrc = 3\n"
         "[[interface]]\nbetween = [\"c2r1s1\", \"c3r1s1\"]\njoint = \"table\"\nstrength_factor = 0.7\n");
     FailingLoad load;
-    load.factor = 1.37;
+    load.varied = Varied::factor;
+    load.value = 1.37;
     load.frame_interval = 0.01;
     const auto after = failingScenario(before, load, "");
     REQUIRE(after.ok());
