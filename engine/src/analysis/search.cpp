@@ -313,49 +313,59 @@ class Search {
         findFailure();
         narrow();
         if (result_.status != SearchStatus::found) return false;
-        const double load = axis_.load(*bracket_.high());
-        if (!restIsFound(load)) {
-            continueToFailure();
-            // What stands again only where it is jammed has failed, whether or not the motion is seen to get there.
-            result_.confirmed = result_.confirmed || stands_elsewhere_;
-            if (result_.confirmed && !interrupted() && restIsFoundPatiently(load)) return true;
-            if (result_.confirmed || interrupted()) return false;
-            State moved = last_moving_;
-            axis_.apply(moved, load);
-            analysis::takeBack(moved, work_);
-            if (!settles(moved, load)) return false;
-        }
-        bracket_.reopen();
-        return true;
-    }
-
-    /// Whether there is rest at the failing load after all: no failure counts before the implicit solve has failed to
-    /// find it. Where that knows nothing, the motion is watched for longer.
-    bool restIsFound(double load) {
-        const State moving = last_moving_;
-        stands_elsewhere_ = false;
-        const Verdict found =
-            probeImplicitly("equilibrium", load, [&](State& state, double) { axis_.apply(state, load); });
-        no_rest_ = found == Verdict::failing && !stands_elsewhere_;
-        rest_is_open_ = found == Verdict::undecided;
-        if (found == Verdict::stable) implicit_first_ = true;
-        if (found != Verdict::stable) last_moving_ = moving;  // nearer to rest, where a failure is let go
-        return found == Verdict::stable || (found == Verdict::undecided && settles(moving, load));
-    }
-
-    /// Blocks that topple may have been shaken there by the explicit steps: where these alone have the word, the implicit
-    /// solve, which is strong on hinges, is asked once more and given its time. (Slides are sharp, and it is slow on them.)
-    bool restIsFoundPatiently(double load) {
-        if (!rest_is_open_ || result_.mode == FailureMode::sliding) return false;
-        State moving = std::move(last_moving_);
-        const Verdict found = probeImplicitly(
-            "equilibrium", load, [&](State& state, double) { axis_.apply(state, load); }, true);
-        last_moving_ = std::move(moving);
-        if (found != Verdict::stable) return false;
-        implicit_first_ = true;
+        if (hasFailed(axis_.load(*bracket_.high()))) return false;
         result_.confirmed = false;
         bracket_.reopen();
         return true;
+    }
+
+    /// Whether the failing load is one, and not a load at which the assembly comes to stand again. Watched for longer, and
+    /// let go, a slide is sharp; no other failure counts before the implicit solve has failed to find rest.
+    bool hasFailed(double load) {
+        stands_elsewhere_ = no_rest_ = false;
+        if (!implicit_first_) {
+            State moving = last_moving_;
+            continueToFailure();
+            if (interrupted()) return true;
+            std::swap(last_moving_, moving);
+            if (result_.confirmed && result_.mode == FailureMode::sliding) {
+                if (settles(State(last_moving_), load)) return false;
+                std::swap(last_moving_, moving);
+                return true;
+            }
+            const Verdict found = restAt(load);
+            if (found == Verdict::stable) return false;
+            if (found == Verdict::undecided && settles(State(last_moving_), load)) return false;
+            result_.confirmed = result_.confirmed || stands_elsewhere_;
+            if (result_.confirmed || !no_rest_) std::swap(last_moving_, moving);
+            if (result_.confirmed) return true;
+        } else {
+            const Verdict found = restAt(load);
+            if (found == Verdict::stable) return false;
+            if (found == Verdict::undecided && settles(State(last_moving_), load)) return false;
+        }
+        if (implicit_first_ || no_rest_) continueToFailure();
+        // What stands again only where it is jammed has failed, whether or not the motion is seen to get there.
+        result_.confirmed = result_.confirmed || stands_elsewhere_;
+        if (result_.confirmed || interrupted()) return true;
+        State moved = last_moving_;
+        axis_.apply(moved, load);
+        analysis::takeBack(moved, work_);
+        return !settles(moved, load);
+    }
+
+    /// What the implicit solve finds at the failing load, given its time: blocks that topple may have been shaken there
+    /// by the explicit steps.
+    Verdict restAt(double load) {
+        State moving = last_moving_;
+        const Verdict found = probeImplicitly(
+            "equilibrium", load, [&](State& state, double) { axis_.apply(state, load); }, true);
+        no_rest_ = found == Verdict::failing && !stands_elsewhere_;
+        if (found == Verdict::stable)
+            implicit_first_ = true;
+        else
+            last_moving_ = std::move(moving);  // nearer to rest, where a failure is let go
+        return found;
     }
 
     /// Whether a state that moves at a load comes to rest when it is watched for longer; it is the last stable one
@@ -475,7 +485,6 @@ class Search {
     bool stands_elsewhere_ =
         false;              ///< the implicit solve found an equilibrium at the failing load, but not near
     bool no_rest_ = false;  ///< nor any other there
-    bool rest_is_open_ = false;    ///< it found neither
     bool implicit_first_ = false;  ///< explicit steps have not been enough
     std::int64_t probe_steps_ = 0, continuation_steps_ = 0;
 };
