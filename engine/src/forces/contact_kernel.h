@@ -29,6 +29,12 @@ struct PatchSum {
         moment.y = moment.y - xi * normal;
         moment.z = moment.z + (xi * shear_2 - eta * shear_1);
     }
+
+    /// The shear force acts this far above the plane [m].
+    TALUS_KERNEL void raise(V height) {
+        moment.x = moment.x - height * force.y;
+        moment.y = moment.y + height * force.x;
+    }
 };
 
 /// Velocity of b over a along the normal and the tangents, affine over the patch [m/s].
@@ -249,7 +255,10 @@ TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index
     PointLoop<V, Damped, Remembers> points{
         view, members, pose, law, velocity, V{} + view.release, damping_normal, damping_shear};
     forEachPoint<Places>(view, group, members, points);
-    const PatchSum<V>& sum = points.sum;
+    PatchSum<V>& sum = points.sum;
+    // The slides are those of b's material point, which lies pressed below the plane; only there does the shear force do the
+    // work that its spring holds. (On a patch of faces that lie flat the two places are nearly one, and it is left out.)
+    if (group.points == 1) sum.raise(pose.gap.x + frames.reference_gap.x);
     const Triple<V> force = sum.force.x * pose.e1 + sum.force.y * pose.e2 + sum.force.z * pose.e3;
     const Triple<V> moment = sum.moment.x * pose.e1 + sum.moment.y * pose.e2 + sum.moment.z * pose.e3;
     const Triple<V> about_a = simd::cross(pose.arm_a, force) + moment;
