@@ -179,6 +179,7 @@ struct OneInterface {
                 .memory = memory.data(),
                 .wrenches = wrenches.data(),
                 .remembers = false,
+                .keeps_energy = false,
                 .beyond_caches = false,
                 .release = 1,
                 .contact_damping = 0,

@@ -92,6 +92,7 @@ class TimeHistory {
         progress_.step_safety = expectsImpacts(state_) ? kImpactStepSafety : kStepSafety;
         if (control_.progress) control_.progress({"start", 0.0, "weight and water are put on"});
         start_ = analysis::bringToStart(state_, control_, parallel_);
+        state_.springs = Springs::keep_energy;
         chooseTimeStep();
         beginFrames();
     }
@@ -103,6 +104,8 @@ class TimeHistory {
             !(progress_.step_safety > 0) || !(progress_.time_step < kInfinity) || progress_.frames < 1)
             return {{"full.progress", "holds no valid time step or next frame: the frame is damaged"}};
         last_light_ = last_full_ = frame.step;
+        // A failure that is played on goes as its search saw it (startFailing).
+        if (progress_.step_safety != analysis::kContinuationStepSafety) state_.springs = Springs::keep_energy;
         return restoreFrame(frame, state_);
     }
 

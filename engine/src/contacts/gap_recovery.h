@@ -14,6 +14,7 @@ namespace talus {
 /// after the other in the order of the interfaces, since neighbours share a block.
 /// Reads:  poses, interfaces' frames, laws
 /// Writes: interfaces' reference gaps, velocity, angular_momentum
-void recoverGaps(State& state);
+/// \return whether any contact has recovered something
+bool recoverGaps(State& state);
 
 }  // namespace talus

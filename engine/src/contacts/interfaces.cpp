@@ -6,6 +6,7 @@
 #include <span>
 
 #include "contacts/carry_over.h"
+#include "contacts/energy_balance.h"
 #include "contacts/limits.h"
 #include "contacts/pair_search.h"
 #include "contacts/vertex_edge.h"
@@ -48,13 +49,14 @@ void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePai
     for (Eigen::Vector2d& v : outline) v -= centre;
     const Vec3 origin_a = own.origin + centre.x() * own.e1 + centre.y() * own.e2;
 
-    // b's face plane at that point, and a's tangents carried into it.
+    // b's face plane at that point, and a's tangents carried into it along the normal: so a point of the patch is that of b's
+    // face above it, and a clipping leaves every gap as it was, however far from parallel the faces are.
     const Vec3 origin = x_a + turn_a * origin_a, e1 = turn_a * own.e1, e3 = turn_a * own.e3;
     const FaceFrame other = faceFrame(state.geometry->shape[ib], face_b);
     const Vec3 normal_b = turn_b * other.e3;
     const double gap = normal_b.dot(x_b + turn_b * other.origin - origin) / normal_b.dot(e3);
-    const Vec3 b1 = (e1 - normal_b.dot(e1) * normal_b).normalized();
-    const Vec3 b2 = b1.cross(normal_b);  // b1 x b2 = -normal_b, which points from a to b
+    const auto carried = [&](const Vec3& e) -> Vec3 { return e - normal_b.dot(e) / normal_b.dot(e3) * e3; };
+    const Vec3 b1 = carried(e1), b2 = carried(turn_a * own.e2);
 
     f.block_a.push_back(a);
     f.block_b.push_back(b);
@@ -202,6 +204,8 @@ std::vector<Error> touchErrors(const State& state) {
 
 std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel) {
     const PlacePairs with_places = pairsWithPlaces(state.interfaces);
+    const std::vector<PairEnergy> held =
+        state.springs == Springs::keep_energy ? energyOfPairs(contactsOf(state)) : std::vector<PairEnergy>{};
     const OldInterfaces old = takeInterfaces(state);
     const SearchRemarks remarks = appendInterfaces(state, margin, with_places, initial, parallel);
     if (initial) {
@@ -218,6 +222,7 @@ std::vector<Error> makeInterfaces(State& state, double margin, double ahead, boo
         carried = carryOver(old, state, ahead);
     buildIncidence(state);
     renewVertexEdges(state, ahead, parallel, carried);
+    if (state.springs == Springs::keep_energy) balanceEnergy(state, held);
     state.search_position = state.blocks.position;
     state.search_orientation = state.blocks.orientation;
     state.search_margin = margin;

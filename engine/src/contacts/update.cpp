@@ -14,6 +14,7 @@
 #include "measure/measure.h"
 #include "state/block_motion.h"
 #include "state/incidence.h"
+#include "step/step.h"
 #include "validate/validate.h"
 
 namespace talus {
@@ -80,16 +81,24 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel) {
 
 bool refreshInterfaces(State& state, bool parallel, double ahead) {
     const double margin = searchMargin(state, ahead);
-    const bool search = movedTooFar(state, margin) || updateVertexEdges(state, ahead, parallel);
-    if (!search) {
-        recoverGaps(state);
+    const PlaceChanges changes = movedTooFar(state, margin) ? PlaceChanges{.places = false, .search = true}
+                                                            : updateVertexEdges(state, ahead, parallel);
+    if (!changes.search) {
+        const bool recovered = recoverGaps(state);
+        // The next half kick is that of the springs as they are now; the old one would do work that none of them holds.
+        if (state.springs == Springs::keep_energy && (changes.places || recovered))
+            updateForces(state, parallel);
         assert(isSound(state));
         return false;
     }
     makeInterfaces(state, margin, ahead, false, parallel);
     // Forces are there again before anything looks at them.
-    updateContacts(state, {0, state.interfaces.groups.size()});
-    updateBlockForces(state);
+    if (state.springs == Springs::keep_energy) {
+        updateForces(state, parallel);
+    } else {
+        updateContacts(state, {0, state.interfaces.groups.size()});
+        updateBlockForces(state);
+    }
     assert(isSound(state) && haveSoundForces(state));
     return true;
 }

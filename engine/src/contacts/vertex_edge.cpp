@@ -157,11 +157,12 @@ Kept findKept(const State& state, std::size_t begin, const VertexEdgePoints& fou
     return kept;
 }
 
-/// Writes what was found into the places that begin at `begin`.
-void writePlaces(State& state, std::size_t begin, const VertexEdgePoints& found,
+/// Writes what was found into the places that begin at `begin`. \return whether any has changed
+bool writePlaces(State& state, std::size_t begin, const VertexEdgePoints& found,
                  std::vector<CarriedPoint> old, double size) {
     Interfaces& f = state.interfaces;
     const Kept kept = findKept(state, begin, found, size);
+    bool changes = false;
     const auto isKept = [&](std::size_t s) {
         return std::find(kept.begin(), kept.end(), static_cast<int>(s)) != kept.end();
     };
@@ -174,6 +175,7 @@ void writePlaces(State& state, std::size_t begin, const VertexEdgePoints& found,
         const std::vector<CarriedPoint> gone = carriedPoints(contactsOf(state), begin + s);
         old.insert(old.end(), gone.begin(), gone.end());
         setIdle(f, begin + s);
+        changes = true;
     }
     std::array<bool, kPlaces> is_new{};
     for (std::size_t k = 0; k < found.count; ++k) is_new[k] = kept[k] < 0;
@@ -186,7 +188,9 @@ void writePlaces(State& state, std::size_t begin, const VertexEdgePoints& found,
         if (!is_new[k]) continue;
         while (isKept(next)) ++next;
         placeContact(state, begin + next++, found.points[k], shares[k]);
+        changes = true;
     }
+    return changes;
 }
 
 bool anyClosed(const State& state, std::size_t begin) {
@@ -315,9 +319,9 @@ void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
 
 }  // namespace
 
-bool updateVertexEdges(State& state, double ahead, bool parallel) {
+PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel) {
     assert(ahead >= 0);
-    std::atomic<bool> changes = false;
+    std::atomic<bool> search = false, places = false;
     forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
         Interfaces& f = state.interfaces;
         double& left = f.travel_left[begin];
@@ -327,13 +331,13 @@ bool updateVertexEdges(State& state, double ahead, bool parallel) {
         if (left > 0) return;
         const Look look = lookAtPair(state, begin, ahead, f.faces_are_apart[begin] != 0);
         if (look.changes) {
-            changes = true;
+            search = true;
             return;
         }
-        writePlaces(state, begin, look.found, {}, look.size);
+        if (writePlaces(state, begin, look.found, {}, look.size)) places = true;
         left = look.travel;
     });
-    return changes;
+    return {.places = places, .search = search};
 }
 
 void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried) {

@@ -74,19 +74,24 @@ struct LocalSum {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
     Mat6x9 rates = Mat6x9::Zero();
 
-    /// The force acts at `place`: where b's material point is, or where that is projected to on a's plane (forces/
-    /// contact_kernel.h says which of them when).
-    void add(const PointResponse& point, const Vec3& place) {
+    /// The force acts where b's material point is projected to on a's plane: at (x, y).
+    void add(const PointResponse& point, double x, double y) {
         force += point.force;
-        moment += place.cross(point.force);
+        moment += Vec3(y * point.force.z(), -x * point.force.z(), x * point.force.y() - y * point.force.x());
     }
 
-    void addRates(const PointResponse& point, double xi, double eta, const Vec3& place, bool is_projected) {
+    void addRates(const PointResponse& point, double xi, double eta, double x, double y) {
         if (point.open) return;
+        const Mat3& k = point.stiffness;
         Eigen::Matrix<double, 6, 3> rate;
-        rate.topRows<3>() = point.stiffness;
-        rate.bottomRows<3>() = crossMatrix(place) * point.stiffness - crossMatrix(point.force);
-        if (is_projected) rate.col(2).tail<3>() += crossMatrix(point.force).col(2);
+        rate.topRows<3>() = k;
+        rate.row(3) = y * k.row(2);
+        rate.row(4) = -x * k.row(2);
+        rate.row(5) = x * k.row(1) - y * k.row(0);
+        rate(3, 1) += point.force.z();
+        rate(4, 0) -= point.force.z();
+        rate(5, 0) += point.force.y();
+        rate(5, 1) -= point.force.x();
         rates.leftCols<3>() += rate;
         rates.middleCols<3>(3) += xi * rate;
         rates.rightCols<3>() += eta * rate;
@@ -134,12 +139,9 @@ InterfaceWrenches interfaceResponse(const InterfacePlace& place, const Placed& a
     LocalSum sum;
     forEachPoint(place, lie, joint, points, rounding,
                  [&](std::size_t k, const Vec3& at, const PointResponse& point) {
-                     const bool is_projected = points.size() > 1;
-                     const Vec3 at_point(points[k].xi + at.x(), points[k].eta + at.y(),
-                                         is_projected ? 0.0 : at.z() + place.reference_gap.x());
-                     sum.add(point, at_point);
-                     if (stiffness != nullptr)
-                         sum.addRates(point, points[k].xi, points[k].eta, at_point, is_projected);
+                     const double x = points[k].xi + at.x(), y = points[k].eta + at.y();
+                     sum.add(point, x, y);
+                     if (stiffness != nullptr) sum.addRates(point, points[k].xi, points[k].eta, x, y);
                  });
     const Vec3 force = lie.axes.transpose() * sum.force, moment = lie.axes.transpose() * sum.moment;
     if (stiffness != nullptr) *stiffness = stiffnessOf(lie, sum, force, moment);

@@ -54,6 +54,7 @@ ContactView contactView(State& state) {
             .memory = points.memory.data(),
             .wrenches = f.wrenches.empty() ? nullptr : f.wrenches.front().force.data(),
             .remembers = points.remembers(),
+            .keeps_energy = state.springs == Springs::keep_energy,
             .beyond_caches = isBeyondCaches(state),
             .release = state.release,
             .contact_damping = state.damping.contact,

@@ -51,11 +51,13 @@ bool isOnSurface(const State& state, std::int32_t block, const Vec3& origin) {
 void checkFrame(const State& state, std::size_t i, Findings& findings) {
     const Interfaces& f = state.interfaces;
     const InterfaceFrame frame = f.frame(i);
-    if (!findings.expect(areOrthonormal(frame.e1_a, frame.e2_a) && areOrthonormal(frame.e1_b, frame.e2_b),
-                         "interface", i, "its tangents are not orthonormal"))
+    const Vec3 e3_a = frame.e1_a.cross(frame.e2_a), e3_b = frame.e1_b.cross(frame.e2_b).normalized();
+    if (!findings.expect(
+            areOrthonormal(frame.e1_a, frame.e2_a) &&
+                (isVertexEdge(f, i) ? areOrthonormal(frame.e1_b, frame.e2_b) : e3_b.norm() > 0.5),
+            "interface", i, "its tangents are not orthonormal"))
         return;
     if (isIdle(f, i)) return;
-    const Vec3 e3_a = frame.e1_a.cross(frame.e2_a), e3_b = frame.e1_b.cross(frame.e2_b);
     if (isVertexEdge(f, i)) {
         findings.expect(isOutermost(state, f.block_a[i], frame.origin_a, e3_a), "interface", i,
                         "its normal does not point out of its reference block");
