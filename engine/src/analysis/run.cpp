@@ -15,6 +15,7 @@
 #include "measure/measure.h"
 #include "state/block_motion.h"
 #include "state/incidence.h"
+#include "step/energy_keeper.h"
 #include "step/step.h"
 #include "step/time_step.h"
 #include "talus/simulation.h"
@@ -232,12 +233,19 @@ class TimeHistory {
         return steps;
     }
 
+    /// Where blocks collide and nothing from outside works on them, what the steps give is taken back.
+    bool keepsEnergy() const { return progress_.step_safety == kImpactStepSafety && isLeftAlone(state_); }
+
     void goOn() {
         const double dt = progress_.time_step;
-        advance(state_, {dt, parallel_}, stepsAhead(), [&](int) {
+        const int steps = stepsAhead();
+        const bool kept = keepsEnergy();
+        const double energy = kept ? totalEnergy(state_, parallel_) : 0.0;
+        advance(state_, {dt, parallel_}, steps, [&](int) {
             state_.time += dt;
             state_.load.time = state_.time;
         });
+        if (kept) takeBack(state_, totalEnergy(state_, parallel_) - energy, steps * dt, parallel_);
         if (state_.step % kStepsPerLook == 0) {
             finite_ = isFinite(state_);
             if (!finite_) return;

@@ -17,14 +17,12 @@ constexpr int kHalvings = 60;
 
 /// Of its springs [J]. An interface with a bond left is none of this: it may be drawn, and moves too little to change.
 double energyOf(const Contacts& contacts, std::size_t i) {
-    if (isIdle(contacts.interfaces, i)) return 0.0;
-    const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(contacts.interfaces.joint[i])];
-    double sum = 0;
-    for (const ContactPoint& point : contactPoints(contacts, i)) {
-        if (law.bonded && point.memory.bond > 0) return 0.0;
-        sum += contact::storedEnergy(law, point.area, point.force);
-    }
-    return sum;
+    const Interfaces& f = contacts.interfaces;
+    if (isIdle(f, i)) return 0.0;
+    if (contacts.laws[static_cast<std::size_t>(f.joint[i])].bonded)
+        for (std::size_t k = 0; k < f.pointCount(i); ++k)
+            if (contacts.points.memoryAt(f.pointSlot(i, k)).bond > 0) return 0.0;
+    return storedEnergy(contacts, i);
 }
 
 BlockPair pairOf(const Interfaces& f, std::size_t i) { return std::minmax(f.block_a[i], f.block_b[i]); }

@@ -5,8 +5,8 @@
 
 #include "contacts/limits.h"
 #include "forces/contact_forces.h"
-#include "state/block_motion.h"
 #include "state/incidence.h"
+#include "step/relative_motion.h"
 
 namespace talus {
 namespace {
@@ -21,79 +21,11 @@ double gapToRecover(const State& state, std::size_t i) {
     return -f.referenceGap(i, 0) - kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
 }
 
-/// The deepest contact point of an interface.
-struct Deepest {
-    Vec3 place = Vec3::Zero();  ///< [m]
-    double depth = 0;           ///< of its spring, negative when open [m]
-};
-
-Deepest deepestPoint(const State& state, std::size_t i) {
-    const RelativePose pose = relativePose(state, i);
-    Deepest deepest{Vec3::Zero(), -kInfinity};
-    for (const Eigen::Vector2d& v : patchOutline(state.interfaces, i)) {
-        const double depth = -(pose.gap.x() + v.x() * pose.gap.y() + v.y() * pose.gap.z());
-        if (depth > deepest.depth) deepest = {pose.origin + v.x() * pose.e1 + v.y() * pose.e2, depth};
-    }
-    return deepest;
-}
-
-/// Change of that velocity along a direction per impulse along it [1/kg].
-double mobility(const Blocks& blocks, std::size_t b, const Vec3& place, const Vec3& direction) {
-    const Vec3 lever =
-        blocks.orientation.matrix(b).transpose() * (place - blocks.position.get(b)).cross(direction);
-    return blocks.inverse_mass[b] + lever.dot(blocks.inverse_inertia.get(b).cwiseProduct(lever));
-}
-
-void push(Blocks& blocks, std::size_t b, const Vec3& place, const Vec3& impulse) {
-    if (blocks.motion[b] != Motion::free) return;
-    blocks.velocity.set(b, blocks.velocity.get(b) + blocks.inverse_mass[b] * impulse);
-    blocks.angular_momentum.set(
-        b, blocks.angular_momentum.get(b) + (place - blocks.position.get(b)).cross(impulse));
-}
-
-/// How two blocks move against each other at a place.
-struct RelativeMotion {
-    Vec3 direction = Vec3::Zero();
-    double speed = 0;     ///< of b over a [m/s]
-    double mobility = 0;  ///< change of that per impulse along it [1/kg]
-
-    /// What an impulse can take of it at most [J].
-    double energy() const { return mobility > 0 ? 0.5 * speed * speed / mobility : 0.0; }
-};
-
-RelativeMotion motionAt(const State& state, std::size_t i, const Vec3& place) {
-    const Blocks& blocks = state.blocks;
-    const auto a = static_cast<std::size_t>(state.interfaces.block_a[i]),
-               b = static_cast<std::size_t>(state.interfaces.block_b[i]);
-    const Vec3 velocity = velocityAt(blocks, b, place) - velocityAt(blocks, a, place);
-    const double speed = velocity.norm();
-    if (!(speed > 0)) return {};
-    const Vec3 direction = velocity / speed;
-    return {direction, speed, mobility(blocks, a, place, direction) + mobility(blocks, b, place, direction)};
-}
-
-/// An impulse J slows the relative motion to v - wJ and takes vJ - wJ^2/2. \pre energy < motion.energy()
-void takeEnergy(State& state, std::size_t i, const Vec3& place, const RelativeMotion& motion, double energy) {
-    const double share = energy / motion.energy();
-    const Vec3 impulse =
-        -(motion.speed / motion.mobility) * (share / (1.0 + std::sqrt(1.0 - share))) * motion.direction;
-    push(state.blocks, static_cast<std::size_t>(state.interfaces.block_b[i]), place, impulse);
-    push(state.blocks, static_cast<std::size_t>(state.interfaces.block_a[i]), place, -impulse);
-}
-
-double energyOf(const State& state, std::size_t i) {
-    const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-    double sum = 0;
-    for (const ContactPoint& point : contactPoints(state, i))
-        sum += contact::storedEnergy(law, point.area, point.force);
-    return sum;
-}
-
 /// Raising the reference gap by o presses every spring by o more; together they hold no more than k A (depth o + o^2/2)
 /// more, with the depth of the deepest. As far as that one is open it costs nothing. The blocks pay for what the springs
 /// then do hold more. \return whether anything changed
 bool recoverGap(State& state, std::size_t i, double missing) {
-    const Deepest deepest = deepestPoint(state, i);
+    const DeepestPoint deepest = deepestPoint(state, i);
     const double depth = std::max(0.0, deepest.depth),
                  open = std::min(missing, std::max(0.0, -deepest.depth));
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
@@ -101,9 +33,9 @@ bool recoverGap(State& state, std::size_t i, double missing) {
     const double paid = contact::pressedBy(law, state.interfaces.area[i], depth, kShare * motion.energy());
     const double step = open + std::min(missing - open, paid);
     if (!(step > 0)) return false;
-    const double before = energyOf(state, i);
+    const double before = storedEnergy(contactsOf(state), i);
     state.interfaces.referenceGap(i, 0) += step;
-    if (const double cost = energyOf(state, i) - before; cost > 0)
+    if (const double cost = storedEnergy(contactsOf(state), i) - before; cost > 0 && cost < motion.energy())
         takeEnergy(state, i, deepest.place, motion, cost);
     return true;
 }

@@ -127,4 +127,12 @@ std::vector<ContactPoint> contactPoints(const Contacts& contacts, std::size_t i)
     return result;
 }
 
+double storedEnergy(const Contacts& contacts, std::size_t i) {
+    const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(contacts.interfaces.joint[i])];
+    double sum = 0;
+    for (const ContactPoint& point : contactPoints(contacts, i))
+        sum += contact::storedEnergy(law, point.area, point.force);
+    return sum;
+}
+
 }  // namespace talus
