@@ -19,6 +19,7 @@ struct CarriedPoint {
     Vec3 normal = Vec3::Zero();  ///< from the block with the lower index to the other
     Vec3 shear = Vec3::Zero();   ///< on the other [N]
     double energy = 0;           ///< of the normal spring [J]
+    double shear_energy = 0;     ///< of the shear spring [J]
 };
 using CarriedPoints = std::map<std::pair<std::int32_t, std::int32_t>, std::vector<CarriedPoint>>;
 
