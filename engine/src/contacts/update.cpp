@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "contacts/gap_recovery.h"
 #include "contacts/interfaces.h"
@@ -59,6 +60,14 @@ bool movedTooFar(const State& state, double margin) {
     return false;
 }
 
+/// Forces of the contacts as they are now, for the next half kick: of their springs. A contact point that has just been placed
+/// has not slid yet, so it would stick, and its dashpot would be felt to stop the whole slide at once.
+void updateSpringForces(State& state, bool parallel) {
+    const double damping = std::exchange(state.damping.contact, 0.0);
+    updateForces(state, parallel);
+    state.damping.contact = damping;
+}
+
 #ifndef NDEBUG
 /// Whether there are none; else the first is named, which the assertion itself cannot.
 bool areNone(const std::vector<std::string>& findings) {
@@ -87,14 +96,14 @@ bool refreshInterfaces(State& state, bool parallel, double ahead) {
         const bool recovered = recoverGaps(state);
         // The next half kick is that of the springs as they are now; the old one would do work that none of them holds.
         if (state.springs == Springs::keep_energy && (changes.places || recovered))
-            updateForces(state, parallel);
+            updateSpringForces(state, parallel);
         assert(isSound(state));
         return false;
     }
     makeInterfaces(state, margin, ahead, false, parallel);
     // Forces are there again before anything looks at them.
     if (state.springs == Springs::keep_energy) {
-        updateForces(state, parallel);
+        updateSpringForces(state, parallel);
     } else {
         updateContacts(state, {0, state.interfaces.groups.size()});
         updateBlockForces(state);
