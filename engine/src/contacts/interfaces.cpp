@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <span>
+#include <utility>
 
 #include "contacts/carry_over.h"
 #include "contacts/energy_balance.h"
@@ -34,6 +35,19 @@ std::vector<Error> overlapErrors(const State& state, const std::vector<PairFindi
     return errors;
 }
 
+/// a's tangents carried into b's plane along the normal: so a point of the patch is that of b's face above it, and a clipping
+/// leaves every gap as it was, however far from parallel the faces are. Turned into it they would stay as long as one, which of
+/// faces this close to parallel is the same but for rounding.
+std::pair<Vec3, Vec3> tangentsOfB(const Vec3& e1, const Vec3& e2, const Vec3& e3, const Vec3& normal_b) {
+    constexpr double kParallel = 1e-5;  // [rad]
+    if ((normal_b + e3).norm() <= kParallel) {
+        const Vec3 b1 = (e1 - normal_b.dot(e1) * normal_b).normalized();
+        return {b1, b1.cross(normal_b)};  // b1 x b2 = -normal_b, which points from a to b
+    }
+    const auto carried = [&](const Vec3& e) -> Vec3 { return e - normal_b.dot(e) / normal_b.dot(e3) * e3; };
+    return {carried(e1), carried(e2)};
+}
+
 /// Appends one interface with frames at the patch's centroid; its group is there already.
 void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePair& pair) {
     Interfaces& f = state.interfaces;
@@ -49,14 +63,11 @@ void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePai
     for (Eigen::Vector2d& v : outline) v -= centre;
     const Vec3 origin_a = own.origin + centre.x() * own.e1 + centre.y() * own.e2;
 
-    // b's face plane at that point, and a's tangents carried into it along the normal: so a point of the patch is that of b's
-    // face above it, and a clipping leaves every gap as it was, however far from parallel the faces are.
     const Vec3 origin = x_a + turn_a * origin_a, e1 = turn_a * own.e1, e3 = turn_a * own.e3;
     const FaceFrame other = faceFrame(state.geometry->shape[ib], face_b);
     const Vec3 normal_b = turn_b * other.e3;
     const double gap = normal_b.dot(x_b + turn_b * other.origin - origin) / normal_b.dot(e3);
-    const auto carried = [&](const Vec3& e) -> Vec3 { return e - normal_b.dot(e) / normal_b.dot(e3) * e3; };
-    const Vec3 b1 = carried(e1), b2 = carried(turn_a * own.e2);
+    const auto [b1, b2] = tangentsOfB(e1, turn_a * own.e2, e3, normal_b);
 
     f.block_a.push_back(a);
     f.block_b.push_back(b);
