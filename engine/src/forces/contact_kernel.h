@@ -269,15 +269,10 @@ TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index
         damping_normal = view.contact_damping * stiffness.normal;
         damping_shear = view.contact_damping * stiffness.shear;
     }
-    PointLoop<V, Damped, Remembers, Arms> points{view,
-                                                 members,
-                                                 pose,
-                                                 law,
-                                                 velocity,
-                                                 V{} + view.release,
-                                                 damping_normal,
-                                                 damping_shear,
-                                                 pose.gap + frames.reference_gap};
+    Triple<V> height{};
+    if constexpr (Arms) height = pose.gap + frames.reference_gap;
+    PointLoop<V, Damped, Remembers, Arms> points{
+        view, members, pose, law, velocity, V{} + view.release, damping_normal, damping_shear, height};
     forEachPoint<Places>(view, group, members, points);
     const PatchSum<V>& sum = points.sum;
     const Triple<V> force = sum.force.x * pose.e1 + sum.force.y * pose.e2 + sum.force.z * pose.e3;
