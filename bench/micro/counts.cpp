@@ -196,6 +196,7 @@ struct OneInterface {
                 .wrenches = wrenches.data(),
                 .remembers = false,
                 .curved = false,
+                .keeps_energy = false,
                 .beyond_caches = false,
                 .release = 1,
                 .contact_damping = 0,

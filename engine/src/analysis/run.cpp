@@ -15,6 +15,7 @@
 #include "measure/measure.h"
 #include "state/block_motion.h"
 #include "state/incidence.h"
+#include "step/energy_keeper.h"
 #include "step/step.h"
 #include "step/time_step.h"
 #include "talus/simulation.h"
@@ -92,6 +93,7 @@ class TimeHistory {
         progress_.step_safety = expectsImpacts(state_) ? kImpactStepSafety : kStepSafety;
         if (control_.progress) control_.progress({"start", 0.0, "weight and water are put on"});
         start_ = analysis::bringToStart(state_, control_, parallel_);
+        state_.springs = Springs::keep_energy;
         chooseTimeStep();
         beginFrames();
     }
@@ -103,6 +105,8 @@ class TimeHistory {
             !(progress_.step_safety > 0) || !(progress_.time_step < kInfinity) || progress_.frames < 1)
             return {{"full.progress", "holds no valid time step or next frame: the frame is damaged"}};
         last_light_ = last_full_ = frame.step;
+        // A failure that is played on goes as its search saw it (startFailing).
+        if (progress_.step_safety != analysis::kContinuationStepSafety) state_.springs = Springs::keep_energy;
         return restoreFrame(frame, state_);
     }
 
@@ -229,12 +233,19 @@ class TimeHistory {
         return steps;
     }
 
+    /// Where blocks collide and nothing from outside works on them, what the steps give is taken back.
+    bool keepsEnergy() const { return progress_.step_safety == kImpactStepSafety && isLeftAlone(state_); }
+
     void goOn() {
         const double dt = progress_.time_step;
-        advance(state_, {dt, parallel_}, stepsAhead(), [&](int) {
+        const int steps = stepsAhead();
+        const bool kept = keepsEnergy();
+        const double energy = kept ? totalEnergy(state_, parallel_) : 0.0;
+        advance(state_, {dt, parallel_}, steps, [&](int) {
             state_.time += dt;
             state_.load.time = state_.time;
         });
+        if (kept) takeBack(state_, totalEnergy(state_, parallel_) - energy, steps * dt, parallel_);
         if (state_.step % kStepsPerLook == 0) {
             finite_ = isFinite(state_);
             if (!finite_) return;

@@ -7,13 +7,15 @@
 
 namespace talus {
 
-/// Each such contact takes a small share of the kinetic energy with which its two blocks move against each other at
+/// Each such contact may take a small share of the kinetic energy with which its two blocks move against each other at
 /// its deepest contact point, by an impulse and its opposite there, and raises its reference gap by no more than that
-/// energy presses its springs together. Momentum and angular momentum stay as they are; the energy stays or falls. An
+/// energy presses its springs together; it takes what they then do hold more. Momentum and angular momentum stay as they are,
+/// and so does the energy. An
 /// overlap within kClosedGap of the smaller block's size is left alone: faces that touch at the start have it. One
 /// after the other in the order of the interfaces, since neighbours share a block.
 /// Reads:  poses, interfaces' frames, laws
 /// Writes: interfaces' reference gaps, velocity, angular_momentum
-void recoverGaps(State& state);
+/// \return whether any contact has recovered something
+bool recoverGaps(State& state);
 
 }  // namespace talus

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <span>
+#include <utility>
 
 #include "contacts/carry_over.h"
+#include "contacts/energy_balance.h"
 #include "contacts/limits.h"
 #include "contacts/pair_search.h"
 #include "contacts/vertex_edge.h"
@@ -33,6 +35,19 @@ std::vector<Error> overlapErrors(const State& state, const std::vector<PairFindi
     return errors;
 }
 
+/// a's tangents carried into b's plane along the normal: so a point of the patch is that of b's face above it, and a clipping
+/// leaves every gap as it was, however far from parallel the faces are. Turned into it they would stay as long as one, which of
+/// faces this close to parallel is the same but for rounding.
+std::pair<Vec3, Vec3> tangentsOfB(const Vec3& e1, const Vec3& e2, const Vec3& e3, const Vec3& normal_b) {
+    constexpr double kParallel = 1e-5;  // [rad]
+    if ((normal_b + e3).norm() <= kParallel) {
+        const Vec3 b1 = (e1 - normal_b.dot(e1) * normal_b).normalized();
+        return {b1, b1.cross(normal_b)};  // b1 x b2 = -normal_b, which points from a to b
+    }
+    const auto carried = [&](const Vec3& e) -> Vec3 { return e - normal_b.dot(e) / normal_b.dot(e3) * e3; };
+    return {carried(e1), carried(e2)};
+}
+
 /// Appends one interface with frames at the patch's centroid; its group is there already.
 void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePair& pair) {
     Interfaces& f = state.interfaces;
@@ -48,13 +63,11 @@ void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePai
     for (Eigen::Vector2d& v : outline) v -= centre;
     const Vec3 origin_a = own.origin + centre.x() * own.e1 + centre.y() * own.e2;
 
-    // b's face plane at that point, and a's tangents carried into it.
     const Vec3 origin = x_a + turn_a * origin_a, e1 = turn_a * own.e1, e3 = turn_a * own.e3;
     const FaceFrame other = faceFrame(state.geometry->shape[ib], face_b);
     const Vec3 normal_b = turn_b * other.e3;
     const double gap = normal_b.dot(x_b + turn_b * other.origin - origin) / normal_b.dot(e3);
-    const Vec3 b1 = (e1 - normal_b.dot(e1) * normal_b).normalized();
-    const Vec3 b2 = b1.cross(normal_b);  // b1 x b2 = -normal_b, which points from a to b
+    const auto [b1, b2] = tangentsOfB(e1, turn_a * own.e2, e3, normal_b);
 
     f.block_a.push_back(a);
     f.block_b.push_back(b);
@@ -202,6 +215,8 @@ std::vector<Error> touchErrors(const State& state) {
 
 std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel) {
     const PlacePairs with_places = pairsWithPlaces(state.interfaces);
+    const std::vector<PairEnergy> held =
+        state.springs == Springs::keep_energy ? energyOfPairs(contactsOf(state)) : std::vector<PairEnergy>{};
     const OldInterfaces old = takeInterfaces(state);
     const SearchRemarks remarks = appendInterfaces(state, margin, with_places, initial, parallel);
     if (initial) {
@@ -218,6 +233,7 @@ std::vector<Error> makeInterfaces(State& state, double margin, double ahead, boo
         carried = carryOver(old, state, ahead);
     buildIncidence(state);
     renewVertexEdges(state, ahead, parallel, carried);
+    if (state.springs == Springs::keep_energy) balanceEnergy(state, held);
     state.search_position = state.blocks.position;
     state.search_orientation = state.blocks.orientation;
     state.search_margin = margin;

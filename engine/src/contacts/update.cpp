@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "contacts/gap_recovery.h"
 #include "contacts/interfaces.h"
@@ -14,6 +15,7 @@
 #include "measure/measure.h"
 #include "state/block_motion.h"
 #include "state/incidence.h"
+#include "step/step.h"
 #include "validate/validate.h"
 
 namespace talus {
@@ -58,6 +60,14 @@ bool movedTooFar(const State& state, double margin) {
     return false;
 }
 
+/// Forces of the contacts as they are now, for the next half kick: of their springs. A contact point that has just been placed
+/// has not slid yet, so it would stick, and its dashpot would be felt to stop the whole slide at once.
+void updateSpringForces(State& state, bool parallel) {
+    const double damping = std::exchange(state.damping.contact, 0.0);
+    updateForces(state, parallel);
+    state.damping.contact = damping;
+}
+
 #ifndef NDEBUG
 /// Whether there are none; else the first is named, which the assertion itself cannot.
 bool areNone(const std::vector<std::string>& findings) {
@@ -80,16 +90,24 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel) {
 
 bool refreshInterfaces(State& state, bool parallel, double ahead) {
     const double margin = searchMargin(state, ahead);
-    const bool search = movedTooFar(state, margin) || updateVertexEdges(state, ahead, parallel);
-    if (!search) {
-        recoverGaps(state);
+    const PlaceChanges changes = movedTooFar(state, margin) ? PlaceChanges{.places = false, .search = true}
+                                                            : updateVertexEdges(state, ahead, parallel);
+    if (!changes.search) {
+        const bool recovered = recoverGaps(state);
+        // The next half kick is that of the springs as they are now; the old one would do work that none of them holds.
+        if (state.springs == Springs::keep_energy && (changes.places || recovered))
+            updateSpringForces(state, parallel);
         assert(isSound(state));
         return false;
     }
     makeInterfaces(state, margin, ahead, false, parallel);
     // Forces are there again before anything looks at them.
-    updateContacts(state, {0, state.interfaces.groups.size()});
-    updateBlockForces(state);
+    if (state.springs == Springs::keep_energy) {
+        updateSpringForces(state, parallel);
+    } else {
+        updateContacts(state, {0, state.interfaces.groups.size()});
+        updateBlockForces(state);
+    }
     assert(isSound(state) && haveSoundForces(state));
     return true;
 }

@@ -27,7 +27,8 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel);
 /// Reads:  poses, velocities, shapes, laws, interfaces and points
 /// Writes: 1: as findInterfaces, and the forces of contacts and water; 2: vertex and edge contacts, their points,
 /// incidence;
-///         3: reference gaps, velocities, angular momenta
+///         3: reference gaps, velocities, angular momenta; with Springs::keep_energy also forces on blocks
+/// With Springs::keep_energy no energy comes of 1 (contacts/energy_balance.h), and blocks have the force of what has changed.
 /// \return whether interfaces were found again: then time step and inertia may have to follow
 bool refreshInterfaces(State& state, bool parallel, double ahead);
 

@@ -89,6 +89,20 @@ void releaseGap(State& state, std::size_t i) {
     if (reference < 0 && opening > 0) reference = std::min(0.0, reference + opening);
 }
 
+double shearEnergy(const contact::JointLaw& law, double area, double along_1, double along_2) {
+    contact::PointForce force;
+    force.shear_1 = along_1;
+    force.shear_2 = along_2;
+    return contact::storedEnergy(law, area, force);
+}
+
+/// Of the shear force that a place takes over: one spring with the force of two may hold more than both did.
+double shareKept(const State& state, const contact::JointLaw& law, double area, const CarriedPoint& from) {
+    const double holds = shearEnergy(law, area, from.shear.norm(), 0.0);
+    const bool all = state.springs == Springs::follow_gaps || holds <= from.shear_energy;
+    return all ? 1.0 : std::sqrt(from.shear_energy / holds);
+}
+
 /// Puts a place where two blocks meet, with what `from` leaves it.
 void placeContact(State& state, std::size_t i, const VertexEdgePoint& point, const CarriedPoint& from) {
     Interfaces& f = state.interfaces;
@@ -112,8 +126,8 @@ void placeContact(State& state, std::size_t i, const VertexEdgePoint& point, con
     frame.reference_gap = {std::min(0.0, point.gap + depth), 0, 0};
     f.setFrame(i, frame);
     f.idle[i] = 0;
-    const double sign =
-        f.block_a[i] < f.block_b[i] ? 1.0 : -1.0;  // F_s = k_s A (offset - slide), the slide now zero
+    // F_s = k_s A (offset - slide), the slide now zero.
+    const double sign = (f.block_a[i] < f.block_b[i] ? 1.0 : -1.0) * shareKept(state, law, f.area[i], from);
     state.points.setMemory(f.pointSlot(i, 0),
                            {.offset_1 = contact::offsetFor(law, f.area[i], sign * from.shear.dot(point.e1)),
                             .offset_2 = contact::offsetFor(law, f.area[i], sign * from.shear.dot(point.e2)),
@@ -141,7 +155,7 @@ std::array<CarriedPoint, kPlaces> shareOut(const std::vector<CarriedPoint>& old,
         const double turned = to.second_is_reference ? -sign : sign;
         shares[*nearest].energy += point.energy;
         if (least <= near && turned * to.e1.cross(to.e2).dot(point.normal) >= kSameNormal)
-            shares[*nearest].shear += point.shear;
+            shares[*nearest].shear += point.shear, shares[*nearest].shear_energy += point.shear_energy;
     }
     return shares;
 }
@@ -215,11 +229,12 @@ Kept findKept(const State& state, std::size_t begin, const VertexEdgePoints& fou
     return kept;
 }
 
-/// Writes what was found into the places that begin at `begin`.
-void writePlaces(State& state, std::size_t begin, const VertexEdgePoints& found,
+/// Writes what was found into the places that begin at `begin`. \return whether any has changed
+bool writePlaces(State& state, std::size_t begin, const VertexEdgePoints& found,
                  std::vector<CarriedPoint> old, double size) {
     Interfaces& f = state.interfaces;
     const Kept kept = findKept(state, begin, found, size);
+    bool changes = false;
     const auto isKept = [&](std::size_t s) {
         return std::find(kept.begin(), kept.end(), static_cast<int>(s)) != kept.end();
     };
@@ -232,6 +247,7 @@ void writePlaces(State& state, std::size_t begin, const VertexEdgePoints& found,
         const std::vector<CarriedPoint> gone = carriedPoints(contactsOf(state), begin + s);
         old.insert(old.end(), gone.begin(), gone.end());
         setIdle(f, begin + s);
+        changes = true;
     }
     std::array<bool, kPlaces> is_new{};
     for (std::size_t k = 0; k < found.count; ++k) is_new[k] = kept[k] < 0;
@@ -249,7 +265,9 @@ void writePlaces(State& state, std::size_t begin, const VertexEdgePoints& found,
         if (!inherits && rounded_off[k]) continue;
         while (isKept(next)) ++next;
         placeContact(state, begin + next++, found.points[k], shares[k]);
+        changes = true;
     }
+    return changes;
 }
 
 bool anyClosed(const State& state, std::size_t begin) {
@@ -324,11 +342,14 @@ std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t i)
             pose.slide_1.x() + point.position.x() * pose.slide_1.y() + point.position.y() * pose.slide_1.z();
         const double slide_2 =
             pose.slide_2.x() + point.position.x() * pose.slide_2.y() + point.position.y() * pose.slide_2.z();
-        carried.push_back({pose.origin + (point.position.x() + slide_1) * pose.e1 +
-                               (point.position.y() + slide_2) * pose.e2,
-                           sign * pose.e3,
-                           sign * (point.force.shear_1 * pose.e1 + point.force.shear_2 * pose.e2),
-                           contact::normalEnergy(law, point.area, point.force.normal)});
+        carried.push_back(
+            {pose.origin + (point.position.x() + slide_1) * pose.e1 +
+                 (point.position.y() + slide_2) * pose.e2,
+             sign * pose.e3, sign * (point.force.shear_1 * pose.e1 + point.force.shear_2 * pose.e2),
+             contact::normalEnergy(law, point.area, point.force.normal),
+             contact::storedEnergy(
+                 law, point.area,
+                 {.normal = 0, .shear_1 = point.force.shear_1, .shear_2 = point.force.shear_2})});
     }
     return carried;
 }
@@ -378,9 +399,9 @@ void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
 
 }  // namespace
 
-bool updateVertexEdges(State& state, double ahead, bool parallel) {
+PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel) {
     assert(ahead >= 0);
-    std::atomic<bool> changes = false;
+    std::atomic<bool> search = false, places = false;
     forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
         Interfaces& f = state.interfaces;
         double& left = f.travel_left[begin];
@@ -390,13 +411,13 @@ bool updateVertexEdges(State& state, double ahead, bool parallel) {
         if (left > 0) return;
         const Look look = lookAtPair(state, begin, ahead, f.faces_are_apart[begin] != 0);
         if (look.changes) {
-            changes = true;
+            search = true;
             return;
         }
-        writePlaces(state, begin, look.found, {}, look.size);
+        if (writePlaces(state, begin, look.found, {}, look.size)) places = true;
         left = look.travel;
     });
-    return changes;
+    return {.places = places, .search = search};
 }
 
 void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried) {

@@ -19,6 +19,7 @@ struct CarriedPoint {
     Vec3 normal = Vec3::Zero();  ///< from the block with the lower index to the other
     Vec3 shear = Vec3::Zero();   ///< on the other [N]
     double energy = 0;           ///< of the normal spring [J]
+    double shear_energy = 0;     ///< of the shear spring [J]
 };
 using CarriedPoints = std::map<std::pair<std::int32_t, std::int32_t>, std::vector<CarriedPoint>>;
 
@@ -28,6 +29,14 @@ std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t in
 /// Appends the idle places of a pair of blocks. \pre it has none yet
 void appendVertexEdgePlaces(State& state, std::int32_t block_1, std::int32_t block_2);
 
+/// What a look at the places finds.
+struct PlaceChanges {
+    bool places = false;  ///< some touch elsewhere than before
+    /// a contact of faces has become one of a vertex or edge or the other way round, which only a new search
+    /// (contacts/interfaces.h) can bring about
+    bool search = false;
+};
+
 /// Looks at every pair with places again. A contact at the same vertex and face stays as it is, to the bit; others take
 /// over the shear force of what was there before, and no more energy than it had: a contact found late is not pressed
 /// into its new place, but counts its gap from where it is until it opens.
@@ -35,10 +44,7 @@ void appendVertexEdgePlaces(State& state, std::int32_t block_1, std::int32_t blo
 /// \pre incidence is that of the interfaces
 /// Reads:  poses, velocities, shapes
 /// Writes: places, their contact points, incidence
-/// \return whether a contact of faces has become one of a vertex or edge or the other way round, which only a new
-/// search
-///         (patches.h) can bring about
-bool updateVertexEdges(State& state, double ahead, bool parallel);
+PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel);
 
 /// The same just after a search. \param carried contact points that are gone beside those of the places
 void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried);

@@ -57,6 +57,7 @@ ContactView contactView(State& state) {
             .remembers = points.remembers(),
             .curved =
                 std::any_of(state.laws.begin(), state.laws.end(), [](const auto& law) { return law.curved; }),
+            .keeps_energy = state.springs == Springs::keep_energy,
             .beyond_caches = isBeyondCaches(state),
             .release = state.release,
             .contact_damping = state.damping.contact,
@@ -127,6 +128,14 @@ std::vector<ContactPoint> contactPoints(const Contacts& contacts, std::size_t i)
         result.push_back(point);
     }
     return result;
+}
+
+double storedEnergy(const Contacts& contacts, std::size_t i) {
+    const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(contacts.interfaces.joint[i])];
+    double sum = 0;
+    for (const ContactPoint& point : contactPoints(contacts, i))
+        sum += contact::storedEnergy(law, point.area, point.force);
+    return sum;
 }
 
 }  // namespace talus

@@ -52,4 +52,7 @@ Contacts contactsOf(const State& state);
 std::vector<ContactPoint> contactPoints(const Contacts& contacts, std::size_t interface);
 std::vector<ContactPoint> contactPoints(const State& state, std::size_t interface);
 
+/// What the springs of an interface's contact points hold [J].
+double storedEnergy(const Contacts& contacts, std::size_t interface);
+
 }  // namespace talus

@@ -30,12 +30,19 @@ struct PatchSum {
         moment.y = moment.y - xi * normal;
         moment.z = moment.z + (xi * shear_2 - eta * shear_1);
     }
+
+    /// A shear force acts this far above the plane [m].
+    TALUS_KERNEL void raise(V height, V shear_1, V shear_2) {
+        moment.x = moment.x - height * shear_2;
+        moment.y = moment.y + height * shear_1;
+    }
 };
 
 /// Velocity of b over a along the normal and the tangents, affine over the patch [m/s].
 template <class V>
 struct RelativeVelocity {
     Triple<V> normal, tangent_1, tangent_2;
+    V by_height_1{}, by_height_2{};  ///< of the tangents' per height over the plane [1/s]
 };
 
 template <class V>
@@ -48,7 +55,9 @@ TALUS_KERNEL RelativeVelocity<V> relativeVelocity(const RelativePoseOf<V>& pose,
     const Triple<V> v_xi = cross(spin, pose.e1), v_eta = cross(spin, pose.e2);
     return {{dot(v, pose.e3), dot(v_xi, pose.e3), dot(v_eta, pose.e3)},
             {dot(v, pose.e1), dot(v_xi, pose.e1), dot(v_eta, pose.e1)},
-            {dot(v, pose.e2), dot(v_xi, pose.e2), dot(v_eta, pose.e2)}};
+            {dot(v, pose.e2), dot(v_xi, pose.e2), dot(v_eta, pose.e2)},
+            dot(spin, pose.e2),
+            V{} - dot(spin, pose.e1)};
 }
 
 /// The members of a group that one register takes: as many as it has room for, or one for V = double.
@@ -141,8 +150,10 @@ TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, co
     return law;
 }
 
-/// One group's contact points, one after the other.
-template <class V, bool Damped, bool Remembers, bool Curved>
+/// One group's contact points, one after the other. Gap and slides are those of b's material point, which lies pressed below
+/// a's plane; only there does the shear force do the work that its spring holds, and there it acts when `Arms`. Else it acts
+/// where that point is projected to, which is as good where nothing turns while it is pressed.
+template <class V, bool Damped, bool Remembers, bool Curved, bool Arms>
 struct PointLoop {
     const ContactView& view;
     const Members<V>& members;
@@ -150,18 +161,24 @@ struct PointLoop {
     const contact::JointParameters<V>& law;
     const RelativeVelocity<V>& velocity;
     V release, damping_normal, damping_shear;
+    Triple<V> height;  ///< of b's material points over a's plane [m]
     PatchSum<V> sum{};
 
     /// The viscous term c_k of eqs (3)-(4) beside the spring: acts while the contact point is closed, along the
     /// surface only while it sticks, and never turns the normal force into tension beyond the joint's strength.
-    TALUS_KERNEL void addDashpot(V xi, V eta, V area, V bond, contact::ForceOf<V>& total) const {
+    TALUS_KERNEL void addDashpot(V xi, V eta, V z, V area, V bond, contact::ForceOf<V>& total) const {
         using simd::either, simd::larger, simd::select;
         const V damped = total.normal - damping_normal * area * affine(velocity.normal, xi, eta);
         const V least = -contact::tensileStrength(law, area, bond);
         total.normal = select(total.open, total.normal, larger(damped, least));
         const V c = select(either(total.open, total.slips), V{}, damping_shear * area);
-        total.shear_1 = total.shear_1 - c * affine(velocity.tangent_1, xi, eta);
-        total.shear_2 = total.shear_2 - c * affine(velocity.tangent_2, xi, eta);
+        V along_1 = affine(velocity.tangent_1, xi, eta), along_2 = affine(velocity.tangent_2, xi, eta);
+        if constexpr (Arms) {
+            along_1 = along_1 + z * velocity.by_height_1;
+            along_2 = along_2 + z * velocity.by_height_2;
+        }
+        total.shear_1 = total.shear_1 - c * along_1;
+        total.shear_2 = total.shear_2 - c * along_2;
     }
 
     TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot) {
@@ -182,7 +199,13 @@ struct PointLoop {
             members.store(row + 2 * kRow, memory.bond);
             members.store(row + 3 * kRow, memory.dilation);
         }
-        if constexpr (Damped) addDashpot(xi, eta, area, memory.bond, force);
+        if constexpr (Arms) {
+            const V z = affine(height, xi, eta);
+            if constexpr (Damped) addDashpot(xi + slide_1, eta + slide_2, z, area, memory.bond, force);
+            sum.raise(z, force.shear_1, force.shear_2);
+        } else if constexpr (Damped) {
+            addDashpot(xi, eta, V{}, area, memory.bond, force);
+        }
         sum.add(xi + slide_1, eta + slide_2, force.shear_1, force.shear_2, force.normal);
     }
 };
@@ -235,7 +258,7 @@ TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& gr
     }
 }
 
-template <class V, PointPlaces Places, bool Damped, bool Remembers, bool Curved>
+template <class V, PointPlaces Places, bool Damped, bool Remembers, bool Curved, bool Arms>
 TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index, const Members<V>& members) {
     const InterfaceGroup& group = view.groups[group_index];
     const FramesOf<V> frames = loadFrames(members, view.frames + group_index * kFrameQuantities * kRow);
@@ -255,8 +278,10 @@ TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index
         damping_normal = view.contact_damping * stiffness.normal;
         damping_shear = view.contact_damping * stiffness.shear;
     }
-    PointLoop<V, Damped, Remembers, Curved> points{
-        view, members, pose, law, velocity, V{} + view.release, damping_normal, damping_shear};
+    Triple<V> height{};
+    if constexpr (Arms) height = pose.gap + frames.reference_gap;
+    PointLoop<V, Damped, Remembers, Curved, Arms> points{
+        view, members, pose, law, velocity, V{} + view.release, damping_normal, damping_shear, height};
     forEachPoint<Places>(view, group, members, points);
     const PatchSum<V>& sum = points.sum;
     const Triple<V> force = sum.force.x * pose.e1 + sum.force.y * pose.e2 + sum.force.z * pose.e3;
@@ -293,28 +318,31 @@ TALUS_KERNEL void fetch(const ContactView& view, std::size_t group_index) {
     fetchRows<true>(view.wrenches + group_index * kWrenchQuantities * kRow, kWrenchQuantities);
 }
 
-template <class V, PointPlaces Places, bool Damped, bool Remembers, bool Curved>
+template <class V, PointPlaces Places, bool Damped, bool Remembers, bool Curved, bool Arms>
 void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
         if (view.beyond_caches && g + kGroupsAhead < end) fetch<Places, Remembers>(view, g + kGroupsAhead);
         for (int lane = 0; lane < view.groups[g].size; lane += Members<V>::kWidth)
-            updateMembers<V, Places, Damped, Remembers, Curved>(view, g, Members<V>(view.groups[g], lane));
+            updateMembers<V, Places, Damped, Remembers, Curved, Arms>(view, g,
+                                                                      Members<V>(view.groups[g], lane));
     }
 }
 
-template <class V, PointPlaces Places, bool Curved>
+template <class V, PointPlaces Places, bool Curved, bool Arms>
 void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
     const bool damped = view.contact_damping > 0, remembers = view.remembers;
-    if (damped && remembers) return updateGroups<V, Places, true, true, Curved>(view, begin, end);
-    if (damped) return updateGroups<V, Places, true, false, Curved>(view, begin, end);
-    if (remembers) return updateGroups<V, Places, false, true, Curved>(view, begin, end);
-    updateGroups<V, Places, false, false, Curved>(view, begin, end);
+    if (damped && remembers) return updateGroups<V, Places, true, true, Curved, Arms>(view, begin, end);
+    if (damped) return updateGroups<V, Places, true, false, Curved, Arms>(view, begin, end);
+    if (remembers) return updateGroups<V, Places, false, true, Curved, Arms>(view, begin, end);
+    updateGroups<V, Places, false, false, Curved, Arms>(view, begin, end);
 }
 
 template <class V, PointPlaces Places>
 void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
-    if (view.curved) return updateGroups<V, Places, true>(view, begin, end);
-    updateGroups<V, Places, false>(view, begin, end);
+    if (view.curved && view.keeps_energy) return updateGroups<V, Places, true, true>(view, begin, end);
+    if (view.curved) return updateGroups<V, Places, true, false>(view, begin, end);
+    if (view.keeps_energy) return updateGroups<V, Places, false, true>(view, begin, end);
+    updateGroups<V, Places, false, false>(view, begin, end);
 }
 
 template <class V>

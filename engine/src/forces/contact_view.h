@@ -34,8 +34,9 @@ struct ContactView {
     // written, per interface
     double* wrenches;  ///< slot by slot, each nine numbers side by side
 
-    bool remembers;  ///< whether contact points have bond and dilation in their memory
-    bool curved;     ///< whether the strength of some joint is a curve
+    bool remembers;     ///< whether contact points have bond and dilation in their memory
+    bool curved;        ///< whether the strength of some joint is a curve
+    bool keeps_energy;  ///< whether shear forces act where their slide is measured (PointLoop)
     /// whether the arrays come from main memory each time: groups are then fetched ahead
     bool beyond_caches;
     double release;

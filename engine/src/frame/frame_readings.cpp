@@ -42,7 +42,7 @@ Vec2 onWall(const WetPatches& wet, std::size_t w, const Vec3& x) {
 
 bool inPlaneOf(const WetPatches& wet, std::size_t w, const Side& side, double length) {
     const Vec3 wall = wet.e1.get(w).cross(wet.e2.get(w));
-    const Vec3 normal = (side.outward ? 1.0 : -1.0) * side.e1.cross(side.e2);
+    const Vec3 normal = (side.outward ? 1.0 : -1.0) * side.e1.cross(side.e2).normalized();
     return wall.dot(normal) > 1.0 - kSamePlane &&
            std::abs((side.origin - wet.origin.get(w)).dot(wall)) <= kSamePlane * length;
 }

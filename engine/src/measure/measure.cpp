@@ -25,11 +25,7 @@ double kineticEnergy(const State& state) {
 
 double elasticEnergy(const State& state) {
     double sum = 0;
-    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
-        const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-        for (const ContactPoint& point : contactPoints(state, i))
-            sum += contact::storedEnergy(law, point.area, point.force);
-    }
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i) sum += storedEnergy(contactsOf(state), i);
     return sum;
 }
 

@@ -235,6 +235,16 @@ struct Load {
     double time = 0;           ///< for water levels over time [s]
 };
 
+/// What springs that are pressed do with the energy they hold.
+enum class Springs : std::uint8_t {
+    /// A search makes their force a function of the gap and the new area, whatever they held: quasi-static work, whose answer
+    /// no search may move.
+    follow_gaps,
+    /// They hold no more after a search than before (contacts/energy_balance.h), and give back what they hold: motion with
+    /// true inertia.
+    keep_energy
+};
+
 struct State {
     std::shared_ptr<const Geometry> geometry;
     std::vector<contact::JointLaw> laws;  ///< one per joint; strength reduction changes these
@@ -245,7 +255,8 @@ struct State {
     Incidence incidence;
     Load load;
     Damping damping;
-    double release = 1.0;                                            ///< see contactLaw
+    double release = 1.0;  ///< see contactLaw
+    Springs springs = Springs::follow_gaps;
     simd::InstructionSet instructions = simd::bestInstructionSet();  ///< the kernels', same bits with each
     double time = 0;                                                 ///< [s]
     std::int64_t step = 0;

@@ -15,7 +15,8 @@ namespace talus {
 struct InterfaceFrame {
     Vec3 origin_a = Vec3::Zero();  ///< in a's own frame [m]
     Vec3 e1_a = Vec3::Zero(), e2_a = Vec3::Zero();
-    /// in b's own frame: b's face plane, e1 and e2 as they lay at the clipping
+    /// in b's own frame: b's face plane; e1 and e2 as they lay at the clipping, of faces carried into b's plane along e3,
+    /// hence as much longer than one as it is tilted
     Vec3 origin_b = Vec3::Zero();
     Vec3 e1_b = Vec3::Zero(), e2_b = Vec3::Zero();
     /// gap [m] and its two slopes along e1, e2 that count as closed and unstressed

@@ -48,14 +48,24 @@ bool isOnSurface(const State& state, std::int32_t block, const Vec3& origin) {
     return std::abs(highest) <= kInPlane * state.geometry->radius[b];
 }
 
+/// Orthonormal tangents carried into a tilted plane along their normal: e + s n, e' + s' n, so s s' is their product.
+bool areCarriedOver(const Vec3& e1, const Vec3& e2) {
+    constexpr double kRounding = 1e-7;
+    const auto rise = [](const Vec3& e) { return std::sqrt(std::max(0.0, e.squaredNorm() - 1.0)); };
+    return e1.squaredNorm() > 1.0 - kRounding && e2.squaredNorm() > 1.0 - kRounding &&
+           std::abs(std::abs(e1.dot(e2)) - rise(e1) * rise(e2)) <= kRounding;
+}
+
 void checkFrame(const State& state, std::size_t i, Findings& findings) {
     const Interfaces& f = state.interfaces;
     const InterfaceFrame frame = f.frame(i);
-    if (!findings.expect(areOrthonormal(frame.e1_a, frame.e2_a) && areOrthonormal(frame.e1_b, frame.e2_b),
-                         "interface", i, "its tangents are not orthonormal"))
+    const bool on_b =
+        isVertexEdge(f, i) ? areOrthonormal(frame.e1_b, frame.e2_b) : areCarriedOver(frame.e1_b, frame.e2_b);
+    if (!findings.expect(areOrthonormal(frame.e1_a, frame.e2_a) && on_b, "interface", i,
+                         "its tangents are not orthonormal"))
         return;
+    const Vec3 e3_a = frame.e1_a.cross(frame.e2_a), e3_b = frame.e1_b.cross(frame.e2_b).normalized();
     if (isIdle(f, i)) return;
-    const Vec3 e3_a = frame.e1_a.cross(frame.e2_a), e3_b = frame.e1_b.cross(frame.e2_b);
     if (isVertexEdge(f, i)) {
         findings.expect(isOutermost(state, f.block_a[i], frame.origin_a, e3_a), "interface", i,
                         "its normal does not point out of its reference block");
