@@ -94,8 +94,8 @@ void refuseForeign(const std::string& folder, const std::string& results, const 
                                  folder});
     }
     if (!areResults(results, csvHeader(info)))
-        throw BadInput(
-            Error{"--output", "exists and is no table of this sweep's results; choose another folder", results});
+        throw BadInput(Error{
+            "--output", "exists and is no table of this sweep's results; choose another folder", results});
 }
 
 int openLock(const std::string& folder) {
@@ -108,8 +108,9 @@ int openLock(const std::string& folder) {
 
 [[noreturn]] void refuseLock(const std::string& folder, int error) {
     if (formats::noLocksHere(error))
-        throw FileRefused(folder + ": its file system has no locks, without which two processes could write the "
-                                   "same rows; choose a folder on another one");
+        throw FileRefused(folder +
+                          ": its file system has no locks, without which two processes could write the "
+                          "same rows; choose a folder on another one");
     throw FileRefused(folder + "/" + kLockName, "cannot be locked", error);
 }
 
@@ -261,7 +262,8 @@ void Store::unlock(std::uint64_t byte) {
 }
 
 void Store::requireFolder() const {
-    struct stat here {}, there {};
+    struct stat here {
+    }, there{};
     if (::fstat(results_, &here) == 0 && ::stat(resultsPath().c_str(), &there) == 0 &&
         here.st_ino == there.st_ino && here.st_dev == there.st_dev)
         return;

@@ -50,18 +50,17 @@ bool noLocksHere(int error) {
 LockReach lockReach(std::string_view kind, std::string_view options) {
     if (kind == "lustre" && has(options, "noflock")) return LockReach::none;
     const bool nfs = kind == "nfs" || kind == "nfs4";
-    const bool local =
-        (nfs && (has(options, "nolock") || has(options, "local_lock=posix") || has(options, "local_lock=all"))) ||
-        (kind == "lustre" && has(options, "localflock")) ||
-        ((kind == "cifs" || kind == "smb3") && has(options, "nobrl")) || kind == "fuse.sshfs";
+    const bool local = (nfs && (has(options, "nolock") || has(options, "local_lock=posix") ||
+                                has(options, "local_lock=all"))) ||
+                       (kind == "lustre" && has(options, "localflock")) ||
+                       ((kind == "cifs" || kind == "smb3") && has(options, "nobrl")) || kind == "fuse.sshfs";
     return local ? LockReach::this_machine : LockReach::every_machine;
 }
 
 LockReach lockReach(int file) {
     struct stat info {};
     if (::fstat(file, &info) != 0) return LockReach::every_machine;
-    const std::string device =
-        std::to_string(major(info.st_dev)) + ":" + std::to_string(minor(info.st_dev));
+    const std::string device = std::to_string(major(info.st_dev)) + ":" + std::to_string(minor(info.st_dev));
     std::ifstream mounts("/proc/self/mountinfo");
     for (std::string line; std::getline(mounts, line);) {
         std::istringstream words(line);

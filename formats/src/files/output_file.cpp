@@ -74,13 +74,13 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
 OutputFile::~OutputFile() {
     if (file_ < 0) return;
     struct stat info {};
-    if (created_ && ::fstat(file_, &info) == 0 && info.st_size == 0 && isAtItsPath())
-        ::unlink(path_.c_str());
+    if (created_ && ::fstat(file_, &info) == 0 && info.st_size == 0 && isAtItsPath()) ::unlink(path_.c_str());
     ::close(file_);
 }
 
 bool OutputFile::isAtItsPath() const {
-    struct stat here {}, there {};
+    struct stat here {
+    }, there{};
     if (::fstat(file_, &here) != 0) return false;
     if (!S_ISREG(here.st_mode)) return true;
     return ::stat(path_.c_str(), &there) == 0 && here.st_ino == there.st_ino && here.st_dev == there.st_dev;
@@ -104,7 +104,8 @@ void syncFolderOf(const std::string& path) {
 }
 
 std::string writeRefusal(int error) {
-    if (error == ENOENT) return "was removed or replaced while it was being written; what was computed is lost";
+    if (error == ENOENT)
+        return "was removed or replaced while it was being written; what was computed is lost";
     return std::string("cannot be written: ") + std::strerror(error);
 }
 

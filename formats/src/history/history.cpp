@@ -32,7 +32,10 @@ void appendNumbers(std::string& line, const Vec3& values) {
 
 /// A block's name followed by a quantity, quoted where CSV needs it.
 std::string columnName(const std::string& block, const char* quantity) {
-    const std::string name = block + "." + quantity;
+    // An apostrophe keeps spreadsheets from taking a name for a formula.
+    const bool formula =
+        !block.empty() && std::string_view("=+-@\t").find(block.front()) != std::string_view::npos;
+    const std::string name = (formula ? "'" : "") + block + "." + quantity;
     if (name.find_first_of(",\"\n") == std::string::npos) return name;
     std::string quoted = "\"";
     for (const char c : name) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -74,15 +77,15 @@ Result<HistoryWriter> HistoryWriter::open(const std::string& path, std::string c
 std::vector<Error> HistoryWriter::write(const HistoryRecord& record) {
     if (failed_) return {};
     if (std::exchange(started_, true)) return append(row(record));
-    if (isRegular(file_.file()) && ::ftruncate(file_.file(), 0) != 0)
-        return refusal(writeRefusal(errno));
+    if (isRegular(file_.file()) && ::ftruncate(file_.file(), 0) != 0) return refusal(writeRefusal(errno));
     return append(head() + row(record));
 }
 
 std::vector<Error> HistoryWriter::finish(std::string_view how) {
     if (failed_ || !started_) return {};
     std::vector<Error> errors = append(std::string(kLastLine) + std::string(how) + "\n");
-    if (const int error = errors.empty() ? file_.sync() : 0; error != 0) errors = refusal(writeRefusal(error));
+    if (const int error = errors.empty() ? file_.sync() : 0; error != 0)
+        errors = refusal(writeRefusal(error));
     return errors;
 }
 

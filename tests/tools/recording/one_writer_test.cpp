@@ -26,7 +26,8 @@ TEST_CASE("a second writer gets 4 and a sentence, and the first one's file stays
         CAPTURE(name);
         const std::string path = run.folder / name;
         Program first({"run", run.scenario, "-o", path, "--quiet"});
-        REQUIRE(waitFor([&] { return std::filesystem::exists(path) && std::filesystem::file_size(path) > 2000; }));
+        REQUIRE(waitFor(
+            [&] { return std::filesystem::exists(path) && std::filesystem::file_size(path) > 2000; }));
         std::vector<std::vector<std::string>> seconds{{"run", run.scenario, "-o", path, "--quiet"},
                                                       {"run", run.scenario, "-o", path, "--force"}};
         if (name == "live.mcap") seconds.push_back({"run", "--resume", path});
@@ -62,14 +63,15 @@ TEST_CASE("no output replaces what the command reads, under whatever name and --
     std::filesystem::create_hard_link(run, folder / "hard.csv");
     std::filesystem::create_symlink(run, folder / "link.mcap");
     std::filesystem::create_symlink(scenario, folder / "scenario.mcap");
-    folder.write("hillside.obj",
-                 "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    folder.write("hillside.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
     const std::string mesh = folder.write(
         "mesh.toml",
         "[material.rock]\ndensity = 2600\n[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\n"
         "friction_deg = 30\n[rock_mass]\nregion = { obj = \"hillside.obj\" }\n");
     REQUIRE(runTalus({"blocks", mesh, "-o", folder / "blocks.obj", "--quiet"}).exit_code == 0);
-    const auto contents = [&] { return contentOf(run) + contentOf(scenario) + contentOf(folder / "hillside.obj"); };
+    const auto contents = [&] {
+        return contentOf(run) + contentOf(scenario) + contentOf(folder / "hillside.obj");
+    };
     const std::string before = contents();
     const std::vector<std::vector<std::string>> attempts{
         {"export", run, "--csv", run},
