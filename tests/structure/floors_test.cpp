@@ -28,7 +28,8 @@ const std::vector<House>& houses() {
         {"engine/src",
          {"simd", "geometry", "rock_mass", "model", "law", "state", "forces", "measure", "validate", "step",
           "contacts", "build", "frame", "equilibrium", "analysis", "limit_analysis", "theory"}},
-        {"formats/src", {"toml", "mesh", "scenario", "sweep", "history", "mcap", "snapshot", "export"}},
+        {"formats/src",
+         {"files", "toml", "mesh", "scenario", "sweep", "history", "mcap", "snapshot", "export"}},
         {"tools", {"cli", "report", "recording", "inspect", "replay", "batch", "reproduction", "commands"}},
     };
     return all;

@@ -14,6 +14,8 @@
 #include "cli/failures.h"
 #include "cli/files.h"
 #include "cli/json.h"
+#include "cli/outputs.h"
+#include "talus/formats/locks.h"
 
 namespace talus::tools::batch {
 
@@ -22,20 +24,10 @@ namespace {
 constexpr const char* kInfoName = "batch.json";
 constexpr const char* kLockName = ".lock";
 constexpr std::size_t kChunk = 1 << 20;  // [bytes]
+// Shared by every process that has the folder open, taken alone by one that puts other results in their place.
+constexpr std::uint64_t kPresence = std::uint64_t{1} << 62;
 
 enum State : std::uint8_t { kOpen = 0, kDoneRow = 1, kFailedRow = 2 };
-
-/// 0, or the errno of a refusal. OFD locks: of the open file, so they hold between processes and go with them.
-int setLock(int file, short type, std::uint64_t byte, bool wait) {
-    struct flock range {};
-    range.l_type = type;
-    range.l_whence = SEEK_SET;
-    range.l_start = static_cast<off_t>(byte);
-    range.l_len = 1;
-    while (::fcntl(file, wait ? F_OFD_SETLKW : F_OFD_SETLK, &range) != 0)
-        if (errno != EINTR) return errno;
-    return 0;
-}
 
 std::string readAll(const std::string& path) {
     errno = 0;
@@ -74,6 +66,54 @@ std::uint64_t sizeOf(int file, const std::string& path) {
     return static_cast<std::uint64_t>(info.st_size);
 }
 
+/// What is in a file is these results, or the beginning of their first line that a killed process left.
+bool areResults(const std::string& path, const std::string& header) {
+    std::ifstream file(path, std::ios::binary);
+    std::string start(header.size(), '\0');
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(file.gcount()));
+    return header.starts_with(start);
+}
+
+/// Before anything is written: what is there is this sweep's, or nothing.
+void refuseForeign(const std::string& folder, const std::string& results, const BatchInfo& info) {
+    refuseInput("--output", results);
+    refuseInput("--output", folder + "/" + kInfoName);
+    const std::string path = folder + "/" + kInfoName;
+    if (std::filesystem::exists(path)) {
+        const BatchInfo there = readInfo(path);
+        if (there.identity != info.identity)
+            throw BadInput(Error{"--output",
+                                 "holds the results of another sweep (" + there.sweep + ", identity " +
+                                     there.identity + " instead of " + info.identity +
+                                     "); choose another folder",
+                                 folder});
+        if (csvHeader(there) != csvHeader(info))
+            throw BadInput(Error{"--output",
+                                 "holds rows with other columns, of another version; choose another folder",
+                                 folder});
+    }
+    if (!areResults(results, csvHeader(info)))
+        throw BadInput(Error{
+            "--output", "exists and is no table of this sweep's results; choose another folder", results});
+}
+
+int openLock(const std::string& folder) {
+    const int file = openFile(folder + "/" + kLockName, O_RDWR | O_CREAT);
+    const auto reach = formats::lockReach(file);
+    if (const std::string warning = formats::lockWarning(reach); !warning.empty())
+        std::fprintf(stderr, "warning: %s: %s\n", folder.c_str(), warning.c_str());
+    return file;
+}
+
+[[noreturn]] void refuseLock(const std::string& folder, int error) {
+    if (formats::noLocksHere(error))
+        throw FileRefused(folder +
+                          ": its file system has no locks, without which two processes could write the "
+                          "same rows; choose a folder on another one");
+    throw FileRefused(folder + "/" + kLockName, "cannot be locked", error);
+}
+
 }  // namespace
 
 /// Byte 0 of the lock file, for as long as it lives.
@@ -96,8 +136,12 @@ std::string resultsName(const Shard& shard) {
 Store::Store(std::string folder, BatchInfo info, Shard shard)
     : folder_(std::move(folder)), info_(std::move(info)), shard_(shard), state_(info_.runs, kOpen) {
     makeFolder(folder_);
-    lock_file_ = openFile(folder_ + "/" + kLockName, O_RDWR | O_CREAT);
+    refuseForeign(folder_, resultsPath(), info_);
+    lock_file_ = openLock(folder_);
     const FolderLock held(*this);
+    if (const int error = formats::setLock(lock_file_, formats::LockMode::shared, {kPresence}, false))
+        refuseLock(folder_, error);
+    refuseForeign(folder_, resultsPath(), info_);  // another process may have begun meanwhile
     prepare();
     openResults();
     cutTornRow();
@@ -111,7 +155,7 @@ Store::~Store() {
 
 std::string Store::resultsPath() const { return folder_ + "/" + resultsName(shard_); }
 
-/// The folder's description is this sweep's, or is written now.
+/// The folder's description is this sweep's, or is written now. \pre nothing in it is another's
 void Store::prepare() {
     const std::string path = folder_ + "/" + kInfoName;
     if (!std::filesystem::exists(path)) {
@@ -119,15 +163,6 @@ void Store::prepare() {
         return;
     }
     const BatchInfo there = readInfo(path);
-    if (there.identity != info_.identity)
-        throw BadInput(Error{"--output",
-                             "holds the results of another sweep (" + there.sweep + ", identity " +
-                                 there.identity + " instead of " + info_.identity +
-                                 "); choose another folder",
-                             folder_});
-    if (csvHeader(there) != csvHeader(info_))
-        throw BadInput(Error{
-            "--output", "holds rows with other columns, of another version; choose another folder", folder_});
     // More samples, other thresholds to report on: the same runs, so the description follows the sweep.
     if (toJson(there) != toJson(info_) && there.runs <= info_.runs)
         writeFile(path, toJson(info_).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
@@ -136,7 +171,8 @@ void Store::prepare() {
 void Store::openResults() {
     const std::string path = resultsPath();
     results_ = openFile(path, O_RDWR | O_APPEND | O_CREAT);
-    if (sizeOf(results_, path) > 0) return;
+    if (sizeOf(results_, path) >= csvHeader(info_).size()) return;
+    if (::ftruncate(results_, 0) != 0) throw FileRefused(path, "cannot be emptied", errno);
     const std::string header = csvHeader(info_);
     if (::write(results_, header.data(), header.size()) != static_cast<ssize_t>(header.size())) {
         const int error = errno;
@@ -215,13 +251,31 @@ std::uint64_t Store::failedCount() const {
 }
 
 bool Store::lock(std::uint64_t byte, bool wait) {
-    const int error = setLock(lock_file_, F_WRLCK, byte, wait);
+    const int error = formats::setLock(lock_file_, formats::LockMode::exclusive, {byte}, wait);
     if (error == 0) return true;
-    if (!wait && (error == EAGAIN || error == EACCES)) return false;
-    throw FileRefused(folder_ + "/" + kLockName, "cannot be locked", error);
+    if (!wait && formats::lockIsHeld(error)) return false;
+    refuseLock(folder_, error);
 }
 
-void Store::unlock(std::uint64_t byte) { setLock(lock_file_, F_UNLCK, byte, false); }
+void Store::unlock(std::uint64_t byte) {
+    formats::setLock(lock_file_, formats::LockMode::none, {byte}, false);
+}
+
+void Store::requireFolder() const {
+    struct stat here {
+    }, there{};
+    if (::fstat(results_, &here) == 0 && ::stat(resultsPath().c_str(), &there) == 0 &&
+        here.st_ino == there.st_ino && here.st_dev == there.st_dev)
+        return;
+    throw FileRefused(resultsPath() + ": was removed or replaced while the batch went on");
+}
+
+int Store::sync() {
+    const std::lock_guard held(mutex_);
+    requireFolder();
+    formats::syncFolderOf(resultsPath());
+    return ::fsync(results_) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
+}
 
 bool Store::claim(std::uint64_t run, bool again) {
     const std::lock_guard held(mutex_);
@@ -244,6 +298,7 @@ void Store::append(std::uint64_t run, const Row& row) {
     const std::lock_guard held(mutex_);
     {
         const FolderLock folder(*this);
+        requireFolder();
         cutTornRow();
         const std::uint64_t size = sizeOf(results_, resultsPath());
         const ssize_t written = ::write(results_, line.data(), line.size());
@@ -263,6 +318,21 @@ void Store::append(std::uint64_t run, const Row& row) {
 void Store::refresh() {
     const std::lock_guard held(mutex_);
     readNewRows();
+}
+
+AloneIn::AloneIn(const std::string& folder) : file_(openLock(folder)) {
+    const int error = formats::setLock(file_, formats::LockMode::exclusive, {kPresence}, false);
+    if (error == 0) return;
+    ::close(file_);
+    if (formats::lockIsHeld(error))
+        throw FileRefused(folder + ": a batch is at work in this folder; wait for its end");
+    refuseLock(folder, error);
+}
+
+AloneIn::~AloneIn() { ::close(file_); }
+
+void refuseToReplaceOther(const std::string& folder, const BatchInfo& info) {
+    refuseForeign(folder, folder + "/" + resultsName({}), info);
 }
 
 void keepBetter(StoredBatch& stored, std::uint64_t run, std::string line) {

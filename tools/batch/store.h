@@ -4,11 +4,10 @@
 //   batch.json                  what the batch is (BatchInfo); written once
 //   results.csv                 a header, then one line per run, appended whole
 //   results.csv-metadata.json   types and units of its columns
-//   .lock                       ranges of it are locked: byte 0 while the folder or its results are being changed,
-//                               byte 1 + n while run n is being computed
+//   .lock                       ranges of it are locked (talus/formats/locks.h): byte 0 while the folder or its results
+//                               are being changed, byte 1 + n while run n is being computed
 //
-// A lock belongs to an open file (F_OFD_SETLK), and the kernel drops it when the process is gone, however that ended,
-// so nothing is ever left locked. A row is appended by one write and only counts with its line feed; what a process that
+// A row is appended by one write and only counts with its line feed; what a process that
 // was killed, or a disk that was full, left of a row is cut off before the next is appended.
 
 #include <cstdint>
@@ -63,6 +62,9 @@ class Store {
 
     void refresh();  ///< looks at rows other processes have appended
 
+    /// Brings the rows to the disk. 0, or an errno. Throws FileRefused when the folder or its results are gone.
+    int sync();
+
  private:
     void prepare();
     void openResults();
@@ -71,6 +73,7 @@ class Store {
     void noteRow(std::string_view line);
     bool lock(std::uint64_t byte, bool wait);
     void unlock(std::uint64_t byte);
+    void requireFolder() const;
 
     class FolderLock;
 
@@ -83,6 +86,21 @@ class Store {
     std::uint64_t done_ = 0, failed_ = 0;
     mutable std::mutex mutex_;
 };
+
+/// While it lives, no batch opens this folder. Throws FileRefused when one is at work in it.
+class AloneIn {
+ public:
+    explicit AloneIn(const std::string& folder);
+    ~AloneIn();
+    AloneIn(const AloneIn&) = delete;
+    AloneIn& operator=(const AloneIn&) = delete;
+
+ private:
+    int file_;
+};
+
+/// Throws BadInput when the folder holds what is not this batch's.
+void refuseToReplaceOther(const std::string& folder, const BatchInfo& info);
 
 /// What a folder holds, without opening it for writing: the batch, and all rows of all results in it, a later row of a
 /// run in place of an earlier one. Throws BadInput, FileRefused.

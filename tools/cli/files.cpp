@@ -10,6 +10,7 @@
 
 #include "cli/failures.h"
 #include "cli/files.h"
+#include "cli/outputs.h"
 
 namespace talus::tools {
 
@@ -20,7 +21,7 @@ bool isDeviceOrPipe(const std::string& path) {
     return ::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
 }
 
-/// 0, or the errno of what was refused. Closes the file in any case.
+/// Brings it to the disk, too. 0, or the errno of what was refused. Closes the file in any case.
 int writeAndClose(int file, std::string_view content) {
     int error = 0;
     while (!content.empty() && error == 0) {
@@ -31,25 +32,48 @@ int writeAndClose(int file, std::string_view content) {
             error = errno;
         }
     }
+    if (error == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != ENOTSUP) error = errno;
     if (::close(file) != 0 && error == 0) error = errno;
     return error;
 }
 
-int openFor(const std::string& path, const std::string& named) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (file < 0) throw FileRefused(named, "cannot be opened for writing", errno);
-    return file;
+/// Where a file is written before it takes its name: beside it, new, and in nobody's link.
+int openTemporary(const std::string& path, std::string& temporary) {
+    for (int attempt = 0;; ++attempt) {
+        temporary = path + ".part" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+        const int file =
+            ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (file >= 0 || errno != EEXIST || attempt == 100) return file;
+    }
+}
+
+/// A link stays one: what it leads to is written.
+std::string behindLinks(const std::string& path) {
+    std::error_code absent;
+    const std::filesystem::path there = std::filesystem::canonical(path, absent);
+    return absent ? path : there.string();
+}
+
+void writeInPlace(const std::string& path, std::string_view content) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file < 0) throw FileRefused(path, "cannot be opened for writing", errno);
+    if (const int error = writeAndClose(file, content); error != 0)
+        throw FileRefused(path, "cannot be written", error);
 }
 
 }  // namespace
 
 void writeFile(const std::string& path, std::string_view content) {
-    const bool in_place = isDeviceOrPipe(path);
-    const std::string temporary = in_place ? path : path + ".part" + std::to_string(::getpid());
-    int error = writeAndClose(openFor(temporary, path), content);
-    if (error == 0 && !in_place && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-    if (error == 0) return;
-    if (!in_place) ::unlink(temporary.c_str());
+    refuseInput("", path);
+    if (isDeviceOrPipe(path)) return writeInPlace(path, content);
+    const std::string target = behindLinks(path);
+    std::string temporary;
+    const int file = openTemporary(target, temporary);
+    if (file < 0) throw FileRefused(path, "cannot be opened for writing", errno);
+    int error = writeAndClose(file, content);
+    if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
+    if (error == 0) return formats::syncFolderOf(target);
+    ::unlink(temporary.c_str());
     throw FileRefused(path, "cannot be written", error);
 }
 

@@ -159,6 +159,8 @@ int runBatch(const BatchOptions& options) {
                           [&](const BatchProgress& p) { printer.show(shownProgress(p)); }};
     const BatchProgress progress = job.size() > 1 ? job.serve(batch) : work(batch);
     printer.finish();
+    if (const int error = store.sync(); error != 0)
+        throw FileRefused(store.resultsPath(), "cannot be written", error);
     const Tally tally{shardRuns(store, shard), store.doneCount(), store.failedCount(), progress.done,
                       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()};
     if (shard.whole()) writeReport(options.folder, readStored(options.folder), options.common);

@@ -40,9 +40,12 @@ StoredBatch merged(const std::vector<std::string>& folders) {
 }
 
 int merge(const MergeOptions& options) {
-    const StoredBatch all = merged(options.folders);
     const std::string folder = options.output.empty() ? options.folders.front() : options.output;
-    makeFolder(folder);
+    if (!options.output.empty()) makeFolder(folder);
+    readStored(options.folders.front());  // a folder that is none is told before a lock is put into it
+    const AloneIn alone(folder);          // rows that come after they were read would be lost
+    const StoredBatch all = merged(options.folders);
+    refuseToReplaceOther(folder, all.info);
     std::vector<std::uint64_t> runs;
     for (const auto& entry : all.lines) runs.push_back(entry.first);
     std::sort(runs.begin(), runs.end());

@@ -84,7 +84,7 @@ int runScenario(const RunOptions& options) {
     if (options.scenario.empty() == options.resume.empty())
         throw BadInput(Error{"SCENARIO", "give either a scenario or --resume FILE, which brings its own"});
     std::optional<Resumed> resumed;
-    if (!options.resume.empty()) resumed = readResumed(options);
+    if (!options.resume.empty()) resumed.emplace(readResumed(options));
     const formats::Scenario scenario =
         resumed ? resumed->scenario : loadScenario(options.scenario, options.common);
     RunRecorder recorder(options, scenario, resumed ? &*resumed : nullptr);

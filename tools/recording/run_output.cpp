@@ -1,9 +1,15 @@
 #include "recording/run_output.h"
 
+#include <fcntl.h>
+#include <sys/sendfile.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <filesystem>
 
 #include "cli/failures.h"
 #include "cli/json.h"
+#include "cli/outputs.h"
 #include "cli/provenance.h"
 #include "cli/signals.h"
 #include "cli/text.h"
@@ -25,10 +31,6 @@ bool isHistory(const std::string& path) { return path.ends_with(".csv"); }
 
 /// What is finished, or of another kind, is only replaced when the user says so.
 void refuseToOverwrite(const RunOptions& options) {
-    std::error_code absent;
-    if (!options.scenario.empty() && std::filesystem::equivalent(options.output, options.scenario, absent))
-        throw BadInput(
-            Error{options.output_option, "is the scenario itself; choose another file", options.output});
     if (options.force) return;
     bool finished = false, foreign = false;
     const char* kind = isHistory(options.output) ? "history" : "snapshot file";
@@ -59,16 +61,43 @@ void noteOtherBuild(const RunOptions& options, const BuildInfo& then) {
                              "): the run goes on, but not to the same bits");
 }
 
-void copyFile(const std::string& from, const std::string& to) {
-    std::error_code error;
-    std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error);
-    if (error) throw FileRefused(to, "cannot be written", error.value());
+/// Into a file that is held already, so that nobody writes to it meanwhile. 0, or an errno.
+int copyInto(const formats::OutputFile& target, int source) {
+    constexpr std::size_t kStretch = std::size_t{1} << 26;  // [bytes]
+    if (::ftruncate(target.file(), 0) != 0) return errno;
+    while (true) {
+        const ssize_t count = ::sendfile(target.file(), source, nullptr, kStretch);
+        if (count == 0) return 0;
+        if (count < 0 && errno != EINTR) return errno;
+    }
+}
+
+void copyFile(const std::string& from, const formats::OutputFile& to) {
+    const int source = ::open(from.c_str(), O_RDONLY | O_CLOEXEC);
+    if (source < 0) throw FileRefused(from, "cannot be opened", errno);
+    const int error = copyInto(to, source);
+    ::close(source);
+    if (error != 0) throw FileRefused(to.path(), "cannot be written", error);
+}
+
+bool inPlace(const RunOptions& options) {
+    std::error_code absent;
+    return options.output.empty() || std::filesystem::equivalent(options.output, options.resume, absent);
+}
+
+formats::SnapshotWriter continued(formats::OutputFile file, std::size_t full) {
+    auto writer = formats::SnapshotWriter::continueFile(std::move(file), full);
+    throwIfRefused(writer.errors());
+    return std::move(*writer);
 }
 
 }  // namespace
 
 Resumed readResumed(const RunOptions& options) {
+    std::optional<Result<formats::OutputFile>> held;  // before it is read: nobody may change it any more
+    if (inPlace(options)) held.emplace(formats::OutputFile::openExisting(options.resume));
     auto reader = valueOf(formats::SnapshotReader::open(options.resume));
+    if (held) throwIfRefused(held->errors());
     if (options.output.empty() && reader.end() && reader.end()->ended == "finished")
         throw BadInput(
             Error{"--resume", "holds a finished run: there is nothing left to do", options.resume});
@@ -79,22 +108,33 @@ Resumed readResumed(const RunOptions& options) {
     for (std::size_t k = reader.fulls(); k-- > 0;) {
         auto full = reader.full(k);
         if (!full) continue;
-        return {valueOf(formats::parseScenario(header.scenario_text, header.scenario_path)), std::move(*full),
-                k, header.frames_per_full};
+        Resumed resumed{valueOf(formats::parseScenario(header.scenario_text, header.scenario_path)),
+                        std::move(*full), k, header.frames_per_full, std::nullopt};
+        if (held) resumed.file.emplace(std::move(**held));
+        return resumed;
     }
     throw BadInput(
         Error{"--resume", "holds no full state to go on from; run the scenario anew", options.resume});
 }
 
-RunRecorder::RunRecorder(const RunOptions& options, const formats::Scenario& scenario, const Resumed* resumed)
+RunRecorder::RunRecorder(const RunOptions& options, const formats::Scenario& scenario, Resumed* resumed)
     : options_(options),
       scenario_(scenario),
       frames_per_full_(resumed != nullptr ? resumed->frames_per_full : options.frames_per_full),
       resumed_(resumed != nullptr) {
     if (options.output.empty() && !resumed_) {
         note(options.common, "note: without -o FILE nothing is written");
-    } else if (isHistory(options.output)) {
+        return;
+    }
+    const bool in_place = resumed_ && inPlace(options);
+    if (!in_place) {
+        requireEnding(options.output_option, options.output, {".mcap", ".csv"});
+        refuseInput(options.output_option, options.output);
+    }
+    if (isHistory(options.output)) {
         openHistory();
+    } else if (in_place) {
+        snapshots_.emplace(continued(std::move(*resumed->file), resumed->full));
     } else {
         openSnapshots(resumed);
     }
@@ -106,25 +146,21 @@ void RunRecorder::openHistory() {
                              "is a CSV table, which would lack the time before; allowed with --resume: a "
                              ".mcap file",
                              options_.output});
+    formats::OutputFile file = takeOutput(options_.common, options_.output);
     refuseToOverwrite(options_);
-    auto writer = formats::HistoryWriter::open(
-        options_.output, provenanceComments(options_.common, scenario_.path), scenario_.model.run.watch);
-    throwIfRefused(writer.errors());
-    history_.emplace(std::move(*writer));
+    history_.emplace(std::move(file), provenanceComments(options_.common, scenario_.path),
+                     scenario_.model.run.watch);
 }
 
 void RunRecorder::openSnapshots(const Resumed* resumed) {
-    std::error_code absent;
-    const bool in_place =
-        resumed != nullptr &&
-        (options_.output.empty() || std::filesystem::equivalent(options_.output, options_.resume, absent));
-    if (!in_place) refuseToOverwrite(options_);
-    if (resumed != nullptr && !in_place) copyFile(options_.resume, options_.output);
-    auto writer = resumed == nullptr ? formats::SnapshotWriter::open(options_.output)
-                                     : formats::SnapshotWriter::continueFile(
-                                           in_place ? options_.resume : options_.output, resumed->full);
-    throwIfRefused(writer.errors());
-    snapshots_.emplace(std::move(*writer));
+    formats::OutputFile file = takeOutput(options_.common, options_.output);
+    refuseToOverwrite(options_);
+    if (resumed == nullptr) {
+        snapshots_.emplace(formats::SnapshotWriter::begin(std::move(file)));
+    } else {
+        copyFile(options_.resume, file);
+        snapshots_.emplace(continued(std::move(file), resumed->full));
+    }
 }
 
 void RunRecorder::recordRow(const HistoryRecord& row) {

@@ -28,6 +28,7 @@ struct Resumed {
     FullFrame from;
     std::size_t full = 0;  ///< index of that state in its file
     int frames_per_full = 0;
+    std::optional<formats::OutputFile> file;  ///< held for writing, when the run goes on in place
 };
 
 /// Reads the file of --resume. Throws BadInput.
@@ -37,7 +38,8 @@ Resumed readResumed(const RunOptions& options);
 /// the file system says no; a refusal while the run goes on ends it, and finish() throws.
 class RunRecorder {
  public:
-    RunRecorder(const RunOptions& options, const formats::Scenario& scenario, const Resumed* resumed);
+    /// `resumed` hands over its file.
+    RunRecorder(const RunOptions& options, const formats::Scenario& scenario, Resumed* resumed);
 
     /// For run(); the recorder must outlive it. `failure` goes into the header of a run that a search keeps.
     RunOutput output(std::optional<formats::SnapshotFailure> failure = std::nullopt);

@@ -9,7 +9,8 @@
 
 namespace talus::tools {
 
-/// Quoted when it holds a comma, a quote or a line break; line breaks become spaces.
+/// Quoted when it holds a comma, a quote or a line break; line breaks become spaces. What a spreadsheet would take for a
+/// formula (it begins with =, +, - or @ and is no number) gets an apostrophe in front, which csvFields takes off again.
 std::string csvField(std::string_view field);
 
 std::string csvLine(const std::vector<std::string>& fields);  ///< with its line feed

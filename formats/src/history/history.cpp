@@ -1,13 +1,11 @@
 #include "talus/formats/history.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <fstream>
 #include <utility>
 
@@ -34,7 +32,10 @@ void appendNumbers(std::string& line, const Vec3& values) {
 
 /// A block's name followed by a quantity, quoted where CSV needs it.
 std::string columnName(const std::string& block, const char* quantity) {
-    const std::string name = block + "." + quantity;
+    // An apostrophe keeps spreadsheets from taking a name for a formula.
+    const bool formula =
+        !block.empty() && std::string_view("=+-@\t").find(block.front()) != std::string_view::npos;
+    const std::string name = (formula ? "'" : "") + block + "." + quantity;
     if (name.find_first_of(",\"\n") == std::string::npos) return name;
     std::string quoted = "\"";
     for (const char c : name) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -63,50 +64,28 @@ HistoryFile inspectHistory(const std::string& path) {
     return last.starts_with(kLastLine) ? HistoryFile::finished : HistoryFile::unfinished;
 }
 
+HistoryWriter::HistoryWriter(OutputFile file, std::string comments, std::vector<std::string> watch)
+    : file_(std::move(file)), comments_(std::move(comments)), watch_(std::move(watch)) {}
+
 Result<HistoryWriter> HistoryWriter::open(const std::string& path, std::string comments,
                                           std::vector<std::string> watch) {
-    constexpr int kMode = 0666;  // the user's umask decides
-    int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
-    const bool created = file >= 0;
-    if (!created && errno == EEXIST) file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (file < 0) return Error{path, std::string("cannot be opened for writing: ") + std::strerror(errno)};
-    return HistoryWriter(file, created, path, std::move(comments), std::move(watch));
-}
-
-HistoryWriter::HistoryWriter(int file, bool created, std::string path, std::string comments,
-                             std::vector<std::string> watch)
-    : file_(file),
-      created_(created),
-      path_(std::move(path)),
-      comments_(std::move(comments)),
-      watch_(std::move(watch)) {}
-
-HistoryWriter::HistoryWriter(HistoryWriter&& other) noexcept
-    : file_(std::exchange(other.file_, -1)),
-      created_(other.created_),
-      started_(other.started_),
-      failed_(other.failed_),
-      path_(std::move(other.path_)),
-      comments_(std::move(other.comments_)),
-      watch_(std::move(other.watch_)) {}
-
-HistoryWriter::~HistoryWriter() {
-    if (file_ < 0) return;
-    ::close(file_);
-    if (created_ && !started_) ::unlink(path_.c_str());
+    auto file = OutputFile::open(path);
+    if (!file) return file.errors();
+    return HistoryWriter(std::move(*file), std::move(comments), std::move(watch));
 }
 
 std::vector<Error> HistoryWriter::write(const HistoryRecord& record) {
     if (failed_) return {};
     if (std::exchange(started_, true)) return append(row(record));
-    if (isRegular(file_) && ::ftruncate(file_, 0) != 0) return refusal("cannot be emptied", errno);
+    if (isRegular(file_.file()) && ::ftruncate(file_.file(), 0) != 0) return refusal(writeRefusal(errno));
     return append(head() + row(record));
 }
 
 std::vector<Error> HistoryWriter::finish(std::string_view how) {
     if (failed_ || !started_) return {};
     std::vector<Error> errors = append(std::string(kLastLine) + std::string(how) + "\n");
-    if (::close(std::exchange(file_, -1)) != 0 && errors.empty()) errors = refusal("cannot be closed", errno);
+    if (const int error = errors.empty() ? file_.sync() : 0; error != 0)
+        errors = refusal(writeRefusal(error));
     return errors;
 }
 
@@ -143,19 +122,19 @@ std::string HistoryWriter::row(const HistoryRecord& record) const {
 
 std::vector<Error> HistoryWriter::append(std::string_view text) {
     while (!text.empty()) {
-        const ssize_t written = ::write(file_, text.data(), text.size());
+        const ssize_t written = ::write(file_.file(), text.data(), text.size());
         if (written >= 0) {
             text.remove_prefix(static_cast<std::size_t>(written));
         } else if (errno != EINTR) {
-            return refusal("cannot be written", errno);
+            return refusal(writeRefusal(errno));
         }
     }
     return {};
 }
 
-std::vector<Error> HistoryWriter::refusal(const char* doing, int error_number) {
+std::vector<Error> HistoryWriter::refusal(std::string why) {
     failed_ = true;
-    return {Error{path_, std::string(doing) + ": " + std::strerror(error_number)}};
+    return {Error{file_.path(), std::move(why)}};
 }
 
 }  // namespace talus::formats

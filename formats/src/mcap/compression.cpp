@@ -11,9 +11,22 @@ namespace {
 
 constexpr int kLevel = 1;  // doubles hardly shrink further at higher levels, which take several times as long
 
+// Coordinates shrink by some ten per cent, blocks that have not moved yet to nothing: a frame of a million of them is 36 MB
+// of zeros. What claims more than both together was made to fill the memory.
+constexpr std::uint64_t kMostOfLittle = std::uint64_t{64} << 20;  // [bytes]
+constexpr std::uint64_t kMostRatio = 1024;
+
+bool isPlausible(View bytes, std::uint64_t size) { return size <= kMostOfLittle + kMostRatio * bytes.size; }
+
+/// The frame's own head says nothing else; one that says nothing is believed until its bytes come.
+bool headAgrees(View bytes, std::uint64_t size) {
+    const unsigned long long said = ZSTD_getFrameContentSize(bytes.data, bytes.size);
+    return said == ZSTD_CONTENTSIZE_UNKNOWN || said == size;
+}
+
 bool decompressZstd(View bytes, std::uint64_t size, Bytes& out) {
     const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
-    if (!context) return false;
+    if (!context || !isPlausible(bytes, size) || !headAgrees(bytes, size)) return false;
     ZSTD_inBuffer in{bytes.data, bytes.size, 0};
     const std::size_t step = ZSTD_DStreamOutSize();
     std::size_t done = 0, left = 1;

@@ -22,6 +22,9 @@ void addFault(std::vector<std::string>& faults, std::string fault) {
     if (faults.size() < kMostFaults) faults.push_back(std::move(fault));
 }
 
+/// A scan unpacks every chunk, once: no more in all than a file of this size can mean.
+std::uint64_t mostUnpacked(std::uint64_t file_size) { return (std::uint64_t{1} << 30) + 256 * file_size; }
+
 /// Each message costs its file at least an index entry, so a false index cannot name more of them than this.
 std::size_t mostPlaces(std::uint64_t file_size) { return static_cast<std::size_t>(file_size / 16 + 16); }
 
@@ -241,7 +244,15 @@ void Reader::scanChunk(View content, std::uint64_t offset) {
     Bytes records;
     index.offset = offset;
     index.length = kRecordHead + content.size;
-    if (!decodeChunkHead(content, index, crc, head) || !unpack(content, index, crc, head, records)) {
+    const bool has_head = decodeChunkHead(content, index, crc, head);
+    const std::uint64_t room = mostUnpacked(source_.size()) - unpacked_;
+    if (has_head && index.uncompressed_size > room) {
+        addFault(faults_, "the chunk at byte " + std::to_string(offset) +
+                              " is not read: its file unpacks to more than one of its size can hold");
+        return;
+    }
+    unpacked_ += has_head ? index.uncompressed_size : 0;
+    if (!has_head || !unpack(content, index, crc, head, records)) {
         addFault(faults_,
                  "the chunk at byte " + std::to_string(offset) + " is damaged; its frames are missing");
         return;

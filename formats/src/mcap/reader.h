@@ -90,6 +90,7 @@ class Reader {
     std::vector<std::string> faults_;
     bool finished_ = false;
     std::uint64_t whole_size_ = 0;
+    std::uint64_t unpacked_ = 0;  ///< by the scan so far [bytes]
     std::optional<std::size_t> loaded_;
     Bytes chunk_;
 };

@@ -8,6 +8,7 @@
 #include "mcap/reader.h"
 #include "snapshot/convert.h"
 #include "snapshot/layout.h"
+#include "talus/formats/inputs.h"
 #include "talus/formats/snapshot.h"
 
 namespace talus::formats {
@@ -147,8 +148,11 @@ Result<SnapshotReader> openWith(Result<mcap::Source> source, const std::string& 
 }  // namespace
 
 Result<SnapshotReader> SnapshotReader::open(const std::string& path, std::uint64_t most) {
-    return openWith<File>(mcap::Source::open(path), path, most,
-                          [](auto file) { return SnapshotReader(std::move(file)); });
+    rememberInput(path);
+    auto reader = openWith<File>(mcap::Source::open(path), path, most,
+                                 [](auto file) { return SnapshotReader(std::move(file)); });
+    if (reader) rememberInput(reader->header().scenario_path);
+    return reader;
 }
 
 Result<SnapshotReader> SnapshotReader::parse(const std::uint8_t* data, std::size_t size,

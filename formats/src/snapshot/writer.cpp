@@ -1,15 +1,12 @@
 // The thread that writes a run's frames, and the bounded queue before it.
 
 #include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <condition_variable>
-#include <cstring>
 #include <deque>
 #include <mutex>
 #include <optional>
@@ -60,15 +57,12 @@ mcap::Metadata metadataOf(const SnapshotEnd& end) {
 }  // namespace
 
 struct SnapshotWriter::Work {
-    Work(std::string file_path, int file, bool was_created, mcap::Written written)
-        : path(std::move(file_path)),
-          created(was_created),
+    // The container closes what it writes to; the lock stays with the other descriptor of the same open file.
+    Work(OutputFile output, mcap::Written written)
+        : target(std::move(output)),
           begun(written.size > 0),
-          mcap(file, std::move(written)) {}
-    ~Work() {
-        stop();
-        if (created && !begun) ::unlink(path.c_str());
-    }
+          mcap(::fcntl(target.file(), F_DUPFD_CLOEXEC, 0), std::move(written)) {}
+    ~Work() { stop(); }
 
     void push(Item item);
     void stop();
@@ -76,8 +70,8 @@ struct SnapshotWriter::Work {
     int write(Item& item);
     int begin(SnapshotHeader header);
 
-    std::string path;
-    bool created, begun;
+    OutputFile target;
+    bool begun;
     mcap::Writer mcap;  // the thread's alone while it runs
 
     std::mutex mutex;
@@ -178,16 +172,18 @@ int SnapshotWriter::Work::begin(SnapshotHeader header) {
     return mcap.flush();
 }
 
-Result<SnapshotWriter> SnapshotWriter::open(const std::string& path) {
-    constexpr int kMode = 0666;  // the user's umask decides
-    int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
-    const bool created = file >= 0;
-    if (!created && errno == EEXIST) file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (file < 0) return Error{path, std::string("cannot be opened for writing: ") + std::strerror(errno)};
-    return SnapshotWriter(std::make_unique<Work>(path, file, created, mcap::Written{}));
+SnapshotWriter SnapshotWriter::begin(OutputFile file) {
+    return SnapshotWriter(std::make_unique<Work>(std::move(file), mcap::Written{}));
 }
 
-Result<SnapshotWriter> SnapshotWriter::continueFile(const std::string& path, std::size_t full) {
+Result<SnapshotWriter> SnapshotWriter::open(const std::string& path) {
+    auto file = OutputFile::open(path);
+    if (!file) return file.errors();
+    return begin(std::move(*file));
+}
+
+Result<SnapshotWriter> SnapshotWriter::continueFile(OutputFile file, std::size_t full) {
+    const std::string path = file.path();
     auto source = mcap::Source::open(path);
     if (!source) return source.errors();
     auto reader = mcap::Reader::open(std::move(*source), path, SnapshotReader::kMostChunkBytes);
@@ -200,10 +196,7 @@ Result<SnapshotWriter> SnapshotWriter::continueFile(const std::string& path, std
         if (place.channel != kFullChannel || last_light != place.time || seen++ != full) continue;
         auto written = reader->prefix(place.chunk + 1);
         if (!written) return written.errors();
-        const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-        if (file < 0)
-            return Error{path, std::string("cannot be opened for writing: ") + std::strerror(errno)};
-        return SnapshotWriter(std::make_unique<Work>(path, file, false, std::move(*written)));
+        return SnapshotWriter(std::make_unique<Work>(std::move(file), std::move(*written)));
     }
     return Error{"", "holds no full state to go on from", path};
 }
@@ -222,11 +215,12 @@ std::vector<Error> SnapshotWriter::finish(const SnapshotEnd& end) {
     if (refused == 0 && work_->begun)
         refused = work_->mcap.addMetadata(std::string(kEndName), metadataOf(end));
     if (refused == 0 && work_->begun) refused = work_->mcap.finish();
-    work_->refused = refused;
+    const std::string& path = work_->target.path();
     if (work_->too_large)
-        return {Error{work_->path, "a full state of this model is beyond the 2 GB that a snapshot can hold"}};
-    if (refused != 0)
-        return {Error{work_->path, std::string("cannot be written: ") + std::strerror(refused)}};
+        return {Error{path, "a full state of this model is beyond the 2 GB that a snapshot can hold"}};
+    if (refused == 0 && work_->begun) refused = work_->target.sync();
+    work_->refused = refused;
+    if (refused != 0) return {Error{path, writeRefusal(refused)}};
     return {};
 }
 

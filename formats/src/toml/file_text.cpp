@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "talus/formats/inputs.h"
+
 namespace talus::formats::toml {
 
 namespace {
@@ -24,6 +26,7 @@ Result<std::string> readFileText(const std::string& path) {
     errno = 0;
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) return fileError(path, std::string("cannot be opened: ") + std::strerror(errno));
+    rememberInput(path);
     std::string text;
     std::array<char, 1 << 16> chunk;
     // Counted while reading: devices and pipes do not tell their size.

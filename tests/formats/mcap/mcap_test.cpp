@@ -80,6 +80,14 @@ TEST_CASE("compression gives back its bytes, and refuses every other size") {
     CHECK_FALSE(decompress("lz4", packed, bytes.size(), out));
     CHECK_FALSE(decompress("zstd", View(packed.data(), packed.size() / 2), bytes.size(), out));
     CHECK(decompress("zstd", compress({}), 0, out));
+    // Little that claims to be much: refused by its head, before any memory is taken.
+    const Bytes zeros(std::size_t{200} << 20), bomb = compress(zeros);
+    REQUIRE(bomb.size() < 100'000);
+    Bytes none;
+    CHECK_FALSE(decompress("zstd", bomb, zeros.size(), none));
+    CHECK(none.capacity() == 0);
+    const Bytes resting(std::size_t{36} << 20);  // a million blocks that have not moved
+    CHECK(decompress("zstd", compress(resting), resting.size(), out));
 }
 
 TEST_CASE("a finished file is read by its index") {

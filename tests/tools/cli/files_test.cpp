@@ -22,6 +22,16 @@ TEST_CASE("a file is written and replaced, and nothing else is left beside it") 
     CHECK(folder.files() == 1);
 }
 
+TEST_CASE("a link stays a link: what it leads to is written") {
+    const TemporaryFolder folder;
+    folder.write("a.txt", "one");
+    std::filesystem::create_symlink(folder / "a.txt", folder / "link.txt");
+    writeFile(folder / "link.txt", "two");
+    CHECK(contentOf(folder / "a.txt") == "two");
+    CHECK(std::filesystem::is_symlink(folder / "link.txt"));
+    CHECK(folder.files() == 2);
+}
+
 TEST_CASE("refusals of the file system are thrown with path and reason") {
     const TemporaryFolder folder;
     CHECK_THROWS_AS(writeFile(folder / "no/folder.txt", "text"), FileRefused);

@@ -301,4 +301,40 @@ TEST_CASE("--plan counts and computes nothing") {
     CHECK(runTalus({"batch", batch.path}).exit_code == 2);
 }
 
+TEST_CASE("a foreign results.csv is left as it is, its torn last line too") {
+    const BatchFolder batch(kGrid);
+    std::filesystem::create_directory(batch.out());
+    const std::string foreign = "depth,result\n1.0,ok\n2.0,tor";
+    const std::string path = batch.folder.write("out/results.csv", foreign);
+    const Outcome outcome = batch.run();
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("no table of this sweep's results") != std::string::npos);
+    CHECK(contentOf(path) == foreign);
+    CHECK_FALSE(std::filesystem::exists(batch.out() + "/batch.json"));
+}
+
+TEST_CASE("a merge does not replace results that others are still adding to, nor those of others") {
+    const BatchFolder batch(draws(100000));
+    Program program(batch.command());
+    REQUIRE(waitFor([&] {
+        return std::filesystem::exists(batch.out() + "/results.csv") &&
+               contentOf(batch.out() + "/results.csv").size() > 1000;
+    }));
+    CHECK(runTalus({"merge", batch.out()}).exit_code == 4);
+    program.signal(SIGINT);
+    CHECK(program.outcome().exit_code == 130);
+    std::filesystem::create_directory(batch.folder / "other");
+    const std::string foreign = batch.folder.write("other/results.csv", "a,b\n1,2\n");
+    CHECK(runTalus({"merge", batch.out(), "-o", batch.folder / "other"}).exit_code == 2);
+    CHECK(contentOf(foreign) == "a,b\n1,2\n");
+}
+
+TEST_CASE("a batch whose folder is removed says so") {
+    const BatchFolder batch(draws(100000));
+    Program program(batch.command());
+    REQUIRE(waitFor([&] { return std::filesystem::exists(batch.out() + "/results.csv"); }));
+    std::filesystem::remove_all(batch.out());
+    CHECK(program.outcome().exit_code == 4);
+}
+
 }  // namespace talus::tools::testing

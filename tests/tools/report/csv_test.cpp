@@ -16,6 +16,17 @@ TEST_CASE("CSV fields are quoted when they have to be") {
     CHECK(csvField("two\nlines") == "\"two lines\"");
 }
 
+TEST_CASE("a name that a spreadsheet would compute is text, and reads back as it was") {
+    CHECK(csvField("=cmd|' /C calc'!A0") == "'=cmd|' /C calc'!A0");
+    CHECK(csvField("@SUM(1,2)") == "\"'@SUM(1,2)\"");
+    CHECK(csvField("-1.5e-3") == "-1.5e-3");
+    const std::vector<std::string> fields = {"=1+1", "'=1+1", "''-x",    "+a", "-b",
+                                             "@c",   "-1.5",  "'quoted", "'"};
+    std::string line = csvLine(fields);
+    line.pop_back();
+    CHECK(csvFields(line) == fields);
+}
+
 TEST_CASE("a line of CSV reads back as its fields") {
     const std::vector<std::string> fields = {"", "a,b", "say \"x\"", "\"", "plain", ""};
     std::string line = csvLine(fields);

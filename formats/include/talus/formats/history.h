@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "talus/formats/output_file.h"
 #include "talus/result.h"
 #include "talus/simulation.h"
 
@@ -18,32 +19,28 @@ HistoryFile inspectHistory(const std::string& path);
 
 class HistoryWriter {
  public:
-    /// Opens the file for writing, without touching what is in it: that goes with the first record. `comments` are
-    /// whole lines starting with '#'; `watch` are the blocks every record will report, in this order.
+    /// Without touching what is in the file: that goes with the first record. `comments` are whole lines starting with
+    /// '#'; `watch` are the blocks every record will report, in this order.
+    HistoryWriter(OutputFile file, std::string comments, std::vector<std::string> watch);
+    /// The same. Errors: those of OutputFile.
     static Result<HistoryWriter> open(const std::string& path, std::string comments,
                                       std::vector<std::string> watch);
-
-    HistoryWriter(HistoryWriter&& other) noexcept;
-    HistoryWriter& operator=(HistoryWriter&&) = delete;
-    ~HistoryWriter();  ///< an opened file that got no record is as it was before
 
     /// Errors: the file system's refusal, with path and reason. After the first one nothing more is written.
     std::vector<Error> write(const HistoryRecord& record);
 
-    /// Adds the last line ("# end: finished") and closes.
+    /// Adds the last line ("# end: finished") and brings all to the disk.
     std::vector<Error> finish(std::string_view how);
 
  private:
-    HistoryWriter(int file, bool created, std::string path, std::string comments,
-                  std::vector<std::string> watch);
     std::string head() const;
     std::string row(const HistoryRecord& record) const;
     std::vector<Error> append(std::string_view text);
-    std::vector<Error> refusal(const char* doing, int error_number);
+    std::vector<Error> refusal(std::string why);
 
-    int file_ = -1;
-    bool created_ = false, started_ = false, failed_ = false;
-    std::string path_, comments_;
+    OutputFile file_;
+    bool started_ = false, failed_ = false;
+    std::string comments_;
     std::vector<std::string> watch_;
 };
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "talus/build_info.h"
+#include "talus/formats/output_file.h"
 #include "talus/formats/scenario.h"
 #include "talus/frame.h"
 #include "talus/result.h"
@@ -78,13 +79,14 @@ SnapshotFile inspectSnapshot(const std::string& path);
 /// or after a second: that is the most a killed run loses.
 class SnapshotWriter {
  public:
-    /// Opens the file for writing, without touching what is in it: that goes with the header. Errors: the file
-    /// system's refusal.
+    /// Writes a new run, without touching what is in the file: that goes with the header.
+    static SnapshotWriter begin(OutputFile file);
+    /// The same. Errors: those of OutputFile.
     static Result<SnapshotWriter> open(const std::string& path);
 
     /// Goes on behind a full state of an unfinished or finished file: what follows it is cut off with the first frame.
-    /// Errors: a file that holds no such state or cannot be opened for writing.
-    static Result<SnapshotWriter> continueFile(const std::string& path, std::size_t full);
+    /// Errors: a file that holds no such state.
+    static Result<SnapshotWriter> continueFile(OutputFile file, std::size_t full);
 
     SnapshotWriter(SnapshotWriter&&) noexcept;
     SnapshotWriter& operator=(SnapshotWriter&&) = delete;
@@ -94,7 +96,8 @@ class SnapshotWriter {
     void write(LightFrame frame);
     void write(FullFrame frame);
 
-    /// Writes what is queued, how the run ended, and the index. Errors: the first refusal of the file system.
+    /// Writes what is queued, how the run ended, and the index, and brings all of it to the disk. Errors: the first
+    /// refusal of the file system; the file is not at its path any more.
     std::vector<Error> finish(const SnapshotEnd& end);
 
     bool failed() const;  ///< the file system has refused: nothing more is written

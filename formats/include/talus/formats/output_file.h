@@ -1,0 +1,50 @@
+#pragma once
+// A file that is written while a computation goes on, by one process at a time: snapshots and histories.
+
+#include <string>
+#include <vector>
+
+#include "talus/formats/locks.h"
+#include "talus/result.h"
+
+namespace talus::formats {
+
+/// An output file that is open for writing and locked. What was in it stays until somebody writes; a file that was made
+/// here and got nothing is taken away again. Devices and pipes are neither locked nor taken away.
+class OutputFile {
+ public:
+    /// Errors (with the path as their field): the file system's refusal; another process is writing the file.
+    static Result<OutputFile> open(const std::string& path);
+    static Result<OutputFile> openExisting(const std::string& path);  ///< the same, but makes none
+
+    OutputFile(OutputFile&& other) noexcept;
+    OutputFile& operator=(OutputFile&&) = delete;
+    ~OutputFile();
+
+    int file() const { return file_; }
+    const std::string& path() const { return path_; }
+    LockReach lockReach() const { return reach_; }
+
+    /// Brings to the disk what was written, the folder's entry too. 0, or an errno; ENOENT when the file is not at its
+    /// path any more, because somebody has removed or replaced it or its folder.
+    int sync() const;
+
+ private:
+    OutputFile(int file, bool created, std::string path)
+        : file_(file), created_(created), path_(std::move(path)) {}
+    static Result<OutputFile> open(const std::string& path, bool may_create);
+    bool isAtItsPath() const;
+
+    int file_ = -1;
+    bool created_ = false;
+    LockReach reach_ = LockReach::every_machine;
+    std::string path_;
+};
+
+/// Brings the entries of the folder this path is in to the disk, as far as the file system lets it.
+void syncFolderOf(const std::string& path);
+
+/// What an errno of OutputFile::sync or of writing means: "cannot be written: No space left on device".
+std::string writeRefusal(int error);
+
+}  // namespace talus::formats
