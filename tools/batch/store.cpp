@@ -68,6 +68,8 @@ std::uint64_t sizeOf(int file, const std::string& path) {
 
 /// What is in a file is these results, or the beginning of their first line that a killed process left.
 bool areResults(const std::string& path, const std::string& header) {
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(path, none)) return true;  // nothing there, or nothing that can be lost
     std::ifstream file(path, std::ios::binary);
     std::string start(header.size(), '\0');
     file.read(start.data(), static_cast<std::streamsize>(start.size()));
@@ -171,8 +173,9 @@ void Store::prepare() {
 void Store::openResults() {
     const std::string path = resultsPath();
     results_ = openFile(path, O_RDWR | O_APPEND | O_CREAT);
-    if (sizeOf(results_, path) >= csvHeader(info_).size()) return;
-    if (::ftruncate(results_, 0) != 0) throw FileRefused(path, "cannot be emptied", errno);
+    const std::uint64_t size = sizeOf(results_, path);
+    if (size >= csvHeader(info_).size()) return;
+    if (size > 0 && ::ftruncate(results_, 0) != 0) throw FileRefused(path, "cannot be emptied", errno);
     const std::string header = csvHeader(info_);
     if (::write(results_, header.data(), header.size()) != static_cast<ssize_t>(header.size())) {
         const int error = errno;
