@@ -168,6 +168,7 @@ TEST_SUITE("physics") {
     TEST_CASE(
         "a load's work is in the energy balance: a block on a soft floor under a force that comes at once") {
         Model model = floorModel(30, 1e7);
+        model.joints[0].cohesion = model.joints[0].tensile_strength = 1e9;  // no slip that would take energy
         addBox(model, "key", {0, 0, 0}, {1, 1, 0.2});
         model.loads = {{.kind = AppliedLoad::Kind::force,
                         .block = 1,
@@ -175,15 +176,16 @@ TEST_SUITE("physics") {
                         .point = Vec3(0.6, 0.4, 0.2),
                         .field = "load[0]"}};
         model.run.start = RunSettings::Start::unstressed;
-        model.run.duration = 0.2;
-        model.run.frame_interval = 0.005;
+        model.run.time_step = 1e-5;
+        model.run.duration = 0.1;
+        model.run.frame_interval = 0.001;
         const Recorded recorded = record(model);
         REQUIRE(recorded.result.ok());
         double moved = 0;
         for (const LightFrame& frame : recorded.lights) {
             const double total = frame.kinetic_energy + frame.elastic_energy + frame.gravity_energy;
             moved = std::max(moved, frame.elastic_energy);
-            CHECK(std::abs(total) < 2e-3 * (1e-12 + moved));
+            CHECK(std::abs(total) <= 1e-4 * moved);
         }
         CHECK(moved > 1e-3);
     }
