@@ -79,8 +79,8 @@ std::optional<TheoryFigure> theoryOfAcceleration(const Model& model) {
     still.seismic = {};
     still.analysis.start.reset();  // the question is about this tilt, not about where a search starts
     auto prediction = theory::predict(still);
-    if (!prediction || prediction->critical_tilt < model.gravity.tilt) return std::nullopt;
-    const double more = prediction->critical_tilt - model.gravity.tilt;
+    const double more = prediction ? prediction->critical_tilt - model.gravity.tilt : -1.0;
+    if (more < 0 || more >= 90 * kDegree) return std::nullopt;
     prediction->formula = "k = (1 - k_v) tan(beta_c - beta), beta_c from: " + prediction->formula;
     return TheoryFigure{(1 - seismic.vertical) * std::tan(more), std::move(*prediction)};
 }
