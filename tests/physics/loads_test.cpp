@@ -62,7 +62,6 @@ TEST_SUITE("physics") {
         "tan(phi) / ...") {
         const double b = radians(10);
         for (const auto& [k_h, k_v] : {std::pair{0.1, 0.0}, {0.2, 0.15}, {0.15, -0.2}}) {
-            CAPTURE(k_h);
             Model model = flatBlock(10);
             model.seismic.horizontal = k_h;
             model.seismic.vertical = k_v;
