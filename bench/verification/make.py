@@ -358,7 +358,41 @@ forces alone across the line of intersection; so joints are soft in shear here, 
           below("plane_a", [toe, end, corner_a], a[0]), below("plane_b", [toe, end, corner_b], b[0]))
 
 
+# --- earthquakes ---------------------------------------------------------------------------------------------------------
+
+def body(name):
+    """A scenario without the comment at its head."""
+    text = (FOLDER / f"{name}.toml").read_text()
+    return text[text.index("\n\n") + 2:]
+
+
+def trend(a, b):
+    """Clockwise from north: where the line of intersection of two planes (dip, dip direction) goes down [deg]."""
+    n, m = upward(*a), upward(*b)
+    x, y, z = (n[(k + 1) % 3] * m[(k + 2) % 3] - n[(k + 2) % 3] * m[(k + 1) % 3] for k in range(3))
+    return math.degrees(math.atan2(-x, -y) if z > 0 else math.atan2(x, y)) % 360
+
+
+def earthquakes():
+    for depth, factor, critical in ((0, 1.332, 0.2496), (2, 1.173, 0.1703)):
+        name = f"hoek-bray-crack-{depth}m-shaken"
+        write(name, f"""
+Plane failure with a tension crack as hoek-bray-crack-{depth}m.toml, with a horizontal pseudo-static coefficient of 0.08 towards the
+face. Limit equilibrium: factor of safety {factor:g}, critical coefficient {critical:g}; to be met within 1 %.
+  talus safety-factor bench/verification/{name}.toml
+  talus critical-acceleration bench/verification/{name}.toml""",
+              "[seismic]\nhorizontal = 0.08\n", body(f"hoek-bray-crack-{depth}m"))
+    down = trend((40, 130), (60, 220))
+    for coefficient, factor in ((0.05, 1.150), (0.1, 1.041), (0.2, 0.856)):
+        name = f"wedge-phi-40-shaken-{coefficient:g}"
+        write(name, f"""
+A wedge on two planes as wedge-phi-40.toml, with a horizontal pseudo-static coefficient of {coefficient:g} along the trend of the line
+of intersection. Wedge formula of limit equilibrium: factor of safety {factor:g}; to be met within 1 %.
+  talus safety-factor bench/verification/{name}.toml""",
+              f"[seismic]\nhorizontal = {coefficient:g}\ndirection_deg = {number(down)}\n", body("wedge-phi-40"))
+
+
 if __name__ == "__main__":
     for figure in (columns, arches, brick_walls, goodman_bray, alejano_alonso, barla_table, slabs, bilinear_slab,
-                   parallel_slabs, plane_blocks, large_slopes, wedge):
+                   parallel_slabs, plane_blocks, large_slopes, wedge, earthquakes):
         figure()

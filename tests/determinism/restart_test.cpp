@@ -92,6 +92,26 @@ TEST_SUITE("determinism") {
         checkRestarts(model, 7);
     }
 
+    TEST_CASE("restart: an earthquake, gravity askew, loads that grow on blocks that slide and turn") {
+        Model model = stackModel(3, 3, 1, 20, {0.2, 0.1, 0.1}, 1e8);
+        model.gravity.direction = Vec3(-0.2, 0.05, -1);
+        model.seismic = {.horizontal = 0.3, .azimuth = 4.5, .vertical = 0.1};
+        model.loads = {{.kind = AppliedLoad::Kind::force,
+                        .block = 3,
+                        .force = {-40, 5, 10},
+                        .point = Vec3(0, 0, 0.3),
+                        .factor = {{0, 0}, {0.05, 1}},
+                        .field = "load[0]"},
+                       {.kind = AppliedLoad::Kind::box,
+                        .pressure = 500,
+                        .box_min = {0.1, 0, 0.25},
+                        .box_max = {0.5, 1, 0.4},
+                        .field = "load[1]"}};
+        model.run.duration = 0.1;
+        model.run.frame_interval = 0.002;
+        checkRestarts(model, 9);
+    }
+
     TEST_CASE("restart: a slope wide enough to be cut among threads") {
         Model model = stackModel(12, 10, 13, 15, {0.2, 0.1, 0.1}, 1e8);
         model.gravity.tilt = radians(24);

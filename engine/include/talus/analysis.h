@@ -34,7 +34,7 @@ struct Control {
 enum class Varied : std::uint8_t {
     tilt,       ///< of gravity about y [rad]
     factor,     ///< by which tan(phi) and C, peak and residual, are divided
-    horizontal  ///< body force on free blocks over their weight, normal to gravity, towards -x (limit analysis)
+    horizontal  ///< k_h of a pseudo-static earthquake: level body force on free blocks over their weight
 };
 
 enum class SearchStatus { found, unstable_at_start, stable_to_stop, undecided, interrupted };
@@ -47,7 +47,7 @@ const char* toString(Verdict verdict);
 
 /// One probe of a search: the load was brought to `load`, then the assembly came to rest or did not.
 struct Probe {
-    double load = 0;  ///< tilt [rad], or factor of safety
+    double load = 0;  ///< tilt [rad], factor of safety, or seismic coefficient
     Verdict verdict = Verdict::undecided;
     std::int64_t steps = 0;
     std::int64_t factors = 0;   ///< factorisations of the implicit solve, where it was asked
@@ -71,7 +71,7 @@ struct BlockMotion {
 /// The assembly as it is let go at the end of a search; `runFailing` plays it on.
 struct FailingState {
     FullFrame state;
-    double load = 0;             ///< tilt [rad] or factor of safety, a few cells beyond the first failing one
+    double load = 0;             ///< as searched for, a few cells beyond the first failing one
     double contact_damping = 0;  ///< dashpots of the continuation, as `Damping::contact` [s]
     double block_size = 0;       ///< median of the blocks' smallest extents [m]
 };
@@ -84,9 +84,10 @@ struct BlockGroup {
 
 struct SearchResult {
     SearchStatus status = SearchStatus::undecided;
-    double answer = 0;  ///< midpoint of the bracket: tilt [rad] or factor of safety; valid when found
-    double low = 0;     ///< last stable load (or -infinity)
-    double high = 0;    ///< first failing load (or infinity)
+    double answer =
+        0;  ///< midpoint of the bracket: tilt [rad], factor of safety or seismic coefficient; valid when found
+    double low = 0;   ///< last stable load (or -infinity)
+    double high = 0;  ///< first failing load (or infinity)
     FailureMode mode = FailureMode::none;
     std::vector<std::string> moving_blocks;  ///< sorted
     std::vector<BlockMotion> motions;        ///< evidence, one per free block, in the order of the blocks
@@ -125,6 +126,10 @@ Result<SearchResult> criticalAngle(const Model& model, const Control& control = 
 /// Strength reduction (tan phi and C, peak and residual, over F) at the model's own tilt.
 Result<SearchResult> safetyFactor(const Model& model, const Control& control = {},
                                   const QuasiStatic& settings = {});
+
+/// The horizontal seismic coefficient, from the model's own upwards, at which the assembly first fails at its own tilt.
+Result<SearchResult> criticalAcceleration(const Model& model, const Control& control = {},
+                                          const QuasiStatic& settings = {});
 
 /// The model as if these blocks had been removed before the start: what joined or wetted only them goes with them.
 Model withoutBlocks(const Model& model, const std::vector<std::string>& names);

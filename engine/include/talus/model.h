@@ -48,9 +48,10 @@ struct WetFace {
     std::int32_t face = 0;
 };
 
+/// An entry of a table over time.
 struct LevelPoint {
     double time = 0;   ///< [s]
-    double value = 0;  ///< depth or elevation [m]
+    double value = 0;  ///< depth or elevation [m], or a load's factor
 };
 
 /// Water in one fissure. Hydrostatic below a horizontal table: p = rho_w g * (depth below the table along gravity).
@@ -85,6 +86,31 @@ struct PointRule {
 struct Gravity {
     double magnitude = 9.81;  ///< [m/s^2]
     double tilt = 0;          ///< about y, positive: downhill is -x [rad]
+    /// which way it pulls before it is tilted, of any length; default -z
+    std::optional<Vec3> direction{};
+};
+
+/// A pseudo-static earthquake: each free block feels these shares of its weight; water stays as it is.
+struct Seismic {
+    double horizontal = 0;                ///< k_h; a search for the critical one starts from it
+    double azimuth = 4.7123889803846897;  ///< the way it pushes, clockwise from +y [rad]
+    double vertical = 0;                  ///< k_v, against gravity
+};
+
+/// A force at a point of a block, a pressure on a face of one, or on whatever is free inside a box of faces that look a
+/// way within 60 degrees. It keeps the direction it has at the start and follows its point.
+struct AppliedLoad {
+    enum class Kind : std::uint8_t { force, face, box };
+    Kind kind = Kind::force;
+    std::int32_t block = 0;          ///< of `force` and `face`
+    Vec3 force = Vec3::Zero();       ///< of `force` [N]
+    std::optional<Vec3> point{};     ///< of `force`, at the start; default the block's centroid [m]
+    Vec3 direction = Vec3::UnitZ();  ///< which way the faces look
+    double pressure = 0;             ///< on them [Pa]
+    Vec3 box_min = Vec3::Zero(), box_max = Vec3::Zero();  ///< [m]
+    std::vector<LevelPoint> factor{};                     ///< over time; empty: 1
+    bool must_act = true;                                 ///< a box without a face is an error
+    std::string field{};                                  ///< "load[0]", for messages
 };
 
 /// Damping terms of eqs (3)-(4), and Cundall's local damping.
@@ -100,6 +126,7 @@ struct AnalysisSettings {
     double stop = 0.78539816339744831;         ///< [rad]
     double tolerance = 1.7453292519943296e-4;  ///< width of the bracket [rad]
     double factor_tolerance = 0.001;           ///< width of the bracket of a factor of safety
+    double acceleration_tolerance = 1e-4;      ///< width of the bracket of a seismic coefficient
     bool time_scaling = true;                  ///< inertia scaling in quasi-static work
 };
 
@@ -129,8 +156,10 @@ struct Model {
     std::vector<Block> blocks;
     std::vector<PairJoint> pair_joints;
     std::vector<Water> waters;
+    std::vector<AppliedLoad> loads;
     PointRule points;
     Gravity gravity;
+    Seismic seismic;
     Damping damping;
     AnalysisSettings analysis;
     RunSettings run;

@@ -20,11 +20,13 @@ struct TheoryFigure {
     theory::Prediction prediction;
 };
 
-/// Where a scenario says a number, and which that is of a model, in the scenario's unit.
+/// Where a scenario says a number, and which that is of a model, in the scenario's unit; nothing where such a scenario
+/// does not say it.
 struct ScenarioNumber {
     const char* section;
     const char* key;
-    double (*value)(const Model& model);
+    int element;  ///< of an array; -1: the number itself
+    std::optional<double> (*value)(const Model& model);
 };
 
 /// What an analysis varies, described once: how it is called, told, put on a model and written into a scenario. An entry of
@@ -43,9 +45,9 @@ struct VariedQuantity {
     /// By how much joints that give a little may stand above the limit of those that do not; a share of it, or in SI
     double give;
     bool give_is_share;
-    void (*apply)(Model& model, double value);  ///< nullptr where only limit analysis varies it
-    bool divides_strengths;                     ///< of all joints, wherever a scenario says one
-    std::span<const ScenarioNumber> written;    ///< else: what a scenario at such a load says
+    void (*apply)(Model& model, double value);
+    bool divides_strengths;                   ///< of all joints, wherever a scenario says one
+    std::span<const ScenarioNumber> written;  ///< else: what a scenario at such a load says
 };
 
 const VariedQuantity& quantityOf(Varied varied);

@@ -50,6 +50,12 @@ Model withoutBlocks(const Model& model, const std::vector<char>& gone) {
     left.waters.clear();
     for (Water water : model.waters)
         if (renumber(water, index)) left.waters.push_back(std::move(water));
+    left.loads.clear();
+    for (AppliedLoad load : model.loads) {
+        load.must_act = false;  // the faces in its box may have gone
+        if (load.kind == AppliedLoad::Kind::box || renumber(load.block, index))
+            left.loads.push_back(std::move(load));
+    }
     left.stack.reset();
     return left;
 }

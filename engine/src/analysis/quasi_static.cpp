@@ -78,7 +78,7 @@ struct ExternalLoad {
 
 ExternalLoad externalLoad(const State& state) {
     ExternalLoad load;
-    const Vec3 g = gravity(state);
+    const Vec3 g = bodyAcceleration(state);
     for (std::size_t b = 0; b < state.blocks.size(); ++b) load.force.push_back(appliedOn(state, b, g).force);
     return load;
 }
@@ -193,7 +193,7 @@ class DragTuner {
 
     void tune(State& state, const QuasiStaticWork& work) {
         double stiffness = 0, inertia = 0;
-        const Vec3 g = gravity(state);
+        const Vec3 g = bodyAcceleration(state);
         for (std::size_t b = 0; b < state.blocks.size(); ++b) {
             if (state.blocks.motion[b] != Motion::free) continue;
             const Vec3 u = state.blocks.position.get(b) - position_.get(b);
@@ -216,7 +216,7 @@ class DragTuner {
     void remember(const State& state) {
         position_ = state.blocks.position;
         force_.resize(state.blocks.size());
-        const Vec3 g = gravity(state);
+        const Vec3 g = bodyAcceleration(state);
         for (std::size_t b = 0; b < force_.size(); ++b) force_[b] = outOfBalance(state, b, g).force;
     }
 

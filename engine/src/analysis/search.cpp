@@ -1,4 +1,4 @@
-// Critical angle and factor of safety: one search over a load that only grows, each probe from the last stable state.
+// Critical angle, factor of safety and critical acceleration: one search over a load that only grows, each probe from the last stable state.
 
 #include <algorithm>
 #include <array>
@@ -706,6 +706,22 @@ Result<SearchResult> safetyFactor(const Model& model, const Control& control, co
     Result<SearchResult> result = search(model, axis, control, settings);
     if (result) addGroups(model, axis, control, settings, *result);
     return result;
+}
+
+Result<SearchResult> criticalAcceleration(const Model& model, const Control& control,
+                                          const QuasiStatic& settings) {
+    constexpr double kStep = 0.1;  // then twice as far on until it fails
+    constexpr int kDoublings = 10;
+    Axis axis;
+    axis.start = model.seismic.horizontal;
+    const std::int64_t cells = std::int64_t{1} << halvings(kStep, model.analysis.acceleration_tolerance);
+    axis.cell = kStep / static_cast<double>(cells);
+    axis.stop = ((std::int64_t{1} << kDoublings) - 1) * cells;
+    axis.imbalance_tolerance = axis.cell;  // out-of-balance force over weight changes like the coefficient
+    axis.next = [cells](std::int64_t cell) { return 2 * cell + cells; };
+    axis.apply = [](State& state, double horizontal) { state.load.horizontal = horizontal; };
+    axis.say = [](double horizontal) { return formatted("horizontal %.5f of the weight", horizontal); };
+    return search(model, axis, control, settings);
 }
 
 const char* toString(SearchStatus status) {

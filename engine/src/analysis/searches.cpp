@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+
+#include "model/gravity.h"
 
 namespace talus {
 
@@ -63,6 +66,25 @@ std::optional<TheoryFigure> theoryOfFactor(const Model& model) {
     return at_limit ? std::optional(TheoryFigure{high, *prediction}) : std::nullopt;
 }
 
+/// Without water and cohesion only the direction of the loads matters: on a slope at tilt b an earthquake of k_h and k_v
+/// is a tilt by atan(k_h / (1 - k_v)) more.
+std::optional<TheoryFigure> theoryOfAcceleration(const Model& model) {
+    const bool cohesive = std::any_of(model.joints.begin(), model.joints.end(), [](const Joint& joint) {
+        return joint.cohesion > 0 || joint.residual_cohesion > 0 || joint.tensile_strength > 0;
+    });
+    const Seismic& seismic = model.seismic;
+    const bool downhill = (pushOf(seismic, model.gravity, 0) + Vec3::UnitX()).norm() < 1e-12;
+    if (cohesive || !downhill || !model.waters.empty() || !(seismic.vertical < 1)) return std::nullopt;
+    Model still = model;
+    still.seismic = {};
+    still.analysis.start.reset();  // the question is about this tilt, not about where a search starts
+    auto prediction = theory::predict(still);
+    const double more = prediction ? prediction->critical_tilt - model.gravity.tilt : -1.0;
+    if (more < 0 || more >= 90 * kDegree) return std::nullopt;
+    prediction->formula = "k = (1 - k_v) tan(beta_c - beta), beta_c from: " + prediction->formula;
+    return TheoryFigure{(1 - seismic.vertical) * std::tan(more), std::move(*prediction)};
+}
+
 constexpr double inDegrees(double radians) { return radians / kDegree; }
 
 /// A search of the tilted model starts and ends where it did.
@@ -71,11 +93,37 @@ void tilt(Model& model, double value) {
     model.gravity.tilt = value;
 }
 
+/// What a scenario with `gravity.direction` has turned into that.
+double turnedInto(const Model& m) { return m.gravity.direction ? m.gravity.tilt : 0.0; }
+
+template <int Axis>
+std::optional<double> directionAlong(const Model& m) {
+    if (!m.gravity.direction) return std::nullopt;
+    return downward(m.gravity, m.gravity.tilt)[Axis];
+}
+
 constexpr std::array kTiltWritten{
-    ScenarioNumber{"analysis", "start_deg",
-                   [](const Model& m) { return inDegrees(m.analysis.start.value_or(m.gravity.tilt)); }},
-    ScenarioNumber{"analysis", "stop_deg", [](const Model& m) { return inDegrees(m.analysis.stop); }},
-    ScenarioNumber{"gravity", "tilt_deg", [](const Model& m) { return inDegrees(m.gravity.tilt); }}};
+    ScenarioNumber{"analysis", "start_deg", -1,
+                   [](const Model& m) -> std::optional<double> {
+                       return inDegrees(m.analysis.start.value_or(m.gravity.tilt) - turnedInto(m));
+                   }},
+    ScenarioNumber{
+        "analysis", "stop_deg", -1,
+        [](const Model& m) -> std::optional<double> { return inDegrees(m.analysis.stop - turnedInto(m)); }},
+    ScenarioNumber{"gravity", "tilt_deg", -1,
+                   [](const Model& m) -> std::optional<double> {
+                       if (m.gravity.direction) return std::nullopt;
+                       return inDegrees(m.gravity.tilt);
+                   }},
+    ScenarioNumber{"gravity", "direction", 0, directionAlong<0>},
+    ScenarioNumber{"gravity", "direction", 1, directionAlong<1>},
+    ScenarioNumber{"gravity", "direction", 2, directionAlong<2>}};
+
+void shake(Model& model, double horizontal) { model.seismic.horizontal = horizontal; }
+
+constexpr std::array kSeismicWritten{
+    ScenarioNumber{"seismic", "horizontal", -1,
+                   [](const Model& m) -> std::optional<double> { return m.seismic.horizontal; }}};
 
 void divideStrengths(Model& model, double factor) {
     if (factor == 1) return;  // to the bit: an angle's tangent and back rounds
@@ -116,7 +164,7 @@ constexpr std::array kQuantities{VariedQuantity{.varied = Varied::tilt,
                                  VariedQuantity{.varied = Varied::horizontal,
                                                 .name = "horizontal",
                                                 .limit = "horizontal load",
-                                                .text = "horizontal load",
+                                                .text = "horizontal acceleration over gravity",
                                                 .key = "horizontal",
                                                 .unit = "",
                                                 .of = "of the weight",
@@ -125,9 +173,9 @@ constexpr std::array kQuantities{VariedQuantity{.varied = Varied::tilt,
                                                 .limit_decimals = 5,
                                                 .give = 0.05 * kDegree,
                                                 .give_is_share = false,
-                                                .apply = nullptr,
+                                                .apply = shake,
                                                 .divides_strengths = false,
-                                                .written = {}}};
+                                                .written = kSeismicWritten}};
 
 }  // namespace
 
@@ -168,7 +216,24 @@ const std::array kSearches{
         .threshold = 1.0,
         .follows_groups = true,
         .find = safetyFactor,
-        .theory = theoryOfFactor}};
+        .theory = theoryOfFactor},
+    LoadSearch{
+        .name = "critical-acceleration",
+        .about = "The pseudo-static horizontal acceleration at which the assembly first fails",
+        .details =
+            "Each free block feels the coefficient times its weight, level and towards "
+            "seismic.direction_deg, at the\nscenario's tilt; water stays as it is. The search starts at "
+            "seismic.horizontal (default 0).",
+        .answer = "critical k",
+        .answer_key = "critical_k",
+        .theory_key = "theory_k",
+        .load = &quantityOf(Varied::horizontal),
+        .lowest = 0,
+        .highest = kInfinity,
+        .threshold = std::nullopt,
+        .follows_groups = false,
+        .find = criticalAcceleration,
+        .theory = theoryOfAcceleration}};
 
 }  // namespace
 
@@ -184,8 +249,6 @@ const LoadSearch* loadSearch(std::string_view name) {
     return found == kSearches.end() ? nullptr : &*found;
 }
 
-void putUnderLoad(Model& model, Varied load, double value) {
-    if (const auto apply = quantityOf(load).apply) apply(model, value);
-}
+void putUnderLoad(Model& model, Varied load, double value) { quantityOf(load).apply(model, value); }
 
 }  // namespace talus

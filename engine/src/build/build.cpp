@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "contacts/update.h"
-#include "forces/water.h"
+#include "forces/sum.h"
 #include "law/joint_laws.h"
 
 namespace talus {
@@ -112,12 +112,13 @@ Result<State> buildState(std::shared_ptr<const Model> description, bool parallel
     state.geometry = geometry;
     state.laws = jointLaws(model.joints);
     state.load.tilt = model.gravity.tilt;
+    state.load.horizontal = model.seismic.horizontal;
     state.damping = model.damping;
     state.drained.assign(model.waters.size(), 0);
 
     errors = findInterfaces(state, true, parallel);
     if (!errors.empty()) return errors;
-    errors = buildWater(state);
+    errors = buildBlockForces(state);
     if (!errors.empty()) return errors;
     return state;
 }

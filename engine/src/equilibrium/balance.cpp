@@ -111,14 +111,28 @@ Mat3 crossMatrix(const Vec3& v) {
     return m;
 }
 
-void addLoad(const Vec3& gravity, Balance& balance, const State& state, const Poses& poses, bool stiffness,
-             Vec6s& force) {
+/// What keeps its direction changes its moment as the block turns.
+void addDead(Balance& balance, const Poses& poses, bool stiffness, Vec6s& force) {
+    for (std::size_t r = 0; r < balance.dead.size(); ++r) {
+        const Mat3& turn = poses.turn[balance.block[r]];
+        const Wrench wrench = balance.dead[r].at(turn);
+        const double radius = balance.radius[r];
+        force[r].head<3>() += wrench.force;
+        force[r].tail<3>() += wrench.torque / radius;
+        if (stiffness)
+            balance.matrix.diagonal[r].bottomRightCorner<3, 3>() -=
+                balance.dead[r].torqueByTurn(turn) / (radius * radius);
+    }
+}
+
+void addLoad(const Vec3& acceleration, Balance& balance, const State& state, const Poses& poses,
+             bool stiffness, Vec6s& force) {
     for (std::size_t r = 0; r < balance.block.size(); ++r) {
         const std::size_t b = balance.block[r];
         const double radius = balance.radius[r];
         const Vec3 water = poses.turn[b] * balance.own_force[r],
                    moment = poses.turn[b] * balance.own_moment[r];
-        force[r].head<3>() += state.blocks.mass[b] * gravity + water;
+        force[r].head<3>() += state.blocks.mass[b] * acceleration + water;
         force[r].tail<3>() += moment / radius;
         if (!stiffness) continue;
         balance.matrix.diagonal[r].topRightCorner<3, 3>() += crossMatrix(water) / radius;
@@ -172,10 +186,13 @@ void readApplied(const State& state, Balance& balance) {
     balance.own_moment.resize(balance.block.size());
     for (std::size_t r = 0; r < balance.block.size(); ++r) {
         const Mat3 back = state.blocks.orientation.matrix(balance.block[r]).transpose();
-        const Wrench water = appliedOn(state, balance.block[r], Vec3::Zero());
+        const Wrench water = turningForcesOn(state, balance.block[r]);
         balance.own_force[r] = back * water.force;
         balance.own_moment[r] = back * water.torque;
     }
+    balance.dead.clear();
+    if (!hasDeadForces(state)) return;
+    for (const std::size_t block : balance.block) balance.dead.push_back(deadForcesOn(state, block));
 }
 
 Poses posesOf(const State& state) {
@@ -215,7 +232,8 @@ void sumForces(const State& state, Balance& balance, const Poses& poses, double 
         if (stiffness) addStiffness(balance, i, k);
     }
     for (std::size_t r = 0; r < force.size(); ++r) force[r].tail<3>() /= balance.radius[r];
-    addLoad(gravity(state), balance, state, poses, stiffness, force);
+    addLoad(bodyAcceleration(state), balance, state, poses, stiffness, force);
+    addDead(balance, poses, stiffness, force);
 }
 
 void commitRounded(const State& state, Balance& balance, const Poses& poses, double rounding) {

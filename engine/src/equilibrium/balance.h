@@ -9,6 +9,7 @@
 
 #include "equilibrium/block_matrix.h"
 #include "equilibrium/interface_response.h"
+#include "forces/wrench.h"
 #include "state/arrays.h"
 
 namespace talus::equilibrium {
@@ -36,7 +37,8 @@ struct Balance {
     std::vector<double> weight{}, radius{}, size{};  ///< of each row's block [N, m, m]
     std::vector<double> drag{};                      ///< stiffness of the joints on each row's block [N/m]
     std::vector<Vec3> own_force{},
-        own_moment{};  ///< of the applied forces, in the block's own frame [N, N m]
+        own_moment{};  ///< of the applied forces that turn with it, in the block's own frame [N, N m]
+    std::vector<DeadForce> dead{};  ///< of those that keep their direction; empty where there are none
     std::vector<ActiveInterface> interfaces{};
     std::vector<SolverPoint> points{};
     BlockMatrix matrix{};  ///< of the structure of these interfaces
@@ -48,7 +50,7 @@ Balance makeBalance(const State& state);
 /// Takes over what the contact points of a state remember, the interfaces being the same.
 void readMemory(const State& state, Balance& balance);
 void writeMemory(const Balance& balance, State& state);
-/// Forces on blocks beside contacts and weight (water), as last computed; they turn with their block.
+/// Forces on blocks beside contacts and what follows their mass, as last computed.
 void readApplied(const State& state, Balance& balance);
 
 Poses posesOf(const State& state);

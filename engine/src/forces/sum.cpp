@@ -1,33 +1,101 @@
 #include "forces/sum.h"
 
-#include <cmath>
+#include <array>
+#include <iterator>
 
+#include "forces/loads.h"
+#include "forces/seismic.h"
 #include "forces/water.h"
+#include "model/gravity.h"
 
 namespace talus {
+namespace {
 
-const std::array<BlockForce, 1> kBlockForces{{
-    {"water", updateWater, wetBlocks, waterOn},
-}};
+std::vector<Error> makeWater(State& state, ForceParts&) { return buildWater(state); }
+std::span<const std::int32_t> wetBlocksOf(const State& state, const ForceParts&) { return wetBlocks(state); }
+Wrench waterOnBlock(const State& state, const ForceParts&, std::size_t block) {
+    return waterOn(state, block);
+}
+
+constexpr BlockForce kBlockForces[] = {
+    {"water", makeWater, updateWater, wetBlocksOf, waterOnBlock, nullptr},
+    {"loads", loads::build, nullptr, loads::blocks, loads::on, loads::dead},
+};
+
+}  // namespace
+
+std::span<const BlockForce> blockForces() { return kBlockForces; }
+
+std::vector<Error> buildBlockForces(State& state) {
+    state.force_parts.assign(std::size(kBlockForces), ForceParts{});
+    std::vector<Error> errors;
+    for (std::size_t k = 0; k < std::size(kBlockForces); ++k)
+        for (Error& error : kBlockForces[k].build(state, state.force_parts[k]))
+            errors.push_back(std::move(error));
+    return errors;
+}
 
 void updateBlockForces(State& state) {
-    for (const BlockForce& force : kBlockForces) force.update(state);
+    for (const BlockForce& force : kBlockForces)
+        if (force.update != nullptr) force.update(state);
 }
 
-Vec3 gravity(const State& state) {
-    const double g = state.geometry->model.gravity.magnitude * state.load.gravity_share;
-    return {-g * std::sin(state.load.tilt), 0.0, -g * std::cos(state.load.tilt)};
-}
-
-Wrench appliedOn(const State& state, std::size_t block, const Vec3& gravity) {
-    Wrench sum{state.blocks.mass[block] * gravity, Vec3::Zero()};
-    for (const BlockForce& force : kBlockForces) sum += force.on(state, block);
+Wrench blockForcesOn(const State& state, std::size_t block) {
+    Wrench sum;
+    eachBlockForce(state, [&](const BlockForce& force, const ForceParts& parts) {
+        sum += force.on(state, parts, block);
+    });
     return sum;
 }
 
-Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity) {
+Wrench turningForcesOn(const State& state, std::size_t block) {
+    Wrench sum;
+    eachBlockForce(state, [&](const BlockForce& force, const ForceParts& parts) {
+        if (force.dead == nullptr) sum += force.on(state, parts, block);
+    });
+    return sum;
+}
+
+DeadForce deadForcesOn(const State& state, std::size_t block) {
+    DeadForce sum;
+    eachBlockForce(state, [&](const BlockForce& force, const ForceParts& parts) {
+        if (force.dead != nullptr) sum += force.dead(state, parts, block);
+    });
+    return sum;
+}
+
+bool hasDeadForces(const State& state) {
+    bool any = false;
+    eachBlockForce(state, [&](const BlockForce& force, const ForceParts& parts) {
+        any = any || (force.dead != nullptr && !force.blocks(state, parts).empty());
+    });
+    return any;
+}
+
+bool hasBlockForces(const State& state) {
+    bool any = false;
+    eachBlockForce(state, [&](const BlockForce& force, const ForceParts& parts) {
+        any = any || !force.blocks(state, parts).empty();
+    });
+    return any;
+}
+
+Vec3 bodyAcceleration(const State& state) {
+    const Gravity& gravity = state.geometry->model.gravity;
+    const Vec3 weight = gravity.magnitude * state.load.gravity_share * downward(gravity, state.load.tilt);
+    const auto quake = seismicAcceleration(state);
+    return quake ? Vec3(weight + *quake) : weight;
+}
+
+Wrench appliedOn(const State& state, std::size_t block, const Vec3& acceleration) {
+    Wrench sum{state.blocks.mass[block] * acceleration, Vec3::Zero()};
+    sum += blockForcesOn(state, block);
+    return sum;
+}
+
+Wrench outOfBalance(const State& state, std::size_t block, const Vec3& acceleration) {
     const Incidence& incidence = state.incidence;
-    Wrench sum{state.blocks.mass[block] * gravity, Vec3::Zero()};
+    Wrench sum{state.blocks.mass[block] * acceleration, Vec3::Zero()};
     for (auto k = incidence.interface_begin[block]; k < incidence.interface_begin[block + 1]; ++k) {
         // Without branches: which side a block is on follows no pattern.
         const InterfaceWrench& wrench = state.interfaces.wrenches[incidence.slotOf(k)];
@@ -35,7 +103,7 @@ Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity) 
         sum.force += (is_b ? 1.0 : -1.0) * wrench.force;
         sum.torque += is_b ? wrench.moment_b : wrench.moment_a;
     }
-    for (const BlockForce& force : kBlockForces) sum += force.on(state, block);
+    sum += blockForcesOn(state, block);
     return sum;
 }
 

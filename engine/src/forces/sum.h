@@ -1,41 +1,65 @@
 #pragma once
-// The one list of forces on blocks: weight, contacts, and what stands in kBlockForces. A new force is a file of its
-// own that says what it reads and writes, and a line there.
+// The one list of forces on blocks: weight, contacts, and what stands in blockForces. A new force is a header of its own
+// that says what it reads and writes, and a line in sum.cpp.
 //
-// Weight and contacts act on every block, so the sum of a step takes them in its kernel (step/motion_kernel.h); the
+// What pulls at every block by its mass, and contacts, the sum of a step takes in its kernel (step/motion_kernel.h); the
 // others act on some blocks only and are added to those.
 
-#include <array>
 #include <span>
+#include <vector>
 
 #include "forces/wrench.h"
 #include "state/arrays.h"
+#include "talus/result.h"
 
 namespace talus {
 
-/// A force on some blocks.
+/// A force on some blocks. Its parts are those of the state at its place in the list; what it needs no function for is
+/// nullptr.
 struct BlockForce {
     const char* name;
+    /// Finds out where it acts, once the interfaces of a model that was just built are known.
+    std::vector<Error> (*build)(State& state, ForceParts& parts);
     /// Brings it up to date with load, time and poses, once a step. Writes what is the force's own.
     void (*update)(State& state);
     /// The blocks it acts on, ascending.
-    std::span<const std::int32_t> (*blocks)(const State& state);
+    std::span<const std::int32_t> (*blocks)(const State& state, const ForceParts& parts);
     /// On one block, as last brought up to date; zero on one it does not act on.
-    Wrench (*on)(const State& state, std::size_t block);
+    Wrench (*on)(const State& state, const ForceParts& parts, std::size_t block);
+    /// The same of one that keeps its direction while its block turns; nullptr: it turns with the block.
+    DeadForce (*dead)(const State& state, const ForceParts& parts, std::size_t block);
 };
 
-extern const std::array<BlockForce, 1> kBlockForces;
+std::span<const BlockForce> blockForces();
+
+/// Makes all of them for a model that was just built.
+std::vector<Error> buildBlockForces(State& state);
 
 /// Brings all of them up to date.
 void updateBlockForces(State& state);
 
-/// Gravity as the load has it now [m/s^2].
-Vec3 gravity(const State& state);
+/// Calls with each force and its parts.
+template <class Each>
+void eachBlockForce(const State& state, const Each& each) {
+    for (std::size_t k = 0; k < state.force_parts.size(); ++k) each(blockForces()[k], state.force_parts[k]);
+}
 
-/// What acts on a block from outside: weight and kBlockForces.
-Wrench appliedOn(const State& state, std::size_t block, const Vec3& gravity);
+/// Of blockForces on one block: of all, of those that turn with it, of those that keep their direction.
+Wrench blockForcesOn(const State& state, std::size_t block);
+Wrench turningForcesOn(const State& state, std::size_t block);
+DeadForce deadForcesOn(const State& state, std::size_t block);
 
-/// Of contacts, weight and kBlockForces, without local damping.
-Wrench outOfBalance(const State& state, std::size_t block, const Vec3& gravity);
+/// Whether any force keeps its direction, and whether any acts at all.
+bool hasDeadForces(const State& state);
+bool hasBlockForces(const State& state);
+
+/// What every block feels by its mass: gravity and the pseudo-static earthquake, as the load has them now [m/s^2].
+Vec3 bodyAcceleration(const State& state);
+
+/// What acts on a block from outside: by its mass, and blockForces.
+Wrench appliedOn(const State& state, std::size_t block, const Vec3& acceleration);
+
+/// Of contacts, mass and blockForces, without local damping.
+Wrench outOfBalance(const State& state, std::size_t block, const Vec3& acceleration);
 
 }  // namespace talus

@@ -6,7 +6,8 @@
 #include "forces/contact_forces.h"
 #include "geometry/face_frame.h"
 #include "geometry/pressure.h"
-#include "model/water_level.h"
+#include "model/gravity.h"
+#include "model/over_time.h"
 #include "state/incidence.h"
 
 namespace talus {
@@ -14,8 +15,6 @@ namespace {
 
 constexpr double kStalePose = 1e-7;  // of the block's radius: a wall that moved less keeps its wrench
 constexpr double kSharedWet = 1e-9;  // of the smaller wet part: more in common is an overlap
-
-Vec3 downward(double tilt) { return {-std::sin(tilt), 0.0, -std::cos(tilt)}; }
 
 /// The polygon of a wet patch in its own plane.
 Polygon polygonOf(const WetPatches& wet, std::size_t w) {
@@ -335,8 +334,8 @@ PressureField pressureField(const State& state, std::size_t index) {
     if (state.drained[index]) return {};
     const double g = state.geometry->model.gravity.magnitude;
     const double unit_weight = water.density * g * state.load.water_share;
-    if (water.kind == Water::Level::head) return {unit_weight * std::cos(state.load.tilt), Vec3::Zero()};
-    const Vec3 down = downward(state.load.tilt);
+    const Vec3 down = downward(state.geometry->model.gravity, state.load.tilt);
+    if (water.kind == Water::Level::head) return {unit_weight * -down.z(), Vec3::Zero()};
     const double level = levelAt(water, state.load.time);
     const Vec3 table = water.kind == Water::Level::elevation ? Vec3(-level * down - state.geometry->origin)
                                                              : tablePoint(state, index, level, down);

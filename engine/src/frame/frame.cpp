@@ -11,7 +11,8 @@
 #include "frame/frame_readings.h"
 #include "frame/vertex_edge_fields.h"
 #include "measure/measure.h"
-#include "model/water_level.h"
+#include "model/gravity.h"
+#include "model/over_time.h"
 
 namespace talus {
 namespace {
@@ -49,6 +50,14 @@ struct ToFrame {
         f = static_cast<B>(s);
     }
 };
+
+/// The tilt at which a viewer sees gravity: with a direction of its own, what of that lies in the plane of x and z.
+double shownTilt(const State& state) {
+    const Gravity& gravity = state.geometry->model.gravity;
+    if (!gravity.direction) return state.load.tilt;
+    const Vec3 down = downward(gravity, state.load.tilt);
+    return std::atan2(-down.x(), -down.z());
+}
 
 /// Axis times angle of the turn from one orientation to another, in the model frame [rad]. The vector part keeps small
 /// angles exact; of the two quaternions of a turn the one with the angle below pi counts.
@@ -156,7 +165,7 @@ LightFrame lightFrameOf(const State& state) {
     frame.time = state.time;
     frame.step = state.step;
     frame.state_hash = stateHash(state);
-    frame.tilt = state.load.tilt;
+    frame.tilt = shownTilt(state);
     frame.kinetic_energy = kineticEnergy(state);
     frame.elastic_energy = elasticEnergy(state);
     frame.gravity_energy = gravityEnergy(state);

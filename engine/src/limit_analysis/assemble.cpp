@@ -7,8 +7,9 @@
 
 #include "contacts/limits.h"
 #include "forces/contact_forces.h"
-#include "forces/water.h"
+#include "forces/sum.h"
 #include "limit_analysis/section.h"
+#include "model/gravity.h"
 #include "state/incidence.h"
 #include "state/point_layout.h"
 
@@ -159,15 +160,21 @@ void addPoints(const State& state, std::size_t i, Assembly& assembly) {
                                    tangentFrame(pose.e3), point.area, f.joint[i]});
 }
 
-Loads presentWater(const State& state, const Assembly& assembly) {
+Loads presentForces(const State& state, const Assembly& assembly) {
     Loads loads(assembly.bodies.size());
     forFreeBlocks(assembly, [&](std::size_t b, std::size_t body) {
-        const Wrench water = waterOn(state, b);
+        const Wrench applied = blockForcesOn(state, b);
         const Vec3 arm = state.blocks.position.get(b) - assembly.bodies[body].centroid;
-        loads[body].force += water.force;
-        loads[body].torque += water.torque + arm.cross(water.force);
+        loads[body].force += applied.force;
+        loads[body].torque += applied.torque + arm.cross(applied.force);
     });
     return loads;
+}
+
+/// Whether gravity or an earthquake, of whatever strength, pushes out of the plane of x and z.
+bool pushesAcross(const State& state) {
+    const Model& model = state.geometry->model;
+    return bodyAcceleration(state).y() != 0 || pushOf(model.seismic, model.gravity, state.load.tilt).y() != 0;
 }
 
 }  // namespace
@@ -177,9 +184,10 @@ Assembly assemble(const State& state, const std::vector<std::string>& left_out) 
     makeBodies(state, absent(state, left_out), assembly);
     measureBodies(state, assembly);
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) addPoints(state, i, assembly);
-    State wet = state;
-    const Loads water = waterLoads(wet, assembly, state.load.tilt);
-    return foldToSection(std::move(assembly), water, state.geometry->length_scale);
+    if (pushesAcross(state)) return assembly;
+    State loaded = state;
+    const Loads loads = appliedLoads(loaded, assembly, state.load.tilt);
+    return foldToSection(std::move(assembly), loads, state.geometry->length_scale);
 }
 
 Loads weightLoads(const State& state, const Assembly& assembly, const Vec3& acceleration) {
@@ -193,11 +201,11 @@ Loads weightLoads(const State& state, const Assembly& assembly, const Vec3& acce
     return loads;
 }
 
-Loads waterLoads(State& state, const Assembly& assembly, double tilt) {
+Loads appliedLoads(State& state, const Assembly& assembly, double tilt) {
     state.load.tilt = tilt;
     state.load.water_share = 1;
-    updateWater(state);
-    return presentWater(state, assembly);
+    updateBlockForces(state);
+    return presentForces(state, assembly);
 }
 
 }  // namespace talus::limit

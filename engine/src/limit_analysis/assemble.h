@@ -17,7 +17,7 @@ Assembly assemble(const State& state, const std::vector<std::string>& left_out);
 /// The blocks' masses in a field of this acceleration [m/s^2].
 Loads weightLoads(const State& state, const Assembly& assembly, const Vec3& acceleration);
 
-/// The water on them at a tilt [rad]. The state's tilt is that one afterwards.
-Loads waterLoads(State& state, const Assembly& assembly, double tilt);
+/// What blockForces do to them at a tilt [rad]. The state's tilt is that one afterwards.
+Loads appliedLoads(State& state, const Assembly& assembly, double tilt);
 
 }  // namespace talus::limit

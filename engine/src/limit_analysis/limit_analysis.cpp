@@ -7,9 +7,11 @@
 
 #include "analysis/threads.h"
 #include "build/build.h"
+#include "forces/sum.h"
 #include "law/joint_laws.h"
 #include "limit_analysis/assemble.h"
 #include "limit_analysis/solver.h"
+#include "model/gravity.h"
 #include "talus/searches.h"
 
 namespace talus {
@@ -24,9 +26,6 @@ constexpr double kSteepest = 1.5;     // farthest that gravity is turned in one 
 constexpr double kLeastFactor = 0.1;  // as `safetyFactor`: from ten times the strength
 constexpr double kMostFactor = 102.4;
 constexpr double kMostHorizontal = 100;  // weights
-
-Vec3 downward(double tilt) { return {-std::sin(tilt), 0, -std::cos(tilt)}; }
-Vec3 forward(double tilt) { return {-std::cos(tilt), 0, std::sin(tilt)}; }  // normal to it, towards -x
 
 /// a + factor b.
 Loads sum(Loads a, const Loads& b, double factor = 1) {
@@ -77,10 +76,11 @@ class LimitSearch {
         if (control_.progress) control_.progress({"limit analysis", made / (made + kExpected), detail});
     }
 
-    Loads weight(const Vec3& direction) const {
-        return weightLoads(state_, assembly_, model_.gravity.magnitude * direction);
+    Loads byMass(const Vec3& acceleration) const { return weightLoads(state_, assembly_, acceleration); }
+    Loads loadsAt(double tilt) {
+        const Loads applied = appliedLoads(state_, assembly_, tilt);
+        return sum(byMass(bodyAcceleration(state_)), applied);
     }
-    Loads loadsAt(double tilt) { return sum(weight(downward(tilt)), waterLoads(state_, assembly_, tilt)); }
 
     /// Whether the assembly stands where the load begins to grow; sets the result if it does not.
     bool stands(const Loads& loads, double start) {
@@ -111,19 +111,23 @@ class LimitSearch {
     /// How much farther gravity can turn, with the water of this tilt; nothing where the solver gave up.
     std::optional<double> wayOn(double tilt, double least, double most, Side side) {
         report("tilt " + formatted("%.4f deg", tilt * 180 / M_PI));
+        const Loads present = loadsAt(tilt);
+        const Vec3 now = bodyAcceleration(state_),
+                   turning(now.z(), 0, -now.x());  // its derivative by the tilt
         const Growth found =
-            solver_.grow(loadsAt(tilt), weight(forward(tilt)), std::tan(least), std::tan(most), side, kClose);
+            solver_.grow(present, byMass(turning), std::tan(least), std::tan(most), side, kClose);
         if (found.outcome == Outcome::infeasible) return least;
         if (found.outcome != Outcome::optimal) return std::nullopt;
         return std::atan(found.multiplier);
     }
 
-    /// Without water and cohesion only the direction of the loads matters, so that the first programme finds the limit.
+    /// Where all loads turn with gravity and nothing is bonded only their direction matters, so that the first programme
+    /// finds the limit.
     bool onlyDirectionMatters() const {
         const bool bonds = std::any_of(
             assembly_.points.begin(), assembly_.points.end(),
             [&](const auto& point) { return state_.laws[static_cast<std::size_t>(point.joint)].bonded; });
-        return !bonds && state_.wet.size() == 0;
+        return !bonds && !hasBlockForces(state_) && bodyAcceleration(state_).y() == 0;
     }
 
     Limit tiltFrom(double start, Side side) {
@@ -160,7 +164,9 @@ class LimitSearch {
 
     void findHorizontal() {
         const double tilt = model_.gravity.tilt;
-        const Loads fixed = loadsAt(tilt), growing = weight(forward(tilt));
+        state_.load.horizontal = 0;
+        const Loads fixed = loadsAt(tilt);
+        const Loads growing = byMass(model_.gravity.magnitude * pushOf(model_.seismic, model_.gravity, tilt));
         if (!stands(fixed, 0)) return;
         report("horizontal load");
         const Growth inside = solver_.grow(fixed, growing, 0, kMostHorizontal, Side::inside);

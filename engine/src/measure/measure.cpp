@@ -29,19 +29,40 @@ double elasticEnergy(const State& state) {
     return sum;
 }
 
+namespace {
+
+/// Of the forces that keep their direction, from the start to here, as large as they are now [J].
+double workOfDeadForces(const State& state) {
+    const Geometry& geometry = *state.geometry;
+    double sum = 0;
+    eachBlockForce(state, [&](const BlockForce& force, const ForceParts& parts) {
+        if (force.dead == nullptr) return;
+        for (const std::int32_t on : force.blocks(state, parts)) {
+            const auto b = static_cast<std::size_t>(on);
+            const DeadForce dead = force.dead(state, parts, b);
+            const Mat3 turned = state.blocks.orientation.matrix(b) - geometry.initial_orientation.matrix(b);
+            sum += dead.force.dot(state.blocks.position.get(b) - geometry.initial_position.get(b)) +
+                   (turned * dead.arms).trace();
+        }
+    });
+    return sum;
+}
+
+}  // namespace
+
 double gravityEnergy(const State& state) {
-    const Vec3 g = gravity(state);
+    const Vec3 g = bodyAcceleration(state);
     double sum = 0;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
         sum -= state.blocks.mass[b] *
                g.dot(state.blocks.position.get(b) - state.geometry->initial_position.get(b));
     }
-    return sum;
+    return sum - workOfDeadForces(state);
 }
 
 double outOfBalanceRatio(const State& state) {
-    const Vec3 g = gravity(state);
+    const Vec3 g = bodyAcceleration(state);
     const double magnitude = state.geometry->model.gravity.magnitude;
     double largest = 0;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {

@@ -11,7 +11,9 @@ namespace talus {
 
 double kineticEnergy(const State& state);  ///< with the inertia used in the motion [J]
 double elasticEnergy(const State& state);  ///< in the contact springs [J]
-double gravityEnergy(const State& state);  ///< relative to the initial position, free blocks [J]
+/// Potential of weight, pseudo-static earthquake and forces that keep their direction, as large as they are now,
+/// relative to the initial poses of free blocks [J].
+double gravityEnergy(const State& state);
 
 /// Largest out-of-balance force of a free block over its weight; torque counts over weight times the block's radius.
 double outOfBalanceRatio(const State& state);

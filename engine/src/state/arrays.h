@@ -209,6 +209,15 @@ struct Incidence {
     std::vector<std::int32_t> wet_blocks;  ///< those with any, ascending
 };
 
+/// Where one of the forces on blocks acts (forces/sum.h), block by block (compressed rows); the force's header says what
+/// the numbers of a part are.
+struct ForceParts {
+    std::vector<std::int32_t> block;   ///< those it acts on, ascending
+    std::vector<std::size_t> begin;    ///< first part on each; one more at the end
+    std::vector<std::int32_t> source;  ///< of each part: which of the model's entries it comes from
+    std::vector<double> numbers;
+};
+
 /// What does not change while blocks move: shapes, names, the description itself.
 struct Geometry {
     explicit Geometry(std::shared_ptr<const Model> of)
@@ -230,9 +239,10 @@ struct Geometry {
 /// Loads that an analysis changes.
 struct Load {
     double tilt = 0;           ///< [rad]
-    double gravity_share = 1;  ///< 0..1, for loading
+    double horizontal = 0;     ///< k_h of the pseudo-static earthquake
+    double gravity_share = 1;  ///< 0..1, for loading: of weight, earthquake and loads
     double water_share = 1;    ///< 0..1, for loading
-    double time = 0;           ///< for water levels over time [s]
+    double time = 0;           ///< for water levels and loads over time [s]
 };
 
 /// What springs that are pressed do with the energy they hold.
@@ -260,10 +270,11 @@ struct State {
     simd::InstructionSet instructions = simd::bestInstructionSet();  ///< the kernels', same bits with each
     double time = 0;                                                 ///< [s]
     std::int64_t step = 0;
-    std::vector<std::uint8_t> drained;    ///< per water: 1 once it has run out through an open joint
-    std::vector<PressureField> pressure;  ///< per water, for `water_load`
-    std::vector<WaterLoad> water_load;    ///< per water: what its wrenches were computed for
-    PositionArray search_position;        ///< poses at the last neighbour search
+    std::vector<ForceParts> force_parts{};  ///< one for each of blockForces
+    std::vector<std::uint8_t> drained;      ///< per water: 1 once it has run out through an open joint
+    std::vector<PressureField> pressure;    ///< per water, for `water_load`
+    std::vector<WaterLoad> water_load;      ///< per water: what its wrenches were computed for
+    PositionArray search_position;          ///< poses at the last neighbour search
     QuaternionArray search_orientation;
     double search_margin = 0;  ///< gap up to which that search made interfaces [m]
     double shear_lost = 0;     ///< shear force that could not be carried over to clipped patches, in all [N]

@@ -12,7 +12,7 @@ namespace {
 
 MotionView motionView(State& state, double dt) {
     Blocks& blocks = state.blocks;
-    const Vec3 g = gravity(state);
+    const Vec3 g = bodyAcceleration(state);
     return {.interface_begin = state.incidence.interface_begin.data(),
             .mass = blocks.mass.data(),
             .inverse_mass = blocks.inverse_mass.data(),
@@ -42,17 +42,17 @@ const MotionKernels& kernels(const State& state) {
 void sumForces(State& state, const MotionView& view, Range range) {
     Blocks& blocks = state.blocks;
     kernels(state).sum_wrenches(view, range.begin, range.end);
-    for (const BlockForce& force : kBlockForces) {
-        const std::span<const std::int32_t> on = force.blocks(state);
+    eachBlockForce(state, [&](const BlockForce& force, const ForceParts& parts) {
+        const std::span<const std::int32_t> on = force.blocks(state, parts);
         for (auto next = std::lower_bound(on.begin(), on.end(), static_cast<std::int32_t>(range.begin));
              next != on.end() && static_cast<std::size_t>(*next) < range.end; ++next) {
             const auto b = static_cast<std::size_t>(*next);
             if (blocks.motion[b] != Motion::free) continue;
-            const Wrench wrench = force.on(state, b);
+            const Wrench wrench = force.on(state, parts, b);
             blocks.force.set(b, blocks.force.get(b) + wrench.force);
             blocks.torque.set(b, blocks.torque.get(b) + wrench.torque);
         }
-    }
+    });
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ void drift(State& state, Range blocks, double time_step);
 
 /// Sums the forces on each block (forces/sum.h), wrenches in stored order, adds local damping, and gives the second
 /// half kick.
-/// Reads:  interface wrenches, wet wrenches, load
+/// Reads:  interface wrenches, what blockForces read
 /// Writes: force, torque, velocity, angular_momentum
 void gather(State& state, Range blocks, double time_step);
 

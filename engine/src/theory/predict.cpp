@@ -81,7 +81,9 @@ std::string reasons(const Section& section) {
 }  // namespace
 
 std::optional<Prediction> predict(const Model& model) {
-    if (!(model.gravity.magnitude > 0)) return std::nullopt;
+    const bool weight_only = !model.gravity.direction && model.seismic.horizontal == 0 &&
+                             model.seismic.vertical == 0 && model.loads.empty();
+    if (!(model.gravity.magnitude > 0) || !weight_only) return std::nullopt;
     const auto section = model.stack ? stackSection(model) : singleSection(model);
     if (!section) return std::nullopt;
     const Mechanism weakest = weakestMechanism(*section);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/water_level.h"
+#include "model/over_time.h"
 
 namespace talus::theory {
 

@@ -40,7 +40,12 @@ class Editor {
         document_.erase({"run", "time_step_s"});
         for (const char* key : {"mass", "rotation", "local"}) document_.erase({"damping", key});
         set({"damping", "contact"}, load.contact_damping);
-        stopWaters();
+        stop(
+            "water", "levels", [](const Water& water) { return water.level.front().value; },
+            scenario_.model.waters);
+        stop(
+            "load", "factor", [](const AppliedLoad& load) { return load.factor.front().value; },
+            scenario_.model.loads);
     }
 
     std::optional<Error> takeFault() { return std::move(fault_); }
@@ -55,8 +60,13 @@ class Editor {
         if (quantity.divides_strengths && load.value != 1) divideStrengths(load.value);
         Model model = scenario_.model;
         putUnderLoad(model, load.varied, load.value);
-        for (const ScenarioNumber& number : quantity.written)
-            set({number.section, number.key}, number.value(model));
+        for (const ScenarioNumber& number : quantity.written) {
+            const auto value = number.value(model);
+            const Path path{number.section, number.key};
+            if (value)
+                set(number.element < 0 ? path : below(path, static_cast<std::size_t>(number.element)),
+                    *value);
+        }
     }
 
     void divideStrengths(double factor) {
@@ -117,15 +127,14 @@ class Editor {
         for (const auto& [place, value] : values) set(place, value);
     }
 
-    /// In a search water stands as at time 0.
-    void stopWaters() {
-        const std::size_t waters = scenario_.model.waters.size();
-        eachTable(document_.root(), "water", [&](const Node& table, const Path& path) {
+    /// In a search waters stand and loads push as at time 0.
+    template <class First, class Owners>
+    void stop(const char* section, const char* key, const First& first, const Owners& owners) {
+        eachTable(document_.root(), section, [&](const Node& table, const Path& path) {
             const auto index = std::get<std::size_t>(path.back());
-            if (!table.find("levels") || index >= waters) return;
-            const double level = scenario_.model.waters[index].level.front().value;
-            for (std::size_t k = 0; k < table.find("levels")->size(); ++k)
-                set(below(below(below(path, "levels"), k), std::size_t{1}), level);
+            if (!table.find(key) || index >= owners.size()) return;
+            for (std::size_t k = 0; k < table.find(key)->size(); ++k)
+                set(below(below(below(path, key), k), std::size_t{1}), first(owners[index]));
         });
     }
 
@@ -160,6 +169,8 @@ Model failingModel(Model model, const FailingLoad& load) {
     model.damping.contact = load.contact_damping;
     for (Water& water : model.waters)
         for (LevelPoint& point : water.level) point.value = water.level.front().value;
+    for (AppliedLoad& load : model.loads)
+        for (LevelPoint& point : load.factor) point.value = load.factor.front().value;
     return model;
 }
 

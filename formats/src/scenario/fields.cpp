@@ -16,9 +16,10 @@ struct Unit {
 };
 
 /// Of keys that stand for more than one number of the model, or for none by itself.
-constexpr std::array kOtherUnits{Unit{"depth", "m"},     Unit{"elevation", "m"}, Unit{"head", "m"},
-                                 Unit{"base", "m"},      Unit{"block", "m"},     Unit{"origin", "m"},
-                                 Unit{"velocity", "m/s"}};
+constexpr std::array kOtherUnits{Unit{"depth", "m"},      Unit{"elevation", "m"}, Unit{"head", "m"},
+                                 Unit{"base", "m"},       Unit{"block", "m"},     Unit{"origin", "m"},
+                                 Unit{"velocity", "m/s"}, Unit{"force", "N"},     Unit{"point", "m"},
+                                 Unit{"pressure", "Pa"}};
 
 }  // namespace
 
@@ -35,10 +36,14 @@ std::string unitOf(std::string_view field) {
     if (key.ends_with("_deg")) return "deg";
     if (key.ends_with("_s")) return "s";
     if (key.ends_with("_m")) return "m";
-    for (const auto& unit :
-         {unitIn(kJointProperties, key), unitIn(kGravityFields, key), unitIn(kDampingFields, key),
-          unitIn(kWaterFields, key), unitIn(kOtherUnits, key)})
+    for (const auto& unit : {unitIn(kJointProperties, key), unitIn(kGravityFields, key),
+                             unitIn(kWaterFields, key), unitIn(kOtherUnits, key)})
         if (unit) return std::string(*unit);
+    std::optional<std::string_view> of_section;
+    eachNumberSection([&](std::string_view, const auto& fields, auto) {
+        if (!of_section) of_section = unitIn(fields, key);
+    });
+    if (of_section) return std::string(*of_section);
     return "";
 }
 

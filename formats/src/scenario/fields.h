@@ -27,6 +27,11 @@ inline constexpr std::array kGravityFields{
     NumberField<Gravity>{"magnitude", &Gravity::magnitude, "m/s^2", kNotNegative},
     NumberField<Gravity>{"tilt_deg", &Gravity::tilt, "deg", kTiltDeg}};
 
+inline constexpr std::array kSeismicFields{
+    NumberField<Seismic>{"horizontal", &Seismic::horizontal, "", kNotNegative},
+    NumberField<Seismic>{"direction_deg", &Seismic::azimuth, "deg", Interval{-360, 360, false, false}},
+    NumberField<Seismic>{"vertical", &Seismic::vertical, "", Interval{-10, 1, false, true}}};
+
 inline constexpr std::array kDampingFields{
     NumberField<Damping>{"mass", &Damping::mass, "1/s", kNotNegative},
     NumberField<Damping>{"rotation", &Damping::rotation, "1/s", kNotNegative},
@@ -37,6 +42,14 @@ inline constexpr std::array kDampingFields{
 inline constexpr std::array kWaterFields{
     NumberField<Water>{"density", &Water::density, "kg/m^3", kPositive},
     NumberField<Water>{"drains_at_aperture", &Water::drains_at_aperture, "m", kPositive}};
+
+/// Sections that hold nothing but such numbers, each with what holds them in the model: calls with its name, its fields and
+/// that. The reader, overrides and units iterate over them.
+template <class Each>
+void eachNumberSection(const Each& each) {
+    each("seismic", kSeismicFields, &Model::seismic);
+    each("damping", kDampingFields, &Model::damping);
+}
 
 /// The keys, for a table's reader.
 template <class Fields>

@@ -84,6 +84,7 @@ std::optional<Target> numberTarget(const Fields& fields, const std::string& key,
 /// Where a search starts and ends may follow from the tilt.
 bool putTilt(Scenario& scenario, double tilt_deg) {
     Model& model = scenario.model;
+    if (model.gravity.direction) return false;
     const double tilt = tilt_deg * kRadPerDeg;
     const bool has_start = isGiven(scenario, "analysis.start_deg");
     const bool has_stop = isGiven(scenario, "analysis.stop_deg");
@@ -131,9 +132,13 @@ std::optional<Target> targetOf(const Scenario& scenario, std::string_view field)
     if (table == "gravity" && *second == "tilt_deg") return Target{kTiltDeg, putTilt};
     if (table == "gravity")
         return numberTarget(kGravityFields, *second, [](Model& model) -> Gravity& { return model.gravity; });
-    if (table == "damping")
-        return numberTarget(kDampingFields, *second, [](Model& model) -> Damping& { return model.damping; });
-    return std::nullopt;
+    std::optional<Target> target;
+    eachNumberSection([&](std::string_view section, const auto& fields, auto owner) {
+        if (table == section)
+            target = numberTarget(
+                fields, *second, [owner](Model & model) -> auto& { return model.*owner; });
+    });
+    return target;
 }
 
 using BlockPair = std::pair<std::int32_t, std::int32_t>;

@@ -1,24 +1,13 @@
 #include "scenario/placed_block.h"
 
+#include "scenario/places.h"
+
 namespace talus::formats::scenario {
 
 namespace {
 
 // Keeps the hull of a hostile list of points from taking minutes; real blocks have tens of vertices.
 constexpr std::size_t kMaxVertices = 1000;
-
-/// False if a key is reported.
-bool checkBoxOrder(TableReader& box, const Vec3& min, const Vec3& max) {
-    constexpr const char* kAxes = "xyz";
-    bool in_order = true;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        if (min[axis] < max[axis]) continue;
-        in_order = false;
-        box.error("max", "found " + numberText(max[axis]) + " along " + kAxes[axis] +
-                             ", allowed: greater than min, " + numberText(min[axis]));
-    }
-    return in_order;
-}
 
 void takeShape(TableReader& table, std::string_view key, Result<Polyhedron> shape, Block& block) {
     if (shape)
@@ -28,12 +17,8 @@ void takeShape(TableReader& table, std::string_view key, Result<Polyhedron> shap
 }
 
 void readBox(TableReader& table, Block& block) {
-    auto box = table.table("box", {"min", "max"});
-    if (!box) return;
-    box->require({"min", "max"});
-    const auto min = box->vector("min", kCoordinate);
-    const auto max = box->vector("max", kCoordinate);
-    if (min && max && checkBoxOrder(*box, *min, *max)) takeShape(table, "box", makeBox(*min, *max), block);
+    if (const auto box = readCorners(table, "box"))
+        takeShape(table, "box", makeBox(box->min, box->max), block);
 }
 
 void readVertices(Report& report, TableReader& table, Block& block) {

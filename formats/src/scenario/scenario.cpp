@@ -4,6 +4,8 @@
 #include "talus/formats/scenario.h"
 
 #include "scenario/directory.h"
+#include "scenario/fields.h"
+#include "scenario/force_sections.h"
 #include "scenario/interface.h"
 #include "scenario/placed_block.h"
 #include "scenario/properties.h"
@@ -27,9 +29,7 @@ class ScenarioReader {
     /// \param folder  where mesh files are looked for: "" or with a slash at its end
     ScenarioReader(Report& report, Node root, std::string folder, std::int64_t most_blocks)
         : report_(report),
-          root_(report, root, "",
-                {"format", "analysis", "run", "damping", "gravity", "contact", "material", "joint", "stack",
-                 "block", "rock_mass", "joint_set", "single_joint", "water", "interface"}),
+          root_(report, root, "", sections()),
           folder_(std::move(folder)),
           most_blocks_(most_blocks) {}
 
@@ -45,6 +45,7 @@ class ScenarioReader {
         checkWatch(directory);
         const auto interfaces = readInterfaces(report_, root_, directory, joints_);
         const auto waters = readWaters(report_, root_, {stacks_, rock_ ? &*rock_ : nullptr}, directory);
+        for (const ForceSection& section : forceSections()) section.read(report_, root_, directory, model_);
         std::vector<std::vector<WetFace>> walls;
         if (report_.clean()) walls = rockWalls(waters);
         if (report_.clean()) buildBlocks();
@@ -63,6 +64,15 @@ class ScenarioReader {
     }
 
  private:
+    static std::vector<std::string> sections() {
+        std::vector<std::string> all{"format",    "analysis",     "run",   "gravity",  "contact",
+                                     "material",  "joint",        "stack", "block",    "rock_mass",
+                                     "joint_set", "single_joint", "water", "interface"};
+        eachNumberSection([&](const char* section, const auto&, auto) { all.emplace_back(section); });
+        for (const ForceSection& section : forceSections()) all.emplace_back(section.name);
+        return all;
+    }
+
     void readBlocks() {
         std::int64_t count = 0;
         for (const FieldNode& entry : root_.tables("stack")) {

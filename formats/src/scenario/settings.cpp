@@ -15,10 +15,25 @@ constexpr int kMaxGrid = 64;
 // Narrower brackets are below what doubles resolve in a search.
 constexpr Interval kToleranceDeg{1e-9, 45, false, false};
 constexpr Interval kFactorTolerance{1e-9, 1, false, false};
+constexpr Interval kAccelerationTolerance{1e-9, 1, false, false};
+
+void readDirection(TableReader& table, Gravity& gravity) {
+    if (table.has("direction") && table.has("tilt_deg"))
+        table.error("direction", "found both direction and tilt_deg, allowed: one of them");
+    const auto direction = table.vector("direction", kCoordinate);
+    if (!direction) return;
+    if (direction->norm() > 0)
+        gravity.direction = direction;
+    else
+        table.error("direction", "found [0, 0, 0], allowed: a vector of any other length");
+}
 
 void readGravity(TableReader& root, Model& model, double& tilt_deg) {
-    auto table = root.table("gravity", keysOf(kGravityFields));
+    std::vector<std::string> keys = keysOf(kGravityFields);
+    keys.emplace_back("direction");
+    auto table = root.table("gravity", std::move(keys));
     if (!table) return;
+    readDirection(*table, model.gravity);
     readNumbers(*table, kGravityFields, model.gravity);
     if (const auto node = table->find("tilt_deg"); node && node->isNumber()) tilt_deg = node->number();
 }
@@ -35,8 +50,8 @@ void checkSearchRange(TableReader& table, double start_deg, double stop_deg) {
 void readAnalysis(TableReader& root, Model& model, double tilt_deg) {
     AnalysisSettings& settings = model.analysis;
     settings.stop = defaultStopDeg(tilt_deg) * kRadPerDeg;
-    auto table = root.table("analysis",
-                            {"start_deg", "stop_deg", "tolerance_deg", "factor_tolerance", "time_scaling"});
+    auto table = root.table("analysis", {"start_deg", "stop_deg", "tolerance_deg", "factor_tolerance",
+                                         "acceleration_tolerance", "time_scaling"});
     if (!table) return;
     const auto start_deg = table->number("start_deg", kTiltDeg);
     const auto stop_deg = table->number("stop_deg", kTiltDeg);
@@ -49,6 +64,8 @@ void readAnalysis(TableReader& root, Model& model, double tilt_deg) {
         settings.tolerance = *tolerance_deg * kRadPerDeg;
     settings.factor_tolerance =
         table->number("factor_tolerance", kFactorTolerance).value_or(settings.factor_tolerance);
+    settings.acceleration_tolerance = table->number("acceleration_tolerance", kAccelerationTolerance)
+                                          .value_or(settings.acceleration_tolerance);
     settings.time_scaling = table->boolean("time_scaling").value_or(settings.time_scaling);
 }
 
@@ -69,9 +86,10 @@ void readRun(TableReader& root, Model& model) {
     run.watch = table->texts("watch", std::nullopt).value_or(std::vector<std::string>{});
 }
 
-void readDamping(TableReader& root, Model& model) {
-    if (auto table = root.table("damping", keysOf(kDampingFields)))
-        readNumbers(*table, kDampingFields, model.damping);
+void readNumberSections(TableReader& root, Model& model) {
+    eachNumberSection([&](std::string_view section, const auto& fields, auto owner) {
+        if (auto table = root.table(section, keysOf(fields))) readNumbers(*table, fields, model.*owner);
+    });
 }
 
 /// N of "grid N".
@@ -117,7 +135,7 @@ void readSettings(TableReader& root, Model& model) {
     readGravity(root, model, tilt_deg);
     readAnalysis(root, model, tilt_deg);
     readRun(root, model);
-    readDamping(root, model);
+    readNumberSections(root, model);
     readContact(root, model);
 }
 

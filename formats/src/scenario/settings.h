@@ -1,5 +1,5 @@
 #pragma once
-// The tables that say how to compute: [analysis], [run], [damping], [gravity], [contact].
+// The tables that hold for the whole model: [analysis], [run], [contact], [gravity], and those of plain numbers (fields.h).
 
 #include "scenario/reading.h"
 #include "talus/model.h"

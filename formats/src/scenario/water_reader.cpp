@@ -1,41 +1,19 @@
 #include <algorithm>
-#include <array>
 #include <unordered_map>
 
 #include "scenario/fields.h"
 #include "scenario/interface.h"
+#include "scenario/places.h"
 #include "scenario/water.h"
 
 namespace talus::formats::scenario {
 
 namespace {
 
-const std::array<Vec3, 6> kFaceDirections = {Vec3::UnitX(),  -Vec3::UnitX(), Vec3::UnitY(),
-                                             -Vec3::UnitY(), Vec3::UnitZ(),  -Vec3::UnitZ()};
-const std::vector<std::string> kFaceNames = {"+x", "-x", "+y", "-y", "+z", "-z"};
-
-std::vector<LevelPoint> readLevels(Report& report, TableReader& table) {
-    std::vector<LevelPoint> levels;
-    const auto array = table.array("levels");
-    if (!array) return levels;
-    const std::string field = table.fieldOf("levels");
-    if (array->size() == 0) table.error("levels", "found an empty array, allowed: [[time s, depth m], ...]");
-    for (std::size_t i = 0; i < array->size(); ++i) {
-        const auto point = readNumbers(report, array->at(i), elementField(field, i), kNotNegative, 2);
-        if (!point) continue;
-        if (!levels.empty() && (*point)[0] <= levels.back().time)
-            report.add(array->at(i).place(), elementField(field, i),
-                       "found the time " + numberText((*point)[0]) +
-                           ", allowed: greater than the one before, " + numberText(levels.back().time));
-        levels.push_back({(*point)[0], (*point)[1]});
-    }
-    return levels;
-}
-
 void readLevel(Report& report, TableReader& table, const std::vector<std::string>& kinds, Water& water) {
     if (!table.requireOneOf(kinds)) return;
     if (const auto depth = table.number("depth", kLength)) water.level = {{0, *depth}};
-    if (table.has("levels")) water.level = readLevels(report, table);
+    if (table.has("levels")) water.level = readTable(report, table, "levels", kNotNegative, "depth m");
     if (const auto elevation = table.number("elevation", kCoordinate)) {
         water.kind = Water::Level::elevation;
         water.level = {{0, *elevation}};
@@ -179,7 +157,7 @@ class WaterReader {
         entry.where = WaterEntry::Where::block_face;
         table.require({"face"});
         readLevel(report_, table, {"depth", "elevation", "levels"}, entry.water);
-        if (const auto face = table.choice("face", kFaceNames)) entry.direction = kFaceDirections[*face];
+        entry.direction = readDirection(table, "face").value_or(entry.direction);
         const auto name = table.text("block");
         if (!name) return std::nullopt;
         const auto block = blocks_.resolve(report_, table.placeOf("block"), table.fieldOf("block"), *name);

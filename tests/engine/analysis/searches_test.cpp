@@ -71,7 +71,7 @@ TEST_CASE("each search finds the load of a block on a plane, and its theory says
             case Varied::horizontal:
                 break;
         }
-        return 0.0;
+        return std::tan(radians(20 - 12));
     };
     for (const LoadSearch& search : loadSearches()) {
         CAPTURE(search.name);

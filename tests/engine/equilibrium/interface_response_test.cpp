@@ -61,7 +61,7 @@ TEST_SUITE("equilibrium") {
             const Vec6s force = forcesAt(state, balance, posesOf(state));
             updateForces(state, false);
             for (std::size_t r = 0; r < 2; ++r) {
-                const Wrench own = outOfBalance(state, balance.block[r], gravity(state));
+                const Wrench own = outOfBalance(state, balance.block[r], bodyAcceleration(state));
                 CHECK((force[r].head<3>() - own.force).norm() < 1e-6);
                 CHECK((force[r].tail<3>() * balance.radius[r] - own.torque).norm() < 1e-6);
             }

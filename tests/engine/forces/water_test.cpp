@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "build/build.h"
-#include "model/water_level.h"
+#include "model/over_time.h"
 #include "step/motion.h"
 #include "step/step.h"
 #include "support/models.h"

@@ -84,3 +84,26 @@ TEST_CASE("safety-factor: tan(phi) / tan(beta), theory beside") {
     CHECK(json.at("safety_factor").get<double>() == doctest::Approx(expected).epsilon(0.002));
     CHECK(json.at("bracket").size() == 2);
 }
+
+TEST_CASE(
+    "critical-acceleration: tan(phi - beta), theory and ceiling beside, from the scenario's own upwards") {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("k.toml", "[seismic]\nhorizontal = 0.05\n" + blockScenario(10, 20));
+    const Outcome outcome = runTalus({"critical-acceleration", path, "--json"});
+    REQUIRE(outcome.exit_code == 0);
+    const auto json = outcome.json();
+    checkCommonKeys(json);
+    const double expected = std::tan(10 * 3.14159265358979 / 180);
+    CHECK(json.at("status") == "found");
+    CHECK(json.at("theory_k").get<double>() == doctest::Approx(expected).epsilon(1e-7));
+    CHECK(std::abs(json.at("critical_k").get<double>() - expected) < 3e-4);
+    CHECK(json.at("ceiling").get<double>() == doctest::Approx(expected).epsilon(1e-4));
+    CHECK(json.at("bracket")[0].get<double>() >= 0.05);
+    CHECK(json.at("bracket")[1].get<double>() - json.at("bracket")[0].get<double>() <= 1e-4);
+    CHECK(json.at("probe_list")[0].at("horizontal").get<double>() == 0.05);
+    const auto strong =
+        runTalus({"critical-acceleration",
+                  folder.write("s.toml", "[seismic]\nhorizontal = 0.3\n" + blockScenario(10, 20)), "--json"});
+    CHECK(strong.json().at("status") == "unstable_at_start");
+    CHECK(strong.json().at("critical_k").is_null());
+}

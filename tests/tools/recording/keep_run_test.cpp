@@ -176,3 +176,26 @@ TEST_CASE("a slope that stands keeps nothing and says so; nothing finished is re
         4);
     CHECK(runTalus({"critical-angle", slides, "--keep-run-time", "1"}).exit_code == 2);
 }
+
+TEST_CASE("critical-acceleration: the kept run is shaken by what the slope no longer stands") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "failing.mcap";
+    const Outcome outcome = runTalus({"critical-acceleration", folder.write("k.toml", blockScenario(10, 20)),
+                                      "--keep-run", file, "--keep-run-time", "0.2", "--json", "--quiet"});
+    REQUIRE(outcome.exit_code == 0);
+    const double horizontal = outcome.json().at("kept_run").at("horizontal");
+    CHECK(horizontal > outcome.json().at("bracket")[1].get<double>());
+    auto reader = SnapshotReader::open(file);
+    REQUIRE(reader.ok());
+    CHECK(reader->header().failure->analysis == "critical-acceleration");
+    const auto as_it_fails =
+        formats::parseScenario(reader->header().scenario_text, reader->header().scenario_path);
+    REQUIRE(as_it_fails.ok());
+    CHECK(as_it_fails->model.seismic.horizontal == doctest::Approx(horizontal).epsilon(1e-12));
+    // It goes down the slope with what drives it less its friction: v = (k W cos + W sin - N tan(phi)) t / m.
+    const double b = 10 * kDegree, tan_phi = std::tan(20 * kDegree), g = 9.81;
+    const double a =
+        g * (horizontal * std::cos(b) + std::sin(b) - (std::cos(b) - horizontal * std::sin(b)) * tan_phi);
+    const LightFrame end = *reader->frame(reader->frames().size() - 1);
+    CHECK(-end.velocity.x.back() == doctest::Approx(0.2 * a).epsilon(0.05));
+}

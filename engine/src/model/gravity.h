@@ -1,0 +1,18 @@
+#pragma once
+// Which way is down, and which way an earthquake pushes. An assembly is tilted together with its compass: what is level
+// in the model is level on the tilted table.
+
+#include "talus/model.h"
+
+namespace talus {
+
+/// The unit vector along gravity, at a tilt about y. With gravity's default direction (-sin, 0, -cos) of the tilt.
+Vec3 downward(const Gravity& gravity, double tilt);
+
+/// The level unit vector along which a pseudo-static earthquake pushes.
+Vec3 pushOf(const Seismic& seismic, const Gravity& gravity, double tilt);
+
+/// The acceleration of a pseudo-static earthquake with this horizontal coefficient, over that of gravity.
+Vec3 seismicShare(const Seismic& seismic, double horizontal, const Gravity& gravity, double tilt);
+
+}  // namespace talus

@@ -1,0 +1,23 @@
+#include "model/over_time.h"
+
+namespace talus {
+
+double valueAt(const std::vector<LevelPoint>& table, double time) {
+    if (time <= table.front().time) return table.front().value;
+    for (std::size_t k = 1; k < table.size(); ++k)
+        if (time <= table[k].time) {
+            const double share = (time - table[k - 1].time) / (table[k].time - table[k - 1].time);
+            return table[k - 1].value + share * (table[k].value - table[k - 1].value);
+        }
+    return table.back().value;
+}
+
+double levelAt(const Water& water, double time) {
+    return water.level.empty() ? 0.0 : valueAt(water.level, time);
+}
+
+double factorAt(const AppliedLoad& load, double time) {
+    return load.factor.empty() ? 1.0 : valueAt(load.factor, time);
+}
+
+}  // namespace talus

@@ -1,0 +1,19 @@
+#pragma once
+// What a model says over time.
+
+#include <vector>
+
+#include "talus/model.h"
+
+namespace talus {
+
+/// The value of a table over time: linear between its entries, constant beyond. \pre there are some
+double valueAt(const std::vector<LevelPoint>& table, double time);
+
+/// Depth or elevation of a water [m]; 0 where it has none.
+double levelAt(const Water& water, double time);
+
+/// By what a load's force or pressure is multiplied; 1 where nothing is said.
+double factorAt(const AppliedLoad& load, double time);
+
+}  // namespace talus
