@@ -54,10 +54,8 @@ double totalEnergy(const State& state, bool parallel) {
 }
 
 bool isLeftAlone(const State& state) {
-    return std::all_of(kBlockForces.begin(), kBlockForces.end(),
-                       [&](const BlockForce& force) { return force.blocks(state).empty(); }) &&
-           std::none_of(state.blocks.motion.begin(), state.blocks.motion.end(),
-                        [](Motion motion) { return motion == Motion::driven; });
+    return !hasBlockForces(state) && std::none_of(state.blocks.motion.begin(), state.blocks.motion.end(),
+                                                  [](Motion motion) { return motion == Motion::driven; });
 }
 
 void takeBack(State& state, double energy, double since, bool parallel) {

@@ -1,0 +1,35 @@
+#pragma once
+// The load that a search goes up: a tilt, a factor on strength, a horizontal push.
+
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <string>
+
+#include "state/arrays.h"
+
+namespace talus::analysis {
+
+/// The load that is searched over. Probes stand on a grid of cells no wider than the tolerance, so that the bracket
+/// found is one of these cells whatever way led to it.
+struct LoadAxis {
+    double start = 0;
+    bool tenfold_at_start = false;   ///< at the start joints have ten times their strength
+    std::int64_t stop = 0;           ///< [cells from the start]
+    double cell = 0;                 ///< width of the bracket
+    double imbalance_tolerance = 0;  ///< out-of-balance force over weight that a change by one cell is worth
+    std::function<std::int64_t(std::int64_t)> next;  ///< from a stable load to the next one up [cells]
+    std::function<void(State&, double)> apply;
+    std::function<std::string(double)> say;  ///< for progress
+
+    double load(std::int64_t cells) const { return start + cell * static_cast<double>(cells); }
+};
+
+/// A number in words, by printf's format.
+inline std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+}  // namespace talus::analysis

@@ -1,0 +1,30 @@
+#pragma once
+// One search over a load that only grows, each probe from the last stable state.
+
+#include <cstdint>
+#include <vector>
+
+#include "analysis/load_axis.h"
+#include "talus/analysis.h"
+
+namespace talus::analysis {
+
+struct Outcome {
+    SearchResult result;
+    std::vector<std::size_t> falling;  ///< blocks of the state that were seen to fall
+};
+
+/// Weight and water at the start, then up until it fails or the end is reached, then down to the bracket, and the failure
+/// let go. A failure that this does not bear out is left so (`confirmed`).
+Outcome searchLoad(const State& state, const LoadAxis& axis, const Control& control,
+                   const QuasiStatic& settings, bool parallel);
+
+/// What falls under weight and water at the start.
+struct Start {
+    std::vector<std::size_t> falling;
+    std::int64_t steps = 0;
+};
+Start loadStart(const State& state, const LoadAxis& axis, const Control& control, const QuasiStatic& settings,
+                bool parallel);
+
+}  // namespace talus::analysis

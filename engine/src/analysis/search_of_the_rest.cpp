@@ -1,0 +1,193 @@
+#include "analysis/search_of_the_rest.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <utility>
+
+#include "analysis/initial_state.h"
+#include "analysis/load_search.h"
+#include "analysis/loose_blocks.h"
+#include "analysis/threads.h"
+#include "build/build.h"
+#include "law/joint_laws.h"
+
+namespace talus::analysis {
+namespace {
+
+constexpr int kAttempts = 3;  // with half the time step and longer windows, when a failure is not confirmed
+constexpr int kAttemptsAtStart = 2;
+constexpr double kMorePatience = 3.0;
+
+bool claimsFailure(const SearchResult& result) {
+    return result.status == SearchStatus::found || result.status == SearchStatus::unstable_at_start;
+}
+
+bool stopped(const Control& control) {
+    return control.stop != nullptr && control.stop->load(std::memory_order_relaxed);
+}
+
+/// A failure that the continuation with true inertia does not bear out was one of the numbers (contacts that chatter
+/// at too long a step, a mode far slower than its estimate): the search is made again with half the step and longer
+/// windows, and is undecided if that does not help.
+Outcome searchConfirmed(const State& state, const LoadAxis& axis, const Control& control,
+                        QuasiStatic settings, bool parallel) {
+    std::int64_t steps = 0, factors = 0;
+    for (int attempt = 1;; ++attempt) {
+        Outcome outcome = searchLoad(state, axis, control, settings, parallel);
+        SearchResult& result = outcome.result;
+        result.steps += steps;
+        result.factors += factors;
+        if (!claimsFailure(result) || result.confirmed) return outcome;
+        if (attempt == (result.status == SearchStatus::found ? kAttempts : kAttemptsAtStart)) {
+            result.status = SearchStatus::undecided;
+            result.warnings.push_back(
+                "the failing motion is not borne out by the continuation with true inertia");
+            return {std::move(result), {}};
+        }
+        if (stopped(control)) {
+            result.status = SearchStatus::interrupted;
+            return {std::move(result), {}};
+        }
+        steps = result.steps;
+        factors = result.factors;
+        settings.step_safety *= 0.5;
+        settings.watch_periods *= kMorePatience;
+    }
+}
+
+void warnOfFreeBlocks(State& state) {
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free && !touchesSomething(state, b)) {
+            state.warnings.push_back("block \"" + state.geometry->model.blocks[b].name +
+                                     "\" touches no other block at the start");
+            return;
+        }
+}
+
+/// Searches, and searches again without the blocks that fall at the start whatever the strength.
+class SearchOfTheRest {
+ public:
+    /// \param without blocks that are not to take part
+    SearchOfTheRest(const Model& model, const LoadAxis& axis, const Control& control,
+                    const QuasiStatic& settings, const std::vector<std::string>& without)
+        : model_(model),
+          axis_(axis),
+          control_(control),
+          settings_(settings),
+          gone_(blocksNamed(model, without)) {}
+
+    Result<SearchResult> run() {
+        std::int64_t steps = 0;
+        for (;;) {
+            Result<State> built = buildState(left(), control_.threads != 1);
+            if (!built) return built.errors();
+            const bool parallel = worthThreads(*built, control_.threads);
+            warnOfFreeBlocks(*built);
+            Outcome outcome = searchConfirmed(*built, axis_, control_, settings_, parallel);
+            if (outcome.result.status == SearchStatus::unstable_at_start && !axis_.tenfold_at_start)
+                outcome.falling = fallingAtTenfoldStrength(*built, parallel, steps);
+            outcome.result.steps += steps;
+            if (outcome.result.status != SearchStatus::unstable_at_start || !letGo(outcome.falling))
+                return named(std::move(outcome.result));
+            steps = outcome.result.steps;
+        }
+    }
+
+ private:
+    std::shared_ptr<const Model> left() const {
+        const bool all = std::find(gone_.begin(), gone_.end(), 1) == gone_.end();
+        return all ? keptByCaller(model_) : std::make_shared<const Model>(withoutBlocks(model_, gone_));
+    }
+
+    std::vector<std::size_t> fallingAtTenfoldStrength(State strong, bool parallel,
+                                                      std::int64_t& steps) const {
+        strong.laws = jointLaws(model_.joints, kTenfoldStrength);
+        Start start = loadStart(strong, axis_, control_, settings_, parallel);
+        steps += start.steps;
+        return std::move(start.falling);
+    }
+
+    /// Takes out what falls, counted in blocks that are left. False when there is nothing, or too much for loose
+    /// blocks.
+    bool letGo(const std::vector<std::size_t>& falling) {
+        if (falling.empty() || stopped(control_)) return false;
+        std::vector<char> loose = loose_.empty() ? std::vector<char>(gone_.size(), 0) : loose_;
+        std::size_t left = 0;
+        auto next = falling.begin();
+        for (std::size_t b = 0; b < gone_.size() && next != falling.end(); ++b) {
+            if (gone_[b] || left++ != *next) continue;
+            loose[b] = 1;
+            ++next;
+        }
+        if (looseShare(model_, loose) > kMostLoose) return false;
+        loose_ = std::move(loose);
+        for (std::size_t b = 0; b < gone_.size(); ++b) gone_[b] = gone_[b] || loose_[b];
+        return true;
+    }
+
+    SearchResult named(SearchResult result) const {
+        for (std::size_t b = 0; b < loose_.size(); ++b)
+            if (loose_[b]) result.fallen_at_start.push_back(model_.blocks[b].name);
+        std::sort(result.fallen_at_start.begin(), result.fallen_at_start.end());
+        if (result.fallen_at_start.empty()) return result;
+        result.failing = nullptr;  // its blocks are not the model's
+        result.warnings.push_back(std::to_string(result.fallen_at_start.size()) +
+                                  " of the blocks fall at the start whatever the strength (" +
+                                  result.fallen_at_start.front() +
+                                  " for one): the answer is for the rest, without them");
+        return result;
+    }
+
+    const Model& model_;
+    const LoadAxis& axis_;
+    const Control& control_;
+    const QuasiStatic& settings_;
+    std::vector<char> gone_;     ///< per block: not in the search
+    std::vector<char> loose_{};  ///< per block: because it falls; empty: none
+};
+
+}  // namespace
+
+Result<SearchResult> searchOfTheRest(const Model& model, const LoadAxis& axis, const Control& control,
+                                     const QuasiStatic& settings, const std::vector<std::string>& without) {
+    return inArena(control.threads, [&]() -> Result<SearchResult> {
+        const auto begin = std::chrono::steady_clock::now();
+        Result<SearchResult> result = SearchOfTheRest(model, axis, control, settings, without).run();
+        if (!result) return result;
+        result->wall_seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return result;
+    });
+}
+
+void addGroups(const Model& model, const LoadAxis& axis, const Control& control, const QuasiStatic& settings,
+               SearchResult& result) {
+    if (result.status != SearchStatus::found) return;
+    result.groups.push_back({result.answer, result.moving_blocks});
+    std::vector<std::string> gone = result.fallen_at_start;
+    const auto goes = [&](const std::vector<std::string>& blocks) {
+        gone.insert(gone.end(), blocks.begin(), blocks.end());
+    };
+    goes(result.moving_blocks);
+    const auto free = static_cast<std::size_t>(
+        std::count_if(model.blocks.begin(), model.blocks.end(),
+                      [](const Block& block) { return block.motion == Motion::free; }));
+    while (static_cast<int>(result.groups.size()) < control.groups && gone.size() < free &&
+           !stopped(control)) {
+        const Result<SearchResult> next = searchOfTheRest(model, axis, control, settings, gone);
+        if (!next) return;
+        result.steps += next->steps;
+        result.wall_seconds += next->wall_seconds;
+        BlockGroup& last = result.groups.back();
+        last.blocks.insert(last.blocks.end(), next->fallen_at_start.begin(), next->fallen_at_start.end());
+        std::sort(last.blocks.begin(), last.blocks.end());
+        if (!claimsFailure(*next) || next->moving_blocks.empty()) return;
+        const double factor = next->status == SearchStatus::found ? next->answer : last.factor;
+        result.groups.push_back({std::max(factor, last.factor), next->moving_blocks});
+        goes(next->fallen_at_start);
+        goes(next->moving_blocks);
+    }
+}
+
+}  // namespace talus::analysis
