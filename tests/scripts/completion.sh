@@ -22,5 +22,5 @@ for command in $commands; do
     [ "$(offered "$command" '-')" = "$(options_of "$command")" ] || { echo "options of $command differ"; exit 1; }
     grep -qx -- --json <<<"$(offered "$command" '--j')"
 done
-[ "$(offered crit)" = critical-angle ]
+[ "$(offered critical-an)" = critical-angle ]
 echo "completion offers $(wc -w <<<"$commands") commands and all their options"

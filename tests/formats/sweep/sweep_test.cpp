@@ -256,9 +256,9 @@ TEST_CASE("every fault of a sweep names its place") {
     CHECK(fault("analysis = \"critical-angle\"\n").find("scenario: missing") != std::string::npos);
     CHECK(fault("scenario = \"none.toml\"\nanalysis = \"run\"\n").find("none.toml:0:0 : cannot be opened") ==
           0);
-    CHECK(
-        fault("scenario = \"slope.toml\"\nanalysis = \"walk\"\n") ==
-        "sweep.toml:2:12 analysis: found \"walk\", allowed: \"critical-angle\", \"safety-factor\", \"run\"");
+    CHECK(fault("scenario = \"slope.toml\"\nanalysis = \"walk\"\n") ==
+          "sweep.toml:2:12 analysis: found \"walk\", allowed: \"critical-angle\", \"safety-factor\", "
+          "\"critical-acceleration\", \"run\"");
     CHECK(
         fault(grid + "values = [0.1, \"deep\"]\n")
             .find("sweep.toml:5:16 grid[0]: gives a scenario with water[0].depth: found a string \"deep\"") ==
