@@ -69,7 +69,8 @@ std::uint64_t sizeOf(int file, const std::string& path) {
 /// What is in a file is these results, or the beginning of their first line that a killed process left.
 bool areResults(const std::string& path, const std::string& header) {
     std::error_code none;
-    if (!std::filesystem::is_regular_file(path, none)) return true;  // nothing there, or nothing that can be lost
+    if (!std::filesystem::is_regular_file(path, none))
+        return true;  // nothing there, or nothing that can be lost
     std::ifstream file(path, std::ios::binary);
     std::string start(header.size(), '\0');
     file.read(start.data(), static_cast<std::streamsize>(start.size()));

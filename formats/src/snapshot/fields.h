@@ -55,15 +55,14 @@ struct LawColumn {
     std::string_view name;
     std::vector<double> fb::LawsT::*values;
 };
-inline constexpr std::array kLawColumns{
-    LawColumn{"normal_stiffness", &fb::LawsT::normal_stiffness},
-    LawColumn{"shear_stiffness", &fb::LawsT::shear_stiffness},
-    LawColumn{"tan_friction", &fb::LawsT::tan_friction},
-    LawColumn{"cohesion", &fb::LawsT::cohesion},
-    LawColumn{"tensile_strength", &fb::LawsT::tensile_strength},
-    LawColumn{"residual_tan_friction", &fb::LawsT::residual_tan_friction},
-    LawColumn{"residual_cohesion", &fb::LawsT::residual_cohesion},
-    LawColumn{"tan_dilation", &fb::LawsT::tan_dilation}};
+inline constexpr std::array kLawColumns{LawColumn{"normal_stiffness", &fb::LawsT::normal_stiffness},
+                                        LawColumn{"shear_stiffness", &fb::LawsT::shear_stiffness},
+                                        LawColumn{"tan_friction", &fb::LawsT::tan_friction},
+                                        LawColumn{"cohesion", &fb::LawsT::cohesion},
+                                        LawColumn{"tensile_strength", &fb::LawsT::tensile_strength},
+                                        LawColumn{"residual_tan_friction", &fb::LawsT::residual_tan_friction},
+                                        LawColumn{"residual_cohesion", &fb::LawsT::residual_cohesion},
+                                        LawColumn{"tan_dilation", &fb::LawsT::tan_dilation}};
 
 template <class Move>
 void eachField(FrameLaws& f, fb::LawsT& m, const Move& move) {
