@@ -1,6 +1,8 @@
 #include "reproduction/scatter.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "batch/report.h"
 #include "batch/schedule.h"
@@ -37,13 +39,20 @@ std::string withLine(std::string text, const std::string& start, const std::stri
     return text.replace(at, text.find('\n', at) - at, line);
 }
 
+/// A file that is there with this text already stays: a second call in this process has read it as its input.
+void provide(const std::string& path, const std::string& text) {
+    std::ifstream file(path, std::ios::binary);
+    if (file && std::string(std::istreambuf_iterator<char>(file), {}) == text) return;
+    writeFile(path, text);
+}
+
 /// The sweep and its scenario as files beside the results. Returns the sweep's path.
 std::string writeSweep(std::uint64_t samples, const std::string& folder) {
     std::string sweep = withLine(builtIn(kSweep), "samples =", "samples = " + std::to_string(samples));
     sweep = withLine(sweep, "scenario =", "scenario = \"" + std::string(kScenario) + ".toml\"");
     makeFolder(folder);
-    writeFile(folder + "/" + kScenario + ".toml", builtIn(kScenario));
-    writeFile(folder + "/" + kSweep + ".toml", sweep);
+    provide(folder + "/" + kScenario + ".toml", builtIn(kScenario));
+    provide(folder + "/" + kSweep + ".toml", sweep);
     return folder + "/" + kSweep + ".toml";
 }
 
