@@ -277,7 +277,7 @@ TEST_SUITE("slow: physics") {
                            << " m/s");
         CHECK(lowest > 0);
         CHECK(overlap < 1e-3);
-        CHECK(on.largest_gain < 1e-6 * fallen);
+        CHECK(on.largest_gain < 1e-9 * fallen);
         CHECK(on.last_kinetic < 1e-5 * fallen);
     }
 
