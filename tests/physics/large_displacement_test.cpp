@@ -6,10 +6,8 @@
 #include <cmath>
 
 #include "build/build.h"
-#include "contacts/neighbours.h"
+#include "contacts/overlap.h"
 #include "frame/frame.h"
-#include "geometry/separation.h"
-#include "state/placed_shape.h"
 #include "support/models.h"
 #include "talus/formats/scenario.h"
 #include "talus/simulation.h"
@@ -202,27 +200,6 @@ TEST_SUITE("physics") {
 }
 
 namespace {
-
-/// Greatest overlap of two blocks, in shares of the smaller one's least extent.
-double greatestOverlap(const State& state) {
-    const Geometry& geometry = *state.geometry;
-    std::vector<Box> boxes;
-    std::vector<Polyhedron> shapes;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
-        shapes.push_back(placedShape(state, b));
-        Box box{shapes[b].vertices[0], shapes[b].vertices[0]};
-        for (const Vec3& v : shapes[b].vertices) box = {box.min.cwiseMin(v), box.max.cwiseMax(v)};
-        boxes.push_back(box);
-    }
-    double greatest = 0;
-    for (const auto& [a, b] : findNeighbours(boxes, false)) {
-        const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-        if (state.blocks.motion[i] != Motion::free && state.blocks.motion[j] != Motion::free) continue;
-        greatest = std::max(greatest,
-                            -separation(shapes[i], shapes[j]) / std::min(geometry.size[i], geometry.size[j]));
-    }
-    return greatest;
-}
 
 /// Runs a scenario; returns the last full frame and how much the total energy rose from one frame to the next at most.
 struct RunOn {
