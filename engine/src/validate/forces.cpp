@@ -17,7 +17,7 @@ struct PointSum {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< on b; about the interface's origin [N, N m]
     double magnitude = 0;                              ///< of the forces, all of one sign [N]
     double energy = 0;                                 ///< of the springs' lengths [J]
-    bool dilates = false;                              ///< a slip that the next call of the law feels
+    bool dilates = false;  ///< it may have slipped, which the next call of the law feels
 };
 
 double affineAt(const Vec3& f, const Eigen::Vector2d& at) { return f.x() + at.x() * f.y() + at.y() * f.z(); }
@@ -40,16 +40,18 @@ double springEnergy(const contact::JointLaw& law, const RelativePose& pose, cons
 PointSum sumOver(const State& state, std::size_t i, const RelativePose& pose) {
     PointSum sum;
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
+    const bool has_arms = state.springs == Springs::keep_energy;
+    const Vec3 height = has_arms ? Vec3(pose.gap + state.interfaces.frame(i).reference_gap) : Vec3::Zero();
     for (const ContactPoint& point : contactPoints(state, i)) {
-        const Vec3 force =
-            point.force.shear_1 * pose.e1 + point.force.shear_2 * pose.e2 + point.force.normal * pose.e3;
+        const Vec3 shear = point.force.shear_1 * pose.e1 + point.force.shear_2 * pose.e2;
+        const Vec3 force = shear + point.force.normal * pose.e3;
         const Vec3 place = (point.position.x() + affineAt(pose.slide_1, point.position)) * pose.e1 +
                            (point.position.y() + affineAt(pose.slide_2, point.position)) * pose.e2;
         sum.force += force;
-        sum.moment += place.cross(force);
+        sum.moment += place.cross(force) + affineAt(height, point.position) * pose.e3.cross(shear);
         sum.magnitude += force.norm();
         sum.energy += springEnergy(law, pose, point);
-        sum.dilates = sum.dilates || (contact::dilates(law) && point.force.slips);
+        sum.dilates = sum.dilates || (contact::dilates(law) && point.memory.dilation > 0);
     }
     return sum;
 }
