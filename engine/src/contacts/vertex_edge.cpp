@@ -7,9 +7,11 @@
 #include <cmath>
 #include <optional>
 
+#include "contacts/corner_rounding.h"
 #include "contacts/limits.h"
 #include "state/block_motion.h"
 #include "state/incidence.h"
+#include "state/placed_shape.h"
 #include "state/point_layout.h"
 #include "state/range.h"
 
@@ -24,12 +26,7 @@ constexpr double kFaster = 1.5;      // than at a look a pair may get before the
 constexpr double kSamePlace = 1e-9;  // of the smaller block's size: the same vertex
 constexpr double kNearPlace =
     0.1;  // of the smaller block's size: what a contact point carried goes to a new one this near
-constexpr double kSameNormal = 0.9;           // cosine, likewise
-constexpr double kKink = 0.7071067811865476;  // cosine of the most that two faces turn by at a kink
-// Of the smaller block's size. More than what a search has to see of a failure (analysis/search.cpp), so that no verdict hangs
-// on a corner's sharpness.
-constexpr double kCornerRounding = 1e-3;
-constexpr double kCornerTie = 1e-6;  // likewise: what makes clear how two corners meet
+constexpr double kSameNormal = 0.9;  // cosine, likewise
 constexpr std::size_t kPlaces = kPlacesOfPair;
 static_assert(kPlaces == VertexEdgePoints::kMost);
 
@@ -67,12 +64,6 @@ void swapSides(State& state, std::size_t i) {
     }
     std::swap(f.block_a[i], f.block_b[i]);
     std::swap(f.face_a[i], f.face_b[i]);
-}
-
-/// A point of the model frame in a block's own.
-Vec3 toOwn(const Blocks& blocks, std::int32_t block, const Vec3& x) {
-    const auto b = static_cast<std::size_t>(block);
-    return blocks.orientation.matrix(b).transpose() * (x - blocks.position.get(b));
 }
 
 bool isSamePlace(const State& state, std::size_t i, const VertexEdgePoint& point, double tolerance) {
@@ -158,59 +149,6 @@ std::array<CarriedPoint, kPlaces> shareOut(const std::vector<CarriedPoint>& old,
             shares[*nearest].shear += point.shear, shares[*nearest].shear_energy += point.shear_energy;
     }
     return shares;
-}
-
-// Corners at kinks: that of a slab where its bed ends and the next one, another block's, begins. As a body of plane faces
-// it would have to ride up with its first move, on a corner as sharp as no rock's is. Such corners count as rounded. And
-// where two corners meet, in which direction they hold each other is anybody's choice until they have moved a little.
-
-/// Faces of a block that a point lies on, or nearer than `distance` [m]; none when it is farther from the block.
-int facesAt(const State& state, std::int32_t block, const Vec3& point, double distance) {
-    const Polyhedron& shape = state.geometry->shape[static_cast<std::size_t>(block)];
-    const Vec3 own = toOwn(state.blocks, block, point);
-    int count = 0;
-    for (std::size_t face = 0; face < shape.faces.size(); ++face) {
-        const Vec3& on_face = shape.vertices[static_cast<std::size_t>(shape.faces[face].front())];
-        const double height = shape.faceNormal(face).dot(own - on_face);
-        if (height > distance) return 0;
-        if (height >= -distance) ++count;
-    }
-    return count;
-}
-
-/// Whether a face of a block lies, up to a point, on a block other than its partner.
-/// \param least cosine of the angle between that face and the contact, whose normal points to the block
-bool isCarriedAt(const State& state, std::int32_t block, std::int32_t partner, const Vec3& point,
-                 const Vec3& normal, double least, double distance) {
-    const Interfaces& f = state.interfaces;
-    const Incidence& incidence = state.incidence;
-    const auto b = static_cast<std::size_t>(block);
-    for (auto k = incidence.interface_begin[b]; k < incidence.interface_begin[b + 1]; ++k) {
-        const auto i = static_cast<std::size_t>(incidence.interface[static_cast<std::size_t>(k)]);
-        if (isVertexEdge(f, i)) continue;
-        const bool is_a = f.block_a[i] == block;
-        const std::int32_t third = is_a ? f.block_b[i] : f.block_a[i];
-        if (third == partner) continue;
-        const double cosine = relativePose(state, i).e3.dot(normal) * (is_a ? -1.0 : 1.0);
-        if (cosine >= least && facesAt(state, third, point, distance) > 0) return true;
-    }
-    return false;
-}
-
-/// Whether a new point is left out because a corner there is rounded and it is not deeper than that.
-bool isRoundedOff(const State& state, std::size_t begin, const VertexEdgePoint& point, double size) {
-    const double rounding = kCornerRounding * size, tie = kCornerTie * size;
-    if (point.gap <= -rounding) return false;
-    const Interfaces& f = state.interfaces;
-    const std::int32_t reference = point.second_is_reference ? f.block_b[begin] : f.block_a[begin];
-    const std::int32_t other = point.second_is_reference ? f.block_a[begin] : f.block_b[begin];
-    const Vec3 normal = point.e1.cross(point.e2);
-    if (isCarriedAt(state, other, reference, point.on_other, normal, kKink, rounding)) return true;
-    if (point.gap <= -tie) return false;
-    const bool are_corners =
-        facesAt(state, reference, point.on_other, tie) > 1 && facesAt(state, other, point.on_other, tie) > 1;
-    return are_corners && (isCarriedAt(state, other, reference, point.on_other, normal, -1.0, rounding) ||
-                           isCarriedAt(state, reference, other, point.on_other, normal, -1.0, rounding));
 }
 
 /// Which place a found point has already; -1: none.

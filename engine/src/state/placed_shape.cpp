@@ -15,4 +15,9 @@ Polyhedron placedShape(const State& state, std::size_t block) {
     return shape;
 }
 
+Vec3 toOwn(const Blocks& blocks, std::int32_t block, const Vec3& x) {
+    const auto b = static_cast<std::size_t>(block);
+    return blocks.orientation.matrix(b).transpose() * (x - blocks.position.get(b));
+}
+
 }  // namespace talus
