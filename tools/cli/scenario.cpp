@@ -1,8 +1,14 @@
 #include "cli/scenario.h"
 
+#include "cli/signals.h"
+
 namespace talus::tools {
 
-formats::Scenario loadScenario(const std::string& path) { return valueOf(formats::readScenario(path)); }
+formats::Scenario loadScenario(const std::string& path) {
+    auto scenario = formats::readScenario(path, &stopRequested());
+    if (!scenario && stopRequested()) throw Interrupted("interrupted while " + path + " was read");
+    return valueOf(std::move(scenario));
+}
 
 formats::Scenario loadScenario(const std::string& path, const Common& common) {
     formats::Scenario scenario = loadScenario(path);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace talus {
 
@@ -18,8 +19,18 @@ struct Interval {
         return (open_min ? value > min : value >= min) && (open_max ? value < max : value <= max);
     }
 
+    /// Every positive number up to `max`.
+    static constexpr Interval positive(double max) { return {.min = 0, .max = max, .open_min = true}; }
     static constexpr Interval positive() { return {.min = 0, .open_min = true}; }
     static constexpr Interval notNegative() { return {.min = 0}; }
+};
+
+/// Numbers between two that a quantity hardly ever is, but often would be in another unit.
+struct Slip {
+    double above = 0, below = 0;
+    std::string_view unit{};  ///< "g/cm3"
+
+    constexpr bool looksLike(double value) const { return value > above && value < below; }
 };
 
 }  // namespace talus

@@ -21,6 +21,7 @@ struct JointProperty {
     double Joint::*value;              ///< in SI units and radians
     std::string_view unit;             ///< of what stands under the key
     Interval allowed;                  ///< in that unit
+    Slip slip{};                       ///< likewise
     LawSet laws = kAllLaws;            ///< joints of these have it
     LawSet required_by{};              ///< of these it has to be given; else it is as Joint{} has it
     double Joint::*same_as = nullptr;  ///< ... or as this property, unless it is given
@@ -35,7 +36,18 @@ struct JointProperty {
 
 namespace detail {
 
+// Wide enough for any rock, soil or laboratory model, and no wider than what doubles carry.
+//
+// A block sinks by rho g / k of its own height under its own weight: below 1e3 Pa/m even blocks of foam lie more than
+// wholly inside each other. A cubic metre of rock on joints of 1e15 Pa/m has its closures (3e-11 m) still a thousand times
+// above the rounding of coordinates some metres large; what is between is checked against the model itself
+// (analysis/plausible.h). Intact rock has 1e8 Pa of strength and 1e11 Pa of modulus; 1e15 Pa, what bonds that never give are
+// made of, is the most that sums of forces should have to carry.
+inline constexpr Interval kStiffness{1e3, 1e15}, kStrength{0, 1e15};
 inline constexpr Interval kFrictionDeg{0, 90, false, true};
+// pi/2 radians are 90 degrees; and no joint of a slope slides at a degree and a half.
+inline constexpr Slip kStiffnessSlip{0, 1e6, "kPa/m or MPa/m"}, kStrengthSlip{0, 1, "kPa or MPa"},
+    kFrictionSlip{0, 1.5708, "radians"};
 inline constexpr LawSet kCoulomb{StrengthLaw::coulomb}, kBartonBandis{StrengthLaw::barton_bandis},
     kPower{StrengthLaw::power};
 
@@ -46,14 +58,16 @@ inline constexpr std::array kJointProperties{
     JointProperty{.key = "normal_stiffness",
                   .value = &Joint::normal_stiffness,
                   .unit = "Pa/m",
-                  .allowed = Interval::positive(),
+                  .allowed = detail::kStiffness,
+                  .slip = detail::kStiffnessSlip,
                   .required_by = kAllLaws,
                   .in_law = "normal_stiffness",
                   .what = "normal stress per closure"},
     JointProperty{.key = "shear_stiffness",
                   .value = &Joint::shear_stiffness,
                   .unit = "Pa/m",
-                  .allowed = Interval::positive(),
+                  .allowed = detail::kStiffness,
+                  .slip = detail::kStiffnessSlip,
                   .required_by = kAllLaws,
                   .in_law = "shear_stiffness",
                   .what = "shear stress per slip before sliding"},
@@ -61,6 +75,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::friction,
                   .unit = "deg",
                   .allowed = detail::kFrictionDeg,
+                  .slip = detail::kFrictionSlip,
                   .laws = detail::kCoulomb,
                   .required_by = detail::kCoulomb,
                   .reduced_in = detail::kCoulomb,
@@ -69,7 +84,8 @@ inline constexpr std::array kJointProperties{
     JointProperty{.key = "cohesion",
                   .value = &Joint::cohesion,
                   .unit = "Pa",
-                  .allowed = Interval::notNegative(),
+                  .allowed = detail::kStrength,
+                  .slip = detail::kStrengthSlip,
                   .laws = detail::kCoulomb,
                   .reduced_in = detail::kCoulomb,
                   .in_law = "cohesion",
@@ -77,14 +93,16 @@ inline constexpr std::array kJointProperties{
     JointProperty{.key = "tensile_strength",
                   .value = &Joint::tensile_strength,
                   .unit = "Pa",
-                  .allowed = Interval::notNegative(),
+                  .allowed = detail::kStrength,
+                  .slip = detail::kStrengthSlip,
                   .laws = detail::kCoulomb,
                   .in_law = "tensile_strength",
                   .what = "tension at which it opens"},
     JointProperty{.key = "residual_cohesion",
                   .value = &Joint::residual_cohesion,
                   .unit = "Pa",
-                  .allowed = Interval::notNegative(),
+                  .allowed = detail::kStrength,
+                  .slip = detail::kStrengthSlip,
                   .laws = detail::kCoulomb,
                   .reduced_in = detail::kCoulomb,
                   .in_law = "residual_cohesion",
@@ -93,6 +111,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::residual_friction,
                   .unit = "deg",
                   .allowed = detail::kFrictionDeg,
+                  .slip = detail::kFrictionSlip,
                   .laws = {StrengthLaw::coulomb, StrengthLaw::barton_bandis},
                   .required_by = detail::kBartonBandis,
                   .same_as = &Joint::friction,
@@ -116,7 +135,8 @@ inline constexpr std::array kJointProperties{
     JointProperty{.key = "jcs",
                   .value = &Joint::jcs,
                   .unit = "Pa",
-                  .allowed = Interval::positive(),
+                  .allowed = Interval::positive(1e15),
+                  .slip = {0, 1e4, "MPa"},
                   .laws = detail::kBartonBandis,
                   .required_by = detail::kBartonBandis,
                   .in_law = "",
@@ -126,13 +146,14 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::max_friction,
                   .unit = "deg",
                   .allowed = {0, 80, true, false},
+                  .slip = detail::kFrictionSlip,
                   .laws = detail::kBartonBandis,
                   .in_law = "",
                   .what = "greatest angle of the strength over the normal stress"},
     JointProperty{.key = "a",
                   .value = &Joint::a,
                   .unit = "Pa^(1-b)",
-                  .allowed = Interval::positive(),
+                  .allowed = Interval::positive(1e15),
                   .laws = detail::kPower,
                   .required_by = detail::kPower,
                   .in_law = "",
@@ -148,7 +169,7 @@ inline constexpr std::array kJointProperties{
     JointProperty{.key = "strength_factor",
                   .value = &Joint::strength_factor,
                   .unit = "",
-                  .allowed = Interval::positive(),
+                  .allowed = Interval::positive(1e6),
                   .laws = kCurvedLaws,
                   .reduced_in = kCurvedLaws,
                   .in_law = "strength_factor",

@@ -7,6 +7,7 @@
 // upwards, and towards the dip direction where the plane is steep.
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -90,6 +91,7 @@ struct RockMass {
     bool refuse_slivers = false;  ///< a cut that would leave a thinner part is an error, not left out
     std::uint64_t seed = 1;
     std::size_t max_blocks = 2'000'000;
+    const std::atomic<bool>* stop = nullptr;  ///< set it to end the cutting early, with an error
     std::string field = "rock_mass";
 };
 
@@ -128,7 +130,7 @@ struct CutRockMass {
 /// parts that must not move against each other.
 ///
 /// Errors: an open, non-manifold, inverted or self-crossing region; spacing not positive; a joint that is no plane or
-/// no convex polygon; more than `max_blocks` blocks; slivers, if refused; volumes that do not add up to 1e-9.
+/// no convex polygon; more than `max_blocks` blocks, estimated before anything is cut or counted then; `stop`; slivers, if refused; volumes that do not add up to 1e-9.
 Result<CutRockMass> cutRockMass(const RockMass& description);
 
 /// Which blocks a user means.

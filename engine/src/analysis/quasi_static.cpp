@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "analysis/plausible.h"
 #include "contacts/update.h"
 #include "equilibrium/find_equilibrium.h"
 #include "forces/sum.h"
@@ -260,19 +261,6 @@ void stopDrivenBlocks(State& state) {
     if (any) state.warnings.push_back("driven blocks stand still in this analysis");
 }
 
-/// What rounding of the coordinates leaves of the out-of-balance force over the weight: eps |x| k A / (m g).
-double roundingLevel(const State& state, const std::vector<double>& bounds) {
-    const double g = state.geometry->model.gravity.magnitude;
-    if (!(g > 0)) return 0.0;
-    double level = 0;
-    for (std::size_t b = 0; b < bounds.size(); ++b) {
-        const double reach = state.blocks.position.get(b).cwiseAbs().maxCoeff() + state.geometry->radius[b];
-        if (state.blocks.motion[b] == Motion::free)
-            level = std::max(level, std::numeric_limits<double>::epsilon() * reach * bounds[b] / g);
-    }
-    return level;
-}
-
 void takeSteps(State& state, QuasiStaticWork& work, Probe& probe, const SetLoad& set_load = {}) {
     advance(state, {work.time_step, work.parallel}, kStepsPerSample, set_load);
     probe.steps += kStepsPerSample;
@@ -300,11 +288,6 @@ QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control
     work.slow_period = 4.0 * across * 2.0 * M_PI / std::sqrt(bound);
     work.slow_period_limit = kSlowPeriodGrowth * work.slow_period;
     work.out_of_balance_limit = std::max(kShareOfTolerance * load_tolerance, roundingLevel(state, bounds));
-    if (work.out_of_balance_limit > load_tolerance)
-        state.warnings.push_back(
-            "stiffness and coordinates are so large that rounding leaves the out-of-balance force at " +
-            std::to_string(work.out_of_balance_limit) +
-            " of the weight: the answer is no more accurate than that");
     work.release = std::min(1.0, work.time_step / (2.0 * work.slow_period));
     takeBack(state, work);
     return work;

@@ -6,6 +6,7 @@
 
 #include "analysis/failure_mode.h"
 #include "analysis/initial_state.h"
+#include "analysis/plausible.h"
 #include "analysis/threads.h"
 #include "build/build.h"
 #include "contacts/update.h"
@@ -304,6 +305,7 @@ Result<RunResult> history(const Model& model, const Control& control, const RunO
         Result<State> built = buildState(keptByCaller(model), control.threads != 1);
         if (!built) return built.errors();
         const bool parallel = analysis::worthThreads(*built, control.threads);
+        if (std::vector<Error> errors = analysis::implausible(*built); !errors.empty()) return errors;
         TimeHistory history(std::move(*built), control, output, parallel);
         if (std::vector<Error> errors = begin(history); !errors.empty()) return errors;
         Result<RunResult> result = history.run();
@@ -344,8 +346,10 @@ const char* toString(InitialState start) {
 }
 
 std::vector<Error> checkModel(const Model& model, int threads) {
-    return analysis::inArena(threads,
-                             [&]() { return buildState(keptByCaller(model), threads != 1).errors(); });
+    return analysis::inArena(threads, [&]() {
+        const Result<State> built = buildState(keptByCaller(model), threads != 1);
+        return built ? analysis::implausible(*built) : built.errors();
+    });
 }
 
 }  // namespace talus

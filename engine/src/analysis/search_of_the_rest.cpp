@@ -8,6 +8,7 @@
 #include "analysis/initial_state.h"
 #include "analysis/load_search.h"
 #include "analysis/loose_blocks.h"
+#include "analysis/plausible.h"
 #include "analysis/threads.h"
 #include "build/build.h"
 #include "law/joint_laws.h"
@@ -83,6 +84,8 @@ class SearchOfTheRest {
             Result<State> built = buildState(left(), control_.threads != 1);
             if (!built) return built.errors();
             const bool parallel = worthThreads(*built, control_.threads);
+            std::vector<Error> errors = implausibleSearch(*built, axis_.imbalance_tolerance, parallel);
+            if (!errors.empty()) return errors;
             warnOfFreeBlocks(*built);
             Outcome outcome = searchConfirmed(*built, axis_, control_, settings_, parallel);
             if (outcome.result.status == SearchStatus::unstable_at_start && !axis_.tenfold_at_start)

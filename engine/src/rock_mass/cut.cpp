@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "rock_mass/cut_tree.h"
+#include "rock_mass/expected_blocks.h"
 #include "rock_mass/joints.h"
 #include "rock_mass/region.h"
 #include "rock_mass/solid.h"
@@ -24,6 +25,8 @@ constexpr double kThinSpacing = 1e-3;      // default least thickness: of the le
 constexpr double kThinExtent = 1e-4;       // ... or of the region's longest side
 constexpr double kThinWelds = 1e5;         // weld distances, in any case
 constexpr double kVolumeTolerance = 1e-9;  // of the region's volume
+constexpr double kTimesExpected = 2.0;     // an estimate this many times what is allowed is refused
+constexpr double kBytesPerBlock = 3e3;     // of a model and its state
 constexpr double kSameLevel = 1e-7;        // of the extent: centroids this near in a coordinate are level
 
 std::string text(double value) {
@@ -60,18 +63,20 @@ class Cutter {
     Result<CutRockMass> run() {
         if (auto errors = checkAll(); !errors.empty()) return errors;
         VertexTable vertices(weldDistance());
-        auto cells = decompose(description_.region, planes_, vertices);
+        auto cells = decompose(description_.region, planes_, vertices, description_.stop);
+        if (stopped()) return interrupted();
         if (!cells) return inRegion(cells.errors());
         for (const Cell& cell : *cells) result_.region_volume += volume(cell, vertices);
-        if (auto error = expectTooMany()) return *error;
         result_.min_thickness = minThickness();
         const Knife knife{planes_, vertices, result_.min_thickness};
         const auto joints = jointPlanes(description_, description_.region.vertices);
         if (!joints) return joints.errors();
+        if (auto error = expectTooMany(*joints)) return *error;
         CutTree tree(joined(std::move(*cells), knife));
         tallies_.resize(description_.sets.size() + description_.singles.size());
         for (const JointPlane& joint : *joints)
-            if (auto error = cutBy(joint, knife, tree)) return *error;
+            if (auto error = stopped() ? std::optional(interrupted()) : cutBy(joint, knife, tree))
+                return *error;
         warnOfCuts();
         return collect(tree, knife);
     }
@@ -92,9 +97,14 @@ class Cutter {
         return errors;
     }
 
-    double extent() const {
+    std::pair<Vec3, Vec3> bounds() const {
         Vec3 min = description_.region.vertices[0], max = min;
         for (const Vec3& v : description_.region.vertices) min = min.cwiseMin(v), max = max.cwiseMax(v);
+        return {min, max};
+    }
+
+    double extent() const {
+        const auto [min, max] = bounds();
         return (max - min).maxCoeff();
     }
 
@@ -126,6 +136,7 @@ class Cutter {
             if (outcome.kind == CutOutcome::Kind::cut) ++tally.cuts;
             if (outcome.kind == CutOutcome::Kind::sliver) error = onSliver(joint, outcome, tally);
             if (tree.size() + outcome.parts.size() > description_.max_blocks) error = onTooMany(joint);
+            if (stopped()) error = interrupted();
             return std::move(outcome.parts);
         });
         return error;
@@ -143,31 +154,41 @@ class Cutter {
                          text(result_.min_thickness) + " m, or slivers = \"merge\""};
     }
 
-    /// Three sets alone cut a volume V into about V |n1 . n2 x n3| / (s1 s2 s3) blocks: far too many are refused before
-    /// they fill the memory.
-    std::optional<Error> expectTooMany() const {
-        const auto& sets = description_.sets;
-        const auto normal = [&](std::size_t i) { return upwardNormal(sets[i].dip, sets[i].dip_direction); };
-        for (std::size_t k = 2; k < sets.size(); ++k)
-            for (std::size_t j = 1; j < k; ++j)
-                for (std::size_t i = 0; i < j; ++i) {
-                    const double count = result_.region_volume *
-                                         std::abs(normal(i).dot(normal(j).cross(normal(k)))) /
-                                         (sets[i].spacing * sets[j].spacing * sets[k].spacing);
-                    if (count > 2.0 * static_cast<double>(description_.max_blocks))
-                        return Error{sets[k].field + ".spacing", "found sets that cut the region into some " +
-                                                                     text(count) +
-                                                                     " blocks, allowed: at most " +
-                                                                     std::to_string(description_.max_blocks)};
-                }
-        return std::nullopt;
+    /// Far too many are refused before they fill the memory.
+    std::optional<Error> expectTooMany(const std::vector<JointPlane>& joints) const {
+        const auto [min, max] = bounds();
+        const double refused = kTimesExpected * static_cast<double>(description_.max_blocks);
+        const double count = expectedBlocks(joints, min, max, result_.region_volume, refused);
+        if (!(count > refused)) return std::nullopt;
+        return Error{fieldOfMost(joints), "found joints that cut the region into some " + text(count) +
+                                              " blocks or more (" + text(kBytesPerBlock * count / 1e9) +
+                                              " GB of memory), allowed: " + allowedBlocks()};
     }
 
+    /// Of the joint set that has the most planes; the rock mass' own when single joints are more.
+    std::string fieldOfMost(const std::vector<JointPlane>& joints) const {
+        std::vector<std::size_t> planes(description_.sets.size() + 1);
+        for (const JointPlane& joint : joints) ++planes[std::min(joint.joint, description_.sets.size())];
+        const auto most =
+            static_cast<std::size_t>(std::max_element(planes.begin(), planes.end()) - planes.begin());
+        return most < description_.sets.size() ? description_.sets[most].field + ".spacing"
+                                               : description_.field;
+    }
+
+    std::string allowedBlocks() const {
+        return "at most max_blocks, " + std::to_string(description_.max_blocks) +
+               "; a wider spacing, a smaller region, or a greater max_blocks";
+    }
+
+    bool stopped() const {
+        return description_.stop != nullptr && description_.stop->load(std::memory_order_relaxed);
+    }
+    Error interrupted() const { return {description_.field, "interrupted while it was cut"}; }
+
     Error onTooMany(const JointPlane& joint) const {
-        return {fieldOf(description_, joint.joint),
-                "found more than " + std::to_string(description_.max_blocks) +
-                    " blocks up to here, allowed: at most that many; a wider "
-                    "spacing or a smaller region"};
+        return {fieldOf(description_, joint.joint), "found more than " +
+                                                        std::to_string(description_.max_blocks) +
+                                                        " blocks up to here, allowed: " + allowedBlocks()};
     }
 
     void warnOfCuts() {
@@ -254,6 +275,7 @@ class Cutter {
         std::size_t thin_parts = 0;
         result_.parts.reserve(tree.size());
         for (const Ranked& ranked : ranked(tree, knife)) {
+            if (stopped()) return interrupted();
             const auto first = static_cast<std::int32_t>(result_.parts.size());
             for (const Cell& piece : ranked.solid->pieces)
                 result_.parts.push_back(partOf(piece, result_.blocks, knife.vertices));

@@ -21,7 +21,7 @@ namespace rock_mass {
 
 namespace {
 
-constexpr std::int64_t kMostPlanes = 1'000'000;  // of one set
+constexpr std::int64_t kMostPlanes = 1'000'000;  // of all sets
 constexpr double kEvenness = 1e-3;               // of its size: how far corners may lie off a polygon's plane
 constexpr double kPi = 3.14159265358979323846;
 
@@ -176,6 +176,10 @@ std::optional<Error> appendSet(const RockMass& description, std::size_t index,
                                   static_cast<std::int32_t>(place.number)};
         ordered.push_back({plane, std::nullopt, index});
     }
+    if (planes.size() + ordered.size() > static_cast<std::size_t>(kMostPlanes))
+        return Error{set.field + ".spacing",
+                     "found more than " + std::to_string(kMostPlanes) +
+                         " planes of all joint sets up to here, allowed: wider spacings"};
     appendHalving(ordered, 0, ordered.size(), planes);
     return std::nullopt;
 }

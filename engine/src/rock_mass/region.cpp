@@ -23,8 +23,9 @@ using EdgeOwners = std::map<std::pair<std::int32_t, std::int32_t>, std::size_t>;
 
 class Decomposer {
  public:
-    Decomposer(const TriangleSurface& surface, std::vector<Plane>& planes, VertexTable& vertices)
-        : surface_(surface), planes_(planes), vertices_(vertices) {
+    Decomposer(const TriangleSurface& surface, std::vector<Plane>& planes, VertexTable& vertices,
+               const std::atomic<bool>* stop)
+        : surface_(surface), planes_(planes), vertices_(vertices), stop_(stop) {
         min_ = max_ = surface.vertices[0];
         for (const Vec3& v : surface.vertices) min_ = min_.cwiseMin(v), max_ = max_.cwiseMax(v);
         extent_ = (max_ - min_).maxCoeff();
@@ -33,10 +34,12 @@ class Decomposer {
     Result<std::vector<Cell>> run() {
         Cell root = boxCell(min_, max_, planes_, vertices_);
         findPlanes();
+        if (stopped()) return interrupted();
         depth_ = std::max(16 * vertices_.weld(), 4 * deviation_);
         std::vector<std::size_t> reflex;
         if (!cutByHull(root, reflex)) return crossing();
         if (!cutByFacets(std::move(root), reflex)) return tooMany();
+        if (stopped()) return interrupted();
         double sum = 0;
         for (const Cell& cell : cells_) sum += volume(cell, vertices_);
         const double expected = surfaceVolume(surface_);
@@ -52,6 +55,8 @@ class Decomposer {
             "found a surface that crosses itself (its parts do not add up to its volume), allowed: a surface "
             "that parts inside from outside"};
     }
+    bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+    static Error interrupted() { return {"", "interrupted"}; }
     static Error tooMany() {
         return {"", "found a surface with so many reflex edges that it falls into more than " +
                         std::to_string(kMostCells) + " convex parts, allowed: a coarser surface"};
@@ -79,7 +84,7 @@ class Decomposer {
         for (std::size_t t = 0; t < order.size(); ++t) order[t] = t, size[t] = areaVector(t).norm();
         std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return size[a] > size[b]; });
         for (const std::size_t seed : order)
-            if (facets_[seed].plane < 0) growFace(seed, owner);
+            if (facets_[seed].plane < 0 && !stopped()) growFace(seed, owner);
     }
 
     Vec3 areaVector(std::size_t t) const {
@@ -128,7 +133,7 @@ class Decomposer {
     /// Cuts the box by the planes of the hull; `reflex` gets the triangles in other planes.
     bool cutByHull(Cell& root, std::vector<std::size_t>& reflex) {
         std::vector<std::int8_t> is_hull(planes_.size(), -1);
-        for (std::size_t t = 0; t < facets_.size(); ++t) {
+        for (std::size_t t = 0; t < facets_.size() && !stopped(); ++t) {
             const auto p = static_cast<std::size_t>(facets_[t].plane);
             if (is_hull[p] < 0) {
                 const double allowed = std::max(4 * vertices_.weld(), 2 * deviation_);
@@ -152,7 +157,7 @@ class Decomposer {
         };
         std::vector<Task> todo;
         todo.push_back({std::move(root), std::move(reflex)});
-        while (!todo.empty()) {
+        while (!todo.empty() && !stopped()) {
             if (todo.size() + cells_.size() > kMostCells) return false;
             Task task = std::move(todo.back());
             todo.pop_back();
@@ -247,6 +252,7 @@ class Decomposer {
     const TriangleSurface& surface_;
     std::vector<Plane>& planes_;
     VertexTable& vertices_;
+    const std::atomic<bool>* stop_;
     std::vector<Facet> facets_;
     std::vector<Cell> cells_;
     Vec3 min_, max_;
@@ -256,8 +262,8 @@ class Decomposer {
 }  // namespace
 
 Result<std::vector<Cell>> decompose(const TriangleSurface& surface, std::vector<Plane>& planes,
-                                    VertexTable& vertices) {
-    return Decomposer(surface, planes, vertices).run();
+                                    VertexTable& vertices, const std::atomic<bool>* stop) {
+    return Decomposer(surface, planes, vertices, stop).run();
 }
 
 }  // namespace talus::rock_mass

@@ -6,6 +6,7 @@
 // does; what a vertical ray finds inside the surface is kept. Cells cut apart inside the region belong together, they
 // are pieces of one solid.
 
+#include <atomic>
 #include <vector>
 
 #include "rock_mass/cell.h"
@@ -18,8 +19,8 @@ namespace talus::rock_mass {
 inline constexpr double kFlatness = 1e-6;
 
 /// The region's cells; appends the planes of its surface. \pre a checked surface
-/// Errors: a surface that crosses itself (the cells do not add up to its volume).
+/// Errors: a surface that crosses itself (the cells do not add up to its volume); `stop`.
 Result<std::vector<Cell>> decompose(const TriangleSurface& surface, std::vector<Plane>& planes,
-                                    VertexTable& vertices);
+                                    VertexTable& vertices, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace talus::rock_mass

@@ -19,12 +19,26 @@ struct NumberField {
     double Owner::*value;   ///< in SI units and radians
     std::string_view unit;  ///< of what stands under the key
     Interval allowed;       ///< in that unit
+    Slip slip{};            ///< likewise
 
     constexpr double toSi() const { return unit == "deg" ? kRadPerDeg : 1.0; }
 };
 
+// Geotechnical centrifuges reach some 1000 g.
+inline constexpr Interval kGravity{0, 1e5};
+// The lightest blocks anybody piles are of foam, 10 kg/m^3; osmium has 22590.
+inline constexpr Interval kDensity{10, 30000};
+inline constexpr Slip kDensitySlip{0, 100, "g/cm3, t/m3 or kN/m3"};
+// From gases to mercury (13546).
+inline constexpr Interval kFluidDensity{1, 30000};
+inline constexpr Slip kFluidDensitySlip{0, 30, "g/cm3, t/m3 or kN/m3"};
+// Rocks fall at up to some 100 m/s; faster ones would meet as shock waves, not as rigid bodies.
+inline constexpr Interval kSpeed{-1000, 1000};  ///< [m/s]
+// From a second before anything has moved to thirty years; longer than any history can be computed.
+inline constexpr Interval kDuration = Interval::positive(1e9);  ///< [s]
+
 inline constexpr std::array kGravityFields{
-    NumberField<Gravity>{"magnitude", &Gravity::magnitude, "m/s^2", kNotNegative},
+    NumberField<Gravity>{"magnitude", &Gravity::magnitude, "m/s^2", kGravity},
     NumberField<Gravity>{"tilt_deg", &Gravity::tilt, "deg", kTiltDeg}};
 
 inline constexpr std::array kSeismicFields{
@@ -32,16 +46,19 @@ inline constexpr std::array kSeismicFields{
     NumberField<Seismic>{"direction_deg", &Seismic::azimuth, "deg", Interval{-360, 360, false, false}},
     NumberField<Seismic>{"vertical", &Seismic::vertical, "", Interval{-10, 1, false, true}}};
 
+// The critical one of the stiffest block is some 1e8 per second; a dashpot slower than the history only holds it up.
+inline constexpr Interval kDampingRate{0, 1e9}, kDampingTime{0, 1e3};
+
 inline constexpr std::array kDampingFields{
-    NumberField<Damping>{"mass", &Damping::mass, "1/s", kNotNegative},
-    NumberField<Damping>{"rotation", &Damping::rotation, "1/s", kNotNegative},
-    NumberField<Damping>{"contact", &Damping::contact, "s", kNotNegative},
+    NumberField<Damping>{"mass", &Damping::mass, "1/s", kDampingRate},
+    NumberField<Damping>{"rotation", &Damping::rotation, "1/s", kDampingRate},
+    NumberField<Damping>{"contact", &Damping::contact, "s", kDampingTime},
     NumberField<Damping>{"local", &Damping::local, "", Interval{0, 1, false, true}}};
 
 /// What a [[water]] of any kind has.
 inline constexpr std::array kWaterFields{
-    NumberField<Water>{"density", &Water::density, "kg/m^3", kPositive},
-    NumberField<Water>{"drains_at_aperture", &Water::drains_at_aperture, "m", kPositive}};
+    NumberField<Water>{"density", &Water::density, "kg/m^3", kFluidDensity, kFluidDensitySlip},
+    NumberField<Water>{"drains_at_aperture", &Water::drains_at_aperture, "m", kSize}};
 
 /// Sections that hold nothing but such numbers, each with what holds them in the model: calls with its name, its fields and
 /// that. The reader, overrides and units iterate over them.
@@ -63,7 +80,7 @@ std::vector<std::string> keysOf(const Fields& fields) {
 template <class Fields, class Owner>
 void readNumbers(TableReader& table, const Fields& fields, Owner& owner) {
     for (const auto& field : fields)
-        if (const auto given = table.number(field.key, field.allowed))
+        if (const auto given = table.number(field.key, field.allowed, field.slip))
             owner.*field.value = *given * field.toSi();
 }
 

@@ -62,7 +62,7 @@ std::optional<Target> materialTarget(const Scenario& scenario, const std::string
     const auto found = std::find(scenario.materials.begin(), scenario.materials.end(), name);
     if (found == scenario.materials.end()) return std::nullopt;
     const auto material = static_cast<std::int32_t>(found - scenario.materials.begin());
-    return Target{kPositive, [material](Scenario& changed, double value) {
+    return Target{kDensity, [material](Scenario& changed, double value) {
                       for (Block& block : changed.model.blocks)
                           if (block.material == material) block.density = value;
                       return true;

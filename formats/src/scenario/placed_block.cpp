@@ -1,5 +1,6 @@
 #include "scenario/placed_block.h"
 
+#include "scenario/fields.h"
 #include "scenario/places.h"
 
 namespace talus::formats::scenario {
@@ -50,7 +51,7 @@ void readShape(Report& report, TableReader& table, Block& block) {
 void readMotion(TableReader& table, Block& block) {
     const bool fixed = table.boolean("fixed").value_or(false);
     const bool driven = table.boolean("driven").value_or(false);
-    block.velocity = table.vector("velocity", kAnyNumber).value_or(Vec3::Zero());
+    block.velocity = table.vector("velocity", kSpeed).value_or(Vec3::Zero());
     if (fixed && driven) table.error("driven", "found a block both fixed and driven, allowed: one of them");
     if (fixed && !driven && table.has("velocity"))
         table.error("velocity", "found a velocity of a fixed block, allowed: only for free or driven blocks");

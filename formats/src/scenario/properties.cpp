@@ -31,7 +31,7 @@ JointProperties readGiven(TableReader& table, Joint& joint) {
             if (table.has(property.key)) reportOfAnotherLaw(table, property.key, joint.law);
             continue;
         }
-        const auto value = table.number(property.key, property.allowed);
+        const auto value = table.number(property.key, property.allowed, property.slip);
         if (value) joint.*property.value = *value * property.toSi();
         given[p] = value.has_value();
     }
@@ -61,7 +61,8 @@ std::vector<EnvelopePoint> readEnvelope(Report& report, TableReader& table) {
                                         " points, allowed: two or more of [normal stress Pa, strength Pa]");
     for (std::size_t i = 0; i < array->size(); ++i) {
         const std::string field = elementField(table.fieldOf(kShearStrength), i);
-        const auto numbers = readNumbers(report, array->at(i), field, kNotNegative, 2);
+        const auto numbers =
+            readNumbers(report, array->at(i), field, propertyOf(&Joint::cohesion).allowed, 2);
         if (!numbers) continue;
         const EnvelopePoint point{(*numbers)[0], (*numbers)[1]};
         if (const auto fault = faultOf(point, envelope)) report.add(array->at(i).place(), field, *fault);
@@ -177,7 +178,7 @@ Materials readMaterials(Report& report, TableReader& root) {
         TableReader table(report, entry.node, entry.field, {"density"});
         table.require({"density"});
         materials.names.add(entry.name);
-        materials.densities.push_back(table.number("density", kPositive).value_or(1));
+        materials.densities.push_back(table.number("density", kDensity, kDensitySlip).value_or(1));
     }
     return materials;
 }

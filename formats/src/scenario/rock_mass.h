@@ -40,6 +40,7 @@ struct RockMassInput {
     std::int32_t material = 0;
     double density = 0;      ///< of that material [kg/m^3]
     std::int32_t joint = 0;  ///< strength of faces no joint made
+    std::optional<std::size_t> max_blocks{};
     Place place;
 };
 

@@ -11,6 +11,7 @@ constexpr Interval kDipDirectionDeg{-360, 360, false, false};
 constexpr Interval kFisher{0, 1e12, true, false};
 constexpr Interval kSpread{0, 1, false, true};
 constexpr std::size_t kMaxProfile = 1000;
+constexpr std::int64_t kMostBlocksOfRock = 100'000'000;  // parts of blocks are counted in 32 bits
 constexpr std::int64_t kMaxSeed = INT64_MAX;
 const std::vector<std::string> kSides = {"below", "above", "touching"};
 const std::vector<std::string> kBoundaries = {"-x", "+x", "-y", "+y", "-z", "+z"};
@@ -30,7 +31,7 @@ class RockMassReader {
 
     RockMassInput read(TableReader& root) {
         TableReader table = *root.table("rock_mass", {"name", "region", "material", "joint", "min_thickness",
-                                                      "slivers", "seed", "fixed", "names"});
+                                                      "slivers", "seed", "fixed", "names", "max_blocks"});
         table.require({"region"});
         input_.place = table.place();
         input_.description.field = table.field();
@@ -54,6 +55,8 @@ class RockMassReader {
         input_.joint = readJoint(report_, table, "joint", joints_).value_or(0);
         rock.min_thickness = table.number("min_thickness", kLength);
         rock.refuse_slivers = table.choice("slivers", {"merge", "refuse"}).value_or(0) == 1;
+        if (const auto most = table.integer("max_blocks", {1, kMostBlocksOfRock}))
+            input_.max_blocks = static_cast<std::size_t>(*most);
         rock.seed = static_cast<std::uint64_t>(table.integer("seed", {0, kMaxSeed}).value_or(1));
     }
 

@@ -27,11 +27,13 @@ constexpr Place kFileStart{1, 1};
 class ScenarioReader {
  public:
     /// \param folder  where mesh files are looked for: "" or with a slash at its end
-    ScenarioReader(Report& report, Node root, std::string folder, std::int64_t most_blocks)
+    ScenarioReader(Report& report, Node root, std::string folder, std::int64_t most_blocks,
+                   const std::atomic<bool>* stop)
         : report_(report),
           root_(report, root, "", sections()),
           folder_(std::move(folder)),
-          most_blocks_(most_blocks) {}
+          most_blocks_(most_blocks),
+          stop_(stop) {}
 
     /// \post the scenario is complete, but for its text and places, when the report is clean
     Scenario read() {
@@ -59,7 +61,8 @@ class ScenarioReader {
         if (scenario.joint_origins.size() < scenario.model.joints.size())  // appended by the rock mass
             scenario.joint_origins.push_back({JointOrigin::Kind::intact_rock, rock_->joint});
         scenario.materials = materials_.names.all();
-        scenario.warnings = std::move(warnings_);
+        scenario.warnings = report_.takeWarnings();
+        for (std::string& warning : warnings_) scenario.warnings.push_back(std::move(warning));
         return scenario;
     }
 
@@ -94,7 +97,8 @@ class ScenarioReader {
     void readRock(BlockDirectory& directory) {
         rock_ = readRockMass(report_, root_, materials_, joints_, folder_);
         if (!rock_) return;
-        rock_->description.max_blocks = static_cast<std::size_t>(most_blocks_);
+        rock_->description.max_blocks = rock_->max_blocks.value_or(static_cast<std::size_t>(most_blocks_));
+        rock_->description.stop = stop_;
         if (report_.clean()) rock_blocks_ = cutBlocks(report_, *rock_);
         if (!rock_blocks_) return directory.setIncomplete();
         warnings_ = rock_blocks_->cut.warnings;
@@ -181,6 +185,7 @@ class ScenarioReader {
     std::vector<PlacedBlock> placed_;
     std::string folder_;
     std::int64_t most_blocks_;
+    const std::atomic<bool>* stop_;
     std::optional<RockMassInput> rock_;
     std::optional<RockMassBlocks> rock_blocks_;
     std::vector<std::string> warnings_;
@@ -190,11 +195,11 @@ class ScenarioReader {
 }  // namespace scenario
 
 Result<Scenario> scenario::readDocument(const Document& document, std::string text, const std::string& path,
-                                        std::int64_t most_blocks) {
+                                        std::int64_t most_blocks, const std::atomic<bool>* stop) {
     Report report(path);
     const auto slash = path.rfind('/');
     const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
-    ScenarioReader reader(report, document.root(), folder, most_blocks);
+    ScenarioReader reader(report, document.root(), folder, most_blocks, stop);
     Scenario scenario = reader.read();
     if (!report.clean()) return report.errors();
     scenario.path = path;
@@ -203,16 +208,17 @@ Result<Scenario> scenario::readDocument(const Document& document, std::string te
     return scenario;
 }
 
-Result<Scenario> parseScenario(const std::string& text, const std::string& path, std::int64_t most_blocks) {
+Result<Scenario> parseScenario(const std::string& text, const std::string& path, std::int64_t most_blocks,
+                               const std::atomic<bool>* stop) {
     const auto document = toml::Document::parse(text, path);
     if (!document) return document.errors();
-    return scenario::readDocument(*document, text, path, most_blocks);
+    return scenario::readDocument(*document, text, path, most_blocks, stop);
 }
 
-Result<Scenario> readScenario(const std::string& path) {
+Result<Scenario> readScenario(const std::string& path, const std::atomic<bool>* stop) {
     const auto text = toml::readFileText(path);
     if (!text) return text.errors();
-    return parseScenario(*text, path);
+    return parseScenario(*text, path, kMostBlocks, stop);
 }
 
 }  // namespace talus::formats

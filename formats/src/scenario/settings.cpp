@@ -73,9 +73,9 @@ void readRun(TableReader& root, Model& model) {
     auto table = root.table("run", {"duration_s", "time_step_s", "frame_interval_s", "watch", "start"});
     if (!table) return;
     RunSettings& run = model.run;
-    run.duration = table->number("duration_s", kPositive).value_or(run.duration);
-    run.time_step = table->number("time_step_s", kPositive);
-    run.frame_interval = table->number("frame_interval_s", kPositive).value_or(run.frame_interval);
+    run.duration = table->number("duration_s", kDuration).value_or(run.duration);
+    run.time_step = table->number("time_step_s", kDuration);
+    run.frame_interval = table->number("frame_interval_s", kDuration).value_or(run.frame_interval);
     if (run.duration / run.frame_interval > kMaxFrames)
         table->error("frame_interval_s", "found " + numberText(run.frame_interval) + " s in a run of " +
                                              numberText(run.duration) + " s, allowed: at most " +

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kMaxKept = 1000;
 constexpr std::size_t kMaxShown = 50;
+constexpr std::size_t kMaxWarnings = 20;
 
 bool standsBefore(const Error& a, const Error& b) {
     return std::tie(a.line, a.column) < std::tie(b.line, b.column);
@@ -21,6 +22,10 @@ bool Report::full() const { return errors_.size() >= kMaxKept; }
 void Report::add(Place place, std::string field, std::string message) {
     ++count_;
     if (!full()) errors_.push_back({std::move(field), std::move(message), path_, place.line, place.column});
+}
+
+void Report::warn(std::string message) {
+    if (warnings_.size() < kMaxWarnings) warnings_.push_back(std::move(message));
 }
 
 std::vector<Error> Report::errors() const {

@@ -17,6 +17,10 @@ class Report {
 
     void add(Place place, std::string field, std::string message);
 
+    /// What is allowed, but hardly meant.
+    void warn(std::string message);
+    std::vector<std::string> takeWarnings() { return std::move(warnings_); }
+
     /// So many faults that further ones are only counted; callers may skip costly suggestions.
     bool full() const;
     bool clean() const { return count_ == 0; }
@@ -35,6 +39,7 @@ class Report {
     std::string path_;
     std::vector<Error> errors_;
     std::size_t count_ = 0;
+    std::vector<std::string> warnings_;
     std::map<std::string, std::pair<int, int>> places_;
 };
 

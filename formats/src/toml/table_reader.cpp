@@ -44,16 +44,23 @@ void reportFound(Report& report, Node node, const std::string& field, const std:
     report.add(node.place(), field, "found " + describe(node) + ", allowed: " + allowed);
 }
 
-std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Interval& range) {
+std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Interval& range,
+                                 const Slip& slip) {
     if (!node.isNumber()) {
         const bool any = !std::isfinite(range.min) && !std::isfinite(range.max);
         reportFound(report, node, field, any ? "a number" : "a number, " + allowedText(range));
         return std::nullopt;
     }
     const double value = node.number();
-    if (range.contains(value)) return value;
+    const std::string found = "found " + valueText(node);
+    const std::string meant =
+        slip.looksLike(value) ? "; is it in " + std::string(slip.unit) + "?" : std::string();
+    if (range.contains(value)) {
+        if (!meant.empty()) report.warn(field + ": " + found + meant);
+        return value;
+    }
     const std::string allowed = std::isfinite(value) ? allowedText(range) : "a finite number";
-    report.add(node.place(), field, "found " + valueText(node) + ", allowed: " + allowed);
+    report.add(node.place(), field, found + ", allowed: " + allowed + meant);
     return std::nullopt;
 }
 
@@ -152,9 +159,9 @@ void TableReader::error(std::string_view key, std::string message) {
     report_.add(placeOf(key), fieldOf(key), std::move(message));
 }
 
-std::optional<double> TableReader::number(std::string_view key, const Interval& range) {
+std::optional<double> TableReader::number(std::string_view key, const Interval& range, const Slip& slip) {
     const auto node = find(key);
-    return node ? readNumber(report_, *node, fieldOf(key), range) : std::nullopt;
+    return node ? readNumber(report_, *node, fieldOf(key), range, slip) : std::nullopt;
 }
 
 std::optional<std::int64_t> TableReader::integer(std::string_view key, Bounds bounds) {

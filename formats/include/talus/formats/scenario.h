@@ -11,6 +11,7 @@
 // analysis.factor_tolerance, and water[].stack, the name of the stack meant where there are several.
 // Limits: 64 MiB of text, two million blocks, 1000 vertices of a block placed by hand.
 
+#include <atomic>
 #include <bitset>
 #include <cstdint>
 #include <map>
@@ -49,19 +50,23 @@ struct Scenario {
     std::map<std::string, std::pair<int, int>> places;  ///< "stack[0].columns" -> (line, column), 1-based
     std::vector<JointOrigin> joint_origins{};           ///< per joint of the model
     std::vector<std::string> materials{};               ///< their names; blocks hold indices
-    std::vector<std::string> warnings{};  ///< of cutting a rock mass: cuts left out, joints that cut nothing
+    /// Numbers that look like slips; of cutting a rock mass: cuts left out, joints that cut nothing
+    std::vector<std::string> warnings{};
 };
 
-/// Reads and checks a scenario file. All faults found are reported, not just the first.
-Result<Scenario> readScenario(const std::string& path);
+/// Reads and checks a scenario file. All faults found are reported, not just the first. \param stop  set it to end the
+/// cutting of a rock mass early, with an error
+Result<Scenario> readScenario(const std::string& path, const std::atomic<bool>* stop = nullptr);
 
 /// Blocks of a model. Two million take about 1.6 GB before the engine adds its arrays.
 inline constexpr std::int64_t kMostBlocks = 2'000'000;
 
 /// The same for text already in memory; `path` is used in messages, and its folder is where mesh files are looked for.
-/// More than `most_blocks` blocks are an error, found before anything of that size is made.
+/// More than `most_blocks` blocks are an error, found before anything of that size is made; of a rock mass
+/// `rock_mass.max_blocks` says otherwise.
 Result<Scenario> parseScenario(const std::string& text, const std::string& path,
-                               std::int64_t most_blocks = kMostBlocks);
+                               std::int64_t most_blocks = kMostBlocks,
+                               const std::atomic<bool>* stop = nullptr);
 
 /// Adds file, line and column to errors of the engine (overlaps, water on no face, ...), by their field: the
 /// place of the field itself, else of the nearest enclosing table ("water[1].walls" falls back to

@@ -1,0 +1,184 @@
+#include "analysis/plausible.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "step/time_step.h"
+
+namespace talus::analysis {
+namespace {
+
+// A block that has gone this share of its size has failed (quasi_static.h).
+constexpr double kMostSink = 0.1;
+// Water higher above a model or deeper below it than this many of its extents has nothing to do with it. (Ten: a wedge in
+// an abutment may stand under a reservoir some times its own height.)
+constexpr double kMostExtents = 10.0;
+
+std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+/// A joint made from one of the file's ("default@18.5deg") is told as that.
+std::string stiffnessField(const Joint& joint) {
+    return "joint." + joint.name.substr(0, joint.name.find('@')) + ".normal_stiffness";
+}
+
+/// The stiffest joint of each block; -1 for blocks that touch nothing.
+std::vector<std::int32_t> stiffestJoints(const State& state) {
+    const Interfaces& f = state.interfaces;
+    const std::vector<Joint>& joints = state.geometry->model.joints;
+    const auto stiffness = [&](std::int32_t j) {
+        return joints[static_cast<std::size_t>(j)].normal_stiffness;
+    };
+    std::vector<std::int32_t> stiffest(state.blocks.size(), -1);
+    for (std::size_t i = 0; i < f.size(); ++i)
+        for (const std::int32_t block : {f.block_a[i], f.block_b[i]}) {
+            std::int32_t& best = stiffest[static_cast<std::size_t>(block)];
+            if (best < 0 || stiffness(f.joint[i]) > stiffness(best)) best = f.joint[i];
+        }
+    return stiffest;
+}
+
+/// A block of height h sinks by rho g h / k: a share of itself that does not depend on its size.
+std::vector<Error> softJoints(const State& state) {
+    const Model& model = state.geometry->model;
+    const std::vector<std::int32_t> stiffest = stiffestJoints(state);
+    std::vector<char> told(model.joints.size(), 0);
+    std::vector<Error> errors;
+    for (std::size_t b = 0; b < stiffest.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free || stiffest[b] < 0) continue;
+        const auto j = static_cast<std::size_t>(stiffest[b]);
+        const Joint& joint = model.joints[j];
+        const double weight = model.blocks[b].density * model.gravity.magnitude;  // of a cubic metre [N]
+        if (!(weight > kMostSink * joint.normal_stiffness) || told[j]) continue;
+        told[j] = 1;
+        errors.push_back(
+            {stiffnessField(joint),
+             "found " + formatted("%g", joint.normal_stiffness) + " Pa/m, on which block \"" +
+                 model.blocks[b].name + "\" sinks by " + formatted("%.2g", weight / joint.normal_stiffness) +
+                 " of its height under its own weight, allowed: at least " +
+                 formatted("%.1e", weight / kMostSink) + " Pa/m there; is it in kPa/m or MPa/m?"});
+    }
+    return errors;
+}
+
+struct Heights {
+    double low = kInfinity, high = -kInfinity;  ///< [m]
+
+    void take(double height) {
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+};
+
+Vec3 upAt(double tilt) { return {std::sin(tilt), 0.0, std::cos(tilt)}; }
+
+/// Of all corners of the model, along -g at a tilt.
+Heights heightsOf(const Model& model, double tilt) {
+    const Vec3 up = upAt(tilt);
+    Heights heights;
+    for (const Block& block : model.blocks)
+        for (const Vec3& v : block.shape.vertices) heights.take(up.dot(v));
+    return heights;
+}
+
+Heights levelsOf(const Water& water) {
+    Heights levels;
+    for (const LevelPoint& point : water.level) levels.take(point.value);
+    if (water.kind == Water::Level::head)
+        for (const double head : water.head) levels.take(head);
+    return levels;
+}
+
+std::optional<Error> faultOf(const Water& water, const Heights& model, double tilt) {
+    const Heights level = levelsOf(water);
+    const double reach = kMostExtents * (model.high - model.low);
+    if (water.kind != Water::Level::elevation) {
+        if (level.high <= reach + (model.high - model.low)) return std::nullopt;
+        return Error{water.field, "found water " + formatted("%g", level.high) + " m deep in a model " +
+                                      formatted("%.3g", model.high - model.low) +
+                                      " m high, allowed: at most " + formatted("%.3g", reach) +
+                                      " m above its top; is it in m?"};
+    }
+    if (level.high > model.high + reach || level.high < model.low - reach)
+        return Error{water.field, "found an elevation of " + formatted("%g", level.high) +
+                                      " m, allowed: near the model, which reaches from " +
+                                      formatted("%.4g", model.low) + " to " + formatted("%.4g", model.high) +
+                                      " m"};
+    if (tilt == 0 && level.high <= water.base)
+        return Error{water.field + ".elevation", "found " + formatted("%g", level.high) +
+                                                     " m, allowed: above the water's own base, " +
+                                                     formatted("%g", water.base) + " m"};
+    return std::nullopt;
+}
+
+std::vector<Error> waterFarAway(const State& state) {
+    const Model& model = state.geometry->model;
+    if (model.waters.empty()) return {};
+    const Heights heights = heightsOf(model, model.gravity.tilt);
+    std::vector<Error> errors;
+    for (const Water& water : model.waters)
+        if (auto fault = faultOf(water, heights, model.gravity.tilt)) errors.push_back(std::move(*fault));
+    return errors;
+}
+
+std::optional<Error> nothingHolds(const Model& model) {
+    const bool held = std::any_of(model.blocks.begin(), model.blocks.end(),
+                                  [](const Block& block) { return block.motion != Motion::free; });
+    if (held) return std::nullopt;
+    return Error{
+        model.blocks[0].field,
+        "found no fixed or driven block in the model, so all of it falls, allowed: at least one that "
+        "holds the others (fixed = true, or [[rock_mass.fixed]])"};
+}
+
+std::optional<Error> roundingDecides(const State& state, double load_tolerance, bool parallel) {
+    const double level = roundingLevel(state, frequencyBounds(state, parallel));
+    if (!(level > load_tolerance)) return std::nullopt;
+    const Model& model = state.geometry->model;
+    const auto stiffest = std::max_element(
+        model.joints.begin(), model.joints.end(),
+        [](const Joint& a, const Joint& b) { return a.normal_stiffness < b.normal_stiffness; });
+    return Error{stiffnessField(*stiffest),
+                 "found " + formatted("%g", stiffest->normal_stiffness) +
+                     " Pa/m, with which rounding leaves the out-of-balance force at " +
+                     formatted("%.2g", level) + " of the weight, but a tolerance this fine needs it below " +
+                     formatted("%.2g", load_tolerance) + ", allowed: at most " +
+                     formatted("%.1e", stiffest->normal_stiffness * load_tolerance / level) +
+                     " Pa/m, or a wider tolerance"};
+}
+
+}  // namespace
+
+double roundingLevel(const State& state, const std::vector<double>& bounds) {
+    const double g = state.geometry->model.gravity.magnitude;
+    if (!(g > 0)) return 0.0;
+    double level = 0;
+    for (std::size_t b = 0; b < bounds.size(); ++b) {
+        const double reach = state.blocks.position.get(b).cwiseAbs().maxCoeff() + state.geometry->radius[b];
+        if (state.blocks.motion[b] == Motion::free)
+            level = std::max(level, std::numeric_limits<double>::epsilon() * reach * bounds[b] / g);
+    }
+    return level;
+}
+
+std::vector<Error> implausible(const State& state) {
+    std::vector<Error> errors = softJoints(state);
+    for (Error& error : waterFarAway(state)) errors.push_back(std::move(error));
+    return errors;
+}
+
+std::vector<Error> implausibleSearch(const State& state, double load_tolerance, bool parallel) {
+    std::vector<Error> errors = implausible(state);
+    if (auto error = nothingHolds(state.geometry->model)) errors.push_back(std::move(*error));
+    if (auto error = roundingDecides(state, load_tolerance, parallel)) errors.push_back(std::move(*error));
+    return errors;
+}
+
+}  // namespace talus::analysis

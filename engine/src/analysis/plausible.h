@@ -1,0 +1,25 @@
+#pragma once
+// What no range of a single number can say: quantities of a built model held against each other. Each fault is one of the
+// model's fields.
+
+#include <vector>
+
+#include "state/arrays.h"
+#include "talus/result.h"
+
+namespace talus::analysis {
+
+/// What rounding of the coordinates leaves of a block's out-of-balance force, over its weight: eps |x| k A / (m g), the
+/// largest of the free blocks. \param bounds  as `frequencyBounds` gives them
+double roundingLevel(const State& state, const std::vector<double>& bounds);
+
+/// Joints so soft that a block's own weight pushes it wholly out of place: it would be taken to have failed. Water far
+/// outside the model, or below its own base.
+/// \pre the state is as `buildState` gives it
+std::vector<Error> implausible(const State& state);
+
+/// The same for a search whose answer a change of the out-of-balance force over the weight by `load_tolerance` decides:
+/// that has to be more than rounding, and something has to hold the blocks.
+std::vector<Error> implausibleSearch(const State& state, double load_tolerance, bool parallel);
+
+}  // namespace talus::analysis
