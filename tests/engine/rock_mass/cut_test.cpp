@@ -376,6 +376,29 @@ TEST_CASE("cutting: faults of the joints are told by their field") {
     CHECK(fault.errors()[0].message.find("into some 1000 blocks") != std::string::npos);
 }
 
+TEST_CASE("cutting: joints that are far too many are refused before they are cut") {
+    RockMass rock = box({1, 1, 1});
+    for (int k = 0; k < 500; ++k) rock.sets.push_back(jointSet(10.0 + 0.15 * k, 0.7 * k, 0.05));
+    const auto sets = cutRockMass(rock);
+    REQUIRE_FALSE(sets.ok());
+    CHECK(sets.errors()[0].message.find("GB of memory") != std::string::npos);
+    rock.sets = {jointSet(40, 120, 1e-4)};
+    rock.sets[0].fisher = 20;
+    CHECK_FALSE(cutRockMass(rock).ok());
+    rock.sets[0].spacing = 0.4;
+    CHECK(cutRockMass(rock).ok());
+}
+
+TEST_CASE("cutting: ends at once when it is stopped") {
+    RockMass rock = box({1, 1, 1});
+    rock.sets = {jointSet(0, 0, 0.1)};
+    const std::atomic<bool> stop{true};
+    rock.stop = &stop;
+    const auto cut = cutRockMass(rock);
+    REQUIRE_FALSE(cut.ok());
+    CHECK(cut.errors()[0].message.find("interrupted") != std::string::npos);
+}
+
 TEST_CASE("selecting: by box, by plane, by the boundary") {
     RockMass rock = box({2, 2, 2});
     rock.sets = {jointSet(90, 90, 1), jointSet(90, 0, 1), jointSet(0, 0, 1)};

@@ -120,7 +120,7 @@ TEST_CASE("scenario errors: unknown keys") {
     checkFault(inStack("Name = \"a\"", ".Name", "did you mean \"name\"?"));
     checkFault({material() + joint("default", "friction_deg = 30\nfriction = 3") + stack(), 7,
                 "joint.default.friction", "allowed: normal_stiffness, shear_stiffness, friction_deg"});
-    checkFault({"[material.granite]\ndensity = 1\ncolour = 1\n" + joint() + stack(), 3,
+    checkFault({"[material.granite]\ndensity = 2600\ncolour = 1\n" + joint() + stack(), 3,
                 "material.granite.colour", "allowed: density"});
     checkFault({properties() + "[[block]]\nname = \"a\"\nbox = { min = [0,0,0], max = [1,1,1], mid = 1 }\n",
                 9, "block[0].box.mid", "allowed: min, max"});
@@ -144,24 +144,24 @@ TEST_CASE("scenario errors: materials and joints") {
     const auto jointOnly = [](const std::string& keys) {
         return material() + "[joint.default]\n" + keys + stack();
     };
-    checkFault({jointOnly("normal_stiffness = 0\nshear_stiffness = 1\nfriction_deg = 3\n"), 4,
-                "joint.default.normal_stiffness", "found 0, allowed: greater than 0"});
-    checkFault({jointOnly("normal_stiffness = 1\nshear_stiffness = -1\nfriction_deg = 3\n"), 5,
-                "joint.default.shear_stiffness", "found -1, allowed: greater than 0"});
-    checkFault({jointOnly("normal_stiffness = 1\nshear_stiffness = 1\nfriction_deg = 90\n"), 6,
+    checkFault({jointOnly("normal_stiffness = 0\nshear_stiffness = 1e9\nfriction_deg = 3\n"), 4,
+                "joint.default.normal_stiffness", "found 0, allowed: at least 1000"});
+    checkFault({jointOnly("normal_stiffness = 1e9\nshear_stiffness = -1\nfriction_deg = 3\n"), 5,
+                "joint.default.shear_stiffness", "found -1, allowed: at least 1000"});
+    checkFault({jointOnly("normal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = 90\n"), 6,
                 "joint.default.friction_deg", "found 90, allowed: at least 0 and less than 90"});
-    checkFault({jointOnly("normal_stiffness = 1\nshear_stiffness = 1\nfriction_deg = -0.1\n"), 6,
+    checkFault({jointOnly("normal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = -0.1\n"), 6,
                 "joint.default.friction_deg", "found -0.1"});
-    checkFault({jointOnly("normal_stiffness = 1\nshear_stiffness = 1\n"), 3, "joint.default.friction_deg",
+    checkFault({jointOnly("normal_stiffness = 1e9\nshear_stiffness = 1e9\n"), 3, "joint.default.friction_deg",
                 "missing"});
-    checkFault({jointOnly("shear_stiffness = 1\nfriction_deg = 3\n"), 3, "joint.default.normal_stiffness",
+    checkFault({jointOnly("shear_stiffness = 1e9\nfriction_deg = 3\n"), 3, "joint.default.normal_stiffness",
                 "missing"});
-    checkFault({jointOnly("normal_stiffness = 1\nfriction_deg = 3\n"), 3, "joint.default.shear_stiffness",
+    checkFault({jointOnly("normal_stiffness = 1e9\nfriction_deg = 3\n"), 3, "joint.default.shear_stiffness",
                 "missing"});
 
     checkFault({"[material.granite]\n" + joint() + stack(), 1, "material.granite.density", "missing"});
-    checkFault({"[material.granite]\ndensity = 0\n" + joint() + stack(), 2, "material.granite.density",
-                "greater than 0"});
+    checkFault({"[material.granite]\ndensity = 2.7\n" + joint() + stack(), 2, "material.granite.density",
+                "found 2.7, allowed: at least 10 and at most 30000; is it in g/cm3"});
     checkFault({"[material]\ndensity = 2700\n" + joint() + stack("material = \"density\"\n"), 2,
                 "material.density",
                 "found an integer 2700, allowed: tables that begin with [material.NAME]"});
@@ -345,7 +345,7 @@ TEST_CASE("scenario errors: water") {
     checkFault(inWater("fissure = 1\ndepth = 0.1\nbase = -0.1\n", 4, ".base", "at least 0"));
     checkFault(inWater("fissure = 1\ndepth = 0.1\nbase = 0.1\n", 4, ".base",
                        "found 0.1, allowed: less than the height of the joint's walls, 0.1"));
-    checkFault(inWater("fissure = 1\ndepth = 0.1\ndensity = 0\n", 4, ".density", "greater than 0"));
+    checkFault(inWater("fissure = 1\ndepth = 0.1\ndensity = 0\n", 4, ".density", "at least 1 and"));
     checkFault(inWater("fissure = 1\ndepth = 0.1\ndrains_at_aperture = 0\n", 4, ".drains_at_aperture",
                        "greater than 0"));
     checkFault(inWater("fissure = 1\ndepth = 0.1\ndrains_at_aperture = inf\n", 4, ".drains_at_aperture",

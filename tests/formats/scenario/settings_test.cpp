@@ -88,7 +88,7 @@ TEST_CASE("scenario: a slope steeper than the default stop is no fault as long a
 TEST_CASE("scenario: joints in the order of the file, every value") {
     const Model model =
         modelOf(material() +
-                "[joint.weak]\nnormal_stiffness = 2\nshear_stiffness = 3.5\nfriction_deg = 20\n"
+                "[joint.weak]\nnormal_stiffness = 2e8\nshear_stiffness = 3.5e8\nfriction_deg = 20\n"
                 "cohesion = 4\ntensile_strength = 5\nresidual_cohesion = 6\n"
                 "residual_friction_deg = 17\ndilation_deg = 8\n" +
                 joint() + joint("alpha") + stack());
@@ -97,8 +97,8 @@ TEST_CASE("scenario: joints in the order of the file, every value") {
     CHECK(model.joints[1].name == "default");
     CHECK(model.joints[2].name == "alpha");
     const Joint& weak = model.joints[0];
-    CHECK(weak.normal_stiffness == 2);
-    CHECK(weak.shear_stiffness == 3.5);
+    CHECK(weak.normal_stiffness == 2e8);
+    CHECK(weak.shear_stiffness == 3.5e8);
     CHECK(weak.friction == doctest::Approx(20 * kDeg).epsilon(1e-15));
     CHECK(weak.cohesion == 4);
     CHECK(weak.tensile_strength == 5);

@@ -107,3 +107,18 @@ TEST_CASE(
     CHECK(strong.json().at("status") == "unstable_at_start");
     CHECK(strong.json().at("critical_k").is_null());
 }
+
+TEST_CASE("a search that rounding would decide, or in which nothing holds, is refused") {
+    const TemporaryFolder folder;
+    std::string stiff = blockScenario(0, 20, "[analysis]\ntolerance_deg = 1e-6\n");
+    stiff.replace(stiff.find("1e9"), 3, "1e15");
+    const Outcome rounding = runTalus({"critical-angle", folder.write("stiff.toml", stiff)});
+    CHECK(rounding.exit_code == 2);
+    CHECK(rounding.err.find("with which rounding leaves") != std::string::npos);
+
+    std::string loose = blockScenario(0, 20);
+    loose.replace(loose.find("fixed = true"), 12, "fixed = false");
+    const Outcome falling = runTalus({"safety-factor", folder.write("loose.toml", loose)});
+    CHECK(falling.exit_code == 2);
+    CHECK(falling.err.find("no fixed or driven block") != std::string::npos);
+}

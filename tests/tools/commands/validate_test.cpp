@@ -52,3 +52,34 @@ TEST_CASE("a fault of the geometry has its place, too") {
     CHECK(error.at("file") == path);
     CHECK(error.at("line").get<int>() > 1);
 }
+
+TEST_CASE("what cannot be meant is refused, with the slip that is likely") {
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& scenario, const std::string& field, const std::string& hint) {
+        CAPTURE(field);
+        const Outcome outcome = runTalus({"validate", folder.write("s.toml", scenario)});
+        CHECK(outcome.exit_code == 2);
+        CHECK(outcome.err.find(": error: " + field) != std::string::npos);
+        CHECK(outcome.err.find(hint) != std::string::npos);
+    };
+    const auto with = [](std::string from, const std::string& to) {
+        std::string text = blockScenario(10, 20);
+        return text.replace(text.find(from), from.size(), to);
+    };
+    const std::string stiff = "normal_stiffness = 1e9", dense = "density = 2600.0";
+    refused(with(stiff, "normal_stiffness = 1e18"), "joint.default.normal_stiffness", "at most 1e+15");
+    refused(with(stiff, "normal_stiffness = 1e4"), "joint.default.normal_stiffness", "kPa/m or MPa/m?");
+    refused(with(dense, "density = 1e100"), "material.rock.density", "at most 30000");
+    refused(with(dense, "density = 2.6"), "material.rock.density", "g/cm3");
+    refused(blockScenario(10, 20, "velocity = [1e18, 0, 0]\n"), "block[1].velocity[0]", "at most 1000");
+    const std::string water = "[[water]]\nblock = \"key\"\nface = \"+x\"\n";
+    refused(blockScenario(10, 20, water + "elevation = 500.0\n"), "water[0]", "near the model");
+    refused(blockScenario(10, 20, water + "depth = 500.0\n"), "water[0]", "is it in m?");
+}
+
+TEST_CASE("a friction in radians is let pass with a warning") {
+    const TemporaryFolder folder;
+    const Outcome outcome = runTalus({"validate", folder.write("s.toml", blockScenario(0, 0.5))});
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err.find("is it in radians?") != std::string::npos);
+}
