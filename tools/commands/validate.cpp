@@ -49,9 +49,14 @@ std::string summary(const std::string& path, const Model& model) {
 }
 
 int validate(const ValidateOptions& options) {
-    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
-    const std::vector<Error> errors = checkModel(scenario.model, options.common.threads);
+    formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    std::vector<std::string> doubts;
+    const std::vector<Error> errors = checkModel(scenario.model, options.common.threads, &doubts);
     if (!errors.empty()) throw BadInput(formats::placed(scenario, errors));
+    for (std::string& doubt : doubts) {
+        note(options.common, "warning: " + options.scenario + ": " + doubt);
+        scenario.warnings.push_back(std::move(doubt));
+    }
     if (!options.common.json) {
         printText(summary(options.scenario, scenario.model));
         return kDone;

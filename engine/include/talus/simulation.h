@@ -99,8 +99,9 @@ requires std::is_invocable_v<const Record&, const HistoryRecord&> Result<RunResu
 const char* toString(InitialState start);
 
 /// Checks what needs geometry: blocks that overlap, water on faces that are not there, pairs that do not touch.
-/// Empty when the model can be built.
-std::vector<Error> checkModel(const Model& model, int threads = 1);
+/// Empty when the model can be built. \param warnings  if given, takes what is allowed but hardly meant
+std::vector<Error> checkModel(const Model& model, int threads = 1,
+                              std::vector<std::string>* warnings = nullptr);
 
 /// Two blocks that share at least one interface at the start, and the joint between them.
 struct TouchingPair {

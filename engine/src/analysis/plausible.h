@@ -2,6 +2,7 @@
 // What no range of a single number can say: quantities of a built model held against each other. Each fault is one of the
 // model's fields.
 
+#include <string>
 #include <vector>
 
 #include "state/arrays.h"
@@ -13,13 +14,17 @@ namespace talus::analysis {
 /// largest of the free blocks. \param bounds  as `frequencyBounds` gives them
 double roundingLevel(const State& state, const std::vector<double>& bounds);
 
-/// Joints so soft that a block's own weight pushes it wholly out of place: it would be taken to have failed. Water far
-/// outside the model, or below its own base.
-/// \pre the state is as `buildState` gives it
+/// Water far outside the model.
+/// \pre here and below: the state is as `buildState` gives it
 std::vector<Error> implausible(const State& state);
 
-/// The same for a search whose answer a change of the out-of-balance force over the weight by `load_tolerance` decides:
-/// that has to be more than rounding, and something has to hold the blocks.
+/// What a history may mean, but hardly does: joints so soft that a block sinks a tenth of itself under its own weight, water
+/// that wets nothing.
+std::vector<std::string> doubts(const State& state);
+
+/// Faults of a search whose answer a change of the out-of-balance force over the weight by `load_tolerance` decides: that has
+/// to be more than rounding, joints stiff enough that a block's own weight does not move it as far as a failure does, and
+/// something has to hold the blocks.
 std::vector<Error> implausibleSearch(const State& state, double load_tolerance, bool parallel);
 
 }  // namespace talus::analysis

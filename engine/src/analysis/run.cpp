@@ -306,6 +306,7 @@ Result<RunResult> history(const Model& model, const Control& control, const RunO
         if (!built) return built.errors();
         const bool parallel = analysis::worthThreads(*built, control.threads);
         if (std::vector<Error> errors = analysis::implausible(*built); !errors.empty()) return errors;
+        for (std::string& doubt : analysis::doubts(*built)) built->warnings.push_back(std::move(doubt));
         TimeHistory history(std::move(*built), control, output, parallel);
         if (std::vector<Error> errors = begin(history); !errors.empty()) return errors;
         Result<RunResult> result = history.run();
@@ -345,10 +346,12 @@ const char* toString(InitialState start) {
     return "unstressed";
 }
 
-std::vector<Error> checkModel(const Model& model, int threads) {
+std::vector<Error> checkModel(const Model& model, int threads, std::vector<std::string>* warnings) {
     return analysis::inArena(threads, [&]() {
         const Result<State> built = buildState(keptByCaller(model), threads != 1);
-        return built ? analysis::implausible(*built) : built.errors();
+        if (!built) return built.errors();
+        if (warnings) *warnings = analysis::doubts(*built);
+        return analysis::implausible(*built);
     });
 }
 

@@ -86,6 +86,7 @@ class SearchOfTheRest {
             const bool parallel = worthThreads(*built, control_.threads);
             std::vector<Error> errors = implausibleSearch(*built, axis_.imbalance_tolerance, parallel);
             if (!errors.empty()) return errors;
+            for (std::string& doubt : doubts(*built)) built->warnings.push_back(std::move(doubt));
             warnOfFreeBlocks(*built);
             Outcome outcome = searchConfirmed(*built, axis_, control_, settings_, parallel);
             if (outcome.result.status == SearchStatus::unstable_at_start && !axis_.tenfold_at_start)

@@ -108,6 +108,10 @@ TableReader::TableReader(Report& report, Node table, std::string field, std::vec
             report_.mark(fieldOf(entry.key), entry.value.place());
             continue;
         }
+        if (report_.full()) {  // further faults are only counted
+            report_.add(entry.place, {}, {});
+            continue;
+        }
         // A near key that is there already is not what was meant.
         std::vector<std::string> absent;
         for (const std::string& key : allowed)

@@ -116,6 +116,12 @@ TEST_CASE("a search that rounding would decide, or in which nothing holds, is re
     CHECK(rounding.exit_code == 2);
     CHECK(rounding.err.find("with which rounding leaves") != std::string::npos);
 
+    std::string soft = blockScenario(0, 20);
+    soft.replace(soft.find("1e9"), 3, "1e4");
+    const Outcome sinking = runTalus({"critical-angle", folder.write("soft.toml", soft)});
+    CHECK(sinking.exit_code == 2);
+    CHECK(sinking.err.find("of its height under its own weight") != std::string::npos);
+
     std::string loose = blockScenario(0, 20);
     loose.replace(loose.find("fixed = true"), 12, "fixed = false");
     const Outcome falling = runTalus({"safety-factor", folder.write("loose.toml", loose)});

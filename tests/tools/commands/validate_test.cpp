@@ -68,7 +68,7 @@ TEST_CASE("what cannot be meant is refused, with the slip that is likely") {
     };
     const std::string stiff = "normal_stiffness = 1e9", dense = "density = 2600.0";
     refused(with(stiff, "normal_stiffness = 1e18"), "joint.default.normal_stiffness", "at most 1e+15");
-    refused(with(stiff, "normal_stiffness = 1e4"), "joint.default.normal_stiffness", "kPa/m or MPa/m?");
+    refused(with(stiff, "normal_stiffness = 100"), "joint.default.normal_stiffness", "kPa/m or MPa/m?");
     refused(with(dense, "density = 1e100"), "material.rock.density", "at most 30000");
     refused(with(dense, "density = 2.6"), "material.rock.density", "g/cm3");
     refused(blockScenario(10, 20, "velocity = [1e18, 0, 0]\n"), "block[1].velocity[0]", "at most 1000");
@@ -77,9 +77,19 @@ TEST_CASE("what cannot be meant is refused, with the slip that is likely") {
     refused(blockScenario(10, 20, water + "depth = 500.0\n"), "water[0]", "is it in m?");
 }
 
-TEST_CASE("a friction in radians is let pass with a warning") {
+TEST_CASE("what is allowed but hardly meant is let pass with a warning") {
     const TemporaryFolder folder;
-    const Outcome outcome = runTalus({"validate", folder.write("s.toml", blockScenario(0, 0.5))});
-    CHECK(outcome.exit_code == 0);
-    CHECK(outcome.err.find("is it in radians?") != std::string::npos);
+    const auto warned = [&](const std::string& scenario, const std::string& hint) {
+        const Outcome outcome = runTalus({"validate", folder.write("s.toml", scenario)});
+        CHECK(outcome.exit_code == 0);
+        CHECK(outcome.err.find(hint) != std::string::npos);
+    };
+    warned(blockScenario(0, 0.5), "is it in radians?");
+    std::string soft = blockScenario(0, 20);
+    warned(soft.replace(soft.find("1e9"), 3, "1e4"), "of its height under its own weight");
+    warned(blockScenario(
+               0, 20,
+               "[[stack]]\nname = \"s\"\norigin = [10.0, 0.0, 0.0]\ncolumns = 2\nrows = 1\nslices = 1\n"
+               "block = [0.2, 0.1, 0.1]\n[[water]]\nstack = \"s\"\nfissure = 1\nelevation = -0.02\n"),
+           "it wets nothing");
 }
