@@ -320,9 +320,10 @@ void appendVertexEdgePlaces(State& state, std::int32_t block_1, std::int32_t blo
 
 namespace {
 
-/// Calls each(begin) for the first place of every pair, in any order when `parallel`.
+/// Calls each(begin) for the first place of every pair, in any order when `parallel`, and says of their groups what has
+/// become of them.
 template <class Each>
-void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
+void updatePairs(Interfaces& f, bool parallel, const Each& each) {
     static_assert(simd::kLanes % kPlaces == 0, "a group holds whole pairs");
     forRange(f.groups.size(), 16, parallel, [&](Range range) {
         for (std::size_t g = range.begin; g < range.end; ++g) {
@@ -331,6 +332,7 @@ void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
             assert(group.size % static_cast<std::int32_t>(kPlaces) == 0);
             for (std::int32_t i = 0; i < group.size; i += static_cast<std::int32_t>(kPlaces))
                 each(static_cast<std::size_t>(group.begin + i));
+            markIdle(f, g);
         }
     });
 }
@@ -340,7 +342,7 @@ void forEachPair(const Interfaces& f, bool parallel, const Each& each) {
 PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel) {
     assert(ahead >= 0);
     std::atomic<bool> search = false, places = false;
-    forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
+    updatePairs(state.interfaces, parallel, [&](std::size_t begin) {
         Interfaces& f = state.interfaces;
         double& left = f.travel_left[begin];
         const double speed = speedBound(state, static_cast<std::size_t>(f.block_a[begin])) +
@@ -360,7 +362,7 @@ PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel) {
 
 void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried) {
     assert(ahead >= 0 && state.incidence.interface_begin.size() == state.blocks.size() + 1);
-    forEachPair(state.interfaces, parallel, [&](std::size_t begin) {
+    updatePairs(state.interfaces, parallel, [&](std::size_t begin) {
         const Look look = lookAtPair(state, begin, ahead, true);
         state.interfaces.faces_are_apart[begin] = look.no_faces ? 1 : 0;
         const auto of_pair =

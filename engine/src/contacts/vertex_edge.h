@@ -1,7 +1,8 @@
 #pragma once
 // Where blocks meet by vertices and edges (contacts/vertex_edge_points.h). A pair of blocks that may meet so before
 // the next search has a group of interfaces of one corner and one contact point each, its places; those that touch
-// nothing are idle: so far open that they carry nothing. The kernel treats them like all others.
+// nothing are idle: so far open that they carry nothing. The kernel passes over
+// groups in which all are.
 
 #include <map>
 #include <utility>

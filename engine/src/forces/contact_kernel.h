@@ -321,7 +321,9 @@ TALUS_KERNEL void fetch(const ContactView& view, std::size_t group_index) {
 template <class V, PointPlaces Places, bool Damped, bool Remembers, bool Curved, bool Arms>
 void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
-        if (view.beyond_caches && g + kGroupsAhead < end) fetch<Places, Remembers>(view, g + kGroupsAhead);
+        if (view.beyond_caches && g + kGroupsAhead < end && !view.groups[g + kGroupsAhead].is_idle)
+            fetch<Places, Remembers>(view, g + kGroupsAhead);
+        if (view.groups[g].is_idle) continue;
         for (int lane = 0; lane < view.groups[g].size; lane += Members<V>::kWidth)
             updateMembers<V, Places, Damped, Remembers, Curved, Arms>(view, g,
                                                                       Members<V>(view.groups[g], lane));

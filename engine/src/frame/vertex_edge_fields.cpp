@@ -45,6 +45,7 @@ void restorePlaces(Interfaces& f) {
         if (place == 1) f.faces_are_apart[i - 1] = stored.y() > 0 ? 1 : 0;
         f.setReferenceGap(i, {stored.x(), 0, 0});
     }
+    for (std::size_t g = 0; g < f.groups.size(); ++g) markIdle(f, g);
 }
 
 bool placesFit(const FrameInterfaces& f) {

@@ -21,6 +21,16 @@ bool isVertexEdge(const Interfaces& f, std::size_t i) {
 
 bool isIdle(const Interfaces& f, std::size_t i) { return f.idle[i] != 0; }
 
+void markIdle(Interfaces& f, std::size_t g) {
+    InterfaceGroup& group = f.groups[g];
+    const auto begin = static_cast<std::size_t>(group.begin), end = begin + static_cast<std::size_t>(group.size);
+    const bool was_idle = group.is_idle;
+    group.is_idle = true;
+    for (std::size_t i = begin; i < end; ++i) group.is_idle = group.is_idle && isIdle(f, i);
+    if (!group.is_idle || was_idle) return;
+    for (std::size_t i = begin; i < end; ++i) f.setWrench(i, {});
+}
+
 ContactCount countContacts(const Interfaces& f) {
     ContactCount count;
     for (std::size_t i = 0; i < f.size(); ++i) {

@@ -12,6 +12,10 @@ inline constexpr std::size_t kPlacesOfPair = 4;
 bool isVertexEdge(const Interfaces& interfaces, std::size_t interface);
 bool isIdle(const Interfaces& interfaces, std::size_t interface);
 
+/// Says of a group of places whether all of them are idle; what they carry is zero then.
+/// Reads: idle. Writes: the group, its wrenches
+void markIdle(Interfaces& interfaces, std::size_t group);
+
 /// Interfaces and their contact points without idle places.
 struct ContactCount {
     std::size_t interfaces = 0, points = 0;
