@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kOverload = 8.0;    // cells beyond the failing load at which the continuation runs
 constexpr int kMostReopenings = 12;  // times a failing motion may come to rest before the search gives up
-constexpr std::int64_t kFirstSteps = 20'000;  // of a probe, before the implicit solve is asked
+// Steps of a probe before the implicit solve is asked; slides need 1,000 to 5,000.
+constexpr std::int64_t kFirstSteps = 6'000;
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kMostFactors = 600, kStepsPerFactor = 2000;
 // Rest is near when it is no farther than this times the way the assembly has come, from rest to rest.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -83,26 +84,56 @@ SeparatingAxis faceAxis(const Pair& pair, bool second_is_reference, std::size_t 
     return axis;
 }
 
-/// The cross product of two edges, when they are the two blocks' outermost along it: when the arc between the normals
-/// of one edge's faces and that between the opposites of the other's cross on the unit sphere (the Gauss map;
-/// Gregorius 2013).
+/// One block's face normals along the arcs of the other's edges.
+class AlongArcs {
+ public:
+    AlongArcs(const std::vector<Edge>& edges, std::span<const Vec3> normals) : faces_(normals.size()) {
+        along_.reserve(edges.size() * faces_);
+        for (const Edge& edge : edges)
+            for (const Vec3& normal : normals) along_.push_back(normal.dot(edge.arc));
+    }
+    double at(std::size_t edge, std::int32_t face) const {
+        return along_[edge * faces_ + static_cast<std::size_t>(face)];
+    }
+
+ private:
+    std::size_t faces_;
+    std::vector<double> along_;
+};
+
+/// Pairs of edges that are the two blocks' outermost along their cross product: the arc between the normals of one edge's
+/// faces and that between the opposites of the other's cross on the unit sphere (the Gauss map; Gregorius 2013).
+class GaussMap {
+ public:
+    explicit GaussMap(const Pair& pair)
+        : pair_(pair),
+          second_along_first_(pair.first_edges, pair.second.normals),
+          first_along_second_(pair.second_edges, pair.first.normals) {}
+
+    bool cross(std::size_t e, std::size_t f) const {
+        const Edge &first = pair_.first_edges[e], &second = pair_.second_edges[f];
+        const double second_left = second_along_first_.at(e, second.left);
+        if (second_left * second_along_first_.at(e, second.right) >= 0) return false;
+        const double first_right = first_along_second_.at(f, first.right);
+        return first_along_second_.at(f, first.left) * first_right < 0 && second_left * first_right < 0;
+    }
+
+ private:
+    const Pair& pair_;
+    AlongArcs second_along_first_, first_along_second_;
+};
+
+/// The cross product of two edges; none of those that are as good as parallel.
 SeparatingAxis edgeAxis(const Pair& pair, std::size_t e, std::size_t f) {
     const Edge &first = pair.first_edges[e], &second = pair.second_edges[f];
-    const auto normal_1 = [&](std::int32_t face) -> const Vec3& {
-        return pair.first.normals[static_cast<std::size_t>(face)];
-    };
-    const auto normal_2 = [&](std::int32_t face) -> const Vec3& {
-        return pair.second.normals[static_cast<std::size_t>(face)];
-    };
-    const double second_left = normal_2(second.left).dot(first.arc);
-    if (second_left * normal_2(second.right).dot(first.arc) >= 0) return {};
-    const double first_right = normal_1(first.right).dot(second.arc);
-    if (normal_1(first.left).dot(second.arc) * first_right >= 0 || second_left * first_right >= 0) return {};
     Vec3 normal = first.direction.cross(second.direction);
     const double sine = normal.norm();
     if (sine < kParallel) return {};
     normal /= sine;
-    if (normal.dot(normal_1(first.left) + normal_1(first.right)) < 0) normal = -normal;
+    const auto& normals = pair.first.normals;
+    const Vec3 outwards =
+        normals[static_cast<std::size_t>(first.left)] + normals[static_cast<std::size_t>(first.right)];
+    if (normal.dot(outwards) < 0) normal = -normal;
     const double distance = normal.dot(vertexOf(pair.second, second.from) - vertexOf(pair.first, first.from));
     return {distance, true, false, static_cast<std::int32_t>(e), static_cast<std::int32_t>(f), normal};
 }
@@ -163,8 +194,10 @@ void forEachAxis(Pair& pair, const Each& each) {
         if (!each(faceAxis(pair, true, face))) return;
     pair.first_edges = edgesOf(pair.first);
     pair.second_edges = edgesOf(pair.second);
+    const GaussMap map(pair);
     for (std::size_t e = 0; e < pair.first_edges.size(); ++e)
         for (std::size_t f = 0; f < pair.second_edges.size(); ++f) {
+            if (!map.cross(e, f)) continue;
             const SeparatingAxis axis = edgeAxis(pair, e, f);
             if (axis.is_edges && !each(axis)) return;
         }
