@@ -2,6 +2,7 @@
 // talus/searches.h.
 
 #include <CLI/CLI.hpp>
+#include <limits>
 #include <memory>
 
 #include "cli/json.h"
@@ -23,7 +24,16 @@ struct SearchOptions {
     int groups = 1;
     KeepRunOptions keep;
     CeilingOptions ceiling;
+    bool always_range = false, no_range = false;
 };
+
+/// Contact points of models whose searches also try another loading history; as much again as a search.
+constexpr std::size_t kMostPointsOfRange = 1000;
+
+std::size_t mostPointsOfRange(const SearchOptions& options) {
+    if (options.no_range) return 0;
+    return options.always_range ? std::numeric_limits<std::size_t>::max() : kMostPointsOfRange;
+}
 
 /// Of what the answer is for: without the blocks that fall at the start.
 Ceiling ceilingOf(const formats::Scenario& scenario, Varied load, const CeilingOptions& options,
@@ -41,6 +51,7 @@ int find(const LoadSearch& search, const SearchOptions& options) {
     Control control = controlOf(options.common, progress);
     control.keep_failing_state = keeper.wanted();
     control.groups = options.groups;
+    control.most_points_of_range = mostPointsOfRange(options);
     SearchResult result = valueOf(search.find(scenario.model, control, {}), scenario);
     const Ceiling ceiling = ceilingOf(scenario, search.load->varied, options.ceiling, result, control);
     holdUnder(ceiling, search.load->varied, result);
@@ -76,6 +87,11 @@ Command addSearch(CLI::App& root, const LoadSearch& search) {
             ->check(CLI::Range(1, 1000));
     addKeepRun(*app, options->keep);
     addCeiling(*app, options->ceiling);
+    CLI::Option* never = app->add_flag("--no-range", options->no_range, "Try no other loading history");
+    app->add_flag("--range", options->always_range,
+                  "Whether the answer depends on the loading history, whatever the size (default: up to " +
+                      std::to_string(kMostPointsOfRange) + " contact points)")
+        ->excludes(never);
     addCommon(*app, options->common);
     app->footer(footerOf(search));
     return {app, [&search, options] { return find(search, *options); }};

@@ -97,6 +97,22 @@ std::string ceilingText(const SearchReport& report) {
                                         : "none: " + ceiling.reason);
 }
 
+std::string rangeText(const SearchReport& report) {
+    const SearchResult& result = report.result;
+    if (result.range)
+        return row("range", figureOf(report, result.range->first) + " to " +
+                                figureOf(report, result.range->second) + unitOf(report) + "  (" +
+                                result.range_reason + ")");
+    return result.range_reason.empty() ? "" : row("range", "none: " + result.range_reason);
+}
+
+/// Or null, as the reason.
+Json rangeJson(const SearchReport& report) {
+    if (!report.result.range) return nullptr;
+    const double scale = report.search.load->scale;
+    return {number(report.result.range->first / scale), number(report.result.range->second / scale)};
+}
+
 std::string movingText(const SearchResult& result) {
     if (result.moving_blocks.empty()) return "none";
     const std::string of =
@@ -234,6 +250,8 @@ Json searchJson(const SearchReport& report) {
     json["ceiling"] =
         report.ceiling.value ? number(*report.ceiling.value / search.load->scale) : Json(nullptr);
     json["ceiling_reason"] = report.ceiling.value ? Json(nullptr) : Json(report.ceiling.reason);
+    json["range"] = rangeJson(report);
+    json["range_reason"] = result.range_reason.empty() ? Json(nullptr) : Json(result.range_reason);
     json["failure_mode"] = toString(result.mode);
     json["moving_blocks"] = result.moving_blocks;
     json["fallen_at_start"] = result.fallen_at_start;
@@ -264,7 +282,7 @@ std::string searchText(const SearchReport& report, bool verbose) {
     const SearchResult& result = report.result;
     std::string table = row("scenario", report.scenario.path) +
                         row(report.search.answer, answerText(report)) + theoryText(report) +
-                        ceilingText(report) + row("failure mode", toString(result.mode)) +
+                        ceilingText(report) + rangeText(report) + row("failure mode", toString(result.mode)) +
                         row("moving blocks", movingText(result)) + fallenText(result) + groupsText(result) +
                         row("model", sizeText(result)) + row("method", methodText(result)) +
                         row("cost", costText(result)) + row("state hash", hashText(result.state_hash));

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "talus/frame.h"
@@ -28,6 +30,8 @@ struct Control {
     int threads = 1;
     bool keep_failing_state = false;  ///< a search also hands out SearchResult::failing
     int groups = 1;  ///< most groups of SearchResult::groups; each further one is a search more
+    /// contact points of models of which a search also tries another loading history (SearchResult::range)
+    std::size_t most_points_of_range = 0;
 };
 
 /// What an analysis varies until the assembly fails; described in talus/searches.h.
@@ -93,6 +97,9 @@ struct SearchResult {
     std::vector<BlockMotion> motions;        ///< evidence, one per free block, in the order of the blocks
     /// fall whatever the strength: taken out before the search; sorted
     std::vector<std::string> fallen_at_start;
+    /// low and high answers of other ways to the same load, where they differ; valid when found
+    std::optional<std::pair<double, double>> range;
+    std::string range_reason;        ///< why there is a range, or none
     std::vector<BlockGroup> groups;  ///< of `safetyFactor`: who goes at which factor; the first is the answer
     double continuation_seconds = 0;  ///< simulated time of the continuation with true inertia [s]
     bool confirmed = false;           ///< the continuation bore the failure out

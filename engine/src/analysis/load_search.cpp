@@ -12,6 +12,7 @@
 #include "analysis/quasi_static.h"
 #include "frame/frame.h"
 #include "measure/measure.h"
+#include "state/incidence.h"
 
 namespace talus::analysis {
 namespace {
@@ -378,8 +379,9 @@ class Search {
         result_.inertia_scaled = work_.inertia_scaled;
         result_.damping_local = work_.settings.local_damping;
         result_.blocks = last.blocks.size();
-        result_.interfaces = last.interfaces.size();
-        result_.contact_points = last.points.size();
+        const ContactCount contacts = countContacts(last.interfaces);
+        result_.interfaces = contacts.interfaces;
+        result_.contact_points = contacts.points;
         result_.warnings = last.warnings;
         warnOfSoftJoints(last);
     }

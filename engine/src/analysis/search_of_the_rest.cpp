@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "analysis/history_range.h"
 #include "analysis/initial_state.h"
 #include "analysis/load_search.h"
 #include "analysis/loose_blocks.h"
@@ -93,12 +94,18 @@ class SearchOfTheRest {
                 outcome.falling = fallingAtTenfoldStrength(*built, parallel, steps);
             outcome.result.steps += steps;
             if (outcome.result.status != SearchStatus::unstable_at_start || !letGo(outcome.falling))
-                return named(std::move(outcome.result));
+                return withRange(*built, parallel, named(std::move(outcome.result)));
             steps = outcome.result.steps;
         }
     }
 
  private:
+    SearchResult withRange(const State& built, bool parallel, SearchResult result) const {
+        if (control_.most_points_of_range > 0)
+            addHistoryRange(built, axis_, control_, settings_, parallel, result);
+        return result;
+    }
+
     std::shared_ptr<const Model> left() const {
         const bool all = std::find(gone_.begin(), gone_.end(), 1) == gone_.end();
         return all ? keptByCaller(model_) : std::make_shared<const Model>(withoutBlocks(model_, gone_));

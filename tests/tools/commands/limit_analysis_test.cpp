@@ -67,6 +67,21 @@ TEST_CASE("limit-analysis: for people, and what it does not take") {
           std::string::npos);
 }
 
+TEST_CASE("a search says whether its answer depends on the loading history, unless that is left out") {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("s.toml", blockScenario(0, 20));
+    const auto with = runTalus({"critical-angle", path, "--json"}).json();
+    CHECK(with.at("range").is_null());
+    CHECK(with.at("range_reason") == "weight brought on at that load fails in the same place");
+    CHECK(runTalus({"critical-angle", path, "--no-range", "--json"}).json().at("range_reason").is_null());
+    CHECK(runTalus({"critical-angle", path, "--no-range", "--range"}).exit_code == 2);
+
+    const std::string columns = TALUS_SOURCE_DIR "/bench/verification/goodman-bray.toml";
+    const auto range = runTalus({"safety-factor", columns, "--json"}).json().at("range");
+    REQUIRE(range.is_array());
+    CHECK(range.at(0).get<double>() < range.at(1).get<double>());
+}
+
 TEST_CASE("a search has its ceiling beside the answer, unless it is left out") {
     const TemporaryFolder folder;
     const std::string path =

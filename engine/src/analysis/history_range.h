@@ -1,0 +1,16 @@
+#pragma once
+// Whether an answer depends on how its load was reached. Friction remembers: blocks that came to rest while strength was
+// reduced step by step carry other shear forces than the same blocks laid there at that strength, and may fail elsewhere.
+
+#include "analysis/load_axis.h"
+#include "talus/analysis.h"
+
+namespace talus::analysis {
+
+/// Looks, near an answer that was found, for the load up to which an equilibrium is found when weight and water are brought
+/// on at that load, all at once, on joints that have not slid yet; fills `range` and `range_reason`.
+/// \param built  the state before the search, as `buildState` gives it
+void addHistoryRange(const State& built, const LoadAxis& axis, const Control& control,
+                     const QuasiStatic& settings, bool parallel, SearchResult& result);
+
+}  // namespace talus::analysis
