@@ -81,7 +81,7 @@ std::string answerText(const LimitOptions& options, const LimitResult& result) {
 }
 
 std::string row(std::string label, const std::string& content) {
-    label.resize(std::max<std::size_t>(label.size(), 16), ' ');
+    label.resize(std::max<std::size_t>(label.size() + 1, 18), ' ');
     return label + content + "\n";
 }
 

@@ -156,13 +156,16 @@ class Search {
         State state = last_stable_;
         ramp(state, 1.0);
         Probe found = findRest(state, work_, most_factors);
-        if (found.verdict == Verdict::stable && !isNear(found)) {
+        const bool is_elsewhere = found.verdict == Verdict::stable && !isNear(found);
+        if (is_elsewhere) {
             found.verdict = Verdict::failing;
             stands_elsewhere_ = true;
             found.reason = "moves " + formatted("%.2g", found.displacement) + " m to where it stands again";
             state = last_stable_;
             ramp(state, 1.0);
         }
+        if (found.verdict == Verdict::failing)
+            no_near_rest_ = {load, most_factors, states_at_rest_, is_elsewhere};
         return keep(stage, load, found, state);
     }
 
@@ -177,6 +180,7 @@ class Search {
         result_.factors += probe.factors;
         result_.probes.push_back(probe);
         report(stage, load, probe.verdict);
+        if (probe.verdict == Verdict::stable) ++states_at_rest_;
         (probe.verdict == Verdict::stable ? last_stable_ : last_moving_) = std::move(state);
         return probe.verdict;
     }
@@ -322,6 +326,13 @@ class Search {
     /// What the implicit solve finds at the failing load, given its time: blocks that topple may have been shaken there
     /// by the explicit steps.
     Verdict restAt(double load) {
+        const bool is_known = no_near_rest_.load == load && no_near_rest_.most_factors == kMostFactors &&
+                              no_near_rest_.states_at_rest == states_at_rest_;
+        if (is_known) {
+            stands_elsewhere_ = no_near_rest_.is_elsewhere;
+            no_rest_ = !stands_elsewhere_;
+            return Verdict::failing;
+        }
         State moving = last_moving_;
         const Verdict found = probeImplicitly(
             "equilibrium", load, [&](State& state, double) { axis_.apply(state, load); }, true);
@@ -437,6 +448,14 @@ class Search {
                                             " m: the assembly moves at this load, but stands again");
     }
 
+    /// The last load at which the implicit solve found no rest nearby, and from which state: it would find the same again.
+    struct NoNearRest {
+        double load = -kInfinity;
+        std::int64_t most_factors = 0;
+        std::int64_t states_at_rest = 0;
+        bool is_elsewhere = false;
+    };
+
     const LoadAxis& axis_;
     const Control& control_;
     bool parallel_;
@@ -451,7 +470,9 @@ class Search {
     bool stands_elsewhere_ =
         false;              ///< the implicit solve found an equilibrium at the failing load, but not near
     bool no_rest_ = false;  ///< nor any other there
-    bool implicit_first_ = false;  ///< explicit steps have not been enough
+    NoNearRest no_near_rest_;
+    std::int64_t states_at_rest_ = 0;  ///< the search has been in
+    bool implicit_first_ = false;      ///< explicit steps have not been enough
     std::int64_t probe_steps_ = 0, continuation_steps_ = 0;
 };
 
