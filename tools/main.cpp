@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <numeric>
 
@@ -95,26 +96,37 @@ int onParseError(const CLI::App& root, const CLI::ParseError& error, bool json) 
                   kBadInput);
 }
 
+/// "talus help COMMAND" as "talus COMMAND --help".
+std::vector<std::string> withHelpAsOption(int argc, char** argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.empty() || words.front() != "help") return words;
+    words.erase(words.begin());
+    words.push_back("--help");
+    return words;
+}
+
 int runTool(int argc, char** argv, bool json) {
     CLI::App root("Talus: rigid-block discrete elements for jointed rock slopes with water in their fissures",
                   "talus");
-    root.set_version_flag("--version", versionText(), "Version, git hash and compiler");
+    root.set_version_flag("-V,--version", versionText(), "Version, git hash and compiler");
     root.require_subcommand(1);
     root.footer(
-        "Example:\n  talus critical-angle bench/paper/fissure-1.toml\n\n'talus COMMAND --help' explains a "
+        "Example:\n  talus critical-angle bench/paper/fissure-1.toml\n\n'talus help COMMAND' explains a "
         "command. Exit codes: 0 done, 1 internal error, 2 bad input or usage,\n3 undecided or runs of a "
         "batch failed, 4 the "
         "file "
         "system "
         "refused, 130 interrupted.");
     const std::vector<Command> commands = addCommands(root);
-    const bool names_unknown = argc > 1 && argv[1][0] != '-' &&
+    std::vector<std::string> words = withHelpAsOption(argc, argv);
+    const bool names_unknown = !words.empty() && words[0][0] != '-' &&
                                std::none_of(commands.begin(), commands.end(), [&](const Command& command) {
-                                   return command.app->get_name() == argv[1];
+                                   return command.app->get_name() == words[0];
                                });
-    if (names_unknown) return report("error", unknownCommand(argv[1], commands), json, kBadInput);
+    if (names_unknown) return report("error", unknownCommand(words[0], commands), json, kBadInput);
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
     try {
-        root.parse(argc, argv);
+        root.parse(words);
     } catch (const CLI::ParseError& error) {
         return onParseError(root, error, json);
     }
@@ -122,9 +134,20 @@ int runTool(int argc, char** argv, bool json) {
     return execute(commands);
 }
 
+/// What the environment asks for is had, or refused.
+void checkInstructionSet() {
+    const char* wanted = std::getenv(kInstructionSetVariable);
+    if (wanted == nullptr || buildInfo().instruction_set == wanted) return;
+    throw BadInput(
+        {Error{kInstructionSetVariable, "found \"" + std::string(wanted) +
+                                            "\", allowed: \"x86-64\", and as far as this processor has it "
+                                            "\"avx2\" or \"avx512\""}});
+}
+
 int guarded(int argc, char** argv) {
     const bool json = wantsJson(argc, argv);
     try {
+        checkInstructionSet();
         return runTool(argc, argv, json);
     } catch (const BadInput& bad) {
         return report(bad.errors, json, kBadInput);

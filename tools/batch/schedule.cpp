@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +10,7 @@
 #include <mutex>
 
 #include "batch/queue.h"
+#include "talus/parallel.h"
 
 namespace talus::tools::batch {
 
@@ -28,11 +28,10 @@ class Crew {
     BatchProgress work() {
         // The arena has one slot for each run that may be under way; each run computes in its own thread only. A plain
         // queue, because a partitioned range would not keep the order, and a run is long beside taking it.
-        tbb::task_arena arena(batch_.threads);
         std::uint64_t before = 0;
         do {
             before = progress_.done;
-            arena.execute([&] {
+            inArena(batch_.threads, [&] {
                 tbb::parallel_for(
                     0, batch_.threads, 1, [&](int) { workOff(); }, tbb::simple_partitioner{});
             });

@@ -1,7 +1,6 @@
 #include "recording/verify.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <mutex>
@@ -13,6 +12,7 @@
 #include "cli/text.h"
 #include "talus/build_info.h"
 #include "talus/formats/scenario.h"
+#include "talus/parallel.h"
 #include "talus/simulation.h"
 
 namespace talus::tools {
@@ -139,8 +139,7 @@ Verification verifyRun(formats::SnapshotReader& reader, const Common& common,
     all.stretches.resize(tasks.size());
     std::mutex one_at_a_time;  // reading and telling
     std::size_t done = 0;
-    tbb::task_arena arena(common.threads > 0 ? common.threads : tbb::task_arena::automatic);
-    arena.execute([&] {
+    inArena(common.threads, [&] {
         tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t k) {
             Stretch& stretch = all.stretches[k];
             stretch.from = tasks[k].from, stretch.to = tasks[k].goals.back().time;

@@ -1,7 +1,6 @@
 #include "reproduction/kept.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -18,6 +17,7 @@
 #include "report/page.h"
 #include "reproduction/laboratory.h"
 #include "reproduction/slope.h"
+#include "talus/parallel.h"
 
 namespace talus::tools {
 
@@ -84,8 +84,7 @@ void keepFailures(PaperResults& results, const std::string& folder, const std::s
     }
     ProgressPrinter printer(common);
     Shares shares(results.kept.size(), printer);
-    tbb::task_arena arena(threadsUsed(common));
-    arena.execute([&] {
+    inArena(threadsUsed(common), [&] {
         tbb::parallel_for(std::size_t{0}, results.kept.size(), [&](std::size_t k) {
             PaperKept& kept = results.kept[k];
             const PaperRun& run = results.runs[kept.of];

@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <ctime>
@@ -12,6 +11,7 @@
 #include "reproduction/cases.h"
 #include "talus/analysis.h"
 #include "talus/formats/scenario.h"
+#include "talus/parallel.h"
 
 namespace talus::tools {
 namespace {
@@ -105,8 +105,7 @@ std::vector<PaperRun> runCases(std::vector<PaperCase> cases, const Search& searc
     };
     // One worker per thread, each taking the next case when it is free: a partitioned range would not keep
     // the order.
-    tbb::task_arena arena(threads);
-    arena.execute([&] { tbb::parallel_for(0, threads, 1, work, tbb::simple_partitioner{}); });
+    inArena(threads, [&] { tbb::parallel_for(0, threads, 1, work, tbb::simple_partitioner{}); });
     return runs;
 }
 

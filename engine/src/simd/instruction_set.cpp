@@ -1,6 +1,10 @@
 #include "simd/instruction_set.h"
 
 #include <array>
+#include <cstdlib>
+#include <string_view>
+
+#include "talus/build_info.h"
 
 namespace talus::simd {
 
@@ -20,8 +24,10 @@ bool isAvailable(InstructionSet set) {
 }
 
 InstructionSet bestInstructionSet() {
-    if (isAvailable(InstructionSet::avx512)) return InstructionSet::avx512;
-    return isAvailable(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::scalar;
+    const char* wanted = std::getenv(kInstructionSetVariable);
+    for (const auto set : {InstructionSet::avx512, InstructionSet::avx2, InstructionSet::scalar})
+        if (isAvailable(set) && (wanted == nullptr || std::string_view(wanted) == toString(set))) return set;
+    return InstructionSet::scalar;
 }
 
 const char* toString(InstructionSet set) {

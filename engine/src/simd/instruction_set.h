@@ -11,7 +11,7 @@ enum class InstructionSet : std::uint8_t {
     avx512   ///< eight at a time
 };
 
-/// The fastest one this processor has.
+/// The fastest one this processor has, or the one that kInstructionSetVariable (talus/build_info.h) names.
 InstructionSet bestInstructionSet();
 
 /// Whether this processor has it.

@@ -78,3 +78,28 @@ TEST_CASE("a full disk behind stdout is the file system's refusal") {
     CHECK(outcome.exit_code == 4);
     CHECK(outcome.err.find("stdout") != std::string::npos);
 }
+
+TEST_CASE("talus -V, and talus help COMMAND") {
+    CHECK(runTalus({"-V"}).out == runTalus({"--version"}).out);
+    CHECK(runTalus({"help"}).out == runTalus({"--help"}).out);
+    CHECK(runTalus({"help", "run"}).out == runTalus({"run", "--help"}).out);
+    CHECK(runTalus({"help", "runn"}).err.find("did you mean 'run'?") != std::string::npos);
+}
+
+TEST_CASE("more threads than cores are had, without a word; every instruction set gives the same bits") {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("s.toml", blockScenario(0, 20));
+    const Outcome many = runTalus({"critical-angle", path, "--threads", "8", "--json"});
+    CHECK(many.exit_code == 0);
+    CHECK(many.err.find("TBB") == std::string::npos);
+    const auto with = [&](const char* set) {
+        setenv("TALUS_INSTRUCTION_SET", set, 1);
+        const Outcome outcome = runTalus({"critical-angle", path, "--json"});
+        unsetenv("TALUS_INSTRUCTION_SET");
+        return outcome;
+    };
+    CHECK(with("x86-64").json().at("state_hash") == many.json().at("state_hash"));
+    const Outcome none = with("neon");
+    CHECK(none.exit_code == 2);
+    CHECK(none.err.find("allowed: \"x86-64\"") != std::string::npos);
+}
