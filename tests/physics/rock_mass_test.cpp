@@ -65,8 +65,8 @@ TEST_CASE("cut rock: the paper's joint sets give the paper's slope") {
     checkAngle("table3-fissure-5.toml", 17.16, 0.02);
 }
 
-TEST_CASE("cut rock: a block of two bonded convex parts overturns as one body") {
-    checkAngle("bonded-bracket.toml", 12.54, 0.02);
+TEST_CASE("cut rock: a block of two convex parts overturns as one body") {
+    checkAngle("bracket.toml", 12.54, 0.02);
 }
 
 TEST_CASE("cut rock: Goodman and Bray's slope stands and topples as they say, near their friction angle") {

@@ -10,6 +10,12 @@ const char* motionName(Motion motion) {
     return motion == Motion::fixed ? "fixed" : motion == Motion::driven ? "driven" : "free";
 }
 
+std::size_t surfaceFaces(const Polyhedron& shape) {
+    std::size_t count = 0;
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) count += shape.isInner(f) ? 0 : 1;
+    return count;
+}
+
 }  // namespace
 
 std::string blocksObj(const Model& model, std::string_view comments) {
@@ -20,9 +26,10 @@ std::string blocksObj(const Model& model, std::string_view comments) {
         for (const Vec3& v : block.shape.vertices) {
             out += "v " + csvNumber(v.x()) + " " + csvNumber(v.y()) + " " + csvNumber(v.z()) + "\n";
         }
-        for (const auto& face : block.shape.faces) {
+        for (std::size_t f = 0; f < block.shape.faces.size(); ++f) {
+            if (block.shape.isInner(f)) continue;
             out += 'f';
-            for (const std::int32_t v : face)
+            for (const std::int32_t v : block.shape.faces[f])
                 out += ' ' + std::to_string(before + static_cast<std::size_t>(v));
             out += '\n';
         }
@@ -38,7 +45,7 @@ std::string blocksCsv(const Model& model, std::string_view comments) {
         out +=
             csvLine({block.name, motionName(block.motion), csvNumber(mass.volume),
                      csvNumber(mass.centroid.x()), csvNumber(mass.centroid.y()), csvNumber(mass.centroid.z()),
-                     std::to_string(block.shape.faces.size()), csvNumber(smallestExtent(block.shape))});
+                     std::to_string(surfaceFaces(block.shape)), csvNumber(smallestExtent(block.shape))});
     }
     return out;
 }

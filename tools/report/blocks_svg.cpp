@@ -90,12 +90,7 @@ class BlockFinder {
     bool contains(std::size_t b, const Vec3& point) const {
         if ((point.array() < bounds_[b].min.array()).any() || (point.array() > bounds_[b].max.array()).any())
             return false;
-        const Polyhedron& shape = model_.blocks[b].shape;
-        for (std::size_t f = 0; f < shape.faces.size(); ++f)
-            if (shape.faceNormal(f).dot(point - shape.vertices[static_cast<std::size_t>(shape.faces[f][0])]) >
-                0)
-                return false;
-        return true;
+        return talus::contains(model_.blocks[b].shape, point);
     }
 
     const Model& model_;
@@ -135,6 +130,7 @@ std::vector<VisibleFace> visibleFaces(const Model& model, const Camera& camera) 
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const Polyhedron& shape = model.blocks[b].shape;
         for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+            if (shape.isInner(f)) continue;
             const Vec3 normal = shape.faceNormal(f), centroid = shape.faceCentroid(f);
             if (normal.dot(camera.towards) <= 1e-9 || isCovered(finder, shape, f, normal, centroid)) continue;
             visible.push_back({b, f, camera.towards.dot(centroid), normal});

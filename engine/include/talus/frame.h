@@ -38,6 +38,11 @@ struct RunGeometry {
     std::vector<std::int32_t> face_vertex_begin;  ///< per face
     std::vector<std::int32_t> face_vertex;  ///< index into `vertex`, counter-clockwise seen from outside
     std::vector<std::int32_t> face_joint;   ///< per face
+    // Of blocks of several convex parts; both empty when there is none.
+    std::vector<std::int32_t> face_part;   ///< per face: which part of its block
+    std::vector<std::uint8_t> face_inner;  ///< per face: 1 where it lies on other parts, no surface
+
+    bool isInner(std::size_t face) const { return !face_inner.empty() && face_inner[face] != 0; }
 };
 
 /// Water as it stands, per water of the model. Its table is the plane up . x = table, up = (sin tilt, 0, cos tilt).

@@ -1,11 +1,12 @@
 #pragma once
-// Convex polyhedra: the shape of every block.
+// Polyhedra: the shape of every block, convex or made of convex parts.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>  // cross products
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -16,39 +17,69 @@ namespace talus {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-/// Which vertices bound each face. Copies share one list, since blocks of one shape are many and their lists equal.
-/// A list does not change; a shape with other faces gets another one.
+struct ConvexPart;
+
+/// How much of a face lies on faces of other parts of the same shape. What is covered wholly is inside: no surface.
+enum class Cover : std::uint8_t { none, partly, wholly };
+
+/// Which vertices bound each face, and which faces are those of one convex part. Copies share one list, since blocks of
+/// one shape are many and their lists equal. A list does not change; a shape with other faces gets another one.
 class FaceList {
  public:
     using Outline = std::vector<std::int32_t>;  ///< vertex indices
 
     FaceList() = default;
-    FaceList(std::vector<Outline> faces) : faces_(std::make_shared<std::vector<Outline>>(std::move(faces))) {}
-    FaceList(std::initializer_list<Outline> faces) : FaceList(std::vector<Outline>(faces)) {}
+    FaceList(std::vector<Outline> outlines);
+    FaceList(std::initializer_list<Outline> outlines) : FaceList(std::vector<Outline>(outlines)) {}
+    /// \param covers one per face
+    FaceList(std::vector<Outline> outlines, std::vector<ConvexPart> parts, std::vector<Cover> covers);
 
-    std::size_t size() const { return list().size(); }
-    bool empty() const { return list().empty(); }
-    const Outline& operator[](std::size_t face) const { return list()[face]; }
-    const Outline* begin() const { return list().data(); }
-    const Outline* end() const { return list().data() + list().size(); }
-    const Outline* data() const { return list().data(); }
+    std::size_t size() const { return outlines().size(); }
+    bool empty() const { return outlines().empty(); }
+    const Outline& operator[](std::size_t face) const { return outlines()[face]; }
+    const Outline* begin() const { return outlines().data(); }
+    const Outline* end() const { return outlines().data() + outlines().size(); }
+    const Outline* data() const { return outlines().data(); }
 
-    friend bool operator==(const FaceList& a, const FaceList& b) { return a.list() == b.list(); }
+    /// Convex parts, their vertices and faces one after the other; none where the whole is convex.
+    const std::vector<ConvexPart>& parts() const { return lists().parts; }
+    /// One per face; none where the whole is convex.
+    const std::vector<Cover>& covers() const { return lists().covers; }
+
+    friend bool operator==(const FaceList& a, const FaceList& b) { return a.outlines() == b.outlines(); }
 
  private:
-    const std::vector<Outline>& list() const {
-        static const std::vector<Outline> kNone;
-        return faces_ ? *faces_ : kNone;
-    }
+    struct Lists {
+        std::vector<Outline> outlines;
+        std::vector<ConvexPart> parts;
+        std::vector<Cover> covers;
+    };
+    const Lists& lists() const;
+    const std::vector<Outline>& outlines() const { return lists().outlines; }
 
-    std::shared_ptr<const std::vector<Outline>> faces_;
+    std::shared_ptr<const Lists> lists_;
 };
 
-/// A convex polyhedron. Faces are planar convex polygons (coplanar triangles of a hull are merged), their vertices
-/// listed counter-clockwise seen from outside. Lengths in m.
+/// A range of a shape's vertices and one of its faces.
+struct ConvexPart {
+    std::int32_t first_vertex = 0, vertices = 0;
+    std::int32_t first_face = 0;
+    FaceList faces;                     ///< vertices counted from the part's first
+    std::vector<std::int32_t> beside{};  ///< parts it touches, if only in a point; ascending
+};
+
+/// A polyhedron: convex, or convex parts that share faces or pieces of faces and nothing else. Faces are planar convex
+/// polygons (coplanar triangles of a hull are merged), their vertices listed counter-clockwise seen from outside their
+/// part. Lengths in m.
 struct Polyhedron {
     std::vector<Vec3> vertices;
     FaceList faces;
+
+    std::size_t partCount() const { return faces.parts().empty() ? 1 : faces.parts().size(); }
+    /// Whether the face is inside: no surface of the whole.
+    bool isInner(std::size_t face) const {
+        return !faces.covers().empty() && faces.covers()[face] == Cover::wholly;
+    }
 
     /// Outward unit normal (Newell's formula) and centroid of the face's area.
     Vec3 faceNormal(std::size_t face) const;
@@ -70,9 +101,26 @@ Result<Polyhedron> makeBox(const Vec3& min, const Vec3& max);
 /// facets merged. Errors: too few points, a flat or degenerate set, non-finite coordinates.
 Result<Polyhedron> convexHull(const std::vector<Vec3>& points);
 
+/// One shape of convex parts, in the order given; of one part it is that part. Parts may share faces, pieces of faces, edges
+/// and vertices. Errors ("[i]" is the part): none given, a part that is of several itself or overlaps another, one that
+/// hangs together with the others by no face.
+Result<Polyhedron> joinParts(const std::vector<Polyhedron>& parts);
+
+/// The convex parts of a shape, each by itself.
+std::vector<Polyhedron> partsOf(const Polyhedron& shape);
+
+/// Whether a point is in the shape or on its surface, within `tolerance` [m].
+bool contains(const Polyhedron& shape, const Vec3& point, double tolerance = 0);
+
+/// The side of a shape that looks most in a direction: that face of its surface (the first of several), and the faces of other
+/// parts in its plane.
+std::vector<std::int32_t> sideTowards(const Polyhedron& shape, const Vec3& direction);
+
+/// Exact also where the shape is of several parts: their inner faces cancel.
 MassProperties massProperties(const Polyhedron& shape);
 
-/// How thick it is: the smallest of its extents along its face normals [m].
+/// How thick it is: the smallest of its extents along the normals of its surface [m]. Of several parts no more than six
+/// times volume over surface, which is a cube's side: an angle of thin plates is as thin as these.
 double smallestExtent(const Polyhedron& shape);
 
 }  // namespace talus

@@ -96,27 +96,24 @@ struct RockMass {
 };
 
 /// Which joint made a face: index into the sets, then the singles; -1 the region's surface, or the inside of a block
-/// that is made of several convex parts.
+/// of several convex parts.
 struct FaceOrigin {
     std::int32_t joint = -1;
     std::int32_t plane = 0;  ///< number of the plane within its set
 };
 
-/// A convex part of a block. Most blocks are one part; a block with a reflex edge of the region is several.
-struct BlockPart {
+/// Most blocks are convex; one with a reflex edge of the region is of several convex parts.
+struct CutBlock {
     Polyhedron shape;
     std::vector<FaceOrigin> origin;  ///< per face
-    std::int32_t block = 0;          ///< which block it is part of
     double volume = 0;               ///< [m^3]
 };
 
 struct CutRockMass {
-    std::vector<BlockPart> parts;  ///< block by block, blocks from the bottom up, then by x, then by y
-    std::int32_t blocks = 0;
-    std::vector<std::pair<std::int32_t, std::int32_t>> bonds;  ///< parts of one block that share a face
-    double volume = 0;                                         ///< of all parts [m^3]
-    double region_volume = 0;                                  ///< [m^3]
-    double min_thickness = 0;                                  ///< the one used [m]
+    std::vector<CutBlock> blocks;  ///< from the bottom up, then by x, then by y
+    double volume = 0;             ///< of all blocks [m^3]
+    double region_volume = 0;      ///< [m^3]
+    double min_thickness = 0;      ///< the one used [m]
     std::vector<std::string> warnings;
 };
 
@@ -126,8 +123,7 @@ struct CutRockMass {
 /// region's extent) of a vertex goes through the vertex, and one that near to a face is that face. A cut that would
 /// leave a part thinner than `min_thickness` is left out for that block, which keeps the sliver, and reported.
 ///
-/// Where the region is not convex, its blocks with a reflex edge are split there into convex parts; `bonds` lists the
-/// parts that must not move against each other.
+/// Where the region is not convex, its blocks with a reflex edge are of several convex parts.
 ///
 /// Errors: an open, non-manifold, inverted or self-crossing region; spacing not positive; a joint that is no plane or
 /// no convex polygon; more than `max_blocks` blocks, estimated before anything is cut or counted then; `stop`; slivers, if refused; volumes that do not add up to 1e-9.
@@ -146,11 +142,14 @@ struct BlockSelection {
     Vec3 point = Vec3::Zero(), upward_normal = Vec3::UnitZ();  ///< of the plane [m]
 };
 
-/// For each part, whether the selection takes its block; a block's parts are judged together. Planes are met within
-/// `tolerance` [m].
+/// For each block, whether the selection takes it. Planes are met within `tolerance` [m].
 std::vector<bool> selectBlocks(const CutRockMass& mass, const BlockSelection& selection, double tolerance);
 
 /// The block that holds a point; -1 if none does.
 std::int32_t blockAt(const CutRockMass& mass, const Vec3& point);
+
+/// A closed surface as one shape, of as many convex parts as its reflex edges ask for. Errors: what checkSurface finds; a
+/// surface that crosses itself or encloses several bodies.
+Result<Polyhedron> solidOf(const TriangleSurface& surface);
 
 }  // namespace talus

@@ -38,6 +38,23 @@ Vec3 originFor(const Model& model) {
     return middle.norm() > kFar * (high - low).norm() ? Vec3(middle.array().round()) : Vec3(Vec3::Zero());
 }
 
+/// Of the surface [m^2].
+double meanFaceArea(const Polyhedron& shape) {
+    double area = 0, faces = 0;
+    for (std::size_t face = 0; face < shape.faces.size(); ++face) {
+        if (shape.isInner(face)) continue;
+        area += shape.faceArea(face);
+        ++faces;
+    }
+    return area / faces;
+}
+
+void addParts(const Polyhedron& shape, Geometry& geometry) {
+    const auto block = static_cast<std::int32_t>(geometry.first_part.size()) - 1;
+    geometry.part_block.insert(geometry.part_block.end(), shape.partCount(), block);
+    geometry.first_part.push_back(static_cast<std::int32_t>(geometry.part_block.size()));
+}
+
 void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<Error>& errors) {
     Polyhedron own = block.shape;
     for (Vec3& v : own.vertices) v -= geometry.origin;
@@ -57,9 +74,8 @@ void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<
     }
     geometry.size.push_back(smallestExtent(own));
     geometry.radius.push_back(radius);
-    double area = 0;
-    for (std::size_t face = 0; face < own.faces.size(); ++face) area += own.faceArea(face);
-    geometry.face_area.push_back(area / static_cast<double>(own.faces.size()));
+    geometry.face_area.push_back(meanFaceArea(own));
+    addParts(own, geometry);
     geometry.shape.push_back(std::move(own));
 
     const bool free = block.motion == Motion::free;

@@ -11,6 +11,7 @@
 #include "law/points.h"
 #include "state/block_motion.h"
 #include "state/incidence.h"
+#include "state/placed_shape.h"
 
 namespace talus {
 namespace {
@@ -91,10 +92,6 @@ constexpr double kNearPlace =
 constexpr double kDeeper =
     1.05;  // times the deepest contact of the blocks; an elastic turn makes it a little more
 constexpr double kDeepest = 1e-7;  // of the smaller block's size: never mind less
-
-std::pair<std::int32_t, std::int32_t> pairOfBlocks(const Interfaces& f, std::size_t i) {
-    return std::minmax(f.block_a[i], f.block_b[i]);
-}
 
 std::vector<double> deepestContacts(const State& state) {
     const Interfaces& f = state.interfaces;
@@ -198,11 +195,12 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
     assert(ahead >= 0 && old.depth.size() == state.blocks.size());
     assert(old.points.remembers() == state.points.remembers());
     const Interfaces& f = state.interfaces;
+    const Geometry& geometry = *state.geometry;
     std::map<Key, std::size_t> faces;  // of face to face interfaces
-    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> slots;  // of pairs of blocks
+    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> slots;  // of pairs of parts
     for (std::size_t o = 0; o < old.interfaces.size(); ++o) {
         if (isVertexEdge(old.interfaces, o))
-            slots[pairOfBlocks(old.interfaces, o)].push_back(o);
+            slots[partsOf(geometry, old.interfaces, o)].push_back(o);
         else
             faces[keyOf(old.interfaces, o)] = o;
     }
@@ -210,7 +208,7 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
     std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> next_place;
     for (std::size_t n = 0; n < f.size(); ++n) {
         if (isVertexEdge(f, n)) {
-            const auto pair = pairOfBlocks(f, n);
+            const auto pair = partsOf(geometry, f, n);
             const auto found = slots.find(pair);
             if (found == slots.end()) continue;
             std::size_t& next = next_place[pair];
@@ -230,7 +228,7 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
     // What is left of faces and places that are gone.
     CarriedPoints carried;
     const auto carry = [&](std::size_t o) {
-        auto& of_pair = carried[pairOfBlocks(old.interfaces, o)];
+        auto& of_pair = carried[partsOf(geometry, old.interfaces, o)];
         const std::vector<CarriedPoint> points = carriedPoints(old.contacts(state), o);
         of_pair.insert(of_pair.end(), points.begin(), points.end());
     };
@@ -238,14 +236,14 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
     for (const auto& [pair, of_pair] : slots)
         if (next_place.find(pair) == next_place.end()) std::for_each(of_pair.begin(), of_pair.end(), carry);
     std::set<std::pair<std::int32_t, std::int32_t>> with_new_face;
-    for (const std::size_t n : new_faces) with_new_face.insert(pairOfBlocks(f, n));
+    for (const std::size_t n : new_faces) with_new_face.insert(partsOf(geometry, f, n));
     for (const auto& [pair, points] : carried) {
         const bool goes_on = next_place.find(pair) != next_place.end() || with_new_face.count(pair) > 0;
         for (const CarriedPoint& point : points)
             if (!goes_on) state.shear_lost += point.shear.norm();
     }
     for (const std::size_t n : new_faces) {
-        const auto pair = pairOfBlocks(f, n);
+        const auto pair = partsOf(geometry, f, n);
         if (carried.count(pair) == 0 && slots.count(pair) == 0) startSliding(state, n, ahead);
         if (const auto found = carried.find(pair); found != carried.end()) takeShear(found->second, state, n);
         if (const auto found = slots.find(pair); found != slots.end())

@@ -1,5 +1,8 @@
 #include "contacts/corner_rounding.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "forces/contact_forces.h"
 #include "state/incidence.h"
 #include "state/placed_shape.h"
@@ -11,20 +14,39 @@ constexpr double kKink = 0.7071067811865476;  // cosine of the most that two fac
 // Of the smaller block's size. More than what a search has to see of a failure (analysis/load_search.cpp), so that no verdict hangs
 // on a corner's sharpness.
 constexpr double kCornerRounding = 1e-3;
+constexpr double kSameWay = 1e-6;    // [rad]
 constexpr double kCornerTie = 1e-6;  // likewise: what makes clear how two corners meet
 
-/// Faces of a block that a point lies on, or nearer than `distance` [m]; none when it is farther from the block.
-int facesAt(const State& state, std::int32_t block, const Vec3& point, double distance) {
+/// Normals of the faces of a convex shape, or of the faces `first` to `end` that are one of its parts, that a point lies on, or
+/// nearer than `distance` [m]; none when it is farther from it. Inner faces are none.
+std::vector<Vec3> normalsAt(const Polyhedron& shape, std::size_t first, std::size_t end, const Vec3& point,
+                            double distance) {
+    std::vector<Vec3> normals;
+    for (std::size_t face = first; face < end; ++face) {
+        const Vec3& on_face = shape.vertices[static_cast<std::size_t>(shape.faces[face].front())];
+        const Vec3 normal = shape.faceNormal(face);
+        const double height = normal.dot(point - on_face);
+        if (height > distance) return {};
+        if (height >= -distance && !shape.isInner(face)) normals.push_back(normal);
+    }
+    return normals;
+}
+
+/// Faces of a block that a point lies on, or nearer than `distance` [m]; none when it is farther from the block. Faces of
+/// several parts that look the same way are one.
+std::size_t facesAt(const State& state, std::int32_t block, const Vec3& point, double distance) {
     const Polyhedron& shape = state.geometry->shape[static_cast<std::size_t>(block)];
     const Vec3 own = toOwn(state.blocks, block, point);
-    int count = 0;
-    for (std::size_t face = 0; face < shape.faces.size(); ++face) {
-        const Vec3& on_face = shape.vertices[static_cast<std::size_t>(shape.faces[face].front())];
-        const double height = shape.faceNormal(face).dot(own - on_face);
-        if (height > distance) return 0;
-        if (height >= -distance) ++count;
+    if (shape.partCount() == 1) return normalsAt(shape, 0, shape.faces.size(), own, distance).size();
+    std::vector<Vec3> different;
+    for (const ConvexPart& part : shape.faces.parts()) {
+        const auto first = static_cast<std::size_t>(part.first_face);
+        for (const Vec3& normal : normalsAt(shape, first, first + part.faces.size(), own, distance))
+            if (std::none_of(different.begin(), different.end(),
+                             [&](const Vec3& known) { return (known - normal).norm() < kSameWay; }))
+                different.push_back(normal);
     }
-    return count;
+    return different.size();
 }
 
 /// Whether a face of a block lies, up to a point, on a block other than its partner.

@@ -90,9 +90,13 @@ std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, co
 
 std::vector<FacePair> findFacePairs(const WorldShape& a, const WorldShape& b, const FacePairLimits& limits) {
     std::vector<FacePair> pairs;
-    for (std::size_t face_a = 0; face_a < a.faces.size(); ++face_a)
-        for (std::size_t face_b = 0; face_b < b.faces.size(); ++face_b)
+    for (std::size_t face_a = 0; face_a < a.faces.size(); ++face_a) {
+        if (a.isInner(face_a)) continue;
+        for (std::size_t face_b = 0; face_b < b.faces.size(); ++face_b) {
+            if (b.isInner(face_b)) continue;
             if (auto pair = findFacePair(a, face_a, b, face_b, limits)) pairs.push_back(*pair);
+        }
+    }
     return pairs;
 }
 

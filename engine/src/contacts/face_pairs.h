@@ -39,7 +39,7 @@ FaceFrame faceFrame(const WorldShape& shape, std::size_t face);
 std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, const WorldShape& b,
                                      std::size_t face_b, const FacePairLimits& limits);
 
-/// All of them, by face_a, then face_b.
+/// All of them between faces of the surface, by face_a, then face_b.
 std::vector<FacePair> findFacePairs(const WorldShape& a, const WorldShape& b, const FacePairLimits& limits);
 
 }  // namespace talus

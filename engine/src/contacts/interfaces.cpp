@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -20,16 +21,21 @@
 namespace talus {
 namespace {
 
+/// Of each pair of blocks the parts that overlap most.
 std::vector<Error> overlapErrors(const State& state, const std::vector<PairFinding>& findings) {
-    std::vector<Error> errors;
+    std::map<BoxPair, double> deepest;
     for (const PairFinding& finding : findings) {
         if (!finding.overlaps) continue;
+        double& depth = deepest[std::minmax(finding.block_a, finding.block_b)];
+        depth = std::max(depth, finding.depth);
+    }
+    std::vector<Error> errors;
+    for (const auto& [pair, overlap] : deepest) {
         const auto& blocks = state.geometry->model.blocks;
-        const Block& a = blocks[static_cast<std::size_t>(std::min(finding.block_a, finding.block_b))];
-        const Block& b = blocks[static_cast<std::size_t>(std::max(finding.block_a, finding.block_b))];
+        const Block& a = blocks[static_cast<std::size_t>(pair.first)];
+        const Block& b = blocks[static_cast<std::size_t>(pair.second)];
         char depth[96];
-        std::snprintf(depth, sizeof depth, "by %.3g m; allowed: at most 1e-4 of the block size",
-                      finding.depth);
+        std::snprintf(depth, sizeof depth, "by %.3g m; allowed: at most 1e-4 of the block size", overlap);
         errors.push_back({b.field, "blocks \"" + a.name + "\" and \"" + b.name + "\" overlap " + depth});
     }
     return errors;
@@ -121,9 +127,9 @@ void closeInitialInterfaces(State& state) {
     }
 }
 
-/// One interface to be made; without a patch: the places of a pair that may meet by vertices or edges.
+/// One interface to be made between two blocks; without a patch: the places of two parts that may meet by vertices or edges.
 struct Found {
-    std::int32_t block_a = 0, block_b = 0;
+    std::int32_t a = 0, b = 0;
     FacePair faces{};
 };
 
@@ -148,13 +154,13 @@ struct InterfaceWindow {
         for (const Found* one : order) {
             const Polygon& patch = one->faces.patch;
             if (patch.empty()) {
-                appendVertexEdgePlaces(state, one->block_a, one->block_b);
+                appendVertexEdgePlaces(state, one->a, one->b);
                 continue;
             }
             addToGroups(
                 state.interfaces, patch.size(),
                 contact::pointCount(std::span(patch.begin(), patch.size()), state.geometry->model.points));
-            appendInterface(state, one->block_a, one->block_b, one->faces);
+            appendInterface(state, one->a, one->b, one->faces);
         }
         found.clear();
     }
@@ -185,13 +191,14 @@ SearchRemarks appendInterfaces(State& state, double margin, const PlacePairs& wi
     InterfaceWindow window;
     examinePairs(state, margin, with_places, initial, parallel, [&](const PairFinding& finding) {
         if (finding.overlaps)
-            remarks.overlaps.push_back({{}, finding.block_a, finding.block_b, false, true, finding.depth});
+            remarks.overlaps.push_back({{}, finding.block_a, finding.block_b, finding.part_a, finding.part_b,
+                                        false, true, finding.depth});
         for (const FacePair& pair : finding.faces) {
             if (initial && remarks.grid.empty() && !suitsRule(state, pair))
                 remarks.grid.push_back(gridError(state, finding, pair));
             if (remarks.grid.empty()) window.add(state, {finding.block_a, finding.block_b, pair});
         }
-        if (finding.may_meet_by_vertices) window.add(state, {finding.block_a, finding.block_b});
+        if (finding.may_meet_by_vertices) window.add(state, {finding.part_a, finding.part_b});
     });
     window.append(state);
     return remarks;
@@ -214,7 +221,7 @@ std::vector<Error> touchErrors(const State& state) {
 }  // namespace
 
 std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel) {
-    const PlacePairs with_places = pairsWithPlaces(state.interfaces);
+    const PlacePairs with_places = pairsWithPlaces(*state.geometry, state.interfaces);
     const std::vector<PairEnergy> held =
         state.springs == Springs::keep_energy ? energyOfPairs(contactsOf(state)) : std::vector<PairEnergy>{};
     const OldInterfaces old = takeInterfaces(state);

@@ -39,19 +39,51 @@ bool firstIsReference(const State& state, std::size_t first, std::size_t second)
 
 /// Shapes of all blocks where they are now, with their face normals; the faces' outlines are those of the own frame.
 struct PlacedShapes {
+    const Geometry& geometry;
     const std::vector<Polyhedron>& own;
     std::vector<std::size_t> first_vertex, first_normal;  ///< of each block; one more at the end
     std::vector<Vec3> vertices, normals;
+    std::vector<std::int32_t> body;  ///< of each part: its place in `bodies`, -1 where it is a whole block
+    std::vector<PartOfBody> bodies;
 
-    WorldShape world(std::size_t b) const {
-        return {std::span(vertices).subspan(first_vertex[b], own[b].vertices.size()), own[b].faces,
-                std::span(normals).subspan(first_normal[b], own[b].faces.size())};
+    std::size_t blockOf(std::size_t part) const {
+        return static_cast<std::size_t>(geometry.part_block[part]);
+    }
+    WorldShape world(std::size_t part) const {
+        const std::size_t b = blockOf(part);
+        const WorldShape block{std::span(vertices).subspan(first_vertex[b], own[b].vertices.size()),
+                               own[b].faces,
+                               std::span(normals).subspan(first_normal[b], own[b].faces.size())};
+        return body.empty() || body[part] < 0 ? block
+                                              : partIn(block, bodies[static_cast<std::size_t>(body[part])]);
+    }
+
+ private:
+    static WorldShape partIn(const WorldShape& block, const PartOfBody& body) {
+        const ConvexPart& range = body.shape.faces.parts()[body.part];
+        const auto first = static_cast<std::size_t>(range.first_face), count = range.faces.size();
+        return {block.vertices.subspan(static_cast<std::size_t>(range.first_vertex),
+                                       static_cast<std::size_t>(range.vertices)),
+                range.faces, block.normals.subspan(first, count),
+                std::span(body.shape.faces.covers()).subspan(first, count), &body};
     }
 };
 
+void placeBodies(const State& state, PlacedShapes& placed) {
+    const std::size_t parts = state.geometry->part_block.size();
+    if (parts == state.blocks.size()) return;
+    placed.body.assign(parts, -1);
+    for (std::size_t part = 0; part < parts; ++part) {
+        const auto body = partOfBody(state, static_cast<std::int32_t>(part));
+        if (!body) continue;
+        placed.body[part] = static_cast<std::int32_t>(placed.bodies.size());
+        placed.bodies.push_back(*body);
+    }
+}
+
 PlacedShapes placeShapes(const State& state, bool parallel) {
     const std::size_t n = state.blocks.size();
-    PlacedShapes placed{state.geometry->shape, {0}, {0}, {}, {}};
+    PlacedShapes placed{*state.geometry, state.geometry->shape, {0}, {0}, {}, {}, {}, {}};
     placed.first_vertex.reserve(n + 1);
     placed.first_normal.reserve(n + 1);
     for (const Polyhedron& shape : placed.own) {
@@ -69,28 +101,41 @@ PlacedShapes placeShapes(const State& state, bool parallel) {
                 placed.normals[placed.first_normal[b] + f] = shape.faceNormal(f);
         }
     });
+    placeBodies(state, placed);
     return placed;
 }
 
 /// Faces may look at each other through the bodies: the far side of a block and the near side of its neighbour, or
 /// faces that are not parallel. A pair whose overlap is not the blocks' own is none.
-void dropFalsePairs(const PlacedShapes& placed, std::size_t a, std::size_t b, double closed,
-                    PairFinding& finding) {
+void dropFalsePairs(const WorldShape& a, const WorldShape& b, double closed, PairFinding& finding) {
     const auto overlaps = [&](const FacePair& face) { return face.least_gap < -closed; };
     if (std::none_of(finding.faces.begin(), finding.faces.end(), overlaps)) return;
-    const double depth = std::max(0.0, -findSeparation(placed.world(a), placed.world(b)).distance);
+    const double depth = std::max(0.0, -findSeparation(a, b).distance);
     std::erase_if(finding.faces,
                   [&](const FacePair& face) { return -face.least_gap > 2.0 * depth + closed; });
 }
 
 /// Faces too far from parallel to meet as faces.
-void dropTilted(const PlacedShapes& placed, std::size_t a, std::size_t b, double size, PairFinding& finding) {
-    const WorldShape first = placed.world(a), second = placed.world(b);
+void dropTilted(const WorldShape& first, const WorldShape& second, double size, PairFinding& finding) {
     std::erase_if(finding.faces, [&](const FacePair& face) {
         const Vec3 sum = first.normals[static_cast<std::size_t>(face.face_a)] +
                          second.normals[static_cast<std::size_t>(face.face_b)];
         const double angle = kFaceAngle + kFaceAnglePerDepth * std::max(0.0, -face.least_gap) / size;
         return sum.norm() > 2.0 * std::sin(0.5 * std::min(angle, kMostFaceAngle));
+    });
+}
+
+/// Faces of which a piece lies on other parts of their body: a patch on that piece is none.
+void dropCovered(const WorldShape& a, const WorldShape& b, PairFinding& finding) {
+    const auto isCovered = [](const WorldShape& shape, std::int32_t face, const Vec3& place) {
+        const auto f = static_cast<std::size_t>(face);
+        return !shape.covers.empty() && shape.covers[f] == Cover::partly && shape.body->isInOther(place);
+    };
+    if (!a.body && !b.body) return;
+    std::erase_if(finding.faces, [&](const FacePair& pair) {
+        const FaceFrame frame = faceFrame(a, static_cast<std::size_t>(pair.face_a));
+        const Vec3 on_a = frame.toWorld(centroid(pair.patch));
+        return isCovered(a, pair.face_a, on_a) || isCovered(b, pair.face_b, on_a + pair.gap * frame.e3);
     });
 }
 
@@ -115,10 +160,10 @@ bool hadPlaces(const PlacePairs& pairs, BoxPair pair) {
 
 }  // namespace
 
-PlacePairs pairsWithPlaces(const Interfaces& f) {
+PlacePairs pairsWithPlaces(const Geometry& geometry, const Interfaces& f) {
     PlacePairs pairs;
     for (std::size_t i = 0; i < f.size(); ++i)
-        if (isVertexEdge(f, i)) pairs.push_back(std::minmax(f.block_a[i], f.block_b[i]));
+        if (isVertexEdge(f, i)) pairs.push_back(partsOf(geometry, f, i));
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
@@ -129,42 +174,52 @@ namespace {
 PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair pair, double margin,
                         const PlacePairs& with_places, bool initial) {
     PairFinding finding;
-    const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
+    const auto part_1 = static_cast<std::size_t>(pair.first), part_2 = static_cast<std::size_t>(pair.second);
+    const std::size_t first = placed.blockOf(part_1), second = placed.blockOf(part_2);
+    if (first == second) return finding;
     if (state.blocks.motion[first] != Motion::free && state.blocks.motion[second] != Motion::free)
         return finding;
     const bool first_is_a = firstIsReference(state, first, second);
     const std::size_t a = first_is_a ? first : second, b = first_is_a ? second : first;
     finding.block_a = static_cast<std::int32_t>(a);
     finding.block_b = static_cast<std::int32_t>(b);
+    finding.part_a = first_is_a ? pair.first : pair.second;
+    finding.part_b = first_is_a ? pair.second : pair.first;
     const double size = std::min(state.geometry->size[a], state.geometry->size[b]);
     const double closed = kClosedGap * size;
-    const WorldShape placed_a = placed.world(a), placed_b = placed.world(b);
+    const WorldShape placed_a = placed.world(first_is_a ? part_1 : part_2),
+                     placed_b = placed.world(first_is_a ? part_2 : part_1);
     const VertexEdgeLimits sharp = vertexEdgeLimits(*state.geometry, a, b, margin);
     const double travel = 2.0 * (kTravelLimit + kTurnLimit) * size;
     if (!initial && areApart(placed_a, placed_b, sharp.reach + travel)) return finding;
     finding.faces = findFacePairs(
         placed_a, placed_b, {.max_gap = margin, .max_overlap = 0.5 * size, .max_angle = kMostFaceAngle});
-    dropTilted(placed, a, b, size, finding);
-    dropFalsePairs(placed, a, b, closed, finding);
+    dropTilted(placed_a, placed_b, size, finding);
+    dropFalsePairs(placed_a, placed_b, closed, finding);
+    dropCovered(placed_a, placed_b, finding);
     const bool slivers = dropSlivers(state, a, b, size, finding, initial);
     // A pair that has places keeps them as long as it is near.
     finding.may_meet_by_vertices =
         slivers || hadPlaces(with_places, pair) ||
         approachOf(placed_a, placed_b, sharp, travel, 2.0 * kTurnLimit) == Approach::vertex_edge;
+    for (FacePair& face : finding.faces) {
+        face.face_a += firstFace(*state.geometry, finding.part_a);
+        face.face_b += firstFace(*state.geometry, finding.part_b);
+    }
     if (!initial) return finding;
     for (const FacePair& face :
          finding.faces)  // parallel faces that do not overlap: a plane between the blocks
         if (face.least_gap >= -closed && face.most_gap - face.least_gap <= closed) return finding;
-    finding.depth = -findSeparation(placed.world(a), placed.world(b), -closed).distance;
+    finding.depth = -findSeparation(placed_a, placed_b, -closed).distance;
     finding.overlaps = finding.depth > closed;
     return finding;
 }
 
 std::vector<BoxPair> nearPairs(const PlacedShapes& placed, double margin, bool parallel) {
-    std::vector<Box> boxes(placed.own.size());
+    std::vector<Box> boxes(placed.geometry.part_block.size());
     forRange(boxes.size(), 1024, parallel, [&](Range range) {
-        for (std::size_t b = range.begin; b < range.end; ++b)
-            boxes[b] = boundingBox(placed.world(b), 0.5 * margin);
+        for (std::size_t part = range.begin; part < range.end; ++part)
+            boxes[part] = boundingBox(placed.world(part), 0.5 * margin);
     });
     return findNeighbours(boxes, parallel);
 }

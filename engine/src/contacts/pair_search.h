@@ -1,5 +1,5 @@
 #pragma once
-// The half of a search that looks: which pairs of blocks are near, and what they may touch each other with. The other
+// The half of a search that looks: which pairs of blocks, part by part, are near, and what they may touch each other with. The other
 // half (patches.cpp) makes interfaces of it.
 
 #include <cstdint>
@@ -12,21 +12,22 @@
 
 namespace talus {
 
-/// What the search finds for one pair of blocks.
+/// What the search finds for one pair of convex parts of two blocks.
 struct PairFinding {
     std::vector<FacePair> faces;  ///< face_a on the reference block
     std::int32_t block_a = 0, block_b = 0;
+    std::int32_t part_a = 0, part_b = 0;  ///< as Geometry numbers them
     bool may_meet_by_vertices = false;
     bool overlaps = false;
     double depth = 0;  ///< [m], when they overlap
 };
 
-/// Pairs of blocks with places for vertices and edges, sorted.
+/// Pairs of parts with places for vertices and edges, sorted.
 using PlacePairs = std::vector<BoxPair>;
-PlacePairs pairsWithPlaces(const Interfaces& interfaces);
+PlacePairs pairsWithPlaces(const Geometry& geometry, const Interfaces& interfaces);
 
 /// \pre margin > 0
-/// Examines all pairs of blocks nearer than `margin` [m] and hands what it finds to `take`, pair by pair in order. In
+/// Examines all pairs of parts of different blocks nearer than `margin` [m] and hands what it finds to `take`, pair by pair in order. In
 /// pieces: of a million blocks' thirteen million pairs all findings at once would take more memory than the state.
 /// \param with_places pairs that keep their places as long as they are near, sorted
 /// \param initial    whether the blocks stand as the model has them: then overlaps are looked for

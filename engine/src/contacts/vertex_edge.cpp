@@ -30,23 +30,6 @@ constexpr double kSameNormal = 0.9;  // cosine, likewise
 constexpr std::size_t kPlaces = kPlacesOfPair;
 static_assert(kPlaces == VertexEdgePoints::kMost);
 
-/// A block where it is, with its face normals.
-struct Placed {
-    const Polyhedron& own;
-    std::vector<Vec3> vertices, normals;
-
-    Placed(const State& state, std::size_t block) : own(state.geometry->shape[block]) {
-        const Mat3 turn = state.blocks.orientation.matrix(block);
-        const Vec3 position = state.blocks.position.get(block);
-        vertices.reserve(own.vertices.size());
-        normals.reserve(own.faces.size());
-        for (const Vec3& v : own.vertices) vertices.push_back(position + turn * v);
-        for (std::size_t face = 0; face < own.faces.size(); ++face)
-            normals.push_back(turn * own.faceNormal(face));
-    }
-    WorldShape world() const { return {vertices, own.faces, normals}; }
-};
-
 void setIdle(Interfaces& f, std::size_t i) {
     f.idle[i] = 1;
     f.setReferenceGap(i, {kNeverCloses, 0, 0});
@@ -214,7 +197,7 @@ bool anyClosed(const State& state, std::size_t begin) {
     return false;
 }
 
-/// A pair of blocks with places, and what was found where it is now.
+/// A pair of parts with places, and what was found where it is now.
 struct Look {
     VertexEdgePoints found;
     bool changes = false;   ///< from faces to a vertex or edge, or the other way round
@@ -223,11 +206,25 @@ struct Look {
     double travel = 0;      ///< until the next look [m]
 };
 
-/// Where the two meet when not even parallel faces are one.
-VertexEdgePoints withoutFaces(const Placed& first, const Placed& second, VertexEdgeLimits limits) {
+/// Where two parts meet, with the faces' numbers in their blocks.
+VertexEdgePoints findMeeting(const PlacedPart& first, const PlacedPart& second,
+                             const VertexEdgeLimits& limits) {
+    VertexEdgePoints found = findVertexEdgePoints(first.world(), second.world(), limits);
+    for (std::size_t k = 0; k < found.count; ++k) {
+        VertexEdgePoint& point = found.points[k];
+        point.reference_face += (point.second_is_reference ? second : first).firstFace();
+        point.other_face += (point.second_is_reference ? first : second).firstFace();
+    }
+    if (found.first_face >= 0) found.first_face += first.firstFace();
+    if (found.second_face >= 0) found.second_face += second.firstFace();
+    return found;
+}
+
+/// The same when not even parallel faces are one contact of faces.
+VertexEdgePoints withoutFaces(const PlacedPart& first, const PlacedPart& second, VertexEdgeLimits limits) {
     limits.face_angle = -1.0;
     limits.angle_per_depth = 0.0;
-    return findVertexEdgePoints(first.world(), second.world(), limits);
+    return findMeeting(first, second, limits);
 }
 
 /// \param searched whether faces that have no interface now will have none
@@ -243,13 +240,15 @@ Look lookAtPair(const State& state, std::size_t begin, double ahead, bool search
                          geometry.radius[a] - geometry.radius[b];
     look.travel = std::max(apart, kTravel * look.size);
     if (apart > limits.reach) return look;
-    const Placed first(state, a), second(state, b);
-    look.found = findVertexEdgePoints(first.world(), second.world(), limits);
+    const PlacedPart first(state, partOf(geometry, f.block_a[begin], f.face_a[begin])),
+        second(state, partOf(geometry, f.block_b[begin], f.face_b[begin]));
+    look.found = findMeeting(first, second, limits);
     if (!look.found.near) {
         look.travel = std::max(look.found.distance - 0.5 * limits.reach, kTravel * look.size);
         return look;
     }
     look.travel = kTravel * look.size;
+    if (look.found.first_face < 0) return look;
     const std::int32_t faces = interfaceOfFaces(state, f.block_a[begin], look.found.first_face,
                                                 f.block_b[begin], look.found.second_face);
     if (look.found.count > 0) {
@@ -292,17 +291,21 @@ std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t i)
     return carried;
 }
 
-void appendVertexEdgePlaces(State& state, std::int32_t block_1, std::int32_t block_2) {
+void appendVertexEdgePlaces(State& state, std::int32_t part_1, std::int32_t part_2) {
+    const Geometry& geometry = *state.geometry;
+    const std::int32_t block_1 = geometry.part_block[static_cast<std::size_t>(part_1)],
+                       block_2 = geometry.part_block[static_cast<std::size_t>(part_2)];
+    const std::int32_t face_1 = firstFace(geometry, part_1), face_2 = firstFace(geometry, part_2);
     assert(block_1 != block_2);
     Interfaces& f = state.interfaces;
     const double area =
-        vertexEdgeArea(*state.geometry, static_cast<std::size_t>(block_1), static_cast<std::size_t>(block_2));
+        vertexEdgeArea(geometry, static_cast<std::size_t>(block_1), static_cast<std::size_t>(block_2));
     for (std::size_t s = 0; s < kPlaces; ++s) {
         addToGroups(f, 1, 1);
         f.block_a.push_back(block_1);
         f.block_b.push_back(block_2);
-        f.face_a.push_back(0);
-        f.face_b.push_back(0);
+        f.face_a.push_back(face_1);
+        f.face_b.push_back(face_2);
         f.joint.push_back(0);
         f.area.push_back(area);
         f.kind.push_back(InterfaceKind::vertex_edge);
@@ -365,8 +368,7 @@ void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPo
     updatePairs(state.interfaces, parallel, [&](std::size_t begin) {
         const Look look = lookAtPair(state, begin, ahead, true);
         state.interfaces.faces_are_apart[begin] = look.no_faces ? 1 : 0;
-        const auto of_pair =
-            carried.find(std::minmax(state.interfaces.block_a[begin], state.interfaces.block_b[begin]));
+        const auto of_pair = carried.find(partsOf(*state.geometry, state.interfaces, begin));
         writePlaces(state, begin, look.found,
                     of_pair == carried.end() ? std::vector<CarriedPoint>{} : of_pair->second, look.size);
         state.interfaces.travel_left[begin] = look.travel;

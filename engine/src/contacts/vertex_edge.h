@@ -1,5 +1,5 @@
 #pragma once
-// Where blocks meet by vertices and edges (contacts/vertex_edge_points.h). A pair of blocks that may meet so before
+// Where blocks meet by vertices and edges (contacts/vertex_edge_points.h). A pair of convex parts that may meet so before
 // the next search has a group of interfaces of one corner and one contact point each, its places; those that touch
 // nothing are idle: so far open that they carry nothing. The kernel passes over
 // groups in which all are.
@@ -22,13 +22,14 @@ struct CarriedPoint {
     double energy = 0;           ///< of the normal spring [J]
     double shear_energy = 0;     ///< of the shear spring [J]
 };
+/// By pairs of parts (partsOf).
 using CarriedPoints = std::map<std::pair<std::int32_t, std::int32_t>, std::vector<CarriedPoint>>;
 
 /// What the closed contact points of an interface carry [N, J].
 std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t interface);
 
-/// Appends the idle places of a pair of blocks. \pre it has none yet
-void appendVertexEdgePlaces(State& state, std::int32_t block_1, std::int32_t block_2);
+/// Appends the idle places of a pair of parts. \pre it has none yet
+void appendVertexEdgePlaces(State& state, std::int32_t part_1, std::int32_t part_2);
 
 /// What a look at the places finds.
 struct PlaceChanges {

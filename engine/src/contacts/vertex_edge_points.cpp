@@ -138,13 +138,14 @@ SeparatingAxis edgeAxis(const Pair& pair, std::size_t e, std::size_t f) {
     return {distance, true, false, static_cast<std::int32_t>(e), static_cast<std::int32_t>(f), normal};
 }
 
-/// Of the faces around a vertex the one that looks most against a direction.
+/// Of the body's faces around a vertex the one that looks most against a direction; -1: none, it lies inside.
 std::int32_t incidentFace(const WorldShape& shape, std::int32_t vertex, const Vec3& direction) {
     std::int32_t best = -1;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t face = 0; face < shape.faces.size(); ++face) {
         const auto& outline = shape.faces[face];
-        if (std::find(outline.begin(), outline.end(), vertex) == outline.end()) continue;
+        if (shape.isInner(face) || std::find(outline.begin(), outline.end(), vertex) == outline.end())
+            continue;
         const double along = shape.normals[face].dot(direction);
         if (along < least) least = along, best = static_cast<std::int32_t>(face);
     }
@@ -165,10 +166,13 @@ Faces meetingFaces(const Pair& pair, const SeparatingAxis& axis) {
     }
     const Edge& e = pair.first_edges[static_cast<std::size_t>(axis.face)];
     const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
-    Faces best{e.left, f.left};
+    Faces best{-1, -1};
     double least = std::numeric_limits<double>::infinity();
     for (const std::int32_t of_first : {e.left, e.right})
         for (const std::int32_t of_second : {f.left, f.right}) {
+            if (pair.first.isInner(static_cast<std::size_t>(of_first)) ||
+                pair.second.isInner(static_cast<std::size_t>(of_second)))
+                continue;
             const double along = pair.first.normals[static_cast<std::size_t>(of_first)].dot(
                 pair.second.normals[static_cast<std::size_t>(of_second)]);
             if (along < least) least = along, best = {of_first, of_second};
@@ -183,6 +187,63 @@ bool meetsFaceToFace(const Pair& pair, const SeparatingAxis& axis, const VertexE
     const double angle = limits.face_angle + limits.angle_per_depth * std::max(0.0, -axis.distance);
     const double chord = (first + second).norm();
     return chord <= angle && chord <= 2.0 * std::sin(0.5 * angle);  // the chord is never longer than the arc
+}
+
+/// The nearest points of the lines of two edges, and whether both lie between the edges' ends.
+struct Crossing {
+    Vec3 first, second;
+    bool within;
+};
+
+Crossing crossingOf(const Pair& pair, const SeparatingAxis& axis) {
+    const Edge& e = pair.first_edges[static_cast<std::size_t>(axis.face)];
+    const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
+    const Vec3 &p = vertexOf(pair.first, e.from), &q = vertexOf(pair.second, f.from);
+    const double cosine = e.direction.dot(f.direction), sine_squared = 1.0 - cosine * cosine;
+    const Vec3 apart = q - p;
+    const double s = (apart.dot(e.direction) - cosine * apart.dot(f.direction)) / sine_squared;
+    const double t = (cosine * apart.dot(e.direction) - apart.dot(f.direction)) / sine_squared;
+    const double length_e = (vertexOf(pair.first, e.to) - p).norm(),
+                 length_f = (vertexOf(pair.second, f.to) - q).norm();
+    return {p + s * e.direction, q + t * f.direction, !(s < 0 || s > length_e || t < 0 || t > length_f)};
+}
+
+bool isInner(const WorldShape& shape, const Edge& edge) {
+    return shape.isInner(static_cast<std::size_t>(edge.left)) &&
+           shape.isInner(static_cast<std::size_t>(edge.right));
+}
+
+/// Whether the bodies, and not only these parts of them, can touch along an axis: parts meet their neighbours of the same
+/// body in faces, edges and vertices that nothing else can touch. The other's lowest vertex becomes one that can be touched.
+/// \param tie of its vertices, those this much higher than the lowest count, too [m]
+/// \param slack angle by which the axis may turn [rad]; then edges may also come to cross that do not yet
+bool isReal(const Pair& pair, SeparatingAxis& axis, double tie, double slack) {
+    if (!pair.first.body && !pair.second.body) return true;
+    const auto isOutermost = [&](const WorldShape& shape, const Vec3& x, const Vec3& out) {
+        return !shape.body || shape.body->isOutermost(x, out, slack);
+    };
+    if (axis.is_edges) {
+        if (isInner(pair.first, pair.first_edges[static_cast<std::size_t>(axis.face)]) ||
+            isInner(pair.second, pair.second_edges[static_cast<std::size_t>(axis.other)]))
+            return false;
+        const Crossing crossing = crossingOf(pair, axis);
+        if (!crossing.within) return slack > 0;
+        return isOutermost(pair.first, crossing.first, axis.normal) &&
+               isOutermost(pair.second, crossing.second, -axis.normal);
+    }
+    const WorldShape &reference = pair.shape(axis.second_is_reference),
+                     &other = pair.shape(!axis.second_is_reference);
+    if (reference.isInner(static_cast<std::size_t>(axis.face))) return false;
+    if (!other.body) return true;
+    const double lowest = axis.normal.dot(vertexOf(other, axis.other));
+    for (std::size_t v = 0; v < other.vertices.size(); ++v) {
+        if (axis.normal.dot(other.vertices[v]) > lowest + tie) continue;
+        if (!isOutermost(other, other.vertices[v], -axis.normal)) continue;
+        if (incidentFace(other, static_cast<std::int32_t>(v), axis.normal) < 0) continue;
+        axis.other = static_cast<std::int32_t>(v);
+        return true;
+    }
+    return false;
 }
 
 /// Calls each(axis) for all axes until it returns false.
@@ -208,15 +269,23 @@ struct Meeting {
     SeparatingAxis faces, sharp;
     bool apart = false;
     double apart_by = 0;  // [m], at least
+    bool met = true;      // along a real axis, or apart
 };
+
+/// A part may be told from another body's along an axis on which the bodies do not meet, and then not be met at all: the real
+/// axis is no more than this deeper, times the tie.
+constexpr double kDeeperThanParts = 200.0;
 
 Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
     Meeting best;
-    forEachAxis(pair, [&](const SeparatingAxis& axis) {
+    double most = -std::numeric_limits<double>::infinity();
+    forEachAxis(pair, [&](SeparatingAxis axis) {
         best.apart = axis.distance > limits.reach;
         best.apart_by = axis.distance;
         if (best.apart) return false;
+        most = std::max(most, axis.distance);
         if (axis.distance <= best.sharp.distance && axis.distance <= best.faces.distance) return true;
+        if (!isReal(pair, axis, limits.tie, 0.0)) return true;
         if (meetsFaceToFace(pair, axis, limits)) {
             if (axis.distance > best.faces.distance) best.faces = axis;
         } else if (axis.distance >
@@ -225,6 +294,8 @@ Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
         }
         return true;
     });
+    const double deepest = most - kDeeperThanParts * limits.tie;
+    best.met = best.apart || std::max(best.sharp.distance, best.faces.distance) >= deepest;
     return best;
 }
 
@@ -281,6 +352,16 @@ Share clip(const FaceOutline& face, const Vec3& from, const Vec3& to) {
     return share;
 }
 
+/// Of an edge's two faces, as far as they are surface, the one that looks most against a direction.
+std::int32_t faceOf(const WorldShape& shape, const Edge& edge, const Vec3& direction) {
+    if (shape.isInner(static_cast<std::size_t>(edge.left))) return edge.right;
+    if (shape.isInner(static_cast<std::size_t>(edge.right))) return edge.left;
+    const auto along = [&](std::int32_t f) {
+        return shape.normals[static_cast<std::size_t>(f)].dot(direction);
+    };
+    return along(edge.left) <= along(edge.right) ? edge.left : edge.right;
+}
+
 VertexEdgePoints pointsOnFace(Pair& pair, const SeparatingAxis& axis, double reach) {
     const WorldShape& other = pair.shape(!axis.second_is_reference);
     const FaceOutline face(pair.shape(axis.second_is_reference), static_cast<std::size_t>(axis.face));
@@ -288,46 +369,45 @@ VertexEdgePoints pointsOnFace(Pair& pair, const SeparatingAxis& axis, double rea
     VertexEdgePoints found;
     const auto add = [&](const Vec3& x, std::int32_t other_face) {
         const double gap = face.height(x);
-        if (gap <= reach)
+        if (gap <= reach && (!other.body || other.body->isOutermost(x, -face.normal)))
             addPoint(found, {axis.second_is_reference, x - gap * face.normal, x, e1, e2, axis.face,
                              other_face, gap});
     };
     for (std::size_t v = 0; v < other.vertices.size(); ++v)
         if (face.height(other.vertices[v]) <= reach && face.covers(other.vertices[v]))
-            add(other.vertices[v], incidentFace(other, static_cast<std::int32_t>(v), face.normal));
+            if (const auto at = incidentFace(other, static_cast<std::int32_t>(v), face.normal); at >= 0)
+                add(other.vertices[v], at);
     auto& edges = axis.second_is_reference ? pair.first_edges : pair.second_edges;
     if (edges.empty()) edges = edgesOf(other);
+    const PartOfBody* body = pair.shape(axis.second_is_reference).body;
+    // Where the reference body's surface goes on in another part, nothing ends.
+    const auto addCrossing = [&](const Vec3& x, const Vec3& outward, std::int32_t other_face) {
+        const Vec3 along = (outward - outward.dot(face.normal) * face.normal).normalized();
+        if (!body || !body->goesOnFlat(x - face.height(x) * face.normal, along, face.normal))
+            add(x, other_face);
+    };
     for (const Edge& edge : edges) {
         const Vec3 &from = vertexOf(other, edge.from), &to = vertexOf(other, edge.to);
-        if (std::min(face.height(from), face.height(to)) > reach) continue;
+        if (std::min(face.height(from), face.height(to)) > reach || isInner(other, edge)) continue;
         const Share share = clip(face, from, to);
         if (share.begin >= share.end) continue;
-        const auto along = [&](std::int32_t f) {
-            return other.normals[static_cast<std::size_t>(f)].dot(face.normal);
-        };
-        const std::int32_t other_face = along(edge.left) <= along(edge.right) ? edge.left : edge.right;
-        if (share.begin > 0 && !face.covers(from)) add(from + share.begin * (to - from), other_face);
-        if (share.end < 1 && !face.covers(to)) add(from + share.end * (to - from), other_face);
+        const std::int32_t other_face = faceOf(other, edge, face.normal);
+        if (share.begin > 0 && !face.covers(from))
+            addCrossing(from + share.begin * (to - from), from - to, other_face);
+        if (share.end < 1 && !face.covers(to))
+            addCrossing(from + share.end * (to - from), to - from, other_face);
     }
     return found;
 }
 
 VertexEdgePoints pointBetweenEdges(const Pair& pair, const SeparatingAxis& axis) {
-    const Edge& e = pair.first_edges[static_cast<std::size_t>(axis.face)];
-    const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
-    const Vec3 &p = vertexOf(pair.first, e.from), &q = vertexOf(pair.second, f.from);
-    // The nearest points of two lines.
-    const double cosine = e.direction.dot(f.direction), sine_squared = 1.0 - cosine * cosine;
-    const Vec3 apart = q - p;
-    const double s = (apart.dot(e.direction) - cosine * apart.dot(f.direction)) / sine_squared;
-    const double t = (cosine * apart.dot(e.direction) - apart.dot(f.direction)) / sine_squared;
-    const double length_e = (vertexOf(pair.first, e.to) - p).norm(),
-                 length_f = (vertexOf(pair.second, f.to) - q).norm();
+    const Vec3& along = pair.first_edges[static_cast<std::size_t>(axis.face)].direction;
+    const Crossing crossing = crossingOf(pair, axis);
     VertexEdgePoints found;
-    if (s < 0 || s > length_e || t < 0 || t > length_f) return found;
+    if (!crossing.within) return found;
     const Faces faces = meetingFaces(pair, axis);
-    addPoint(found, {false, p + s * e.direction, q + t * f.direction, e.direction,
-                     axis.normal.cross(e.direction), faces.first, faces.second, axis.distance});
+    addPoint(found, {false, crossing.first, crossing.second, along, axis.normal.cross(along), faces.first,
+                     faces.second, axis.distance});
     return found;
 }
 
@@ -340,6 +420,10 @@ VertexEdgePoints findVertexEdgePoints(const WorldShape& first, const WorldShape&
     VertexEdgePoints found;
     if (meeting.apart) {
         found.distance = meeting.apart_by;
+        return found;
+    }
+    if (!meeting.met) {
+        found.near = true;
         return found;
     }
     const bool sharp = meeting.sharp.distance > meeting.faces.distance + limits.tie;
@@ -387,9 +471,10 @@ Approach approachOf(const WorldShape& first, const WorldShape& second, const Ver
     narrow.angle_per_depth = 0;
     double most = -std::numeric_limits<double>::infinity(), sharpest = most;
     bool apart = false;
-    forEachAxis(pair, [&](const SeparatingAxis& axis) {
+    forEachAxis(pair, [&](SeparatingAxis axis) {
         apart = axis.distance > limits.reach + travel;
         if (apart) return false;
+        if (axis.distance <= most - travel || !isReal(pair, axis, limits.tie + travel, turn)) return true;
         most = std::max(most, axis.distance);
         if (axis.distance > sharpest && !meetsFaceToFace(pair, axis, narrow)) sharpest = axis.distance;
         return true;

@@ -29,7 +29,7 @@ struct VertexEdgePoints {
     /// when near: along the axis they meet along, negative for overlap; otherwise: at least [m]
     double distance = 0;
     std::int32_t first_face = -1,
-                 second_face = -1;  ///< the faces that look at each other most where they meet
+                 second_face = -1;  ///< the faces that look at each other most where they meet; -1: nowhere
 
     const VertexEdgePoint* begin() const { return points.data(); }
     const VertexEdgePoint* end() const { return points.data() + count; }
@@ -46,6 +46,7 @@ struct VertexEdgeLimits {
 /// The contact normal is the axis along which the two are farthest apart or least deep in each other: a face's normal
 /// or the cross product of two edges (separating-axis theorem; Gottschalk, Lin and Manocha 1996). Where that axis is
 /// a face's normal and the other block lies on it with a face, no point is found: that is for contacts/face_pairs.h.
+/// Of parts of bodies only axes count along which the bodies touch (PartOfBody), and only what is a vertex or edge of the body.
 /// On a face up to four of the other block's vertices, and of the places where its edges cross the face's outline.
 VertexEdgePoints findVertexEdgePoints(const WorldShape& first, const WorldShape& second,
                                       const VertexEdgeLimits& limits);

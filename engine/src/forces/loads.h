@@ -13,6 +13,7 @@
 #include "forces/contact_forces.h"
 #include "forces/wrench.h"
 #include "geometry/face_frame.h"
+#include "geometry/parts.h"
 #include "model/over_time.h"
 #include "state/arrays.h"
 #include "state/point_layout.h"
@@ -56,17 +57,13 @@ class Face {
 
     Vec3 normal() const { return turn_ * own_.e3; }
 
-    Polygon outline() const {
-        const Polyhedron& shape = state_.geometry->shape[block_];
-        Polygon polygon;
-        for (const std::int32_t v : shape.faces[face_])
-            polygon.push(own_.toPlane(shape.vertices[static_cast<std::size_t>(v)]));
-        return polygon;
-    }
+    Polygon outline() const { return outlineOf(state_.geometry->shape[block_], face_); }
 
+    /// But for what lies on other parts of the block.
     Region whole() const {
         Region region;
         region.add(outline(), 1.0);
+        for (const Polygon& cover : covers()) region.add(cover, -1.0);
         return region;
     }
 
@@ -74,6 +71,7 @@ class Face {
     Region freeIn(const AppliedLoad& load) const {
         Region region;
         region.add(clipped(outline(), load), 1.0);
+        for (const Polygon& cover : covers()) region.add(clipped(cover, load), -1.0);
         const Incidence& incidence = state_.incidence;
         for (auto k = incidence.interface_begin[block_]; k < incidence.interface_begin[block_ + 1]; ++k) {
             const auto i = static_cast<std::size_t>(incidence.interface[static_cast<std::size_t>(k)]);
@@ -92,6 +90,8 @@ class Face {
     }
 
  private:
+    std::vector<Polygon> covers() const { return coversOf(state_.geometry->shape[block_], face_); }
+
     bool covers(std::size_t i, bool is_b) const {
         const Interfaces& f = state_.interfaces;
         const auto face = static_cast<std::size_t>(is_b ? f.face_b[i] : f.face_a[i]);
@@ -172,29 +172,20 @@ class Build {
         const Geometry& geometry = *state_.geometry;
         const Vec3 arm = geometry.initial_orientation.matrix(block).transpose() *
                          (*load.point - geometry.origin - geometry.initial_position.get(block));
-        if (outside(geometry.shape[block], arm) > kInReach * geometry.size[block])
+        if (!contains(geometry.shape[block], arm, kInReach * geometry.size[block]))
             state_.warnings.push_back(load.field + ": its point lies outside block \"" +
                                       model_.blocks[block].name + "\", which it follows all the same");
         return {load.force, arm * load.force.transpose()};
     }
 
-    static double outside(const Polyhedron& shape, const Vec3& point) {
-        double farthest = -kInfinity;
-        for (std::size_t f = 0; f < shape.faces.size(); ++f)
-            farthest = std::max(farthest, faceFrame(shape, f).height(point));
-        return farthest;
-    }
 
     DeadForce onFace(const AppliedLoad& load, std::size_t block) {
-        const std::size_t faces = state_.geometry->shape[block].faces.size();
-        std::size_t nearest = 0;
-        double most = -kInfinity;
-        for (std::size_t f = 0; f < faces; ++f) {
-            const double along = Face(state_, block, f).normal().dot(load.direction);
-            if (along > most) most = along, nearest = f;
+        DeadForce sum;
+        for (const std::int32_t f : sideTowards(model_.blocks[block].shape, load.direction)) {
+            const Face face(state_, block, static_cast<std::size_t>(f));
+            sum += face.pushed(face.whole(), load.pressure);
         }
-        const Face face(state_, block, nearest);
-        return face.pushed(face.whole(), load.pressure);
+        return sum;
     }
 
     void addBox(const AppliedLoad& load, std::int32_t index) {
@@ -202,6 +193,7 @@ class Build {
         for (std::size_t b = 0; b < state_.blocks.size(); ++b) {
             if (state_.blocks.motion[b] != Motion::free) continue;
             for (std::size_t f = 0; f < state_.geometry->shape[b].faces.size(); ++f) {
+                if (state_.geometry->shape[b].isInner(f)) continue;
                 const Face face(state_, b, f);
                 if (face.normal().dot(load.direction) < kLooks) continue;
                 const Region region = face.freeIn(load);

@@ -5,6 +5,7 @@
 
 #include "forces/contact_forces.h"
 #include "geometry/face_frame.h"
+#include "geometry/parts.h"
 #include "geometry/pressure.h"
 #include "model/gravity.h"
 #include "model/over_time.h"
@@ -43,13 +44,8 @@ void addPatch(WetPatches& wet, std::size_t block, std::size_t water, std::int32_
     wet.vertex_begin.push_back(static_cast<std::int64_t>(wet.vertex_x.size()));
 }
 
-/// A block face, less what lies below the water's base at the start.
-void addWall(State& state, std::size_t water, const WetFace& wall) {
-    const auto b = static_cast<std::size_t>(wall.block);
-    const FaceFrame plane = faceFrame(state.geometry->shape[b], static_cast<std::size_t>(wall.face));
-    Polygon polygon;
-    for (const std::int32_t v : state.geometry->shape[b].faces[static_cast<std::size_t>(wall.face)])
-        polygon.push(plane.toPlane(state.geometry->shape[b].vertices[static_cast<std::size_t>(v)]));
+/// A polygon on a block, less what lies below the water's base at the start.
+void addAbove(State& state, std::size_t water, std::size_t b, const FaceFrame& plane, Polygon polygon) {
     const double base = state.geometry->model.waters[water].base - state.geometry->origin.z();
     if (base > -kInfinity) {
         const Mat3 turn = state.geometry->initial_orientation.matrix(b);
@@ -63,16 +59,62 @@ void addWall(State& state, std::size_t water, const WetFace& wall) {
     if (!polygon.empty()) addPatch(state.wet, b, water, -1, plane, polygon, Vec3::Zero());
 }
 
-/// Two heads, linear between the patch's ends along x (along z for a patch normal to x): value at the interface's
-/// origin and gradient along e1, e2 [m].
-Vec3 headField(const State& state, std::size_t i, const std::array<double, 2>& head,
-               const RelativePose& pose) {
+/// A block face. What of it lies on another part of its block is no wall: the same polygons looking the other way take it off.
+void addWall(State& state, std::size_t water, const WetFace& wall) {
+    const auto b = static_cast<std::size_t>(wall.block), face = static_cast<std::size_t>(wall.face);
+    const Polyhedron& shape = state.geometry->shape[b];
+    const FaceFrame plane = faceFrame(shape, face);
+    addAbove(state, water, b, plane, outlineOf(shape, face));
+    const FaceFrame back{plane.origin, plane.e2, plane.e1, -plane.e3};
+    for (const Polygon& cover : coversOf(shape, face)) {
+        Polygon seen;
+        for (std::size_t v = cover.size(); v-- > 0;) seen.push({cover[v].y(), cover[v].x()});
+        addAbove(state, water, b, back, seen);
+    }
+}
+
+/// The faces of a pair of blocks that meet in the plane of the largest of their interfaces: only blocks of several parts have
+/// more than one.
+std::vector<std::size_t> interfacesOf(const State& state, const std::pair<std::int32_t, std::int32_t>& pair) {
+    constexpr double kSamePlane = 1e-6;  // [rad], and of the length scale
+    const Interfaces& f = state.interfaces;
+    const std::int32_t largest = largestInterface(state, pair.first, pair.second);
+    if (largest < 0) return {};
+    const auto first = static_cast<std::size_t>(largest);
+    std::vector<std::size_t> found{first};
+    const auto block = static_cast<std::size_t>(pair.first);
+    if (state.geometry->shape[block].partCount() == 1 &&
+        state.geometry->shape[static_cast<std::size_t>(pair.second)].partCount() == 1)
+        return found;
+    const RelativePose plane = relativePose(state, first);
+    const Incidence& incidence = state.incidence;
+    for (auto k = incidence.interface_begin[block]; k < incidence.interface_begin[block + 1]; ++k) {
+        const auto i = static_cast<std::size_t>(incidence.interface[static_cast<std::size_t>(k)]);
+        if (i == first || isVertexEdge(f, i) || std::minmax(f.block_a[i], f.block_b[i]) != std::minmax(pair.first, pair.second))
+            continue;
+        const RelativePose pose = relativePose(state, i);
+        if ((pose.e3 - plane.e3).norm() <= kSamePlane &&
+            std::abs(plane.e3.dot(pose.origin - plane.origin)) <= kSamePlane * state.geometry->length_scale)
+            found.push_back(i);
+    }
+    return found;
+}
+
+/// Two heads, linear between the ends along x (along z for a patch normal to x) of all interfaces of a pair: value at one's
+/// origin and gradient along its e1, e2 [m].
+Vec3 headField(const State& state, const std::vector<std::size_t>& all, std::size_t i,
+               const std::array<double, 2>& head) {
+    const RelativePose pose = relativePose(state, i);
     const int axis = std::abs(pose.e3.x()) > 0.99 ? 2 : 0;
     double low = kInfinity, high = -kInfinity;
-    for (const Vec2& v : patchOutline(state.interfaces, i)) {
-        const double along = v.x() * pose.e1[axis] + v.y() * pose.e2[axis];
-        low = std::min(low, along);
-        high = std::max(high, along);
+    for (const std::size_t one : all) {
+        const RelativePose other = relativePose(state, one);
+        const double shift = other.origin[axis] - pose.origin[axis];
+        for (const Vec2& v : patchOutline(state.interfaces, one)) {
+            const double along = shift + v.x() * other.e1[axis] + v.y() * other.e2[axis];
+            low = std::min(low, along);
+            high = std::max(high, along);
+        }
     }
     const double slope = (head[0] - head[1]) / (high - low);
     return {head[1] - slope * low, slope * pose.e1[axis], slope * pose.e2[axis]};
@@ -80,11 +122,11 @@ Vec3 headField(const State& state, std::size_t i, const std::array<double, 2>& h
 
 /// Both walls of one interface: the same polygon and the same points, so that the two wrenches are opposite to
 /// rounding.
-void addInterfaceWalls(State& state, std::size_t water, std::size_t i) {
+void addInterfaceWalls(State& state, std::size_t water, const std::vector<std::size_t>& all, std::size_t i) {
     const Interfaces& f = state.interfaces;
     const RelativePose pose = relativePose(state, i);
     const Water& description = state.geometry->model.waters[water];
-    const Vec3 head = description.kind == Water::Level::head ? headField(state, i, description.head, pose)
+    const Vec3 head = description.kind == Water::Level::head ? headField(state, all, i, description.head)
                                                              : Vec3(Vec3::Zero());
     Polygon outward, inward;
     for (const Vec2& v : patchOutline(f, i)) outward.push(v);
@@ -273,8 +315,8 @@ void makeWalls(State& state) {
         state.wet.water_begin.push_back(state.wet.size());
         for (const WetFace& wall : waters[water].walls) addWall(state, water, wall);
         if (!waters[water].pair) continue;
-        const std::int32_t i = largestInterface(state, waters[water].pair->first, waters[water].pair->second);
-        if (i >= 0) addInterfaceWalls(state, water, static_cast<std::size_t>(i));
+        const std::vector<std::size_t> all = interfacesOf(state, *waters[water].pair);
+        for (const std::size_t i : all) addInterfaceWalls(state, water, all, i);
     }
     state.wet.water_begin.push_back(state.wet.size());
     state.wet.computed_position.resize(state.wet.size());

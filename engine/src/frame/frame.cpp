@@ -10,6 +10,7 @@
 #include "frame/frame_fields.h"
 #include "frame/frame_readings.h"
 #include "frame/vertex_edge_fields.h"
+#include "geometry/parts.h"
 #include "measure/measure.h"
 #include "model/gravity.h"
 #include "model/over_time.h"
@@ -146,6 +147,13 @@ void addShape(const Block& block, RunGeometry& g) {
     g.face_begin.push_back(static_cast<std::int32_t>(g.face_vertex_begin.size() - 1));
 }
 
+void addParts(const Polyhedron& shape, RunGeometry& g) {
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+        g.face_part.push_back(static_cast<std::int32_t>(partOf(shape.faces, f)));
+        g.face_inner.push_back(shape.isInner(f) ? 1 : 0);
+    }
+}
+
 }  // namespace
 
 RunGeometry geometryOf(const State& state) {
@@ -157,6 +165,8 @@ RunGeometry geometryOf(const State& state) {
     g.size = state.geometry->size;
     g.vertex_begin = g.face_begin = g.face_vertex_begin = {0};
     for (const Block& block : state.geometry->model.blocks) addShape(block, g);
+    if (state.geometry->part_block.size() > state.blocks.size())
+        for (const Block& block : state.geometry->model.blocks) addParts(block.shape, g);
     return g;
 }
 

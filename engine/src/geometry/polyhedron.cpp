@@ -33,6 +33,14 @@ Vec3 doubleAreaVector(const Polyhedron& shape, std::size_t face) {
     return sum;
 }
 
+/// The side of the cube with as much volume per surface [m].
+double sizeOfCube(const Polyhedron& shape) {
+    double surface = 0;
+    for (std::size_t f = 0; f < shape.faces.size(); ++f)
+        if (!shape.isInner(f)) surface += shape.faceArea(f);
+    return 6.0 * massProperties(shape).volume / surface;
+}
+
 std::vector<Error> checkBox(const Vec3& min, const Vec3& max) {
     std::vector<Error> errors;
     for (int axis = 0; axis < 3; ++axis) {
@@ -48,6 +56,17 @@ std::vector<Error> checkBox(const Vec3& min, const Vec3& max) {
 }
 
 }  // namespace
+
+FaceList::FaceList(std::vector<Outline> outlines) : FaceList(std::move(outlines), {}, {}) {}
+
+FaceList::FaceList(std::vector<Outline> outlines, std::vector<ConvexPart> parts, std::vector<Cover> covers)
+    : lists_(std::make_shared<const Lists>(
+          Lists{std::move(outlines), std::move(parts), std::move(covers)})) {}
+
+const FaceList::Lists& FaceList::lists() const {
+    static const Lists kNone{};
+    return lists_ ? *lists_ : kNone;
+}
 
 Vec3 Polyhedron::faceNormal(std::size_t face) const { return doubleAreaVector(*this, face).normalized(); }
 
@@ -82,8 +101,9 @@ Result<Polyhedron> makeBox(const Vec3& min, const Vec3& max) {
 
 double smallestExtent(const Polyhedron& shape) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    double smallest = kInfinity;
+    double smallest = shape.partCount() > 1 ? sizeOfCube(shape) : kInfinity;
     for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+        if (shape.isInner(f)) continue;
         const Vec3 normal = shape.faceNormal(f);
         double low = kInfinity, high = -kInfinity;
         for (const Vec3& v : shape.vertices) {

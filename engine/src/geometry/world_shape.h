@@ -1,19 +1,25 @@
 #pragma once
-// A block where it stands, without a copy of what does not change.
+// A convex block, or a convex part of one, where it stands, without a copy of what does not change.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "geometry/parts.h"
 #include "talus/polyhedron.h"
 
 namespace talus {
 
-/// A block as it stands in the world; refers to the caller's arrays.
+/// A convex part of a body as it stands in the world; refers to the caller's arrays.
 struct WorldShape {
     std::span<const Vec3> vertices;                    ///< [m]
     std::span<const std::vector<std::int32_t>> faces;  ///< as in Polyhedron
     std::span<const Vec3> normals;                     ///< outward unit normal per face
+    std::span<const Cover> covers{};   ///< per face; none where the part is the whole body
+    const PartOfBody* body = nullptr;  ///< none where the part is the whole body
+
+    /// Whether a face is inside the body.
+    bool isInner(std::size_t face) const { return !covers.empty() && covers[face] == Cover::wholly; }
 };
 
 }  // namespace talus

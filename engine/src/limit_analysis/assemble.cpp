@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 
 #include "contacts/limits.h"
@@ -16,46 +15,6 @@
 namespace talus::limit {
 namespace {
 
-constexpr double kUnbreakable = 1e4;  // strength of a bond over the weight of all free blocks
-
-double freeWeight(const State& state) {
-    double sum = 0;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
-        if (state.blocks.motion[b] == Motion::free) sum += state.blocks.mass[b];
-    return sum * state.geometry->model.gravity.magnitude;
-}
-
-/// Parts of one block, which hold together by bonds: every block's lowest-numbered companion.
-class Companions {
- public:
-    explicit Companions(std::size_t blocks) : first_(blocks) { std::iota(first_.begin(), first_.end(), 0); }
-
-    std::size_t find(std::size_t block) {
-        while (first_[block] != block) block = first_[block] = first_[first_[block]];
-        return block;
-    }
-    void join(std::size_t a, std::size_t b) {
-        a = find(a);
-        b = find(b);
-        first_[std::max(a, b)] = std::min(a, b);
-    }
-
- private:
-    std::vector<std::size_t> first_;
-};
-
-Companions bonded(const State& state) {
-    const double unbreakable = kUnbreakable * freeWeight(state);
-    Companions companions(state.blocks.size());
-    const Interfaces& f = state.interfaces;
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
-        if (contact::bondStrength(law) * f.area[i] > unbreakable && !isVertexEdge(f, i))
-            companions.join(static_cast<std::size_t>(f.block_a[i]), static_cast<std::size_t>(f.block_b[i]));
-    }
-    return companions;
-}
-
 /// Of each block whether it is left out.
 std::vector<bool> absent(const State& state, const std::vector<std::string>& left_out) {
     const std::set<std::string> names(left_out.begin(), left_out.end());
@@ -65,19 +24,17 @@ std::vector<bool> absent(const State& state, const std::vector<std::string>& lef
 }
 
 void makeBodies(const State& state, const std::vector<bool>& absent, Assembly& assembly) {
-    constexpr std::int32_t kNone = -3;
-    Companions companions = bonded(state);
-    const std::size_t n = state.blocks.size();
-    std::vector<std::int32_t> body_of_first(n, kNone);
-    for (std::size_t b = 0; b < n; ++b)
-        if (state.blocks.motion[b] != Motion::free) body_of_first[companions.find(b)] = kFixed;
-    for (std::size_t b = 0; b < n; ++b) {
-        std::int32_t& body = body_of_first[companions.find(b)];
-        if (body == kNone && !absent[b]) {
-            body = static_cast<std::int32_t>(assembly.bodies.size());
-            assembly.bodies.push_back({});
-        }
-        assembly.body_of_block.push_back(absent[b] ? kAbsent : body);
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        const bool free = state.blocks.motion[b] == Motion::free && !absent[b];
+        assembly.body_of_block.push_back(absent[b] ? kAbsent
+                                         : free    ? static_cast<std::int32_t>(assembly.bodies.size())
+                                                   : kFixed);
+        if (!free) continue;
+        Body body;
+        body.weight = state.blocks.mass[b] * state.geometry->model.gravity.magnitude;
+        body.centroid = state.blocks.position.get(b);
+        body.radius = state.geometry->radius[b];
+        assembly.bodies.push_back(body);
     }
 }
 
@@ -86,21 +43,6 @@ template <class Body>
 void forFreeBlocks(const Assembly& assembly, const Body& body) {
     for (std::size_t b = 0; b < assembly.body_of_block.size(); ++b)
         if (assembly.body_of_block[b] >= 0) body(b, static_cast<std::size_t>(assembly.body_of_block[b]));
-}
-
-void measureBodies(const State& state, Assembly& assembly) {
-    const double g = state.geometry->model.gravity.magnitude;
-    auto& bodies = assembly.bodies;
-    forFreeBlocks(assembly, [&](std::size_t b, std::size_t body) {
-        bodies[body].weight += state.blocks.mass[b] * g;
-        bodies[body].centroid += state.blocks.mass[b] * g * state.blocks.position.get(b);
-    });
-    for (Body& body : bodies) body.centroid /= body.weight;
-    forFreeBlocks(assembly, [&](std::size_t b, std::size_t body) {
-        const double reach =
-            (state.blocks.position.get(b) - bodies[body].centroid).norm() + state.geometry->radius[b];
-        bodies[body].radius = std::max(bodies[body].radius, reach);
-    });
 }
 
 double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
@@ -182,7 +124,6 @@ bool pushesAcross(const State& state) {
 Assembly assemble(const State& state, const std::vector<std::string>& left_out) {
     Assembly assembly;
     makeBodies(state, absent(state, left_out), assembly);
-    measureBodies(state, assembly);
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) addPoints(state, i, assembly);
     if (pushesAcross(state)) return assembly;
     State loaded = state;

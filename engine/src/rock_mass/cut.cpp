@@ -49,6 +49,23 @@ std::string titleOf(const RockMass& description, std::size_t joint) {
     return fieldOf(description, joint) + (name.empty() ? "" : " (" + name + ")");
 }
 
+std::pair<Vec3, Vec3> boundsOf(const TriangleSurface& region) {
+    Vec3 min = region.vertices[0], max = min;
+    for (const Vec3& v : region.vertices) min = min.cwiseMin(v), max = max.cwiseMax(v);
+    return {min, max};
+}
+
+double extentOf(const TriangleSurface& region) {
+    const auto [min, max] = boundsOf(region);
+    return (max - min).maxCoeff();
+}
+
+double weldDistance(const TriangleSurface& region) {
+    double farthest = 0;
+    for (const Vec3& v : region.vertices) farthest = std::max(farthest, v.cwiseAbs().maxCoeff());
+    return std::max(kWeld * extentOf(region), kUlps * farthest);
+}
+
 /// What happened at one joint or joint set.
 struct Tally {
     std::size_t cuts = 0, left_out = 0;
@@ -62,7 +79,7 @@ class Cutter {
 
     Result<CutRockMass> run() {
         if (auto errors = checkAll(); !errors.empty()) return errors;
-        VertexTable vertices(weldDistance());
+        VertexTable vertices(weldDistance(description_.region));
         auto cells = decompose(description_.region, planes_, vertices, description_.stop);
         if (stopped()) return interrupted();
         if (!cells) return inRegion(cells.errors());
@@ -97,31 +114,13 @@ class Cutter {
         return errors;
     }
 
-    std::pair<Vec3, Vec3> bounds() const {
-        Vec3 min = description_.region.vertices[0], max = min;
-        for (const Vec3& v : description_.region.vertices) min = min.cwiseMin(v), max = max.cwiseMax(v);
-        return {min, max};
-    }
-
-    double extent() const {
-        const auto [min, max] = bounds();
-        return (max - min).maxCoeff();
-    }
-
-    double weldDistance() const {
-        double farthest = 0;
-        for (const Vec3& v : description_.region.vertices)
-            farthest = std::max(farthest, v.cwiseAbs().maxCoeff());
-        return std::max(kWeld * extent(), kUlps * farthest);
-    }
-
     /// The user's or the default, but never so thin that the weld distance shows against the gap of closed faces
     /// (1e-4 of a block).
     double minThickness() const {
         double spacing = kInfinity;
         for (const JointSet& set : description_.sets) spacing = std::min(spacing, set.spacing);
-        const double fallback = std::min(kThinSpacing * spacing, kThinExtent * extent());
-        return std::max(description_.min_thickness.value_or(fallback), kThinWelds * weldDistance());
+        const double fallback = std::min(kThinSpacing * spacing, kThinExtent * extentOf(description_.region));
+        return std::max(description_.min_thickness.value_or(fallback), kThinWelds * weldDistance(description_.region));
     }
 
     std::optional<Error> cutBy(const JointPlane& joint, const Knife& knife, CutTree& tree) {
@@ -156,7 +155,7 @@ class Cutter {
 
     /// Far too many are refused before they fill the memory.
     std::optional<Error> expectTooMany(const std::vector<JointPlane>& joints) const {
-        const auto [min, max] = bounds();
+        const auto [min, max] = boundsOf(description_.region);
         const double refused = kTimesExpected * static_cast<double>(description_.max_blocks);
         const double count = expectedBlocks(joints, min, max, result_.region_volume, refused);
         if (!(count > refused)) return std::nullopt;
@@ -206,19 +205,6 @@ class Cutter {
         }
     }
 
-    bool isThin(const Cell& piece, const Knife& knife) const {
-        return thickness({&piece}, planes_, knife.vertices) < result_.min_thickness;
-    }
-
-    void warnOfThinParts(std::size_t count) {
-        if (count > 0)
-            result_.warnings.push_back(
-                description_.field + ".region: " + std::to_string(count) +
-                " convex parts of blocks at its reflex edges are thinner than " +
-                text(result_.min_thickness) +
-                " m, which shortens the time step of a run; a surface of fewer triangles has fewer of them");
-    }
-
     /// A solid where it will stand among the blocks.
     struct Ranked {
         /// z, x, y of the centroid in steps of the least difference that counts
@@ -227,7 +213,7 @@ class Cutter {
     };
 
     std::vector<Ranked> ranked(const CutTree& tree, const Knife& knife) const {
-        const double step = kSameLevel * extent();
+        const double step = kSameLevel * extentOf(description_.region);
         std::vector<Ranked> order;
         for (const Solid& solid : tree.solids()) {
             Vec3 centroid = Vec3::Zero();
@@ -247,47 +233,32 @@ class Cutter {
         return order;
     }
 
-    BlockPart partOf(const Cell& cell, std::int32_t block, const VertexTable& vertices) const {
-        BlockPart part;
-        part.block = block;
-        std::vector<std::int32_t> used;
-        for (const CellFace& face : cell.faces)
-            used.insert(used.end(), face.outline.begin(), face.outline.end());
-        std::sort(used.begin(), used.end());
-        used.erase(std::unique(used.begin(), used.end()), used.end());
-        for (const std::int32_t v : used) part.shape.vertices.push_back(vertices[v]);
-        std::vector<FaceList::Outline> faces;
-        for (const CellFace& face : cell.faces) {
-            FaceList::Outline outline;
-            for (const std::int32_t v : face.outline)
-                outline.push_back(
-                    static_cast<std::int32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin()));
-            faces.push_back(std::move(outline));
-            const Plane& plane = planes_[static_cast<std::size_t>(face.plane)];
-            part.origin.push_back({plane.source, plane.number});
-        }
-        part.shape.faces = std::move(faces);
-        part.volume = massProperties(part.shape).volume;
-        return part;
+    FaceOrigin originOf(const CellFace& face) const {
+        const Plane& plane = planes_[static_cast<std::size_t>(face.plane)];
+        return {plane.source, plane.number};
+    }
+
+    Result<CutBlock> blockOf(const Solid& solid, const VertexTable& vertices) const {
+        auto shape = shapeOf(solid, vertices);
+        if (!shape)
+            return Error{description_.field, "a block near " + text(0.5 * (solid.min + solid.max)) +
+                                                 ": " + shape.errors()[0].message};
+        CutBlock block{std::move(*shape), {}, 0};
+        for (const Cell& piece : solid.pieces)
+            for (const CellFace& face : piece.faces) block.origin.push_back(originOf(face));
+        block.volume = massProperties(block.shape).volume;
+        return block;
     }
 
     Result<CutRockMass> collect(const CutTree& tree, const Knife& knife) {
-        std::size_t thin_parts = 0;
-        result_.parts.reserve(tree.size());
+        result_.blocks.reserve(tree.size());
         for (const Ranked& ranked : ranked(tree, knife)) {
             if (stopped()) return interrupted();
-            const auto first = static_cast<std::int32_t>(result_.parts.size());
-            for (const Cell& piece : ranked.solid->pieces)
-                result_.parts.push_back(partOf(piece, result_.blocks, knife.vertices));
-            ++result_.blocks;
-            if (ranked.solid->pieces.size() == 1) continue;
-            for (const Cell& piece : ranked.solid->pieces) thin_parts += isThin(piece, knife);
-            for (const auto& [a, b] : sharedFaces(ranked.solid->pieces, knife))
-                result_.bonds.emplace_back(first + static_cast<std::int32_t>(a),
-                                           first + static_cast<std::int32_t>(b));
+            auto block = blockOf(*ranked.solid, knife.vertices);
+            if (!block) return block.errors();
+            result_.volume += block->volume;
+            result_.blocks.push_back(std::move(*block));
         }
-        warnOfThinParts(thin_parts);
-        for (const BlockPart& part : result_.parts) result_.volume += part.volume;
         if (!(std::abs(result_.volume - result_.region_volume) <= kVolumeTolerance * result_.region_volume))
             return Error{description_.field,
                          "the blocks' volumes add up to " + text(result_.volume) +
@@ -307,5 +278,18 @@ class Cutter {
 }  // namespace
 
 Result<CutRockMass> cutRockMass(const RockMass& description) { return Cutter(description).run(); }
+
+Result<Polyhedron> solidOf(const TriangleSurface& surface) {
+    if (auto errors = checkSurface(surface); !errors.empty()) return errors;
+    std::vector<Plane> planes;
+    VertexTable vertices(weldDistance(surface));
+    auto cells = decompose(surface, planes, vertices);
+    if (!cells) return cells.errors();
+    const std::vector<Solid> solids = joined(std::move(*cells), Knife{planes, vertices});
+    if (solids.size() > 1)
+        return Error{"", "found a surface around " + std::to_string(solids.size()) +
+                             " separate bodies, allowed: one body"};
+    return shapeOf(solids[0], vertices);
+}
 
 }  // namespace talus

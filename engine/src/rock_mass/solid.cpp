@@ -1,6 +1,7 @@
 #include "rock_mass/solid.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <optional>
 
@@ -114,6 +115,40 @@ Sides sidesOf(const Solid& solid, std::int32_t plane, const Reach* reach, const 
     return sides;
 }
 
+/// Pairs of cells that share a face.
+std::vector<std::array<std::size_t, 2>> sharedFaces(const std::vector<Cell>& cells, const Knife& knife) {
+    std::vector<std::array<std::size_t, 2>> pairs;
+    const auto faces = facesByPlane(cells);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        for (std::size_t j = i + 1; j < faces.size() && faces[j].plane == faces[i].plane; ++j)
+            if (touch(cells[faces[i].cell].faces[faces[i].face], cells[faces[j].cell].faces[faces[j].face],
+                      knife))
+                pairs.push_back(
+                    {std::min(faces[i].cell, faces[j].cell), std::max(faces[i].cell, faces[j].cell)});
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+Polyhedron shapeOf(const Cell& cell, const VertexTable& vertices) {
+    Polyhedron shape;
+    std::vector<std::int32_t> used;
+    for (const CellFace& face : cell.faces) used.insert(used.end(), face.outline.begin(), face.outline.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    for (const std::int32_t v : used) shape.vertices.push_back(vertices[v]);
+    std::vector<FaceList::Outline> faces;
+    for (const CellFace& face : cell.faces) {
+        FaceList::Outline outline;
+        for (const std::int32_t v : face.outline)
+            outline.push_back(
+                static_cast<std::int32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin()));
+        faces.push_back(std::move(outline));
+    }
+    shape.faces = std::move(faces);
+    return shape;
+}
+
 /// Whether a joint along the faces between whole pieces is met: one of them has an outline in the plane.
 bool metAlongFaces(const std::vector<Cell>& lower, std::int32_t index, const Reach* reach,
                    const Knife& knife) {
@@ -129,20 +164,6 @@ bool metAlongFaces(const std::vector<Cell>& lower, std::int32_t index, const Rea
 }
 
 }  // namespace
-
-std::vector<std::array<std::size_t, 2>> sharedFaces(const std::vector<Cell>& cells, const Knife& knife) {
-    std::vector<std::array<std::size_t, 2>> pairs;
-    const auto faces = facesByPlane(cells);
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        for (std::size_t j = i + 1; j < faces.size() && faces[j].plane == faces[i].plane; ++j)
-            if (touch(cells[faces[i].cell].faces[faces[i].face], cells[faces[j].cell].faces[faces[j].face],
-                      knife))
-                pairs.push_back(
-                    {std::min(faces[i].cell, faces[j].cell), std::max(faces[i].cell, faces[j].cell)});
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    return pairs;
-}
 
 std::vector<Solid> joined(std::vector<Cell> cells, const Knife& knife) {
     std::vector<std::size_t> root(cells.size());
@@ -165,6 +186,12 @@ std::vector<Solid> joined(std::vector<Cell> cells, const Knife& knife) {
         solids.push_back(bounded(std::move(group), knife.vertices));
     }
     return solids;
+}
+
+Result<Polyhedron> shapeOf(const Solid& solid, const VertexTable& vertices) {
+    std::vector<Polyhedron> parts;
+    for (const Cell& piece : solid.pieces) parts.push_back(shapeOf(piece, vertices));
+    return joinParts(parts);
 }
 
 CutOutcome cutSolid(const Solid& solid, std::int32_t plane, const Reach* reach, const Knife& knife) {

@@ -2,7 +2,6 @@
 // A solid: one block of the rock mass as its joints part it. It is one convex cell, or several that belong together
 // where the region is not convex.
 
-#include <array>
 #include <vector>
 
 #include "rock_mass/cell.h"
@@ -40,7 +39,7 @@ std::vector<Solid> joined(std::vector<Cell> cells, const Knife& knife);
 /// Cuts all pieces of a solid by `knife.planes[plane]`, as far as `reach` covers any of them.
 CutOutcome cutSolid(const Solid& solid, std::int32_t plane, const Reach* reach, const Knife& knife);
 
-/// Pairs of pieces that share a face.
-std::vector<std::array<std::size_t, 2>> sharedFaces(const std::vector<Cell>& cells, const Knife& knife);
+/// Its pieces as the convex parts of one shape.
+Result<Polyhedron> shapeOf(const Solid& solid, const VertexTable& vertices);
 
 }  // namespace talus::rock_mass

@@ -1,6 +1,24 @@
 #include "state/placed_shape.h"
 
+#include <algorithm>
+
 namespace talus {
+namespace {
+
+constexpr double kTouch = 1e-7;  // of a body's radius: what is nearer touches
+
+/// A part of a block of several.
+const ConvexPart& partAt(const Geometry& geometry, std::int32_t part) {
+    const auto block = static_cast<std::size_t>(geometry.part_block[static_cast<std::size_t>(part)]);
+    return geometry.shape[block].faces.parts()[static_cast<std::size_t>(part - geometry.first_part[block])];
+}
+
+bool isWhole(const Geometry& geometry, std::int32_t part) {
+    const auto block = static_cast<std::size_t>(geometry.part_block[static_cast<std::size_t>(part)]);
+    return geometry.shape[block].partCount() == 1;
+}
+
+}  // namespace
 
 void placeShape(const State& state, std::size_t block, Polyhedron& shape) {
     shape = state.geometry->shape[block];
@@ -18,6 +36,58 @@ Polyhedron placedShape(const State& state, std::size_t block) {
 Vec3 toOwn(const Blocks& blocks, std::int32_t block, const Vec3& x) {
     const auto b = static_cast<std::size_t>(block);
     return blocks.orientation.matrix(b).transpose() * (x - blocks.position.get(b));
+}
+
+std::int32_t partOf(const Geometry& geometry, std::int32_t block, std::int32_t face) {
+    const auto b = static_cast<std::size_t>(block);
+    return geometry.first_part[b] +
+           static_cast<std::int32_t>(partOf(geometry.shape[b].faces, static_cast<std::size_t>(face)));
+}
+
+std::int32_t firstFace(const Geometry& geometry, std::int32_t part) {
+    return isWhole(geometry, part) ? 0 : partAt(geometry, part).first_face;
+}
+
+std::pair<std::int32_t, std::int32_t> partsOf(const Geometry& geometry, const Interfaces& f, std::size_t i) {
+    return std::minmax(
+        {partOf(geometry, f.block_a[i], f.face_a[i]), partOf(geometry, f.block_b[i], f.face_b[i])});
+}
+
+std::optional<PartOfBody> partOfBody(const State& state, std::int32_t part) {
+    const Geometry& geometry = *state.geometry;
+    if (isWhole(geometry, part)) return std::nullopt;
+    const auto block = static_cast<std::size_t>(geometry.part_block[static_cast<std::size_t>(part)]);
+    return PartOfBody{geometry.shape[block], static_cast<std::size_t>(part - geometry.first_part[block]),
+                      state.blocks.orientation.matrix(block), state.blocks.position.get(block),
+                      kTouch * geometry.radius[block]};
+}
+
+PlacedPart::PlacedPart(const State& state, std::int32_t part)
+    : body_(partOfBody(state, part)), first_face_(talus::firstFace(*state.geometry, part)) {
+    const Geometry& geometry = *state.geometry;
+    const auto block = static_cast<std::size_t>(geometry.part_block[static_cast<std::size_t>(part)]);
+    const Polyhedron& own = geometry.shape[block];
+    std::span<const Vec3> vertices = own.vertices;
+    faces_ = &own.faces;
+    if (body_) {
+        const ConvexPart& range = partAt(geometry, part);
+        vertices = vertices.subspan(static_cast<std::size_t>(range.first_vertex),
+                                    static_cast<std::size_t>(range.vertices));
+        faces_ = &range.faces;
+        covers_ = std::span(own.faces.covers())
+                      .subspan(static_cast<std::size_t>(range.first_face), range.faces.size());
+    }
+    const Mat3 turn = state.blocks.orientation.matrix(block);
+    const Vec3 position = state.blocks.position.get(block);
+    vertices_.reserve(vertices.size());
+    normals_.reserve(faces_->size());
+    for (const Vec3& v : vertices) vertices_.push_back(position + turn * v);
+    for (std::size_t face = 0; face < faces_->size(); ++face)
+        normals_.push_back(turn * own.faceNormal(static_cast<std::size_t>(first_face_) + face));
+}
+
+WorldShape PlacedPart::world() const {
+    return {vertices_, *faces_, normals_, covers_, body_ ? &*body_ : nullptr};
 }
 
 }  // namespace talus

@@ -46,12 +46,22 @@ double boundAnywhere(const State& state, std::size_t block, double area) {
            (3.0 / state.blocks.mass[block] + 3.0 * r * r / state.blocks.inertia.get(block).minCoeff());
 }
 
-/// What the first contact of a block in the air may be: its largest face.
+/// Half the surface, on which no more than one side of a block can touch, of a block of several parts; else the largest face
+/// [m^2].
+double largestSide(const Polyhedron& shape) {
+    double largest = 0, surface = 0;
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+        if (shape.isInner(f)) continue;
+        const double area = shape.faceArea(f);
+        largest = std::max(largest, area);
+        surface += area;
+    }
+    return shape.partCount() == 1 ? largest : 0.5 * surface;
+}
+
+/// What the first contact of a block in the air may be: its largest side.
 double boundInTheAir(const State& state, std::size_t block) {
-    const Polyhedron& shape = state.geometry->shape[block];
-    double area = 0;
-    for (std::size_t f = 0; f < shape.faces.size(); ++f) area = std::max(area, shape.faceArea(f));
-    return boundAnywhere(state, block, area);
+    return boundAnywhere(state, block, largestSide(state.geometry->shape[block]));
 }
 
 double frequencyBound(const State& state, std::size_t block) {

@@ -92,6 +92,7 @@ std::optional<Section> singleSection(const Model& model) {
     const std::int32_t free = model.blocks[0].motion == Motion::free ? 0 : 1, fixed = 1 - free;
     if (model.blocks[free].motion != Motion::free || model.blocks[fixed].motion != Motion::fixed)
         return std::nullopt;
+    if (model.blocks[fixed].shape.partCount() > 1) return std::nullopt;
     const auto box = boxOf(model.blocks[free].shape);
     const auto base = faceTowards(model, free, -Vec3::UnitZ()),
                bed = faceTowards(model, fixed, Vec3::UnitZ());

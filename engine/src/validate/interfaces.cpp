@@ -4,6 +4,7 @@
 
 #include "geometry/polygon.h"
 #include "state/incidence.h"
+#include "state/placed_shape.h"
 #include "state/point_layout.h"
 #include "validate/findings.h"
 
@@ -29,19 +30,26 @@ bool liesOnFace(const State& state, std::int32_t block, std::int32_t face, const
            std::abs(normal.dot(origin - vertexOf(shape, k))) <= kInPlane * state.geometry->radius[b];
 }
 
-/// Of a place for a vertex or edge: no vertex of the reference block lies beyond the contact's plane.
-bool isOutermost(const State& state, std::int32_t block, const Vec3& origin, const Vec3& out) {
+/// The convex part that a face of a block belongs to.
+Polyhedron partWith(const State& state, std::int32_t block, std::int32_t face) {
+    const Polyhedron& shape = state.geometry->shape[static_cast<std::size_t>(block)];
+    return partsOf(shape)[partOf(shape.faces, static_cast<std::size_t>(face))];
+}
+
+/// Of a place for a vertex or edge: no vertex of the reference part lies beyond the contact's plane.
+bool isOutermost(const State& state, std::int32_t block, std::int32_t face, const Vec3& origin,
+                 const Vec3& out) {
     const auto b = static_cast<std::size_t>(block);
-    const auto& vertices = state.geometry->shape[b].vertices;
+    const std::vector<Vec3> vertices = partWith(state, block, face).vertices;
     return std::all_of(vertices.begin(), vertices.end(), [&](const Vec3& v) {
         return out.dot(v - origin) <= kInPlane * state.geometry->radius[b];
     });
 }
 
-/// On the surface of the other block, where its vertex or edge is.
-bool isOnSurface(const State& state, std::int32_t block, const Vec3& origin) {
+/// On the surface of the other part, where its vertex or edge is.
+bool isOnSurface(const State& state, std::int32_t block, std::int32_t face, const Vec3& origin) {
     const auto b = static_cast<std::size_t>(block);
-    const Polyhedron& shape = state.geometry->shape[b];
+    const Polyhedron shape = partWith(state, block, face);
     double highest = -kInfinity;
     for (std::size_t k = 0; k < shape.faces.size(); ++k)
         highest = std::max(highest, shape.faceNormal(k).dot(origin - vertexOf(shape, k)));
@@ -67,9 +75,9 @@ void checkFrame(const State& state, std::size_t i, Findings& findings) {
     const Vec3 e3_a = frame.e1_a.cross(frame.e2_a), e3_b = frame.e1_b.cross(frame.e2_b).normalized();
     if (isIdle(f, i)) return;
     if (isVertexEdge(f, i)) {
-        findings.expect(isOutermost(state, f.block_a[i], frame.origin_a, e3_a), "interface", i,
+        findings.expect(isOutermost(state, f.block_a[i], f.face_a[i], frame.origin_a, e3_a), "interface", i,
                         "its normal does not point out of its reference block");
-        findings.expect(isOnSurface(state, f.block_b[i], frame.origin_b), "interface", i,
+        findings.expect(isOnSurface(state, f.block_b[i], f.face_b[i], frame.origin_b), "interface", i,
                         "its vertex or edge is not one of the other block");
         return;
     }
@@ -127,15 +135,16 @@ void checkPlaces(const State& state, Findings& findings) {
         if (group.corners != 1) continue;
         const auto begin = static_cast<std::size_t>(group.begin), size = static_cast<std::size_t>(group.size);
         if (!findings.expect(size % kPlacesOfPair == 0, "interface", begin,
-                             "places for vertices and edges are not four for a pair of blocks"))
+                             "places for vertices and edges are not four for a pair of parts"))
             return;
         for (std::size_t i = begin; i < begin + size; ++i) {
             const std::size_t first = i - (i - begin) % kPlacesOfPair;
             findings.expect(f.block_a[i] == f.block_a[first] && f.block_b[i] == f.block_b[first] &&
-                                f.area[i] == f.area[first],
-                            "interface", i, "it is not like the other places of its pair of blocks");
+                                f.area[i] == f.area[first] &&
+                                partsOf(*state.geometry, f, i) == partsOf(*state.geometry, f, first),
+                            "interface", i, "it is not like the other places of its pair of parts");
             if (i == first) {
-                const auto [low, high] = std::minmax(f.block_a[i], f.block_b[i]);
+                const auto [low, high] = partsOf(*state.geometry, f, i);
                 pairs.push_back({low, high, static_cast<std::int32_t>(i)});
             }
         }
@@ -143,7 +152,7 @@ void checkPlaces(const State& state, Findings& findings) {
     std::sort(pairs.begin(), pairs.end());
     for (std::size_t k = 1; k < pairs.size(); ++k)
         findings.expect(!std::equal(pairs[k].begin(), pairs[k].end() - 1, pairs[k - 1].begin()), "interface",
-                        static_cast<std::size_t>(pairs[k].back()), "its pair of blocks has places elsewhere");
+                        static_cast<std::size_t>(pairs[k].back()), "its pair of parts has places elsewhere");
 }
 
 void checkPoints(const State& state, Findings& findings) {

@@ -70,6 +70,7 @@ FaceValues faceValues(const SnapshotHeader& header, const LightFrame& frame) {
     FaceValues values;
     for (std::size_t b = 0; b < header.names.size(); ++b)
         for (auto f = header.geometry.face_begin[b]; f < header.geometry.face_begin[b + 1]; ++f) {
+            if (header.geometry.isInner(static_cast<std::size_t>(f))) continue;
             values.block.push_back(static_cast<std::int32_t>(b));
             values.motion.push_back(static_cast<std::int32_t>(header.motions[b]));
             values.role.push_back(static_cast<std::int32_t>(roles[b]));
@@ -78,6 +79,22 @@ FaceValues faceValues(const SnapshotHeader& header, const LightFrame& frame) {
             append(values.rotation, frame.rotation, b);
         }
     return values;
+}
+
+/// Outlines of all faces but inner ones, one after the other, and where each ends.
+struct Surface {
+    std::vector<std::int32_t> vertex, end;
+};
+
+Surface surfaceOf(const RunGeometry& g) {
+    Surface surface;
+    for (std::size_t f = 0; f + 1 < g.face_vertex_begin.size(); ++f) {
+        if (g.isInner(f)) continue;
+        surface.vertex.insert(surface.vertex.end(), g.face_vertex.begin() + g.face_vertex_begin[f],
+                              g.face_vertex.begin() + g.face_vertex_begin[f + 1]);
+        surface.end.push_back(static_cast<std::int32_t>(surface.vertex.size()));
+    }
+    return surface;
 }
 
 /// Point data of the contact points, in the model frame.
@@ -123,9 +140,9 @@ std::string vtpBlocks(const SnapshotHeader& header, const LightFrame& frame) {
     poly.array("Points", points, 3);
     poly.close("Points");
     poly.open("Polys");
-    poly.array("connectivity", g.face_vertex);
-    poly.array("offsets",
-               std::vector<std::int32_t>(g.face_vertex_begin.begin() + 1, g.face_vertex_begin.end()));
+    const Surface surface = surfaceOf(g);
+    poly.array("connectivity", surface.vertex);
+    poly.array("offsets", surface.end);
     poly.close("Polys");
     poly.open("CellData");
     poly.array("block_id", values.block);

@@ -34,8 +34,7 @@ void settle(Scenario& scenario, std::size_t base) {
     }
 }
 
-/// None in a rock mass with bonds, which take the stiffest joint's stiffness; and not the friction that bed levels are
-/// compared with, which decides whether they are joints of their own.
+/// Not the friction that bed levels are compared with, which decides whether they are joints of their own.
 std::optional<Target> jointTarget(const Scenario& scenario, const JointField& field) {
     const auto p = jointProperty(field.key);
     const auto& joints = scenario.model.joints;
@@ -46,8 +45,7 @@ std::optional<Target> jointTarget(const Scenario& scenario, const JointField& fi
     const auto j = static_cast<std::size_t>(joint - joints.begin());
     if (!kJointProperties[*p].laws.has(joint->law)) return std::nullopt;
     const bool is_friction = kJointProperties[*p].value == &Joint::friction;
-    if (origins[j].kind != JointOrigin::Kind::file || origins.back().kind == JointOrigin::Kind::intact_rock ||
-        (is_friction && origins[j].has_bed_levels))
+    if (origins[j].kind != JointOrigin::Kind::file || (is_friction && origins[j].has_bed_levels))
         return std::nullopt;
     const JointProperty& property = kJointProperties[*p];
     return Target{property.allowed, [j, p = *p](Scenario& changed, double value) {

@@ -44,7 +44,7 @@ struct RockMassInput {
     Place place;
 };
 
-/// The blocks, in the order of `cut.parts`.
+/// The blocks, in the order of `cut.blocks`.
 struct RockMassBlocks {
     CutRockMass cut;
     std::vector<std::string> names;
@@ -61,7 +61,7 @@ std::optional<TriangleSurface> readRegion(Report& report, TableReader& table, co
 /// Cuts it, names its blocks and finds the fixed ones; faults are reported. \pre the input has no faults
 std::optional<RockMassBlocks> cutBlocks(Report& report, const RockMassInput& input);
 
-/// Appends the blocks and what bonds the parts of one block. \pre the model has all its joints
+/// Appends the blocks. \pre the model has all its joints
 void appendRockMass(const RockMassInput& input, RockMassBlocks blocks, Model& model);
 
 /// All faces a joint made, or one plane of a joint set. \param first  index of the rock mass's first block

@@ -58,8 +58,6 @@ class ScenarioReader {
         Scenario scenario;
         scenario.model = std::move(model_);
         scenario.joint_origins = joints_.origins();
-        if (scenario.joint_origins.size() < scenario.model.joints.size())  // appended by the rock mass
-            scenario.joint_origins.push_back({JointOrigin::Kind::intact_rock, rock_->joint});
         scenario.materials = materials_.names.all();
         scenario.warnings = report_.takeWarnings();
         for (std::string& warning : warnings_) scenario.warnings.push_back(std::move(warning));

@@ -31,7 +31,10 @@ std::vector<WetFace> wallsOf(const WaterEntry& entry, const std::vector<Stack>& 
             return stackJointWalls(stacks[entry.stack], entry.fissure, model);
         case WaterEntry::Where::block_face: {
             const Polyhedron& shape = model.blocks[static_cast<std::size_t>(entry.block)].shape;
-            return {{entry.block, faceTowards(shape, entry.direction)}};
+            std::vector<WetFace> walls;
+            for (const std::int32_t face : sideTowards(shape, entry.direction))
+                walls.push_back({entry.block, face});
+            return walls;
         }
         default:
             return {};

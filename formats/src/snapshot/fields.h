@@ -104,6 +104,8 @@ void eachField(RunGeometry& f, fb::GeometryT& m, const Move& move) {
     move(f.face_vertex_begin, m.face_vertex_begin);
     move(f.face_vertex, m.face_vertex);
     move(f.face_joint, m.face_joint);
+    move(f.face_part, m.face_part);
+    move(f.face_inner, m.face_inner);
 }
 
 template <class Move>

@@ -46,6 +46,8 @@ bool fits(const SnapshotHeader& header) {
         !areBegins(g.face_begin, n, faces) || !areBegins(g.face_vertex_begin, faces, g.face_vertex.size()) ||
         !within(g.face_vertex, 0, g.vertex.x.size()) || !within(g.face_joint, 0, header.joints.size()))
         return false;
+    if ((!g.face_part.empty() || !g.face_inner.empty()) && !allSized(faces, g.face_part, g.face_inner))
+        return false;
     if (header.failure && header.failure->roles.size() != n) return false;
     for (const Motion motion : header.motions)
         if (motion > Motion::driven) return false;

@@ -331,21 +331,6 @@ TEST_SUITE("limit analysis") {
         CHECK(result->mechanism.size() == 1);
     }
 
-    TEST_CASE("parts that are bonded beyond breaking are one body") {
-        // A block in two halves, one of them on ice: it stands as one on the other's friction.
-        Model model = blockOnPlane(40, {0.5, 1, 0.2});
-        addBox(model, "other", {-0.5, 0, 0}, {0.5, 1, 0.2});
-        model.joints.push_back(joint(40));
-        model.joints.back().cohesion = model.joints.back().tensile_strength = 1e12;
-        model.joints.push_back(joint(0));
-        model.pair_joints = {{1, 2, 1, true}, {0, 2, 2, true}};
-        CHECK(degrees(limitOf(model, Varied::tilt).upper) > 20);
-        CHECK(limitOf(model, Varied::tilt).moving_blocks == std::vector<std::string>{"block", "other"});
-        model.pair_joints[0].joint = 0;
-        CHECK(degrees(limitOf(model, Varied::tilt).upper) < 1e-6);
-        CHECK(limitOf(model, Varied::tilt).moving_blocks == std::vector<std::string>{"other"});
-    }
-
     TEST_CASE("a ceiling: the upper end, or why there is none") {
         const Model model = blockOnPlane(27, {1, 1, 0.5}, 20);
         const auto factor = limitCeiling(model, Varied::factor, false);

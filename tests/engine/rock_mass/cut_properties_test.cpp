@@ -74,20 +74,23 @@ TEST_CASE(
     "property: whatever joints cut, volumes add up, parts are convex and apart, faces parallel to their "
     "joints") {
     int cuts = 0;
-    std::size_t parts = 0;
+    std::size_t all_parts = 0;
     checkProperty("cut rock mass", 60, [&] {
         const RockMass rock = drawRockMass();
         const auto cut = cutRockMass(rock);
         RC_ASSERT(cut.ok());
         ++cuts;
-        parts += cut->parts.size();
+        std::vector<Polyhedron> parts;
+        for (const CutBlock& block : cut->blocks)
+            for (Polyhedron& part : partsOf(block.shape)) parts.push_back(std::move(part));
+        all_parts += parts.size();
         RC_ASSERT(std::abs(cut->region_volume - surfaceVolume(rock.region)) < 1e-9 * cut->region_volume);
         double sum = 0;
-        for (const BlockPart& part : cut->parts) {
+        for (const CutBlock& part : cut->blocks) {
             sum += part.volume;
             RC_ASSERT(part.volume > 0);
             RC_ASSERT(std::abs(massProperties(part.shape).volume - part.volume) < 1e-9 * cut->region_volume);
-            RC_ASSERT(isConvex(part.shape));
+            for (const Polyhedron& convex : partsOf(part.shape)) RC_ASSERT(isConvex(convex));
             RC_ASSERT(part.origin.size() == part.shape.faces.size());
             for (std::size_t f = 0; f < part.origin.size(); ++f)
                 if (part.origin[f].joint >= 0)
@@ -97,10 +100,10 @@ TEST_CASE(
         }
         RC_ASSERT(std::abs(sum - cut->region_volume) < 1e-9 * cut->region_volume);
         RC_ASSERT(std::abs(cut->volume - sum) < 1e-9 * cut->region_volume);
-        for (std::size_t p = 0; p < std::min<std::size_t>(cut->parts.size(), 40); ++p)
+        for (std::size_t p = 0; p < std::min<std::size_t>(parts.size(), 40); ++p)
             for (std::size_t q = 0; q < p; ++q)
-                RC_ASSERT(separation(cut->parts[p].shape, cut->parts[q].shape) > -1e-9);
+                RC_ASSERT(separation(parts[p], parts[q]) > -1e-9);
     });
     CHECK(cuts >= 60);
-    CHECK(parts > 500);
+    CHECK(all_parts > 500);
 }

@@ -31,10 +31,9 @@ using JointProperties = std::bitset<kJointPropertyCount>;
 /// another property.
 struct JointOrigin {
     enum class Kind : std::uint8_t {
-        file,        ///< [joint.NAME]
-        interface,   ///< an [[interface]] with properties of its own
-        bed_level,   ///< a level of a stack's bed_friction_deg
-        intact_rock  ///< what bonds the parts of one block
+        file,       ///< [joint.NAME]
+        interface,  ///< an [[interface]] with properties of its own
+        bed_level   ///< a level of a stack's bed_friction_deg
     };
     Kind kind = Kind::file;
     std::int32_t base = 0;  ///< the file's joint it is made from; itself for one of the file

@@ -1,0 +1,297 @@
+#include "geometry/parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "geometry/face_frame.h"
+#include "geometry/separation.h"
+
+namespace talus {
+namespace {
+
+constexpr double kTouch = 1e-6;       // of the extent: faces of two parts this near lie on each other
+constexpr double kOpposite = 1e-3;    // [rad], likewise, so that small faces are told apart by more than their distance
+constexpr double kLeastCover = 1e-9;  // share of a face
+constexpr double kWhole = 1e-6;       // likewise: a face of which less is free is inside
+
+struct Bounds {
+    Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity()), max = -min;
+};
+
+Bounds boundsOf(const Polyhedron& shape) {
+    Bounds bounds;
+    for (const Vec3& v : shape.vertices) {
+        bounds.min = bounds.min.cwiseMin(v);
+        bounds.max = bounds.max.cwiseMax(v);
+    }
+    return bounds;
+}
+
+double extentOf(const Polyhedron& shape) {
+    const Bounds bounds = boundsOf(shape);
+    return (bounds.max - bounds.min).maxCoeff();
+}
+
+bool areNear(const Bounds& a, const Bounds& b, double distance) {
+    return (a.min.array() <= b.max.array() + distance).all() && (b.min.array() <= a.max.array() + distance).all();
+}
+
+std::size_t faceCount(const ConvexPart& part) { return part.faces.size(); }
+
+std::span<const Vec3> verticesOf(const Polyhedron& shape, const ConvexPart& part) {
+    return std::span(shape.vertices)
+        .subspan(static_cast<std::size_t>(part.first_vertex), static_cast<std::size_t>(part.vertices));
+}
+
+/// Of a face `under` what another part's face lies on; empty when it does not.
+Polygon commonPart(const Polyhedron& shape, std::size_t under, std::size_t over, double touch) {
+    const FaceFrame frame = faceFrame(shape, under);
+    if ((frame.e3 + shape.faceNormal(over)).norm() > kOpposite) return {};
+    const auto& outline = shape.faces[over];
+    Polygon other;
+    for (std::size_t i = outline.size(); i-- > 0;) {
+        const Vec3& v = shape.vertices[static_cast<std::size_t>(outline[i])];
+        if (std::abs(frame.height(v)) > touch) return {};
+        other.push(frame.toPlane(v));
+    }
+    return intersect(outlineOf(shape, under), other);
+}
+
+/// All parts' vertices and faces one after the other; nothing is known of covers yet.
+Polyhedron laidTogether(const std::vector<Polyhedron>& parts, std::vector<ConvexPart>& ranges) {
+    Polyhedron whole;
+    std::vector<FaceList::Outline> outlines;
+    for (const Polyhedron& part : parts) {
+        const auto first = static_cast<std::int32_t>(whole.vertices.size());
+        ranges.push_back({first, static_cast<std::int32_t>(part.vertices.size()),
+                          static_cast<std::int32_t>(outlines.size()), part.faces});
+        whole.vertices.insert(whole.vertices.end(), part.vertices.begin(), part.vertices.end());
+        for (FaceList::Outline outline : part.faces) {
+            for (std::int32_t& v : outline) v += first;
+            outlines.push_back(std::move(outline));
+        }
+    }
+    whole.faces = FaceList(std::move(outlines), ranges, {});
+    return whole;
+}
+
+/// Finds which parts touch each other, and by which faces.
+class Joiner {
+ public:
+    Joiner(const std::vector<Polyhedron>& parts)
+        : parts_(parts),
+          whole_(laidTogether(parts, ranges_)),
+          touch_(kTouch * extentOf(whole_)),
+          covered_(whole_.faces.size(), 0.0),
+          root_(parts.size()) {
+        std::iota(root_.begin(), root_.end(), std::size_t{0});
+    }
+
+    Result<Polyhedron> run() {
+        std::vector<Bounds> bounds;
+        for (const Polyhedron& part : parts_) bounds.push_back(boundsOf(part));
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            for (std::size_t j = i + 1; j < parts_.size(); ++j)
+                if (areNear(bounds[i], bounds[j], touch_)) meet(i, j);
+        for (std::size_t i = 1; i < parts_.size() && errors_.empty(); ++i)
+            if (rootOf(i) != rootOf(0))
+                errors_.push_back({"[" + std::to_string(i) + "]",
+                                   "found a part that shares no face with the others, allowed: parts that lie "
+                                   "on each other face to face"});
+        if (!errors_.empty()) return std::move(errors_);
+        std::vector<FaceList::Outline> outlines(whole_.faces.begin(), whole_.faces.end());
+        whole_.faces = FaceList(std::move(outlines), std::move(ranges_), covers());
+        return std::move(whole_);
+    }
+
+ private:
+    std::size_t rootOf(std::size_t part) {
+        while (root_[part] != part) part = root_[part] = root_[root_[part]];
+        return part;
+    }
+
+    void meet(std::size_t i, std::size_t j) {
+        const double depth = -findSeparation(parts_[i], parts_[j], -touch_).distance;
+        if (depth > touch_) {
+            errors_.push_back({"[" + std::to_string(j) + "]", "found a part that overlaps part " +
+                                                                  std::to_string(i) +
+                                                                  ", allowed: parts that share faces only"});
+            return;
+        }
+        if (-depth > touch_) return;
+        ranges_[i].beside.push_back(static_cast<std::int32_t>(j));
+        ranges_[j].beside.push_back(static_cast<std::int32_t>(i));
+        if (shareFaces(ranges_[i], ranges_[j])) root_[std::max(rootOf(i), rootOf(j))] = std::min(rootOf(i), rootOf(j));
+    }
+
+    bool shareFaces(const ConvexPart& first, const ConvexPart& second) {
+        bool any = false;
+        for (std::size_t f = 0; f < faceCount(first); ++f)
+            for (std::size_t g = 0; g < faceCount(second); ++g) {
+                const std::size_t under = static_cast<std::size_t>(first.first_face) + f,
+                                  over = static_cast<std::size_t>(second.first_face) + g;
+                const Polygon common = commonPart(whole_, under, over, touch_);
+                if (common.empty()) continue;
+                const double shared = area(common);
+                covered_[under] += shared;
+                covered_[over] += shared;
+                any = any || shared > kLeastCover * std::min(whole_.faceArea(under), whole_.faceArea(over));
+            }
+        return any;
+    }
+
+    std::vector<Cover> covers() const {
+        std::vector<Cover> covers;
+        for (std::size_t f = 0; f < covered_.size(); ++f) {
+            const double share = covered_[f] / whole_.faceArea(f);
+            covers.push_back(share >= 1.0 - kWhole       ? Cover::wholly
+                             : share > kLeastCover ? Cover::partly
+                                                   : Cover::none);
+        }
+        return covers;
+    }
+
+    const std::vector<Polyhedron>& parts_;
+    std::vector<ConvexPart> ranges_;
+    Polyhedron whole_;
+    double touch_;
+    std::vector<double> covered_;  ///< of each face [m^2]
+    std::vector<std::size_t> root_;
+    std::vector<Error> errors_;
+};
+
+/// Whether a convex part holds a point, within a distance.
+bool holds(const Polyhedron& shape, const ConvexPart& part, const Vec3& point, double distance) {
+    for (std::size_t f = 0; f < faceCount(part); ++f) {
+        const std::size_t face = static_cast<std::size_t>(part.first_face) + f;
+        const Vec3& on_face = shape.vertices[static_cast<std::size_t>(shape.faces[face][0])];
+        if (shape.faceNormal(face).dot(point - on_face) > distance) return false;
+    }
+    return true;
+}
+
+/// How far a part reaches beyond a point along a direction, less `slack` for each metre of the way [m].
+double reachBeyond(const Polyhedron& shape, const ConvexPart& part, const Vec3& point, const Vec3& direction,
+                   double slack) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Vec3& v : verticesOf(shape, part))
+        most = std::max(most, direction.dot(v - point) - slack * (v - point).norm());
+    return most;
+}
+
+}  // namespace
+
+Result<Polyhedron> joinParts(const std::vector<Polyhedron>& parts) {
+    if (parts.empty()) return Error{"", "found no parts, allowed: at least one"};
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (parts[i].partCount() > 1)
+            return Error{"[" + std::to_string(i) + "]", "found a part made of parts, allowed: convex ones"};
+    if (parts.size() == 1) return parts[0];
+    return Joiner(parts).run();
+}
+
+std::vector<Polyhedron> partsOf(const Polyhedron& shape) {
+    if (shape.partCount() == 1) return {shape};
+    std::vector<Polyhedron> parts;
+    for (const ConvexPart& part : shape.faces.parts()) {
+        const auto vertices = verticesOf(shape, part);
+        parts.push_back({{vertices.begin(), vertices.end()}, part.faces});
+    }
+    return parts;
+}
+
+bool contains(const Polyhedron& shape, const Vec3& point, double tolerance) {
+    const ConvexPart whole{0, static_cast<std::int32_t>(shape.vertices.size()), 0, shape.faces};
+    if (shape.partCount() == 1) return holds(shape, whole, point, tolerance);
+    const auto& parts = shape.faces.parts();
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const ConvexPart& part) { return holds(shape, part, point, tolerance); });
+}
+
+std::vector<std::int32_t> sideTowards(const Polyhedron& shape, const Vec3& direction) {
+    std::size_t best = 0;
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::size_t face = 0; face < shape.faces.size(); ++face) {
+        if (shape.isInner(face)) continue;
+        const double along = shape.faceNormal(face).dot(direction);
+        if (along > most) most = along, best = face;
+    }
+    std::vector<std::int32_t> side{static_cast<std::int32_t>(best)};
+    if (shape.partCount() == 1) return side;
+    const FaceFrame plane = faceFrame(shape, best);
+    const double touch = kTouch * extentOf(shape);
+    for (std::size_t face = 0; face < shape.faces.size(); ++face) {
+        const auto& outline = shape.faces[face];
+        if (face != best && !shape.isInner(face) && (shape.faceNormal(face) - plane.e3).norm() <= kOpposite &&
+            std::all_of(outline.begin(), outline.end(), [&](std::int32_t v) {
+                return std::abs(plane.height(shape.vertices[static_cast<std::size_t>(v)])) <= touch;
+            }))
+            side.push_back(static_cast<std::int32_t>(face));
+    }
+    return side;
+}
+
+Polygon outlineOf(const Polyhedron& shape, std::size_t face) {
+    const FaceFrame frame = faceFrame(shape, face);
+    Polygon outline;
+    for (const std::int32_t v : shape.faces[face])
+        outline.push(frame.toPlane(shape.vertices[static_cast<std::size_t>(v)]));
+    return outline;
+}
+
+std::vector<Polygon> coversOf(const Polyhedron& shape, std::size_t face) {
+    std::vector<Polygon> covers;
+    if (shape.faces.covers().empty() || shape.faces.covers()[face] == Cover::none) return covers;
+    const auto& parts = shape.faces.parts();
+    const double touch = kTouch * extentOf(shape);
+    for (const std::int32_t beside : parts[partOf(shape.faces, face)].beside) {
+        const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
+        for (std::size_t f = 0; f < faceCount(other); ++f) {
+            Polygon common = commonPart(shape, face, static_cast<std::size_t>(other.first_face) + f, touch);
+            if (!common.empty()) covers.push_back(std::move(common));
+        }
+    }
+    return covers;
+}
+
+std::size_t partOf(const FaceList& faces, std::size_t face) {
+    const auto& parts = faces.parts();
+    if (parts.empty()) return 0;
+    const auto next = std::upper_bound(
+        parts.begin(), parts.end(), static_cast<std::int32_t>(face),
+        [](std::int32_t wanted, const ConvexPart& part) { return wanted < part.first_face; });
+    return static_cast<std::size_t>(next - parts.begin()) - 1;
+}
+
+bool PartOfBody::isOutermost(const Vec3& point, const Vec3& direction, double slack) const {
+    const Vec3 x = own(point), along = turn.transpose() * direction;
+    const auto& parts = shape.faces.parts();
+    return std::none_of(parts[part].beside.begin(), parts[part].beside.end(), [&](std::int32_t beside) {
+        const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
+        return reachBeyond(shape, other, x, along, slack) > tolerance && holds(shape, other, x, tolerance);
+    });
+}
+
+bool PartOfBody::goesOnFlat(const Vec3& point, const Vec3& outward, const Vec3& normal) const {
+    constexpr double kAhead = 10.0;  // of the tolerance
+    const Vec3 x = own(point) + kAhead * tolerance * (turn.transpose() * outward),
+               up = turn.transpose() * normal;
+    const auto& parts = shape.faces.parts();
+    return std::any_of(parts[part].beside.begin(), parts[part].beside.end(), [&](std::int32_t beside) {
+        const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
+        return reachBeyond(shape, other, x, up, 0.0) <= tolerance && holds(shape, other, x, tolerance);
+    });
+}
+
+bool PartOfBody::isInOther(const Vec3& point) const {
+    const Vec3 x = own(point);
+    const auto& parts = shape.faces.parts();
+    return std::any_of(parts[part].beside.begin(), parts[part].beside.end(), [&](std::int32_t beside) {
+        return holds(shape, parts[static_cast<std::size_t>(beside)], x, tolerance);
+    });
+}
+
+}  // namespace talus

@@ -1,0 +1,44 @@
+#pragma once
+// Shapes of several convex parts: where these lie on each other, and what of a part is surface of the whole.
+
+#include <vector>
+
+#include "geometry/polygon.h"
+#include "talus/polyhedron.h"
+
+namespace talus {
+
+/// What of a face lies on other parts of its shape, in the plane of its faceFrame.
+std::vector<Polygon> coversOf(const Polyhedron& shape, std::size_t face);
+
+/// The face's outline there.
+Polygon outlineOf(const Polyhedron& shape, std::size_t face);
+
+/// Which part a face belongs to.
+std::size_t partOf(const FaceList& faces, std::size_t face);
+
+/// A part of a body in the world: what tells real vertices and edges of the body from those where parts meet.
+struct PartOfBody {
+    const Polyhedron& shape;  ///< of the body, in its own frame
+    std::size_t part;
+    Mat3 turn;             ///< own frame to the world
+    Vec3 position;         ///< of the own origin [m]
+    double tolerance = 0;  ///< [m]: what is nearer touches
+
+    /// Whether the body goes no farther in a direction from a point on the part than the part's point does, as far as the
+    /// parts around it tell. Only then can another body touch it there in this direction: the normals a union allows at a
+    /// point are those that each of its members does. Points of the part that are no corner of it pass, too.
+    /// \param slack angle by which it may [rad]
+    bool isOutermost(const Vec3& point, const Vec3& direction, double slack = 0) const;
+
+    /// Whether a surface with this normal goes on flat, in another part, from a point on the part's outline.
+    bool goesOnFlat(const Vec3& point, const Vec3& outward, const Vec3& normal) const;
+
+    /// Whether a point lies in or on another part.
+    bool isInOther(const Vec3& point) const;
+
+ private:
+    Vec3 own(const Vec3& point) const { return turn.transpose() * (point - position); }
+};
+
+}  // namespace talus
