@@ -26,10 +26,9 @@ std::string blocksObj(const Model& model, std::string_view comments) {
         for (const Vec3& v : block.shape.vertices) {
             out += "v " + csvNumber(v.x()) + " " + csvNumber(v.y()) + " " + csvNumber(v.z()) + "\n";
         }
-        for (std::size_t f = 0; f < block.shape.faces.size(); ++f) {
-            if (block.shape.isInner(f)) continue;
+        for (const auto& face : block.shape.faces) {  // of several parts each is closed
             out += 'f';
-            for (const std::int32_t v : block.shape.faces[f])
+            for (const std::int32_t v : face)
                 out += ' ' + std::to_string(before + static_cast<std::size_t>(v));
             out += '\n';
         }

@@ -1,4 +1,5 @@
-// Binary STL: 80 bytes of header, the number of triangles, then normal and corners of each as floats.
+// Binary STL: 80 bytes of header, the number of triangles, then normal and corners of each as floats. Of a block of several parts
+// each part is a closed surface, so that volumes add up.
 
 #include <cstring>
 
@@ -28,7 +29,6 @@ std::string stlBlocks(const SnapshotHeader& header, const LightFrame& frame) {
     std::string triangles;
     std::uint32_t count = 0;
     for (std::size_t f = 0; f + 1 < g.face_vertex_begin.size(); ++f) {
-        if (g.isInner(f)) continue;
         const auto begin = static_cast<std::size_t>(g.face_vertex_begin[f]);
         const auto end = static_cast<std::size_t>(g.face_vertex_begin[f + 1]);
         const auto corner = [&](std::size_t k) {

@@ -17,6 +17,23 @@ void SurfaceBuilder::triangle(const std::array<std::int32_t, 3>& corners, int li
     lines_.push_back(line);
 }
 
+bool SurfaceBuilder::face(const std::vector<std::int32_t>& corners, int line) {
+    const auto at = [&](std::size_t i) -> const Vec3& {
+        return surface_.vertices[static_cast<std::size_t>(corners[i])];
+    };
+    std::vector<Vec3> normals;  // of the triangles of its fan: they all face one way
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        normals.push_back((at(i - 1) - at(0)).cross(at(i) - at(0)));
+        sum += normals.back();
+    }
+    if (corners.size() > 3 &&
+        std::any_of(normals.begin(), normals.end(), [&](const Vec3& normal) { return normal.dot(sum) <= 0; }))
+        return false;
+    for (std::size_t i = 2; i < corners.size(); ++i) triangle({corners[0], corners[i - 1], corners[i]}, line);
+    return true;
+}
+
 Result<TriangleSurface> SurfaceBuilder::finish() {
     std::vector<Error> errors = checkSurface(surface_);
     for (Error& error : errors) {

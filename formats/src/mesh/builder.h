@@ -22,6 +22,8 @@ class SurfaceBuilder {
     std::int32_t vertex(const Vec3& position);
     /// \param line  of the file, 0 in a binary one
     void triangle(const std::array<std::int32_t, 3>& corners, int line);
+    /// A convex face with three or more corners. \return whether it is convex
+    bool face(const std::vector<std::int32_t>& corners, int line);
     Error fault(int line, std::string message) const { return {"", std::move(message), path_, line, 0}; }
     /// Checks the surface; its faults name lines, or count triangles from 1.
     Result<TriangleSurface> finish();
@@ -42,6 +44,8 @@ class Words {
     bool nextLine();  ///< false at the end of the text
     int line() const { return line_; }
     std::string_view next();  ///< of this line; empty at its end
+    /// Where the next line begins in the text, which is the whole one.
+    std::size_t position(std::string_view text) const { return text.size() - rest_.size(); }
 
  private:
     std::string_view rest_, words_;

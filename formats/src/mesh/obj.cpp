@@ -40,12 +40,11 @@ class ObjReader {
             coordinate = *value;
         }
         vertices_.push_back(builder_.vertex(position));
-        positions_.push_back(position);
         return std::nullopt;
     }
 
     std::optional<Error> readFace() {
-        std::vector<std::size_t> corners;
+        std::vector<std::int32_t> corners;
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
             const auto index = indexOf(word);
             if (!index)
@@ -58,16 +57,13 @@ class ObjReader {
         if (corners.size() < 3)
             return builder_.fault(words_.line(), "found a face with " + std::to_string(corners.size()) +
                                                      " corners, allowed: three or more");
-        if (!isConvex(corners))
+        if (!builder_.face(corners, words_.line()))
             return builder_.fault(words_.line(),
                                   "found a face that is not convex, allowed: convex faces, or triangles");
-        for (std::size_t i = 2; i < corners.size(); ++i)
-            builder_.triangle({vertices_[corners[0]], vertices_[corners[i - 1]], vertices_[corners[i]]},
-                              words_.line());
         return std::nullopt;
     }
 
-    std::optional<std::size_t> indexOf(std::string_view word) const {
+    std::optional<std::int32_t> indexOf(std::string_view word) const {
         word = word.substr(0, word.find('/'));
         std::int64_t index = 0;
         const auto read = std::from_chars(word.data(), word.data() + word.size(), index);
@@ -75,28 +71,12 @@ class ObjReader {
         const auto count = static_cast<std::int64_t>(vertices_.size());
         if (index < 0) index += count + 1;
         if (index < 1 || index > count) return {};
-        return static_cast<std::size_t>(index - 1);
-    }
-
-    /// The triangles of its fan all face one way.
-    bool isConvex(const std::vector<std::size_t>& corners) const {
-        if (corners.size() == 3) return true;
-        std::vector<Vec3> normals;
-        Vec3 sum = Vec3::Zero();
-        for (std::size_t i = 2; i < corners.size(); ++i) {
-            const Vec3& a = positions_[corners[0]];
-            normals.push_back((positions_[corners[i - 1]] - a).cross(positions_[corners[i]] - a));
-            sum += normals.back();
-        }
-        for (const Vec3& normal : normals)
-            if (normal.dot(sum) <= 0) return false;
-        return true;
+        return vertices_[static_cast<std::size_t>(index - 1)];
     }
 
     Words words_;
     SurfaceBuilder& builder_;
     std::vector<std::int32_t> vertices_;
-    std::vector<Vec3> positions_;
 };
 
 }  // namespace

@@ -1,52 +1,11 @@
 #include "scenario/placed_block.h"
 
+#include "scenario/block_shape.h"
 #include "scenario/fields.h"
-#include "scenario/places.h"
 
 namespace talus::formats::scenario {
 
 namespace {
-
-// Keeps the hull of a hostile list of points from taking minutes; real blocks have tens of vertices.
-constexpr std::size_t kMaxVertices = 1000;
-
-void takeShape(TableReader& table, std::string_view key, Result<Polyhedron> shape, Block& block) {
-    if (shape)
-        block.shape = std::move(*shape);
-    else
-        for (const Error& error : shape.errors()) table.error(key, error.message);
-}
-
-void readBox(TableReader& table, Block& block) {
-    if (const auto box = readCorners(table, "box"))
-        takeShape(table, "box", makeBox(box->min, box->max), block);
-}
-
-void readVertices(Report& report, TableReader& table, Block& block) {
-    const auto array = table.array("vertices");
-    if (!array) return;
-    if (array->size() < 4 || array->size() > kMaxVertices) {
-        table.error("vertices", "found " + std::to_string(array->size()) + " points, allowed: 4 to " +
-                                    std::to_string(kMaxVertices));
-        return;
-    }
-    std::vector<Vec3> points;
-    for (std::size_t i = 0; i < array->size(); ++i)
-        if (const auto point =
-                readVector(report, array->at(i), elementField(table.fieldOf("vertices"), i), kCoordinate))
-            points.push_back(*point);
-    if (points.size() == array->size()) takeShape(table, "vertices", convexHull(points), block);
-}
-
-void readShape(Report& report, TableReader& table, Block& block) {
-    if (table.has("box") && table.has("vertices"))
-        table.error("vertices", "found both box and vertices, allowed: one of them");
-    else if (!table.has("box") && !table.has("vertices") && !table.isMeant("box") &&
-             !table.isMeant("vertices"))
-        table.error("box", "missing; a block needs box = { min, max } or vertices");
-    readBox(table, block);
-    readVertices(report, table, block);
-}
 
 void readMotion(TableReader& table, Block& block) {
     const bool fixed = table.boolean("fixed").value_or(false);
@@ -62,9 +21,10 @@ void readMotion(TableReader& table, Block& block) {
 }  // namespace
 
 PlacedBlock readPlacedBlock(Report& report, const FieldNode& entry, const Materials& materials,
-                            const Joints& joints) {
+                            const Joints& joints, const std::string& folder) {
     TableReader table(report, entry.node, entry.field,
-                      {"name", "box", "vertices", "material", "joint", "fixed", "driven", "velocity"});
+                      {"name", "box", "vertices", "parts", "mesh", "scale", "material", "joint", "fixed", "driven",
+                       "velocity"});
     table.require({"name"});
     PlacedBlock placed;
     Block& block = placed.block;
@@ -74,7 +34,7 @@ PlacedBlock readPlacedBlock(Report& report, const FieldNode& entry, const Materi
     placed.name_known = name.has_value();
     block.name = name.value_or("");
     block.field = entry.field;
-    readShape(report, table, block);
+    if (auto shape = readShape(report, table, folder)) block.shape = std::move(*shape);
     readMotion(table, block);
     if (const auto material = readMaterial(report, table, materials)) {
         block.material = *material;

@@ -1,5 +1,5 @@
 #pragma once
-// [[block]]: one block placed by hand, a box or a convex hull.
+// [[block]]: one block placed by hand.
 
 #include "scenario/properties.h"
 #include "scenario/reading.h"
@@ -15,7 +15,8 @@ struct PlacedBlock {
     bool name_known = false;
 };
 
+/// \param folder of the scenario, where mesh files are looked for
 PlacedBlock readPlacedBlock(Report& report, const FieldNode& entry, const Materials& materials,
-                            const Joints& joints);
+                            const Joints& joints, const std::string& folder);
 
 }  // namespace talus::formats::scenario

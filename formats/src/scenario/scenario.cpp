@@ -84,7 +84,7 @@ class ScenarioReader {
             if (!checkCount(stack.place, stack.field, count)) return;
         }
         for (const FieldNode& entry : root_.tables("block")) {
-            placed_.push_back(readPlacedBlock(report_, entry, materials_, joints_));
+            placed_.push_back(readPlacedBlock(report_, entry, materials_, joints_, folder_));
             if (!checkCount(placed_.back().place, entry.field, ++count)) return;
         }
         checkThereAreBlocks();

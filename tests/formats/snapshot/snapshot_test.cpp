@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <csignal>
 
 #include "snapshot/convert.h"
@@ -57,6 +58,33 @@ TEST_CASE("every message survives the way into a file and back, to the bit") {
     // A full state read back is as good as the one handed out.
     const FullFrame middle = *reader->full(2);
     CHECK(record(s.scenario.model, 5, &middle).result->state_hash == s.run.result->state_hash);
+}
+
+TEST_CASE("a header tells the parts of blocks, and which faces are inside; of convex blocks nothing") {
+    Scenario scenario = *parseScenario(runScenarioText("0.002"), "run.toml");
+    CHECK(record(scenario.model).geometry.face_part.empty());
+    CHECK(record(scenario.model).geometry.face_inner.empty());
+    const auto cube = [](double x) { return *makeBox({x, 0, 5}, {x + 1, 1, 6}); };
+    Block& block = scenario.model.blocks.back();
+    block.shape = *joinParts({cube(2), cube(3)});
+    block.face_joint.assign(block.shape.faces.size(), 0);
+    scenario.model.waters.clear();
+    const Recorded run = record(scenario.model);
+    for (const Error& error : run.result.errors()) FAIL_CHECK(error.message);
+    SnapshotHeader header = headerOf(scenario, run.geometry, "talus run", 10);
+    const auto first = static_cast<std::size_t>(run.geometry.face_begin.back()) - 12;
+    CHECK(std::count(run.geometry.face_inner.begin(), run.geometry.face_inner.end(), 1) == 2);
+    CHECK(run.geometry.face_part[first] == 0);
+    CHECK(run.geometry.face_part.back() == 1);
+    const TemporaryFolder folder;
+    REQUIRE(writeFile(folder / "a.mcap", scenario, run).empty());
+    auto reader = SnapshotReader::open(folder / "a.mcap");
+    REQUIRE(reader.ok());
+    CHECK(reader->header().geometry.face_part == run.geometry.face_part);
+    CHECK(reader->header().geometry.face_inner == run.geometry.face_inner);
+    CHECK(fits(header));
+    header.geometry.face_inner.pop_back();
+    CHECK_FALSE(fits(header));
 }
 
 TEST_CASE("an unfinished file gives its frames and says that it has no end") {

@@ -14,6 +14,7 @@ function facesOf(header) {
     const centre = get(header.centroid, b);
     const corner = (k) => sub(get(header.vertex, header.faceVertex[k]), centre);
     for (let f = header.faceBegin[b]; f < header.faceBegin[b + 1]; ++f) {
+      if (header.faceInner[f]) continue;
       const begin = header.faceVertexBegin[f], end = header.faceVertexBegin[f + 1];
       const outward = newellNormal(corner, begin, end), first = block.length;
       for (let k = begin; k < end; ++k) position.push(...corner(k)), normal.push(...outward), block.push(b);
@@ -40,20 +41,27 @@ function newellNormal(corner, begin, end) {
   return scale(sum, 1 / Math.max(norm(sum), 1e-300));
 }
 
-/** Each edge once: a closed polyhedron's faces name it in both directions. */
+/** Each edge once: a closed polyhedron's faces name it in both directions. Blocks of several parts have corners of their own
+ * for each part; there an edge between two faces of one plane is none. */
 function edgesOf(header) {
   const position = [], block = [], index = [];
   for (let b = 0; b < header.names.length; ++b) {
     const centre = get(header.centroid, b);
     for (let v = header.vertexBegin[b]; v < header.vertexBegin[b + 1]; ++v)
       position.push(...sub(get(header.vertex, v), centre)), block.push(b);
+    const edges = new Map();
     for (let f = header.faceBegin[b]; f < header.faceBegin[b + 1]; ++f) {
+      if (header.faceInner[f]) continue;
       const begin = header.faceVertexBegin[f], end = header.faceVertexBegin[f + 1];
+      const normal = newellNormal((k) => get(header.vertex, header.faceVertex[k]), begin, end);
       for (let k = begin; k < end; ++k) {
-        const from = header.faceVertex[k], to = header.faceVertex[k + 1 < end ? k + 1 : begin];
-        if (from < to) index.push(from, to);
+        const ends = [header.faceVertex[k], header.faceVertex[k + 1 < end ? k + 1 : begin]];
+        const places = ends.map((v) => get(header.vertex, v).map((x) => Math.round(x / (1e-6 * header.size[b]))).join());
+        const key = places.sort().join(";"), known = edges.get(key);
+        edges.set(key, { ends, normal, flat: known && norm(sub(known.normal, normal)) < 1e-3 });
       }
     }
+    for (const { ends, flat } of edges.values()) if (!flat) index.push(...ends);
   }
   return geometryOf(position, block, index);
 }
