@@ -66,7 +66,9 @@ End endOf(Model model, double seconds, double frames = 0.01) {
     REQUIRE(all.result.ok());
     const LightFrame& first = all.lights.front();
     const LightFrame& last = all.lights.back();
-    const auto energy = [](const LightFrame& f) { return f.kinetic_energy + f.elastic_energy + f.gravity_energy; };
+    const auto energy = [](const LightFrame& f) {
+        return f.kinetic_energy + f.elastic_energy + f.gravity_energy;
+    };
     double gained = 0;
     for (const LightFrame& frame : all.lights) gained = std::max(gained, energy(frame) - energy(first));
     const auto get = [&](const VectorList<float>& list) {
@@ -192,8 +194,8 @@ TEST_SUITE("physics") {
         const End whole = slide(floorModel(20, 1e9)), parts = slide(floorInParts(20, 1e9, seams)),
                   blocks = slide(floorOfBlocks(20, 1e9, seams));
         const double expected = -0.5 * 9.81 * (0.5 - std::tan(radians(20)) * std::sqrt(0.75)) * 0.09;
-        MESSAGE("way " << expected << ", " << whole.displacement.x() << ", " << parts.displacement.x() << " and "
-                       << blocks.displacement.x() << " m");
+        MESSAGE("way " << expected << ", " << whole.displacement.x() << ", " << parts.displacement.x()
+                       << " and " << blocks.displacement.x() << " m");
         // It drops onto its springs first, which is what makes it go 0.2 % farther.
         for (const End& end : {whole, parts, blocks})
             CHECK(end.displacement.x() == doctest::Approx(expected).epsilon(3e-3));
@@ -201,18 +203,21 @@ TEST_SUITE("physics") {
         CHECK(parts.rotation.norm() < 1e-4);
     }
 
-    TEST_CASE("a cube that lands on a corner beside a seam, or on an edge across it, bounces as from one face") {
+    TEST_CASE(
+        "a cube that lands on a corner beside a seam, or on an edge across it, bounces as from one face") {
         for (const double turn : {0.0, 45.0})
             for (const double beside : {2e-5, 5e-4, 0.03}) {
                 CAPTURE(turn);
                 CAPTURE(beside);
                 const auto bounce = [&](Model model) {
                     const auto corner = Eigen::Quaterniond::FromTwoVectors(Vec3(1, 1, 1), Vec3::UnitZ());
-                    addTurnedCube(model, "cube", turn == 0 ? corner : turnAbout(Vec3::UnitX(), turn), 0, 0, 0.02);
+                    addTurnedCube(model, "cube", turn == 0 ? corner : turnAbout(Vec3::UnitX(), turn), 0, 0,
+                                  0.02);
                     return endOf(std::move(model), 0.12);
                 };
                 // The lowest corner is below the middle; of the edge, which lies along x, both ends are over other parts.
-                const End whole = bounce(floorModel(30, 1e8)), parts = bounce(floorInParts(30, 1e8, {beside}));
+                const End whole = bounce(floorModel(30, 1e8)),
+                          parts = bounce(floorInParts(30, 1e8, {beside}));
                 CHECK(whole.displacement.z() > -0.02);
                 CHECK((whole.displacement - parts.displacement).norm() < 1e-4);
                 CHECK((whole.rotation - parts.rotation).norm() < 1e-2);
@@ -260,7 +265,9 @@ TEST_SUITE("determinism") {
         REQUIRE(whole.geometry.face_part.size() == whole.geometry.face_joint.size());
         CHECK(whole.geometry.isInner(0) == false);
         double gained = 0, most = 0;
-        const auto energy = [](const LightFrame& f) { return f.kinetic_energy + f.elastic_energy + f.gravity_energy; };
+        const auto energy = [](const LightFrame& f) {
+            return f.kinetic_energy + f.elastic_energy + f.gravity_energy;
+        };
         for (const LightFrame& frame : whole.lights) {
             gained = std::max(gained, energy(frame) - energy(whole.lights.front()));
             most = std::max(most, frame.kinetic_energy);

@@ -27,9 +27,7 @@ inline std::vector<Corners> channel() {
 
 /// A plus in the plane of x and z, of five cubes.
 inline std::vector<Corners> cross() {
-    const auto cube = [](double x, double z) {
-        return Corners{Vec3(x, 0, z), Vec3(x + 0.2, 0.2, z + 0.2)};
-    };
+    const auto cube = [](double x, double z) { return Corners{Vec3(x, 0, z), Vec3(x + 0.2, 0.2, z + 0.2)}; };
     return {cube(0, 0), cube(0.2, 0), cube(-0.2, 0), cube(0, 0.2), cube(0, -0.2)};
 }
 

@@ -64,7 +64,7 @@ class FaceList {
 struct ConvexPart {
     std::int32_t first_vertex = 0, vertices = 0;
     std::int32_t first_face = 0;
-    FaceList faces;                     ///< vertices counted from the part's first
+    FaceList faces;                      ///< vertices counted from the part's first
     std::vector<std::int32_t> beside{};  ///< parts it touches, if only in a point; ascending
 };
 

@@ -191,8 +191,14 @@ SearchRemarks appendInterfaces(State& state, double margin, const PlacePairs& wi
     InterfaceWindow window;
     examinePairs(state, margin, with_places, initial, parallel, [&](const PairFinding& finding) {
         if (finding.overlaps)
-            remarks.overlaps.push_back({{}, finding.block_a, finding.block_b, finding.part_a, finding.part_b,
-                                        false, true, finding.depth});
+            remarks.overlaps.push_back({{},
+                                        finding.block_a,
+                                        finding.block_b,
+                                        finding.part_a,
+                                        finding.part_b,
+                                        false,
+                                        true,
+                                        finding.depth});
         for (const FacePair& pair : finding.faces) {
             if (initial && remarks.grid.empty() && !suitsRule(state, pair))
                 remarks.grid.push_back(gridError(state, finding, pair));

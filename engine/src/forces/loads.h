@@ -178,7 +178,6 @@ class Build {
         return {load.force, arm * load.force.transpose()};
     }
 
-
     DeadForce onFace(const AppliedLoad& load, std::size_t block) {
         DeadForce sum;
         for (const std::int32_t f : sideTowards(model_.blocks[block].shape, load.direction)) {

@@ -90,7 +90,8 @@ std::vector<std::size_t> interfacesOf(const State& state, const std::pair<std::i
     const Incidence& incidence = state.incidence;
     for (auto k = incidence.interface_begin[block]; k < incidence.interface_begin[block + 1]; ++k) {
         const auto i = static_cast<std::size_t>(incidence.interface[static_cast<std::size_t>(k)]);
-        if (i == first || isVertexEdge(f, i) || std::minmax(f.block_a[i], f.block_b[i]) != std::minmax(pair.first, pair.second))
+        if (i == first || isVertexEdge(f, i) ||
+            std::minmax(f.block_a[i], f.block_b[i]) != std::minmax(pair.first, pair.second))
             continue;
         const RelativePose pose = relativePose(state, i);
         if ((pose.e3 - plane.e3).norm() <= kSamePlane &&

@@ -12,8 +12,9 @@
 namespace talus {
 namespace {
 
-constexpr double kTouch = 1e-6;       // of the extent: faces of two parts this near lie on each other
-constexpr double kOpposite = 1e-3;    // [rad], likewise, so that small faces are told apart by more than their distance
+constexpr double kTouch = 1e-6;  // of the extent: faces of two parts this near lie on each other
+constexpr double kOpposite =
+    1e-3;  // [rad], likewise, so that small faces are told apart by more than their distance
 constexpr double kLeastCover = 1e-9;  // share of a face
 constexpr double kWhole = 1e-6;       // likewise: a face of which less is free is inside
 
@@ -36,7 +37,8 @@ double extentOf(const Polyhedron& shape) {
 }
 
 bool areNear(const Bounds& a, const Bounds& b, double distance) {
-    return (a.min.array() <= b.max.array() + distance).all() && (b.min.array() <= a.max.array() + distance).all();
+    return (a.min.array() <= b.max.array() + distance).all() &&
+           (b.min.array() <= a.max.array() + distance).all();
 }
 
 std::size_t faceCount(const ConvexPart& part) { return part.faces.size(); }
@@ -98,9 +100,10 @@ class Joiner {
                 if (areNear(bounds[i], bounds[j], touch_)) meet(i, j);
         for (std::size_t i = 1; i < parts_.size() && errors_.empty(); ++i)
             if (rootOf(i) != rootOf(0))
-                errors_.push_back({"[" + std::to_string(i) + "]",
-                                   "found a part that shares no face with the others, allowed: parts that lie "
-                                   "on each other face to face"});
+                errors_.push_back(
+                    {"[" + std::to_string(i) + "]",
+                     "found a part that shares no face with the others, allowed: parts that lie "
+                     "on each other face to face"});
         if (!errors_.empty()) return std::move(errors_);
         std::vector<FaceList::Outline> outlines(whole_.faces.begin(), whole_.faces.end());
         whole_.faces = FaceList(std::move(outlines), std::move(ranges_), covers());
@@ -124,7 +127,8 @@ class Joiner {
         if (-depth > touch_) return;
         ranges_[i].beside.push_back(static_cast<std::int32_t>(j));
         ranges_[j].beside.push_back(static_cast<std::int32_t>(i));
-        if (shareFaces(ranges_[i], ranges_[j])) root_[std::max(rootOf(i), rootOf(j))] = std::min(rootOf(i), rootOf(j));
+        if (shareFaces(ranges_[i], ranges_[j]))
+            root_[std::max(rootOf(i), rootOf(j))] = std::min(rootOf(i), rootOf(j));
     }
 
     bool shareFaces(const ConvexPart& first, const ConvexPart& second) {
@@ -147,7 +151,7 @@ class Joiner {
         std::vector<Cover> covers;
         for (std::size_t f = 0; f < covered_.size(); ++f) {
             const double share = covered_[f] / whole_.faceArea(f);
-            covers.push_back(share >= 1.0 - kWhole       ? Cover::wholly
+            covers.push_back(share >= 1.0 - kWhole ? Cover::wholly
                              : share > kLeastCover ? Cover::partly
                                                    : Cover::none);
         }

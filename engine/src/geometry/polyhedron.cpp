@@ -60,8 +60,8 @@ std::vector<Error> checkBox(const Vec3& min, const Vec3& max) {
 FaceList::FaceList(std::vector<Outline> outlines) : FaceList(std::move(outlines), {}, {}) {}
 
 FaceList::FaceList(std::vector<Outline> outlines, std::vector<ConvexPart> parts, std::vector<Cover> covers)
-    : lists_(std::make_shared<const Lists>(
-          Lists{std::move(outlines), std::move(parts), std::move(covers)})) {}
+    : lists_(std::make_shared<const Lists>(Lists{std::move(outlines), std::move(parts), std::move(covers)})) {
+}
 
 const FaceList::Lists& FaceList::lists() const {
     static const Lists kNone{};

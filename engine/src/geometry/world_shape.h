@@ -15,8 +15,8 @@ struct WorldShape {
     std::span<const Vec3> vertices;                    ///< [m]
     std::span<const std::vector<std::int32_t>> faces;  ///< as in Polyhedron
     std::span<const Vec3> normals;                     ///< outward unit normal per face
-    std::span<const Cover> covers{};   ///< per face; none where the part is the whole body
-    const PartOfBody* body = nullptr;  ///< none where the part is the whole body
+    std::span<const Cover> covers{};                   ///< per face; none where the part is the whole body
+    const PartOfBody* body = nullptr;                  ///< none where the part is the whole body
 
     /// Whether a face is inside the body.
     bool isInner(std::size_t face) const { return !covers.empty() && covers[face] == Cover::wholly; }

@@ -120,7 +120,8 @@ class Cutter {
         double spacing = kInfinity;
         for (const JointSet& set : description_.sets) spacing = std::min(spacing, set.spacing);
         const double fallback = std::min(kThinSpacing * spacing, kThinExtent * extentOf(description_.region));
-        return std::max(description_.min_thickness.value_or(fallback), kThinWelds * weldDistance(description_.region));
+        return std::max(description_.min_thickness.value_or(fallback),
+                        kThinWelds * weldDistance(description_.region));
     }
 
     std::optional<Error> cutBy(const JointPlane& joint, const Knife& knife, CutTree& tree) {
@@ -241,8 +242,8 @@ class Cutter {
     Result<CutBlock> blockOf(const Solid& solid, const VertexTable& vertices) const {
         auto shape = shapeOf(solid, vertices);
         if (!shape)
-            return Error{description_.field, "a block near " + text(0.5 * (solid.min + solid.max)) +
-                                                 ": " + shape.errors()[0].message};
+            return Error{description_.field, "a block near " + text(0.5 * (solid.min + solid.max)) + ": " +
+                                                 shape.errors()[0].message};
         CutBlock block{std::move(*shape), {}, 0};
         for (const Cell& piece : solid.pieces)
             for (const CellFace& face : piece.faces) block.origin.push_back(originOf(face));

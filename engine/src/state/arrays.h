@@ -230,9 +230,9 @@ struct Geometry {
     /// Convex parts of the blocks, numbered block by block; most blocks are one.
     std::vector<std::int32_t> first_part{0};  ///< of each block; one more at the end
     std::vector<std::int32_t> part_block;     ///< which block each is of
-    std::vector<double> size;       ///< smallest extent of each block [m]
-    std::vector<double> radius;     ///< farthest vertex from the centroid [m]
-    std::vector<double> face_area;  ///< mean of the faces of each block's surface [m^2]
+    std::vector<double> size;                 ///< smallest extent of each block [m]
+    std::vector<double> radius;               ///< farthest vertex from the centroid [m]
+    std::vector<double> face_area;            ///< mean of the faces of each block's surface [m^2]
     PositionArray initial_position;
     QuaternionArray initial_orientation;
     double length_scale = 0;     ///< median block size [m]

@@ -23,8 +23,9 @@ bool areSized(const Blocks& blocks) {
 
 bool areSized(const Geometry& geometry, std::size_t n) {
     return geometry.shape.size() == n && geometry.size.size() == n && geometry.radius.size() == n &&
-           geometry.face_area.size() == n && geometry.first_part.size() == n + 1 && geometry.initial_position.size() == n &&
-           geometry.initial_orientation.size() == n && geometry.model.blocks.size() == n;
+           geometry.face_area.size() == n && geometry.first_part.size() == n + 1 &&
+           geometry.initial_position.size() == n && geometry.initial_orientation.size() == n &&
+           geometry.model.blocks.size() == n;
 }
 
 bool isUnit(const Quaternion& q) {

@@ -22,10 +22,10 @@ enum class Number : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, fl
 
 std::optional<Number> numberNamed(std::string_view name) {
     constexpr std::pair<std::string_view, Number> kNames[]{
-        {"char", Number::int8},      {"int8", Number::int8},      {"uchar", Number::uint8},
-        {"uint8", Number::uint8},    {"short", Number::int16},    {"int16", Number::int16},
-        {"ushort", Number::uint16},  {"uint16", Number::uint16},  {"int", Number::int32},
-        {"int32", Number::int32},    {"uint", Number::uint32},    {"uint32", Number::uint32},
+        {"char", Number::int8},      {"int8", Number::int8},       {"uchar", Number::uint8},
+        {"uint8", Number::uint8},    {"short", Number::int16},     {"int16", Number::int16},
+        {"ushort", Number::uint16},  {"uint16", Number::uint16},   {"int", Number::int32},
+        {"int32", Number::int32},    {"uint", Number::uint32},     {"uint32", Number::uint32},
         {"float", Number::float32},  {"float32", Number::float32}, {"double", Number::float64},
         {"float64", Number::float64}};
     for (const auto& [known, number] : kNames)
@@ -74,7 +74,8 @@ class PlyReader {
     }
 
     std::optional<Error> readHeader() {
-        if (!words_.nextLine() || words_.next() != "ply") return fault("found no PLY file, allowed: ply in its first line");
+        if (!words_.nextLine() || words_.next() != "ply")
+            return fault("found no PLY file, allowed: ply in its first line");
         while (words_.nextLine()) {
             const std::string_view word = words_.next();
             if (word == "end_header") {
@@ -92,7 +93,8 @@ class PlyReader {
             } else if (word == "property") {
                 if (auto error = readProperty()) return error;
             } else if (!word.empty() && word != "comment" && word != "obj_info") {
-                return fault("found " + toml::quoted(word) + ", allowed: format, element, property, comment, end_header");
+                return fault("found " + toml::quoted(word) +
+                             ", allowed: format, element, property, comment, end_header");
             }
         }
         return fault("found no end_header");
@@ -153,7 +155,8 @@ class PlyReader {
         if (element.name == "vertex") vertices_.push_back(builder_.vertex(place));
         if (element.name != "face") return std::nullopt;
         if (corners.size() < 3)
-            return fault("found a face with " + std::to_string(corners.size()) + " corners, allowed: three or more");
+            return fault("found a face with " + std::to_string(corners.size()) +
+                         " corners, allowed: three or more");
         if (!builder_.face(corners, encoding_ == Encoding::text ? words_.line() : 0))
             return fault("found a face that is not convex, allowed: convex faces, or triangles");
         return std::nullopt;
@@ -175,8 +178,7 @@ class PlyReader {
         if (at_ + size > text_.size()) return std::nullopt;
         const std::string bytes = text_.substr(at_, size);
         at_ += size;
-        const bool swapped =
-            (encoding_ == Encoding::big) == (std::endian::native == std::endian::little);
+        const bool swapped = (encoding_ == Encoding::big) == (std::endian::native == std::endian::little);
         switch (type) {
             case Number::int8:
                 return valueOf<std::int8_t>(bytes, swapped);

@@ -23,8 +23,8 @@ void readMotion(TableReader& table, Block& block) {
 PlacedBlock readPlacedBlock(Report& report, const FieldNode& entry, const Materials& materials,
                             const Joints& joints, const std::string& folder) {
     TableReader table(report, entry.node, entry.field,
-                      {"name", "box", "vertices", "parts", "mesh", "scale", "material", "joint", "fixed", "driven",
-                       "velocity"});
+                      {"name", "box", "vertices", "parts", "mesh", "scale", "material", "joint", "fixed",
+                       "driven", "velocity"});
     table.require({"name"});
     PlacedBlock placed;
     Block& block = placed.block;

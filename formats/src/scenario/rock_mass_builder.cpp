@@ -7,7 +7,7 @@ namespace talus::formats::scenario {
 
 namespace {
 
-constexpr double kOnPlane = 1e-6;       // of the region's extent: how near to a plane counts as in it
+constexpr double kOnPlane = 1e-6;  // of the region's extent: how near to a plane counts as in it
 
 double extentOf(const TriangleSurface& region) {
     Vec3 min = region.vertices[0], max = min;

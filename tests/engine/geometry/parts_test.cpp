@@ -134,9 +134,12 @@ TEST_CASE("parts: what is no body is refused") {
         return joined.errors()[0].field + ": " + joined.errors()[0].message;
     };
     CHECK(fault({}).find("found no parts") != std::string::npos);
-    CHECK(fault({{{0, 0, 0}, {1, 1, 1}}, {{0.5, 0, 0}, {2, 1, 1}}}).find("[1]: found a part that overlaps part 0") == 0);
-    CHECK(fault({{{0, 0, 0}, {1, 1, 1}}, {{1.1, 0, 0}, {2, 1, 1}}}).find("[1]: found a part that shares no face") == 0);
+    CHECK(fault({{{0, 0, 0}, {1, 1, 1}}, {{0.5, 0, 0}, {2, 1, 1}}})
+              .find("[1]: found a part that overlaps part 0") == 0);
+    CHECK(fault({{{0, 0, 0}, {1, 1, 1}}, {{1.1, 0, 0}, {2, 1, 1}}})
+              .find("[1]: found a part that shares no face") == 0);
     // An edge in common is no face.
-    CHECK(fault({{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 1}, {2, 1, 2}}}).find("shares no face") != std::string::npos);
+    CHECK(fault({{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 1}, {2, 1, 2}}}).find("shares no face") !=
+          std::string::npos);
     CHECK_FALSE(joinParts({bodyOf(angle()), *makeBox({5, 0, 0}, {6, 1, 1})}).ok());
 }

@@ -101,8 +101,7 @@ TEST_CASE(
         RC_ASSERT(std::abs(sum - cut->region_volume) < 1e-9 * cut->region_volume);
         RC_ASSERT(std::abs(cut->volume - sum) < 1e-9 * cut->region_volume);
         for (std::size_t p = 0; p < std::min<std::size_t>(parts.size(), 40); ++p)
-            for (std::size_t q = 0; q < p; ++q)
-                RC_ASSERT(separation(parts[p], parts[q]) > -1e-9);
+            for (std::size_t q = 0; q < p; ++q) RC_ASSERT(separation(parts[p], parts[q]) > -1e-9);
     });
     CHECK(cuts >= 60);
     CHECK(all_parts > 500);
