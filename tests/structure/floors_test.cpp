@@ -30,7 +30,9 @@ const std::vector<House>& houses() {
           "contacts", "build", "frame", "equilibrium", "analysis", "limit_analysis", "theory"}},
         {"formats/src",
          {"files", "toml", "mesh", "scenario", "sweep", "history", "mcap", "snapshot", "export"}},
-        {"tools", {"cli", "report", "recording", "inspect", "replay", "batch", "reproduction", "commands"}},
+        {"tools",
+         {"cli", "report", "recording", "inspect", "replay", "batch", "answers", "reproduction", "python",
+          "commands"}},
     };
     return all;
 }
