@@ -1,0 +1,49 @@
+// Scenarios as Python holds them: read from a file or from text, with places for messages.
+
+#include <pybind11/stl.h>
+
+#include "cli/failures.h"
+#include "cli/scenario.h"
+#include "python/module.h"
+#include "talus/simulation.h"
+
+namespace talus::python {
+
+namespace py = pybind11;
+
+namespace {
+
+std::vector<std::string> blockNames(const formats::Scenario& scenario) {
+    std::vector<std::string> names;
+    for (const Block& block : scenario.model.blocks) names.push_back(block.name);
+    return names;
+}
+
+/// What the command `talus validate` checks beyond reading: overlaps, water on no face, pairs that do not touch.
+void check(const formats::Scenario& scenario, int threads) {
+    const py::gil_scoped_release others_may;
+    const std::vector<Error> errors = formats::placed(scenario, checkModel(scenario.model, threads));
+    if (!errors.empty()) throw tools::BadInput(errors);
+}
+
+}  // namespace
+
+void addScenarios(py::module_& module) {
+    py::class_<formats::Scenario>(module, "Scenario")
+        .def_readonly("path", &formats::Scenario::path)
+        .def_readonly("text", &formats::Scenario::text)
+        .def_readonly("warnings", &formats::Scenario::warnings)
+        .def_property_readonly("blocks", blockNames)
+        .def("check", check, py::arg("threads"));
+    module.def(
+        "read", [](const std::string& path) { return tools::valueOf(formats::readScenario(path)); },
+        py::arg("path"), py::call_guard<py::gil_scoped_release>());
+    module.def(
+        "parse",
+        [](const std::string& text, const std::string& path) {
+            return tools::valueOf(formats::parseScenario(text, path));
+        },
+        py::arg("text"), py::arg("path"), py::call_guard<py::gil_scoped_release>());
+}
+
+}  // namespace talus::python
