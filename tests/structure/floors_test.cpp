@@ -31,8 +31,8 @@ const std::vector<House>& houses() {
         {"formats/src",
          {"files", "toml", "mesh", "scenario", "sweep", "schema", "history", "mcap", "snapshot", "export"}},
         {"tools",
-         {"cli", "report", "recording", "inspect", "replay", "batch", "answers", "reproduction", "python",
-          "commands"}},
+         {"cli", "report", "recording", "inspect", "replay", "batch", "answers", "reproduction",
+          "verification", "python", "commands"}},
     };
     return all;
 }

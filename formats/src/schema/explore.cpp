@@ -1,7 +1,9 @@
 #include "schema/explore.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 namespace talus::formats::schema {
@@ -14,6 +16,7 @@ using Kind = Asked::Kind;
 using Value = nlohmann::ordered_json;  ///< of a document; a tree of TOML's values
 
 constexpr int kMostRounds = 10;
+constexpr std::size_t kContexts = 4;      // choices of named tables that are tried beside each other table
 constexpr const char* kName = "default";  ///< of everything, so that what refers to something finds it
 
 /// As TOML, tables inline.
@@ -48,7 +51,19 @@ std::string below(const std::string& table, const std::string& key) {
 /// Documents made of what is known so far.
 class Documents {
  public:
-    explicit Documents(const Questions& known) : known_(known) {}
+    /// \param context  which of its choices a named table makes, where it has some: others refer to it
+    Documents(const Questions& known, std::size_t context) : known_(known), context_(context) {}
+
+    /// Neither asked for, nor, of an array, its elements.
+    bool isUnknown(const std::string& field) const {
+        const auto asked = known_.asked().find(field);
+        if (asked == known_.asked().end()) return true;
+        return asked->second.front().kind == Kind::array && isUnknown(field + "[]");
+    }
+    bool isCount(const std::string& field) const {
+        const auto asked = known_.asked().find(field);
+        return asked != known_.asked().end() && asked->second.front().kind == Kind::integer;
+    }
 
     /// Values that may stand in a field: one of each kind that was asked for; of an unknown one, some to see what is asked.
     std::vector<Value> valuesOf(const std::string& field) const {
@@ -112,11 +127,15 @@ class Documents {
             case Kind::tables:
                 return values.push_back(Value::array({leastTable(field + "[]")})), void();
             case Kind::named_tables:
-                return values.push_back(Value{{kName, leastTable(below(field, kName))}}), void();
+                return values.push_back(Value{{kName, namedTable(below(field, kName))}}), void();
+            case Kind::named_values:
+                for (const Value& value : valuesOf(below(field, kName)))
+                    values.push_back(Value{{kName, value}});
+                return;
         }
     }
 
-    /// Of the length that is wanted, and of one and two elements, each kind of them.
+    /// Of the length that is wanted, else of some, each kind of elements.
     void addArrays(const std::string& field, const Asked& asked, std::vector<Value>& values) const {
         const std::vector<Value> elements =
             known_.asked().contains(field + "[]")
@@ -124,7 +143,7 @@ class Documents {
                 : std::vector<Value>{1, kName, Value::array({1, 2}), Value::object()};
         for (const Value& element : elements)
             for (const std::size_t length :
-                 asked.length ? std::vector{*asked.length} : std::vector<std::size_t>{2, 1})
+                 asked.length ? std::vector{*asked.length} : std::vector<std::size_t>{2, 1, 4})
                 values.push_back(Value(length, element));
     }
 
@@ -140,12 +159,28 @@ class Documents {
         table[key] = is_list ? Value::array({std::move(inner)}) : std::move(inner);
     }
 
+    /// A named table with one of its choices.
+    Value namedTable(const std::string& field) const {
+        Value table = leastTable(field);
+        const auto known = known_.tables().find(field);
+        if (known == known_.tables().end()) return table;
+        for (const std::string& key : known->second.keys) {
+            const auto asked = known_.asked().find(below(field, key));
+            if (asked == known_.asked().end() || asked->second.front().kind != Kind::choice) continue;
+            const auto& choices = asked->second.front().choices;
+            table[key] = choices[context_ % choices.size()];
+        }
+        return table;
+    }
+
     const Questions& known_;
+    std::size_t context_;
 };
 
 /// What a table may hold: nothing else than it must, each key alone, in pairs, and all of them.
+/// \param few  what is unknown, each alone
 std::vector<Value> contentsOf(const Documents& documents, const Questions::Table& table,
-                              const std::string& field) {
+                              const std::string& field, bool few) {
     const Value least = documents.leastTable(field);
     std::vector<Value> contents{least};
     Value all = least;
@@ -159,16 +194,35 @@ std::vector<Value> contentsOf(const Documents& documents, const Questions::Table
         with(std::move(content), b, of_b);
     };
     const auto values = [&](const std::string& key) { return documents.valuesOf(below(field, key)); };
+    const bool complete = std::none_of(table.keys.begin(), table.keys.end(), [&](const std::string& key) {
+        return documents.isUnknown(below(field, key));
+    });
     for (auto a = table.keys.begin(); a != table.keys.end(); ++a) {
+        if (few && !documents.isUnknown(below(field, *a))) continue;
         const std::vector<Value> of_a = values(*a);
         for (const Value& value : of_a) with(least, *a, value);
         all[*a] = of_a.front();
-        if (field.empty()) continue;  // sections stand side by side anyway
+        if (field.empty() || few) continue;  // sections stand side by side anyway
         for (auto b = std::next(a); b != table.keys.end(); ++b) {
+            // Pairs find what is read only with another key, and bounds that follow from another number.
+            if (complete && !documents.isCount(below(field, *a)) && !documents.isCount(below(field, *b)))
+                continue;
             const std::vector<Value> of_b = values(*b);
             for (const Value& value : of_a) pair(*a, value, *b, of_b.front());
             for (const Value& value : of_b) pair(*a, of_a.front(), *b, value);
         }
+    }
+    // What is still unknown, with any two others.
+    for (const std::string& key : table.keys) {
+        if (!documents.isUnknown(below(field, key)) || field.empty() || few) continue;
+        for (auto a = table.keys.begin(); a != table.keys.end(); ++a)
+            for (auto b = std::next(a); b != table.keys.end(); ++b) {
+                if (*a == key || *b == key) continue;
+                Value content = least;
+                content[*a] = values(*a).front();
+                content[*b] = values(*b).front();
+                with(std::move(content), key, 1);
+            }
     }
     contents.push_back(all);
     return contents;
@@ -191,15 +245,14 @@ Questions explore(const Reading& read) {
     std::map<std::string, std::size_t> explored;  // what was known of a table when its documents were read
     for (int round = 0; round < kMostRounds; ++round) {
         const Questions known = questions;
-        const Documents documents(known);
         for (const auto& [field, table] : known.tables()) {
             const std::size_t now = questionsBelow(known, field);
-            if (const auto [place, is_new] = explored.try_emplace(field, now); !is_new) {
-                if (place->second == now) continue;
-                place->second = now;
+            if (std::exchange(explored[field], now) == now) continue;
+            for (std::size_t context = 0; context < kContexts; ++context) {
+                const Documents documents(known, context);
+                for (const Value& content : contentsOf(documents, table, field, context > 0))
+                    read(documentText(documents.around(field, content)), questions);
             }
-            for (const Value& content : contentsOf(documents, table, field))
-                read(documentText(documents.around(field, content)), questions);
         }
         if (questions.count() == known.count()) break;
     }

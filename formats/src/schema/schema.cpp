@@ -81,7 +81,12 @@ class SchemaWriter {
  private:
     Json value(const std::string& field) const {
         const auto asked = questions_.asked().find(field);
-        if (asked == questions_.asked().end()) return Json::object();
+        if (asked == questions_.asked().end()) {
+            // Asked for by its elements alone.
+            if (questions_.asked().contains(field + "[]"))
+                return {{"type", "array"}, {"items", value(field + "[]")}};
+            return Json::object();
+        }
         std::map<Kind, std::vector<Asked>> kinds;
         for (const Asked& one : asked->second) kinds[one.kind].push_back(one);
         if (kinds.contains(Kind::number)) kinds.erase(Kind::integer);
@@ -114,9 +119,11 @@ class SchemaWriter {
             case Kind::tables:
                 return {{"type", "array"}, {"items", table(field + "[]")}};
             case Kind::named_tables:
+                return {{"type", "object"}, {"additionalProperties", table(field + "." + kAnyName)}};
+            case Kind::named_values:
                 break;
         }
-        return {{"type", "object"}, {"additionalProperties", table(field + "." + kAnyName)}};
+        return {{"type", "object"}, {"additionalProperties", value(field + "." + kAnyName)}};
     }
 
     Json array(const std::vector<Asked>& asked, const std::string& field) const {

@@ -1,6 +1,7 @@
 #include "toml/questions.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace talus::formats::toml {
 
@@ -49,7 +50,17 @@ void Questions::require(std::string_view table, std::string_view key) {
     tables_[patternOf(table)].required_now.emplace(key);
 }
 
+void Questions::fault(std::string_view field) {
+    const std::string pattern = patternOf(field);
+    for (auto& [name, table] : tables_)
+        if (pattern.starts_with(name + ".")) table.faulty_now = true;
+}
+
 void Questions::close(Table& table) {
+    if (std::exchange(table.faulty_now, false)) {
+        table.required_now.clear();
+        return;
+    }
     if (!table.required) {
         table.required = table.required_now;
     } else {

@@ -30,8 +30,9 @@ struct Asked {
         scalar,  ///< a number, a text or a boolean
         array,   ///< what its elements are is asked of them
         table,
-        tables,       ///< [[key]]
-        named_tables  ///< [key.NAME]
+        tables,        ///< [[key]]
+        named_tables,  ///< [key.NAME]
+        named_values   ///< key = { NAME = ... }
     };
     Kind kind = Kind::text;
     Interval range{};                     ///< of a number
@@ -45,14 +46,17 @@ class Questions {
  public:
     struct Table {
         std::vector<std::string> keys;
-        std::optional<std::set<std::string>> required;  ///< those asked for at every reading
-        std::set<std::string> required_now{};           ///< at the reading that goes on
+        std::optional<std::set<std::string>>
+            required;                          ///< those asked for at every reading without such faults
+        std::set<std::string> required_now{};  ///< at the reading that goes on
+        bool faulty_now = false;
     };
 
     void ask(std::string_view field, Asked what);
     void read(std::string_view table, const std::vector<std::string>& keys);  ///< a reading begins
     void require(std::string_view table, std::string_view key);
-    void finish();  ///< all readings have come to their end
+    void fault(std::string_view field);  ///< of a wrong kind: what its table requires was not all asked for
+    void finish();                       ///< all readings have come to their end
 
     const std::map<std::string, std::vector<Asked>>& asked() const { return asked_; }
     const std::map<std::string, Table>& tables() const { return tables_; }

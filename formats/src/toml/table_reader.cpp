@@ -59,6 +59,7 @@ std::string allowedText(const Interval& interval) {
 }
 
 void reportFound(Report& report, Node node, const std::string& field, const std::string& allowed) {
+    if (report.questions() != nullptr) report.questions()->fault(field);
     report.add(node.place(), field, "found " + describe(node) + ", allowed: " + allowed);
 }
 
@@ -223,6 +224,7 @@ std::optional<std::size_t> TableReader::choice(std::string_view key,
     if (found != allowed.end()) return static_cast<std::size_t>(found - allowed.begin());
     std::string list;
     for (const std::string& name : allowed) list += (list.empty() ? "" : ", ") + quoted(name);
+    if (report_.questions() != nullptr) report_.questions()->fault(fieldOf(key));
     error(key, "found " + quoted(*value) + ", allowed: " + list);
     return std::nullopt;
 }

@@ -71,7 +71,9 @@ struct Glb {
     }
 };
 
-Vec3 vectorOf(const json& list) { return {list[0], list[1], list[2]}; }
+Vec3 vectorOf(const json& list) {
+    return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
+}
 
 double volumeOf(const Glb& glb, std::size_t mesh) {
     const json& primitive = glb.document["meshes"][mesh]["primitives"][0];
@@ -100,11 +102,15 @@ TEST_CASE("glTF: a node a block, with its mesh, its place and its turn at every 
         CHECK(volume == doctest::Approx(run.header.geometry.mass[b] / 2700).epsilon(1e-5));
         const Vec3 centroid(run.header.geometry.centroid.x[b], run.header.geometry.centroid.y[b],
                             run.header.geometry.centroid.z[b]);
-        CHECK((origin + vectorOf(node["translation"]) - centroid).norm() < 1e-6);
+        const VectorList<float>& moved = run.recorded.lights.front().displacement;
+        CHECK((origin + vectorOf(node["translation"]) - centroid - Vec3(moved.x[b], moved.y[b], moved.z[b]))
+                  .norm() < 1e-12);
     }
     // z up becomes y up.
     const json& q = nodes[0]["rotation"];
-    const Vec3 up = Eigen::Quaterniond(q[3], q[0], q[1], q[2]) * Vec3::UnitZ();
+    const Vec3 up =
+        Eigen::Quaterniond(q[3].get<double>(), q[0].get<double>(), q[1].get<double>(), q[2].get<double>()) *
+        Vec3::UnitZ();
     CHECK((up - Vec3::UnitY()).norm() < 1e-12);
 }
 

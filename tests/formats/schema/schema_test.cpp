@@ -17,7 +17,7 @@ using nlohmann::json;
 
 namespace {
 
-const json& scenario() {
+const json& theSchema() {
     static const json schema = json::parse(scenarioSchema());
     return schema;
 }
@@ -44,7 +44,7 @@ bool mentions(const Result<Scenario>& result, const std::string& field, const st
 }
 
 const json& at(const std::string& section, const std::string& key) {
-    const json& table = scenario()["properties"][section];
+    const json& table = theSchema()["properties"][section];
     if (table.contains("items")) return table["items"]["properties"][key];
     if (table["additionalProperties"].is_object()) return table["additionalProperties"]["properties"][key];
     return table["properties"][key];
@@ -53,7 +53,7 @@ const json& at(const std::string& section, const std::string& key) {
 }  // namespace
 
 TEST_CASE("schema: every key of every table has its type, and elements have theirs") {
-    for (const json& schema : {scenario(), json::parse(sweepSchema())}) {
+    for (const json& schema : {theSchema(), json::parse(sweepSchema())}) {
         std::size_t count = 0;
         eachProperty(schema, "", [&](const std::string& path, const json& value) {
             CAPTURE(path);
@@ -69,11 +69,11 @@ TEST_CASE(
     "schema: has the sections and keys that the reader allows, and the reader knows all of the schema's") {
     // What the reader says of an unknown key is its own list.
     const auto root = parseScenario("zzzzzz = 1\n", "test.toml");
-    for (const auto& [key, value] : scenario()["properties"].items()) {
+    for (const auto& [key, value] : theSchema()["properties"].items()) {
         CAPTURE(key);
         CHECK(mentions(root, "zzzzzz", key));
     }
-    for (const auto& [section, table] : scenario()["properties"].items()) {
+    for (const auto& [section, table] : theSchema()["properties"].items()) {
         if (!table.contains("items") && !table.contains("properties")) continue;
         const bool list = table.contains("items");
         // Sections of the rock mass are read where there is one.
@@ -108,7 +108,7 @@ TEST_CASE("schema: what it says of some keys is what the reader says") {
     CHECK(at("load", "pressure")["minimum"] == 0);
     CHECK(at("rock_mass", "region")["properties"]["stl"]["type"] == "string");
     const auto required = [](const std::string& section) {
-        const json& table = scenario()["properties"][section];
+        const json& table = theSchema()["properties"][section];
         const json& list = table.contains("items") ? table["items"] : table["additionalProperties"];
         return list.value("required", json::array()).get<std::set<std::string>>();
     };
