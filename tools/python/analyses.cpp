@@ -25,10 +25,19 @@ Common commonOf(const Manner& manner) { return {.json = true, .quiet = true, .th
 struct SearchOptions {
     int groups = 1;
     py::object ceiling = py::none();  ///< True, False, or None: by the model's size
+    py::object range = py::none();    ///< likewise
     std::string keep_run;
     std::optional<double> keep_run_seconds;
     bool force = false;
 };
+
+/// True, False, or None: by the model's size.
+template <class Options>
+void choose(const py::object& wish, Options& options) {
+    if (wish.is_none()) return;
+    options.always = wish.cast<bool>();
+    options.never = !options.always;
+}
 
 std::string search(const std::string& name, const formats::Scenario& scenario, const SearchOptions& options,
                    const Manner& manner) {
@@ -36,10 +45,8 @@ std::string search(const std::string& name, const formats::Scenario& scenario, c
     if (wanted == nullptr) throw BadInput(Error{"search", "there is no search \"" + name + "\""});
     SearchRequest request{.groups = options.groups,
                           .keep = {options.keep_run, options.keep_run_seconds, options.force}};
-    if (!options.ceiling.is_none()) {
-        request.ceiling.always = options.ceiling.cast<bool>();
-        request.ceiling.never = !request.ceiling.always;
-    }
+    choose(options.ceiling, request.ceiling);
+    choose(options.range, request.range);
     std::string json;
     compute(manner, [&](Computing& computing) {
         const Common common = commonOf(manner);
@@ -114,14 +121,14 @@ void addAnalyses(py::module_& module) {
     module.def(
         "search",
         [](const std::string& name, const formats::Scenario& scenario, int groups, const py::object& ceiling,
-           const std::string& keep_run, std::optional<double> keep_run_seconds, bool force, int threads,
-           const py::object& progress) {
-            return search(name, scenario, {groups, ceiling, keep_run, keep_run_seconds, force},
+           const py::object& range, const std::string& keep_run, std::optional<double> keep_run_seconds,
+           bool force, int threads, const py::object& progress) {
+            return search(name, scenario, {groups, ceiling, range, keep_run, keep_run_seconds, force},
                           {threads, progress});
         },
         py::arg("name"), py::arg("scenario"), py::kw_only(), py::arg("groups"), py::arg("ceiling"),
-        py::arg("keep_run"), py::arg("keep_run_seconds"), py::arg("force"), py::arg("threads"),
-        py::arg("progress"));
+        py::arg("range"), py::arg("keep_run"), py::arg("keep_run_seconds"), py::arg("force"),
+        py::arg("threads"), py::arg("progress"));
     module.def(
         "limit_analysis",
         [](const formats::Scenario& scenario, const std::string& load, std::size_t max_points, int threads,

@@ -2,14 +2,15 @@
 
 #include <pybind11/stl.h>
 
+#include <optional>
+
 #include "cli/failures.h"
 #include "cli/scenario.h"
+#include "python/computing.h"
 #include "python/module.h"
 #include "talus/simulation.h"
 
 namespace talus::python {
-
-namespace py = pybind11;
 
 namespace {
 
@@ -19,11 +20,20 @@ std::vector<std::string> blockNames(const formats::Scenario& scenario) {
     return names;
 }
 
+/// Reading may take long, where rock is cut into many blocks.
+template <class Read>
+formats::Scenario interruptible(const Read& read) {
+    std::optional<Result<formats::Scenario>> result;
+    compute({}, [&](Computing& computing) { result.emplace(read(&computing.stop())); });
+    return tools::valueOf(std::move(*result));
+}
+
 /// What the command `talus validate` checks beyond reading: overlaps, water on no face, pairs that do not touch.
 void check(const formats::Scenario& scenario, int threads) {
-    const py::gil_scoped_release others_may;
-    const std::vector<Error> errors = formats::placed(scenario, checkModel(scenario.model, threads));
-    if (!errors.empty()) throw tools::BadInput(errors);
+    compute({threads}, [&](Computing&) {
+        const std::vector<Error> errors = formats::placed(scenario, checkModel(scenario.model, threads));
+        if (!errors.empty()) throw tools::BadInput(errors);
+    });
 }
 
 }  // namespace
@@ -36,14 +46,20 @@ void addScenarios(py::module_& module) {
         .def_property_readonly("blocks", blockNames)
         .def("check", check, py::arg("threads"));
     module.def(
-        "read", [](const std::string& path) { return tools::valueOf(formats::readScenario(path)); },
-        py::arg("path"), py::call_guard<py::gil_scoped_release>());
+        "read",
+        [](const std::string& path) {
+            return interruptible(
+                [&](const std::atomic<bool>* stop) { return formats::readScenario(path, stop); });
+        },
+        py::arg("path"));
     module.def(
         "parse",
         [](const std::string& text, const std::string& path) {
-            return tools::valueOf(formats::parseScenario(text, path));
+            return interruptible([&](const std::atomic<bool>* stop) {
+                return formats::parseScenario(text, path, formats::kMostBlocks, stop);
+            });
         },
-        py::arg("text"), py::arg("path"), py::call_guard<py::gil_scoped_release>());
+        py::arg("text"), py::arg("path"));
 }
 
 }  // namespace talus::python

@@ -47,7 +47,7 @@ def _model(model):
     return (model if isinstance(model, Model) else load(model))._read()
 
 
-def _search(name, model, *, threads=0, progress=None, groups=1, ceiling=None, keep_run=None, keep_run_seconds=None,
+def _search(name, model, *, threads=0, progress=None, groups=1, ceiling=None, range=None, keep_run=None, keep_run_seconds=None,
             force=False):
     return Result.of_json(
         _core.search(
@@ -55,6 +55,7 @@ def _search(name, model, *, threads=0, progress=None, groups=1, ceiling=None, ke
             _model(model),
             groups=groups,
             ceiling=ceiling,
+            range=range,
             keep_run=_os.fspath(keep_run) if keep_run is not None else "",
             keep_run_seconds=keep_run_seconds,
             force=force,
@@ -64,33 +65,34 @@ def _search(name, model, *, threads=0, progress=None, groups=1, ceiling=None, ke
     )
 
 
-def critical_angle(model, *, threads=0, progress=None, ceiling=None, keep_run=None, keep_run_seconds=None, force=False):
+def critical_angle(model, *, threads=0, progress=None, ceiling=None, range=None, keep_run=None, keep_run_seconds=None, force=False):
     """The tilt at which the assembly first fails: ``critical_angle_deg``, ``bracket_deg``, ``failure_mode``, ... [degrees]
 
-    ceiling: True, False, or None: limit analysis beside it up to a model's size. keep_run: a .mcap file for the run in which it
+    ceiling: True, False, or None: limit analysis beside it up to a model's size; range: likewise another loading history, for
+    ``range`` and ``range_reason``. keep_run: a .mcap file for the run in which it
     fails, over keep_run_seconds or until it is plain to see; force replaces a finished one.
     """
-    return _search("critical-angle", model, threads=threads, progress=progress, ceiling=ceiling, keep_run=keep_run,
+    return _search("critical-angle", model, threads=threads, progress=progress, ceiling=ceiling, range=range, keep_run=keep_run,
                    keep_run_seconds=keep_run_seconds, force=force)
 
 
-def safety_factor(model, *, threads=0, progress=None, groups=1, ceiling=None, keep_run=None, keep_run_seconds=None,
+def safety_factor(model, *, threads=0, progress=None, groups=1, ceiling=None, range=None, keep_run=None, keep_run_seconds=None,
                   force=False):
     """The factor by which all strengths can be divided before it fails, at the model's own tilt: ``safety_factor``, ``bracket``.
 
     groups: how many groups of blocks to follow, one going after the other. The rest as of critical_angle.
     """
-    return _search("safety-factor", model, threads=threads, progress=progress, groups=groups, ceiling=ceiling,
+    return _search("safety-factor", model, threads=threads, progress=progress, groups=groups, ceiling=ceiling, range=range,
                    keep_run=keep_run, keep_run_seconds=keep_run_seconds, force=force)
 
 
-def critical_acceleration(model, *, threads=0, progress=None, ceiling=None, keep_run=None, keep_run_seconds=None,
+def critical_acceleration(model, *, threads=0, progress=None, ceiling=None, range=None, keep_run=None, keep_run_seconds=None,
                           force=False):
     """The horizontal seismic coefficient at which it first fails, at the model's own tilt: ``critical_k`` [share of the weight].
 
     The rest as of critical_angle.
     """
-    return _search("critical-acceleration", model, threads=threads, progress=progress, ceiling=ceiling, keep_run=keep_run,
+    return _search("critical-acceleration", model, threads=threads, progress=progress, ceiling=ceiling, range=range, keep_run=keep_run,
                    keep_run_seconds=keep_run_seconds, force=force)
 
 
