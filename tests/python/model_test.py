@@ -126,6 +126,10 @@ class Shown(unittest.TestCase):
         model = sliding_block()
         self.assertIn("[joint.default]", model._repr_html_())
         self.assertIn("2 block", repr(model))
+        self.assertIn("<svg", model._repr_html_())
+        model["joint.default.friction_deg"] = -1.0
+        self.assertIn("friction_deg", model._repr_html_())
+        self.assertNotIn("<svg", model._repr_html_())
 
     def test_paths_of_any_kind(self):
         self.assertEqual(

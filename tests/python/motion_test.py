@@ -134,6 +134,14 @@ class Runs(WithFiles):
         numpy.testing.assert_allclose(run.masses[1], 2000)
         self.assertEqual(run.model.to_toml(), FALLING)
 
+    def test_the_page_of_a_run(self):
+        file = self.files / "run.mcap"
+        talus.run(self.files.write("falling.toml", FALLING), file)
+        run = talus.open(file)
+        self.assertIn("<script", run.page())
+        self.assertTrue(run._repr_html_().startswith("<iframe srcdoc="))
+        self.assertNotIn("<script", run._repr_html_())  # inside of the frame alone
+
     def test_contacts_of_a_frame(self):
         file = self.files / "run.mcap"
         model = talus.load(self.files.write("slope.toml", SLOPE))

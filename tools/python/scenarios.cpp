@@ -6,8 +6,10 @@
 
 #include "cli/failures.h"
 #include "cli/scenario.h"
+#include "cli/text.h"
 #include "python/computing.h"
 #include "python/module.h"
+#include "report/blocks_files.h"
 #include "talus/simulation.h"
 
 namespace talus::python {
@@ -28,6 +30,12 @@ formats::Scenario interruptible(const Read& read) {
     return tools::valueOf(std::move(*result));
 }
 
+/// As `talus blocks` draws them.
+std::string picture(const formats::Scenario& scenario, double azimuth_deg, double elevation_deg) {
+    return tools::blocksSvg(scenario.model, {tools::radians(azimuth_deg), tools::radians(elevation_deg)},
+                            scenario.path);
+}
+
 /// What the command `talus validate` checks beyond reading: overlaps, water on no face, pairs that do not touch.
 void check(const formats::Scenario& scenario, int threads) {
     compute({threads}, [&](Computing&) {
@@ -44,6 +52,7 @@ void addScenarios(py::module_& module) {
         .def_readonly("text", &formats::Scenario::text)
         .def_readonly("warnings", &formats::Scenario::warnings)
         .def_property_readonly("blocks", blockNames)
+        .def("picture", picture, py::arg("azimuth_deg"), py::arg("elevation_deg"))
         .def("check", check, py::arg("threads"));
     module.def(
         "read",

@@ -9,6 +9,7 @@
 #include "python/arrays.h"
 #include "python/module.h"
 #include "recording/snapshot_view.h"
+#include "replay/page.h"
 #include "talus/formats/snapshot.h"
 
 namespace talus::python {
@@ -64,6 +65,12 @@ class SnapshotFile {
             append(all.rotations, frame.rotation);
         }
         return all;
+    }
+
+    /// The page of `talus replay`, with the whole run in it.
+    std::string page() {
+        const std::lock_guard alone(mutex_);
+        return tools::replayPage(tools::snapshotBytes(reader_, path_, {}));
     }
 
     FullFrame fullAt(std::int64_t frame) {
@@ -127,6 +134,7 @@ void addSnapshots(py::module_& module) {
                                })
         .def("__len__", [](const SnapshotFile& f) { return f.reader().frames().size(); })
         .def("arrays", frameArrays)
+        .def("page", &SnapshotFile::page, py::call_guard<py::gil_scoped_release>())
         .def("contacts", [](SnapshotFile& file, std::int64_t frame) {
             FullFrame full;
             {

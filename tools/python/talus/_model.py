@@ -6,6 +6,7 @@ import os
 import tomllib
 
 from . import _core, _toml
+from ._errors import ScenarioError
 
 _TABLES = ("analysis", "run", "damping", "gravity", "contact", "seismic", "ground_motion", "rock_mass")
 _NAMED = ("material", "joint")
@@ -207,6 +208,10 @@ class Model:
         """What the reader says of a model that it takes nevertheless."""
         return self._read().warnings
 
+    def picture(self, azimuth_deg=235.0, elevation_deg=25.0):
+        """The blocks as an SVG picture, seen from azimuth_deg (clockwise from north, +y) and elevation_deg above the horizon."""
+        return self._read().picture(azimuth_deg, elevation_deg)
+
     @property
     def path(self):
         """What messages call the model; its folder is where mesh files are looked for."""
@@ -231,7 +236,11 @@ class Model:
         return f"<talus.Model {self._path}: {sections}>"
 
     def _repr_html_(self):
-        return f"<details><summary>{html.escape(repr(self))}</summary><pre>{html.escape(self.to_toml())}</pre></details>"
+        try:
+            shown = f"<div style='max-width:32rem'>{self.picture()}</div>"
+        except ScenarioError as error:
+            shown = f"<pre>{html.escape(str(error))}</pre>"
+        return f"{shown}<details><summary>{html.escape(repr(self))}</summary><pre>{html.escape(self.to_toml())}</pre></details>"
 
 
 def _parts(field):

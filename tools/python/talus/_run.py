@@ -1,6 +1,7 @@
 """Motion: a simulation taken step by step, and runs read from snapshot files, as numpy arrays."""
 
 import functools
+import html
 import os
 
 from . import _core
@@ -210,8 +211,15 @@ class Run:
         """Contact points of the full state at a frame, or the last one before it."""
         return Contacts(self._core.contacts(frame))
 
+    def page(self):
+        """The page of ``talus replay`` that plays the run in a browser, as HTML."""
+        return self._core.page()
+
     def __len__(self):
         return len(self._core)
+
+    def _repr_html_(self):
+        return f'<iframe srcdoc="{html.escape(self.page())}" width="100%" height="640" style="border:0"></iframe>'
 
     def __repr__(self):
         return f"<talus.Run {self.file}: {len(self)} frames of {len(self.blocks)} blocks, {self.ended or 'unfinished'}>"
