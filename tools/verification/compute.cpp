@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +10,7 @@
 
 #include "cli/failures.h"
 #include "talus/limit_analysis.h"
+#include "talus/parallel.h"
 #include "talus/searches.h"
 #include "talus/simulation.h"
 
@@ -170,8 +170,7 @@ void computeAll(std::vector<Task*>& order, int threads, const std::atomic<bool>&
                           seconds / all_seconds, order[k]->row->name});
         }
     };
-    tbb::task_arena arena(threads);
-    arena.execute([&] { tbb::parallel_for(0, threads, 1, work, tbb::simple_partitioner{}); });
+    inArena(threads, [&] { tbb::parallel_for(0, threads, 1, work, tbb::simple_partitioner{}); });
 }
 
 std::optional<double> valueOf(const Computed& computed, const std::string& quantity) {
