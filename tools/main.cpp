@@ -73,7 +73,7 @@ std::vector<Command> addCommands(CLI::App& root) {
     std::vector<Command> commands{addPaper(root)};
     for (const LoadSearch& search : loadSearches()) commands.push_back(addSearch(root, search));
     for (const auto add : {addRun, addReplay, addInspect, addExport, addBatch, addSample, addMerge,
-                           addValidate, addBlocks, addTheory, addLimitAnalysis})
+                           addValidate, addBlocks, addTheory, addLimitAnalysis, addVerification, addSchema})
         commands.push_back(add(root));
     return commands;
 }

@@ -29,8 +29,10 @@ const std::vector<House>& houses() {
          {"simd", "geometry", "rock_mass", "model", "law", "state", "forces", "measure", "validate", "step",
           "contacts", "build", "frame", "equilibrium", "analysis", "limit_analysis", "theory"}},
         {"formats/src",
-         {"files", "toml", "mesh", "scenario", "sweep", "history", "mcap", "snapshot", "export"}},
-        {"tools", {"cli", "report", "recording", "inspect", "replay", "batch", "reproduction", "commands"}},
+         {"files", "toml", "mesh", "scenario", "sweep", "schema", "history", "mcap", "snapshot", "export"}},
+        {"tools",
+         {"cli", "report", "recording", "inspect", "replay", "batch", "answers", "reproduction",
+          "verification", "python", "commands"}},
     };
     return all;
 }

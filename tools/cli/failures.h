@@ -15,6 +15,7 @@ namespace talus::tools {
 enum ExitCode : int {
     kDone = 0,
     kInternalError = 1,
+    kOutsideBand = 1,  ///< of `talus verification`: a row is not what it should be
     kBadInput = 2,     ///< bad input, missing file or wrong usage
     kUndecided = 3,    ///< the analysis ended undecided, or runs of a batch failed
     kFileRefused = 4,  ///< the file system refused

@@ -28,6 +28,8 @@ void rememberCommandLine(int argc, const char* const* argv) {
     for (int i = 1; i < argc; ++i) remembered_command_line += " " + shellWord(argv[i]);
 }
 
+void rememberCaller(const std::string& what) { remembered_command_line = what; }
+
 const std::string& commandLine() { return remembered_command_line; }
 
 int threadsUsed(const Common& common) {

@@ -9,6 +9,7 @@
 namespace talus::tools {
 
 void rememberCommandLine(int argc, const char* const* argv);
+void rememberCaller(const std::string& what);  ///< in place of a command line
 const std::string& commandLine();
 
 /// {version, git_hash, compiler, instruction_set, build_type, threads, scenario, command_line}; put it under the key

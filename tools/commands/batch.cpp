@@ -5,13 +5,11 @@
 #include <memory>
 
 #include "batch/mpi.h"
-#include "batch/report.h"
+#include "batch/outcome.h"
 #include "batch/schedule.h"
-#include "batch/store.h"
 #include "cli/failures.h"
 #include "cli/json.h"
 #include "cli/progress.h"
-#include "cli/provenance.h"
 #include "cli/signals.h"
 #include "cli/text.h"
 #include "commands/commands.h"
@@ -42,55 +40,15 @@ Shard shardOf(const std::string& text) {
     throw BadInput(Error{"--shard", "found \"" + text + "\", allowed: I/N with I from 1 to N, like 2/8"});
 }
 
-std::string rateText(const BatchProgress& progress) {
-    const double rate = progress.seconds > 0 ? static_cast<double>(progress.done) / progress.seconds : 0;
-    return std::to_string(progress.done) + " of " + std::to_string(progress.todo) + " runs, " +
-           (rate >= 1 || rate == 0 ? text(rate, 1) + " a second" : text(1 / rate, 1) + " s each") +
-           (progress.failed ? ", " + std::to_string(progress.failed) + " failed" : "");
-}
-
-Progress shownProgress(const BatchProgress& progress) {
-    const double fraction =
-        progress.todo ? static_cast<double>(progress.done) / static_cast<double>(progress.todo) : 1;
-    return {"batch", fraction, rateText(progress)};
-}
-
-std::uint64_t shardRuns(const Store& store, const Shard& shard) {
-    if (shard.whole()) return store.info().runs;
-    std::uint64_t count = 0;
-    for (std::uint64_t run = 0; run < store.info().runs; ++run) count += shard.has(store.info(), run);
-    return count;
-}
-
-struct Tally {
-    std::uint64_t runs = 0, done = 0, failed = 0, computed = 0;
-    double wall_seconds = 0;
-};
-
-Json toJson(const BatchOptions& options, const Store& store, const Tally& tally) {
-    return {{"runs", tally.runs},
-            {"done", tally.done},
-            {"failed", tally.failed},
-            {"computed", tally.computed},
-            {"wall_seconds", number(tally.wall_seconds)},
-            {"interrupted", stopRequested().load()},
-            {"identity", store.info().identity},
-            {"seed", store.info().seed},
-            {"results", store.resultsPath()},
-            {"summary", options.shard.empty() ? Json(options.folder + "/summary.json") : Json(nullptr)},
-            {"page", options.shard.empty() ? Json(options.folder + "/report.html") : Json(nullptr)},
-            {"provenance", provenance(options.common, options.sweep)}};
-}
-
-std::string toText(const BatchOptions& options, const Store& store, const Tally& tally) {
+std::string toText(const BatchOptions& options, const BatchOutcome& tally) {
     std::string lines = std::to_string(tally.done) + " of " + std::to_string(tally.runs) + " runs done" +
                         (tally.failed ? ", " + std::to_string(tally.failed) + " of them failed" : "") + "; " +
                         std::to_string(tally.computed) + " computed now in " + text(tally.wall_seconds, 1) +
                         " s\n";
     if (tally.done < tally.runs)
-        lines += stopRequested() ? "interrupted: the same command goes on from here\n"
-                                 : "the others are being computed by another process\n";
-    lines += "results in " + store.resultsPath() + "\n";
+        lines += tally.interrupted ? "interrupted: the same command goes on from here\n"
+                                   : "the others are being computed by another process\n";
+    lines += "results in " + tally.results + "\n";
     if (options.shard.empty())
         lines += "report in " + options.folder + "/report.html\n";
     else
@@ -98,8 +56,8 @@ std::string toText(const BatchOptions& options, const Store& store, const Tally&
     return lines;
 }
 
-int exitCode(const Tally& tally) {
-    if (stopRequested()) return kInterrupted;
+int exitCode(const BatchOutcome& tally) {
+    if (tally.interrupted) return kInterrupted;
     return tally.failed > 0 ? kUndecided : kDone;
 }
 
@@ -145,30 +103,23 @@ int runBatch(const BatchOptions& options) {
         job.help(sweep, describe(sweep), stopRequested());
         return kDone;  // what there is to say, process 0 says
     }
-    const auto begin = std::chrono::steady_clock::now();
-    Store store(options.folder, describe(sweep), shard);
     ProgressPrinter printer(options.common);
-    const BatchWork batch{sweep,
-                          store,
-                          shard,
-                          threadsUsed(options.common),
-                          options.retry,
-                          caseCosts(sweep),
-                          stopRequested(),
-                          requestStop,
-                          [&](const BatchProgress& p) { printer.show(shownProgress(p)); }};
-    const BatchProgress progress = job.size() > 1 ? job.serve(batch) : work(batch);
+    const BatchRequest request{
+        .common = options.common,
+        .sweep = options.sweep,
+        .folder = options.folder,
+        .shard = shard,
+        .retry = options.retry,
+        .abandon = requestStop,
+        .progress = printer.callback(),
+        .work = [&](const BatchWork& batch) { return job.size() > 1 ? job.serve(batch) : work(batch); }};
+    const BatchOutcome outcome = computeBatch(sweep, request, stopRequested());
     printer.finish();
-    if (const int error = store.sync(); error != 0)
-        throw FileRefused(store.resultsPath(), "cannot be written", error);
-    const Tally tally{shardRuns(store, shard), store.doneCount(), store.failedCount(), progress.done,
-                      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()};
-    if (shard.whole()) writeReport(options.folder, readStored(options.folder), options.common);
     if (options.common.json)
-        printJson(toJson(options, store, tally));
+        printJson(batchJson(outcome, request));
     else
-        printText(toText(options, store, tally));
-    return exitCode(tally);
+        printText(toText(options, outcome));
+    return exitCode(outcome);
 }
 
 }  // namespace

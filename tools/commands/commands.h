@@ -18,6 +18,8 @@ Command addSample(CLI::App& root);
 Command addMerge(CLI::App& root);
 Command addReplay(CLI::App& root);
 Command addLimitAnalysis(CLI::App& root);
+Command addVerification(CLI::App& root);
+Command addSchema(CLI::App& root);
 
 /// critical-angle, safety-factor, ...: one command per search of the engine.
 Command addSearch(CLI::App& root, const LoadSearch& search);

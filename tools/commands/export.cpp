@@ -9,6 +9,7 @@
 #include "cli/failures.h"
 #include "cli/files.h"
 #include "cli/json.h"
+#include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/signals.h"
 #include "cli/text.h"
@@ -23,7 +24,7 @@ namespace {
 
 struct ExportOptions {
     Common common;
-    std::string file, vtk, csv, stl, output;
+    std::string file, vtk, csv, stl, ply, gltf, frame, output;
     std::size_t every = 1;
 };
 
@@ -90,18 +91,37 @@ Json exportCsv(formats::SnapshotReader& reader, const ExportOptions& options) {
     return {{"file", options.csv}, {"rows", table.rows.size()}};
 }
 
-Json exportStl(formats::SnapshotReader& reader, const ExportOptions& options) {
-    const std::size_t frame = frameIndex(reader, options.stl, options.file);
+/// One frame as a file of another program: STL, PLY.
+Json exportFrame(formats::SnapshotReader& reader, const ExportOptions& options, const std::string& which,
+                 const char* ending,
+                 std::string (*bytes)(const formats::SnapshotHeader&, const LightFrame&)) {
+    const std::size_t frame = frameIndex(reader, which, options.file);
     const std::string path = !options.output.empty() ? options.output
                                                      : std::filesystem::path(options.file).stem().string() +
-                                                           "-" + std::to_string(frame) + ".stl";
-    writeFile(path, formats::stlBlocks(reader.header(), valueOf(reader.frame(frame))));
+                                                           "-" + std::to_string(frame) + ending;
+    writeFile(path, bytes(reader.header(), valueOf(reader.frame(frame))));
     return {{"file", path}, {"frame", frame}};
 }
 
+/// The whole run, or the frame that was chosen.
+Json exportGltf(formats::SnapshotReader& reader, const ExportOptions& options) {
+    std::vector<std::size_t> wanted = chosen(reader, options.every);
+    if (!options.frame.empty()) wanted = {frameIndex(reader, options.frame, options.file)};
+    if (wanted.empty()) throw BadInput(Error{"", "holds no frames", options.file});
+    std::vector<LightFrame> frames;
+    for (const std::size_t k : wanted) frames.push_back(valueOf(reader.frame(k)));
+    writeFile(options.gltf, formats::gltfBlocks(reader.header(), frames));
+    return {{"file", options.gltf}, {"frames", frames.size()}};
+}
+
 int exportSnapshot(const ExportOptions& options) {
-    if (options.vtk.empty() && options.csv.empty() && options.stl.empty())
-        throw BadInput(Error{"", "say what to export: --vtk DIR, --csv FILE or --stl FRAME"});
+    if (!options.output.empty() && options.stl.empty() && options.ply.empty())
+        throw BadInput(Error{"--output", "is for --stl and --ply"});
+    if (options.vtk.empty() && options.csv.empty() && options.stl.empty() && options.ply.empty() &&
+        options.gltf.empty())
+        throw BadInput(
+            Error{"", "say what to export: --vtk DIR, --csv FILE, --gltf FILE, --stl FRAME or --ply FRAME"});
+    if (!options.gltf.empty()) requireEnding("--gltf", options.gltf, {".glb"});
     formats::SnapshotReader reader = openSnapshot(options.file);
     for (const std::string& fault : reader.faults())
         note(options.common, "note: " + options.file + ": " + fault);
@@ -109,7 +129,11 @@ int exportSnapshot(const ExportOptions& options) {
     Json json = {{"frames", reader.frames().size()}};
     if (!options.vtk.empty()) json["vtk"] = exportVtk(reader, options, progress);
     if (!options.csv.empty() && !stopped()) json["csv"] = exportCsv(reader, options);
-    if (!options.stl.empty() && !stopped()) json["stl"] = exportStl(reader, options);
+    if (!options.stl.empty() && !stopped())
+        json["stl"] = exportFrame(reader, options, options.stl, ".stl", formats::stlBlocks);
+    if (!options.ply.empty() && !stopped())
+        json["ply"] = exportFrame(reader, options, options.ply, ".ply", formats::plyBlocks);
+    if (!options.gltf.empty() && !stopped()) json["gltf"] = exportGltf(reader, options);
     json["interrupted"] = stopped();
     progress.finish();
     if (options.common.json) {
@@ -121,7 +145,8 @@ int exportSnapshot(const ExportOptions& options) {
                      json["vtk"]["contact_files"].dump() + " sets of contacts in " + options.vtk +
                      " (open blocks.pvd and contacts.pvd)\n";
         if (json.contains("csv")) lines += json["csv"]["rows"].dump() + " rows in " + options.csv + "\n";
-        if (json.contains("stl")) lines += "blocks in " + json["stl"]["file"].get<std::string>() + "\n";
+        for (const char* kind : {"stl", "ply", "gltf"})
+            if (json.contains(kind)) lines += "blocks in " + json[kind]["file"].get<std::string>() + "\n";
         printText(lines);
     }
     return stopped() ? kInterrupted : kDone;
@@ -131,22 +156,27 @@ int exportSnapshot(const ExportOptions& options) {
 
 Command addExport(CLI::App& root) {
     auto options = std::make_shared<ExportOptions>();
-    CLI::App* app =
-        root.add_subcommand("export", "Snapshots for ParaView (VTK), spreadsheets (CSV) and CAD (STL)");
+    CLI::App* app = root.add_subcommand(
+        "export", "Snapshots for ParaView (VTK), spreadsheets (CSV), CAD (STL, PLY) and the web (glTF)");
     app->add_option("FILE", options->file, "Snapshot file of talus run (.mcap)")->required();
     app->add_option("--vtk", options->vtk,
                     "Folder for .vtp files of blocks and contact points, with blocks.pvd and contacts.pvd");
     app->add_option("--csv", options->csv, "File for a table of one row a frame and block");
     auto* stl =
         app->add_option("--stl", options->stl, "The blocks at a frame: last, its number from 0, or a time");
-    app->add_option("-o,--output", options->output, "STL file (default: FILE-FRAME.stl here)")->needs(stl);
+    app->add_option("--ply", options->ply, "The same as PLY, with blocks and colours")->excludes(stl);
+    auto* gltf = app->add_option("--gltf", options->gltf,
+                                 "glTF 2.0 (.glb) of the whole run, animated, in the run's time");
+    app->add_option("--frame", options->frame, "glTF of this frame alone: last, its number from 0, or a time")
+        ->needs(gltf);
+    app->add_option("-o,--output", options->output, "STL or PLY file (default: FILE-FRAME.stl or .ply here)");
     app->add_option("--every", options->every, "Only every so many frames, and the last")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     addCommon(*app, options->common, false);
     app->footer(
         "Examples:\n  talus export run.mcap --vtk paraview\n  talus export run.mcap --stl last -o "
-        "slope.stl\n\nEvery "
+        "slope.stl\n  talus export run.mcap --gltf run.glb --every 5\n\nEvery "
         "frame has its blocks (block_id, failure_role, displacement, velocity, rotation); contact "
         "points\nwith their "
         "forces are there for frames with a full state (talus run --full-every).");

@@ -5,10 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "answers/limit_report.h"
 #include "cli/block_names.h"
 #include "cli/json.h"
 #include "cli/progress.h"
-#include "cli/provenance.h"
 #include "cli/scenario.h"
 #include "cli/text.h"
 #include "commands/commands.h"
@@ -20,50 +20,12 @@ namespace {
 struct LimitOptions {
     Common common;
     std::string scenario;
-    Varied load = Varied::tilt;
+    const VariedQuantity* load = nullptr;
     std::size_t max_points = LimitSettings{}.max_contact_points;
 };
 
-Varied loadNamed(const std::string& name) {
-    for (const VariedQuantity& quantity : variedQuantities())
-        if (name == quantity.name) return quantity.varied;
-    return Varied::tilt;
-}
-
-Json mechanismJson(const LimitResult& result) {
-    Json list = Json::array();
-    for (const BlockVelocity& block : result.mechanism)
-        list.push_back({{"block", block.block},
-                        {"moving", block.moving},
-                        {"velocity_m_s", vector(block.velocity)},
-                        {"spin_rad_s", vector(block.spin)},
-                        {"speed_m_s", number(block.speed)}});
-    return list;
-}
-
-Json toJson(const LimitOptions& options, const LimitResult& result) {
-    const VariedQuantity& load = quantityOf(options.load);
-    return {{"status", toString(result.status)},
-            {"for", load.name},
-            {"unit", *load.unit != '\0' ? Json(load.unit) : Json(nullptr)},
-            {"lower", number(result.lower / load.scale)},
-            {"upper", number(result.upper / load.scale)},
-            {"moving_blocks", result.moving_blocks},
-            {"mechanism", mechanismJson(result)},
-            {"plane_section", result.plane_section},
-            {"blocks", result.blocks},
-            {"contact_points", result.contact_points},
-            {"rows", result.rows},
-            {"columns", result.columns},
-            {"programmes", result.programmes},
-            {"iterations", result.iterations},
-            {"wall_seconds", number(result.wall_seconds)},
-            {"interrupted", result.status == SearchStatus::interrupted},
-            {"provenance", provenance(options.common, options.scenario)}};
-}
-
 std::string answerText(const LimitOptions& options, const LimitResult& result) {
-    const VariedQuantity& load = quantityOf(options.load);
+    const VariedQuantity& load = *options.load;
     const std::string unit = *load.unit != '\0' ? load.unit : load.of;
     const auto say = [&](double value) {
         return text(value / load.scale, load.limit_decimals) + (unit.empty() ? "" : " " + unit);
@@ -92,8 +54,7 @@ std::string movingText(const LimitResult& result) {
 
 std::string toText(const LimitOptions& options, const LimitResult& result) {
     const std::string kind = result.plane_section ? "plane section" : "in space";
-    return row("scenario", options.scenario) +
-           row(quantityOf(options.load).limit, answerText(options, result)) +
+    return row("scenario", options.scenario) + row(options.load->limit, answerText(options, result)) +
            (result.moving_blocks.empty() ? "" : row("moving blocks", movingText(result))) +
            row("programme", kind + ", " + std::to_string(result.contact_points) + " contact points, " +
                                 std::to_string(result.rows) + " equations, " +
@@ -114,10 +75,11 @@ int analyse(const LimitOptions& options) {
     LimitSettings settings;
     settings.max_contact_points = options.max_points;
     const LimitResult result = valueOf(
-        limitAnalysis(scenario.model, options.load, controlOf(options.common, progress), settings), scenario);
+        limitAnalysis(scenario.model, options.load->varied, controlOf(options.common, progress), settings),
+        scenario);
     progress.finish();
     if (options.common.json)
-        printJson(toJson(options, result));
+        printJson(limitJson(*options.load, result, options.common, options.scenario));
     else
         printText(toText(options, result));
     return exitCode(result.status);
@@ -137,7 +99,7 @@ Command addLimitAnalysis(CLI::App& root) {
         meanings += std::string(meanings.empty() ? "" : ", ") + quantity.name + " (" + quantity.limit + ")";
     }
     app->add_option_function<std::string>(
-           "--for", [options](const std::string& name) { options->load = loadNamed(name); },
+           "--for", [options](const std::string& name) { options->load = variedNamed(name); },
            "What grows: " + meanings)
         ->check(CLI::IsMember(names))
         ->type_name("LOAD")

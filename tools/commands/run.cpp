@@ -3,47 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "answers/run_report.h"
 #include "cli/json.h"
 #include "cli/progress.h"
-#include "cli/provenance.h"
 #include "cli/scenario.h"
 #include "cli/text.h"
 #include "commands/commands.h"
-#include "recording/run_output.h"
 
 namespace talus::tools {
 
 namespace {
-
-Json watchJson(const RunResult& result) {
-    Json watch = Json::object();
-    for (const BlockReport& block : result.watch)
-        watch[block.name] = {{"position_m", vector(block.position)},
-                             {"velocity_m_s", vector(block.velocity)},
-                             {"rotation_deg", number(degrees(block.rotation))},
-                             {"displacement_m", vector(block.displacement)}};
-    return watch;
-}
-
-Json toJson(const RunOptions& options, const RunResult& result, const RunRecorder& recorder) {
-    return {{"steps", result.steps},
-            {"simulated_seconds", number(result.simulated_seconds)},
-            {"time_step_s", number(result.time_step)},
-            {"start", options.resume.empty() ? Json(toString(result.start)) : Json(nullptr)},
-            {"blocks", result.blocks},
-            {"interfaces", result.interfaces},
-            {"contact_points", result.contact_points},
-            {"kinetic_energy_j", number(result.kinetic_energy)},
-            {"state_hash", hashText(result.state_hash)},
-            {"wall_seconds", number(result.wall_seconds)},
-            {"watch", watchJson(result)},
-            {"interrupted", result.interrupted},
-            {"warnings", result.warnings},
-            {"output", options.output.empty() ? Json(nullptr) : Json(options.output)},
-            {"snapshots", recorder.facts()},
-            {"resumed", options.resume.empty() ? Json(nullptr) : Json(options.resume)},
-            {"provenance", provenance(options.common, options.scenario)}};
-}
 
 std::string triple(const Vec3& value, int decimals) {
     return "(" + text(value.x(), decimals) + ", " + text(value.y(), decimals) + ", " +
@@ -89,13 +58,11 @@ int runScenario(const RunOptions& options) {
         resumed ? resumed->scenario : loadScenario(options.scenario, options.common);
     RunRecorder recorder(options, scenario, resumed ? &*resumed : nullptr);
     ProgressPrinter progress(options.common);
-    Result<RunResult> outcome = run(scenario.model, controlOf(options.common, progress), recorder.output(),
-                                    resumed ? &resumed->from : nullptr);
+    const RunResult result = runRecorded(scenario, resumed ? &resumed->from : nullptr, recorder,
+                                         controlOf(options.common, progress));
     progress.finish();
-    recorder.finish(outcome);
-    const RunResult result = valueOf(std::move(outcome), scenario);
     if (options.common.json) {
-        printJson(toJson(options, result, recorder));
+        printJson(runJson(options, result, recorder));
     } else {
         printText(toText(options, result, recorder));
     }

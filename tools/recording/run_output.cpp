@@ -11,7 +11,6 @@
 #include "cli/json.h"
 #include "cli/outputs.h"
 #include "cli/provenance.h"
-#include "cli/signals.h"
 #include "cli/text.h"
 #include "talus/build_info.h"
 
@@ -166,7 +165,7 @@ void RunRecorder::openSnapshots(const Resumed* resumed) {
 void RunRecorder::recordRow(const HistoryRecord& row) {
     if (!refused_.empty()) return;
     refused_ = history_->write(row);
-    if (!refused_.empty()) requestStop();
+    if (!refused_.empty()) options_.give_up();
 }
 
 RunOutput RunRecorder::output(std::optional<formats::SnapshotFailure> failure) {
@@ -183,7 +182,7 @@ RunOutput RunRecorder::output(std::optional<formats::SnapshotFailure> failure) {
     const auto write = [this](auto&& frame, std::size_t& count) {
         snapshots_->write(std::move(frame));
         ++count;
-        if (snapshots_->failed()) requestStop();
+        if (snapshots_->failed()) options_.give_up();
     };
     output.light = [this, write](LightFrame&& frame) { write(std::move(frame), frames_); };
     output.full = [this, write](FullFrame&& frame) { write(std::move(frame), fulls_); };

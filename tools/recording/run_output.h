@@ -1,12 +1,14 @@
 #pragma once
 // Where a run's history goes: a CSV table, or snapshots in an MCAP file.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "cli/common.h"
 #include "cli/json_fwd.h"
+#include "cli/signals.h"
 #include "talus/formats/history.h"
 #include "talus/formats/scenario.h"
 #include "talus/formats/snapshot.h"
@@ -19,7 +21,8 @@ struct RunOptions {
     std::string scenario, output, resume;
     bool force = false;
     int frames_per_full = 10;
-    const char* output_option = "--output";  ///< what it is called in messages
+    const char* output_option = "--output";       ///< what it is called in messages
+    std::function<void()> give_up = requestStop;  ///< called once its file can no longer be written
 };
 
 /// An earlier run that goes on: its scenario, and the last of its full states that can be read.

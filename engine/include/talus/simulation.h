@@ -11,7 +11,9 @@
 //
 // See engine/README.md for what each stage reads and writes.
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -97,6 +99,44 @@ requires std::is_invocable_v<const Record&, const HistoryRecord&> Result<RunResu
 }
 
 const char* toString(InitialState start);
+
+/// Blocks of a simulation where they lie: valid as long as it lives, and changed by its steps.
+struct BlockView {
+    std::size_t size = 0;
+    Vec3 origin = Vec3::Zero();               ///< of the positions, in the model frame [m]
+    const double* position = nullptr;         ///< of centroids: x, y, z and one unused, block by block [m]
+    const double* quaternion = nullptr;       ///< w, x, y, z: a block's own frame to the model frame
+    std::array<const double*, 3> velocity{};  ///< x, y, z of the centroids, an array each [m/s]
+};
+
+/// A time history that is taken step by step, by the stages of `run`: in whole tens of steps it passes through the same
+/// bits, and it goes on behind `run.duration`.
+class Simulation {
+ public:
+    /// Builds the model and brings it to its start. Errors: those of the model.
+    static Result<Simulation> begin(std::shared_ptr<const Model> model, const Control& control = {});
+    Simulation(Simulation&&) noexcept;
+    Simulation& operator=(Simulation&&) noexcept;
+    ~Simulation();
+
+    /// Steps more; fewer when it is stopped. Errors: a motion that became infinite.
+    std::vector<Error> step(std::int64_t count, const Control& control = {});
+
+    const Model& model() const;
+    BlockView blocks() const;
+    double time() const;  ///< [s]
+    std::int64_t steps() const;
+    double timeStep() const;  ///< of the next step [s]
+    InitialState startedFrom() const;
+    HistoryRecord record() const;  ///< time, steps, energies, out-of-balance force, watched blocks
+    std::uint64_t stateHash() const;
+    FullFrame frame() const;  ///< all of it, contact points too; not for `run`'s resume
+
+ private:
+    struct History;
+    explicit Simulation(std::unique_ptr<History> history);
+    std::unique_ptr<History> history_;
+};
 
 /// Checks what needs geometry: blocks that overlap, water on faces that are not there, pairs that do not touch.
 /// Empty when the model can be built. \param warnings  if given, takes what is allowed but hardly meant

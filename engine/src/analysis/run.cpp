@@ -136,22 +136,38 @@ class TimeHistory {
 
     Result<RunResult> run() {
         while (state_.time < settings_.duration - 0.5 * progress_.time_step && !interrupted() && finite_ &&
-               !went_far_) {
-            goOn();
-            if (finite_ && state_.time >= progress_.next_frame - 0.5 * progress_.time_step) frameIsDue();
-        }
-        if (!finite_ || !isFinite(state_))
-            return Error{"run.time_step_s",
-                         "the motion became infinite before t = " + std::to_string(state_.time) +
-                             " s with a step of " + std::to_string(progress_.time_step * 1e6) +
-                             " us; allowed: a step below the stability bound of " +
-                             std::to_string(progress_.stability_bound * 1e6) +
-                             " us (leave the key out to have it chosen)"};
+               !went_far_)
+            goOn(stepsAhead(settings_.duration));
+        if (!finite_ || !isFinite(state_)) return becameInfinite();
         handOut(true);
         return result();
     }
 
+    /// So many steps more, also past the duration: in whole looks the same as run().
+    std::vector<Error> step(std::int64_t count) {
+        open_ended_ = true;
+        interrupted_ = false;
+        const std::int64_t last = state_.step + count;
+        while (state_.step < last && !interrupted() && finite_)
+            goOn(static_cast<int>(std::min<std::int64_t>(stepsAhead(kInfinity), last - state_.step)));
+        if (!finite_ || !isFinite(state_)) return {becameInfinite()};
+        return {};
+    }
+
+    const State& state() const { return state_; }
+    double timeStep() const { return progress_.time_step; }
+    InitialState startedFrom() const { return start_; }
+    HistoryRecord record() const { return recordOf(state_, watched_); }
+
  private:
+    Error becameInfinite() const {
+        return {"run.time_step_s", "the motion became infinite before t = " + std::to_string(state_.time) +
+                                       " s with a step of " + std::to_string(progress_.time_step * 1e6) +
+                                       " us; allowed: a step below the stability bound of " +
+                                       std::to_string(progress_.stability_bound * 1e6) +
+                                       " us (leave the key out to have it chosen)"};
+    }
+
     void beginFrames() {
         updateForces(state_, parallel_);
         progress_.next_frame = settings_.frame_interval;
@@ -219,12 +235,14 @@ class TimeHistory {
         const double left = settings_.duration - state_.time;
         if (left > 0.5 * progress_.time_step)
             progress_.time_step = left / std::max(1.0, std::ceil(left / (progress_.step_safety * bound)));
+        else if (open_ended_)
+            progress_.time_step = progress_.step_safety * bound;
     }
 
-    /// Up to the next look, frame or the end, whichever comes first; at least one.
-    int stepsAhead() const {
+    /// Up to the next look, frame or `end` [s], whichever comes first; at least one.
+    int stepsAhead(double end) const {
         const double dt = progress_.time_step;
-        const double until = std::min(progress_.next_frame, settings_.duration) - 0.5 * dt;
+        const double until = std::min(progress_.next_frame, end) - 0.5 * dt;
         double time = state_.time + dt;
         int steps = 1;
         while (time < until && (state_.step + steps) % kStepsPerLook != 0) {
@@ -237,9 +255,13 @@ class TimeHistory {
     /// Where blocks collide and nothing from outside works on them, what the steps give is taken back.
     bool keepsEnergy() const { return progress_.step_safety == kImpactStepSafety && isLeftAlone(state_); }
 
-    void goOn() {
+    void goOn(int steps) {
+        computeSteps(steps);
+        if (finite_ && state_.time >= progress_.next_frame - 0.5 * progress_.time_step) frameIsDue();
+    }
+
+    void computeSteps(int steps) {
         const double dt = progress_.time_step;
-        const int steps = stepsAhead();
         const bool kept = keepsEnergy();
         const double energy = kept ? totalEnergy(state_, parallel_) : 0.0;
         advance(state_, {dt, parallel_}, steps, [&](int) {
@@ -294,6 +316,7 @@ class TimeHistory {
     bool went_far_ = false;
     bool interrupted_ = false;
     bool finite_ = true;
+    bool open_ended_ = false;  // steps are asked for, whatever the duration
 };
 
 /// Builds the model, lets `begin` put its history at its start, and runs it.
@@ -333,6 +356,62 @@ Result<RunResult> runFailing(const Model& model, const Control& control, const R
     return history(model, control, output,
                    [&](TimeHistory& history) { return history.startFailing(failing, far_enough); });
 }
+
+struct Simulation::History {
+    History(std::shared_ptr<const Model> of, const Control& lent) : model(std::move(of)), control(lent) {}
+
+    std::shared_ptr<const Model> model;
+    Control control;  // of the call that is computing
+    RunOutput output{};
+    std::optional<TimeHistory> taken{};
+};
+
+Simulation::Simulation(std::unique_ptr<History> history) : history_(std::move(history)) {}
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+Simulation::~Simulation() = default;
+
+Result<Simulation> Simulation::begin(std::shared_ptr<const Model> model, const Control& control) {
+    auto history = std::make_unique<History>(std::move(model), control);
+    const std::vector<Error> errors = analysis::inArena(control.threads, [&]() -> std::vector<Error> {
+        Result<State> built = buildState(keptByCaller(*history->model), control.threads != 1);
+        if (!built) return built.errors();
+        const bool parallel = analysis::worthThreads(*built, control.threads);
+        history->taken.emplace(std::move(*built), history->control, history->output, parallel);
+        history->taken->start();
+        return {};
+    });
+    if (!errors.empty()) return errors;
+    history->control = {};
+    return Simulation(std::move(history));
+}
+
+std::vector<Error> Simulation::step(std::int64_t count, const Control& control) {
+    history_->control = control;
+    std::vector<Error> errors =
+        analysis::inArena(control.threads, [&] { return history_->taken->step(count); });
+    history_->control = {};
+    return errors;
+}
+
+BlockView Simulation::blocks() const {
+    const State& state = history_->taken->state();
+    const Blocks& b = state.blocks;
+    return {.size = b.size(),
+            .origin = state.geometry->origin,
+            .position = numbers(b.position),
+            .quaternion = numbers(b.orientation),
+            .velocity = {b.velocity.x.data(), b.velocity.y.data(), b.velocity.z.data()}};
+}
+
+const Model& Simulation::model() const { return *history_->model; }
+double Simulation::time() const { return history_->taken->state().time; }
+std::int64_t Simulation::steps() const { return history_->taken->state().step; }
+double Simulation::timeStep() const { return history_->taken->timeStep(); }
+InitialState Simulation::startedFrom() const { return history_->taken->startedFrom(); }
+HistoryRecord Simulation::record() const { return history_->taken->record(); }
+std::uint64_t Simulation::stateHash() const { return talus::stateHash(history_->taken->state()); }
+FullFrame Simulation::frame() const { return fullFrameOf(history_->taken->state()); }
 
 const char* toString(InitialState start) {
     switch (start) {

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "export/placed.h"
+#include "talus/contact_table.h"
 
 namespace talus::formats {
 namespace {
@@ -55,6 +56,13 @@ class PolyData {
 
 void append(std::vector<double>& flat, const Vec3& v) { flat.insert(flat.end(), {v.x(), v.y(), v.z()}); }
 
+std::vector<double> flat(const VectorList<double>& list) {
+    std::vector<double> all;
+    all.reserve(3 * list.x.size());
+    for (std::size_t k = 0; k < list.x.size(); ++k) append(all, {list.x[k], list.y[k], list.z[k]});
+    return all;
+}
+
 /// Values that each block has, spread over its faces.
 struct FaceValues {
     std::vector<std::int32_t> block, motion, role;
@@ -97,37 +105,6 @@ Surface surfaceOf(const RunGeometry& g) {
     return surface;
 }
 
-/// Point data of the contact points, in the model frame.
-struct PointValues {
-    std::vector<double> place, force, shear;
-    std::vector<std::int32_t> interface, block_a, block_b, state;
-};
-
-PointValues pointValues(const FullFrame& full) {
-    const FrameInterfaces& f = full.interfaces;
-    const FramePoints& p = full.points;
-    PointValues values;
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        if (f.isIdle(i)) continue;
-        const auto a = static_cast<std::size_t>(f.block_a[i]);
-        const Mat3 turn = turnOf(full.blocks.orientation, a);
-        const Vec3 origin = at(full.blocks.position, a) + turn * at(f.origin_a, i);
-        const Vec3 e1 = turn * at(f.e1_a, i), e2 = turn * at(f.e2_a, i), e3 = e1.cross(e2);
-        for (auto k = static_cast<std::size_t>(f.point_begin[i]);
-             k < static_cast<std::size_t>(f.point_begin[i + 1]); ++k) {
-            const Vec3 shear = p.shear_1[k] * e1 + p.shear_2[k] * e2;
-            append(values.place, origin + p.xi[k] * e1 + p.eta[k] * e2);
-            append(values.shear, shear);
-            append(values.force, shear + p.normal[k] * e3);
-            values.interface.push_back(static_cast<std::int32_t>(i));
-            values.block_a.push_back(f.block_a[i]);
-            values.block_b.push_back(f.block_b[i]);
-            values.state.push_back(static_cast<std::int32_t>(p.state[k]));
-        }
-    }
-    return values;
-}
-
 }  // namespace
 
 std::string vtpBlocks(const SnapshotHeader& header, const LightFrame& frame) {
@@ -156,8 +133,8 @@ std::string vtpBlocks(const SnapshotHeader& header, const LightFrame& frame) {
 }
 
 std::string vtpContacts(const FullFrame& full) {
-    const PointValues values = pointValues(full);
-    const std::size_t n = values.interface.size();
+    const ContactTable table = contactTable(full);
+    const std::size_t n = table.size();
     std::vector<std::int64_t> index(n), offsets(n);
     for (std::size_t k = 0; k < n; ++k) {
         index[k] = static_cast<std::int64_t>(k);
@@ -165,23 +142,25 @@ std::string vtpContacts(const FullFrame& full) {
     }
     PolyData poly(n, n, 0);
     poly.open("Points");
-    poly.array("Points", values.place, 3);
+    poly.array("Points", flat(table.position), 3);
     poly.close("Points");
     poly.open("Verts");
     poly.array("connectivity", index);
     poly.array("offsets", offsets);
     poly.close("Verts");
     poly.open("PointData");
-    poly.array("force", values.force, 3);
-    poly.array("normal_force", full.points.normal);
-    poly.array("shear_force", values.shear, 3);
-    poly.array("water_force", full.points.water);
-    poly.array("area", full.points.area);
-    poly.array("state", values.state);
-    poly.array("mobilised_friction", full.points.mobilised);
-    poly.array("interface", values.interface);
-    poly.array("block_a", values.block_a);
-    poly.array("block_b", values.block_b);
+    poly.array("force", flat(table.force), 3);
+    poly.array("normal_force", table.normal_force);
+    poly.array("shear_force", flat(table.shear), 3);
+    poly.array("water_force", table.water_force);
+    poly.array("area", table.area);
+    std::vector<std::int32_t> state;
+    for (const PointState each : table.state) state.push_back(static_cast<std::int32_t>(each));
+    poly.array("state", state);
+    poly.array("mobilised_friction", table.mobilised);
+    poly.array("interface", table.interface);
+    poly.array("block_a", table.block_a);
+    poly.array("block_b", table.block_b);
     poly.close("PointData");
     return poly.file();
 }

@@ -6,9 +6,9 @@
 
 namespace talus::formats::scenario {
 
-/// As parseScenario; `text` is what the result says it was read from.
+/// As parseScenario; `text` is what the result says it was read from. `questions` hear what is asked of the document.
 Result<Scenario> readDocument(const Document& document, std::string text, const std::string& path,
-                              std::int64_t most_blocks = kMostBlocks,
-                              const std::atomic<bool>* stop = nullptr);
+                              std::int64_t most_blocks = kMostBlocks, const std::atomic<bool>* stop = nullptr,
+                              Questions* questions = nullptr);
 
 }  // namespace talus::formats::scenario

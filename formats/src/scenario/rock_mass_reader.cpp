@@ -238,6 +238,7 @@ class RockMassReader {
     }
 
     void readNames(TableReader& table) {
+        ask(report_, table.fieldOf("names"), [] { return Asked{.kind = Asked::Kind::named_values}; });
         const auto node = table.find("names");
         if (!node) return;
         if (node->kind() != Kind::table)

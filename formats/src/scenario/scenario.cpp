@@ -193,8 +193,10 @@ class ScenarioReader {
 }  // namespace scenario
 
 Result<Scenario> scenario::readDocument(const Document& document, std::string text, const std::string& path,
-                                        std::int64_t most_blocks, const std::atomic<bool>* stop) {
+                                        std::int64_t most_blocks, const std::atomic<bool>* stop,
+                                        Questions* questions) {
     Report report(path);
+    report.listen(questions);
     const auto slash = path.rfind('/');
     const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
     ScenarioReader reader(report, document.root(), folder, most_blocks, stop);

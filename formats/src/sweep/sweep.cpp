@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "sweep/questions.h"
 #include "sweep/runs.h"
 #include "sweep/variables.h"
 #include "toml/document.h"
@@ -37,11 +38,14 @@ std::vector<std::string> jointNames(const Scenario& scenario) {
 
 class SweepReader {
  public:
-    SweepReader(Report& report, Node root, const std::string& path)
+    /// \param scenario  in place of the file that is named, when not null
+    SweepReader(Report& report, Node root, const std::string& path,
+                std::shared_ptr<const Scenario> scenario = nullptr)
         : report_(report),
           root_(report, root, "",
                 {"format", "scenario", "analysis", "samples", "seed", "sampling", "grid", "table", "random",
-                 "report"}) {
+                 "report"}),
+          base_(std::move(scenario)) {
         sweep_.path = path;
     }
 
@@ -70,6 +74,7 @@ class SweepReader {
     /// The scenario has to be good as it is. Returns its joints' names.
     std::vector<std::string> readScenarioText() {
         const auto name = root_.text("scenario");
+        if (base_) return jointNames(*base_);
         if (!name) return {};
         sweep_.scenario_path = besideFile(sweep_.path, *name);
         const auto text = readFileText(sweep_.scenario_path);
@@ -247,6 +252,14 @@ std::string toString(const SweepValue& value) {
     if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
     return toml::numberText(std::get<double>(value));
+}
+
+void sweep::questionsOf(const toml::Document& document, const Scenario& scenario,
+                        toml::Questions& questions) {
+    toml::Report report("");
+    report.listen(&questions);
+    report.add({}, "", "what is asked has no answer");  // so that nothing is tried
+    sweep::SweepReader(report, document.root(), "", std::make_shared<const Scenario>(scenario)).read();
 }
 
 Result<Sweep> readSweep(const std::string& path) {

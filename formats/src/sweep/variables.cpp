@@ -24,6 +24,7 @@ constexpr const char* kNameColumn = "name";
 constexpr Interval kNumber{};
 
 std::optional<SweepValue> scalarOf(Report& report, const Node& node, const std::string& field) {
+    ask(report, field, [] { return Asked{.kind = Asked::Kind::scalar}; });
     switch (node.kind()) {
         case Kind::integer:
             return node.integer();

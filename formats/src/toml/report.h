@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "toml/document.h"
+#include "toml/questions.h"
 
 namespace talus::formats::toml {
 
@@ -35,12 +36,17 @@ class Report {
     void mark(const std::string& field, Place place) { places_[field] = {place.line, place.column}; }
     std::map<std::string, std::pair<int, int>> takePlaces() { return std::move(places_); }
 
+    /// Where readers write down what they ask; nobody, unless that is wanted.
+    void listen(Questions* questions) { questions_ = questions; }
+    Questions* questions() const { return questions_; }
+
  private:
     std::string path_;
     std::vector<Error> errors_;
     std::size_t count_ = 0;
     std::vector<std::string> warnings_;
     std::map<std::string, std::pair<int, int>> places_;
+    Questions* questions_ = nullptr;
 };
 
 }  // namespace talus::formats::toml

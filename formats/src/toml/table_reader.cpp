@@ -29,6 +29,24 @@ bool checkArray(Report& report, Node node, const std::string& field, const std::
     return false;
 }
 
+using AskedKind = Asked::Kind;
+
+Asked numberIn(const Interval& range) { return {.kind = AskedKind::number, .range = range}; }
+Asked integerIn(Bounds bounds) { return {.kind = AskedKind::integer, .bounds = bounds}; }
+Asked arrayOf(std::optional<std::size_t> length) { return {.kind = AskedKind::array, .length = length}; }
+
+std::optional<std::string> textIn(Report& report, Node node, const std::string& field) {
+    if (node.kind() == Kind::text) return node.text();
+    reportFound(report, node, field, "a string");
+    return std::nullopt;
+}
+
+void askNumbers(Report& report, const std::string& field, const Interval& range,
+                std::optional<std::size_t> length) {
+    ask(report, field, [&] { return arrayOf(length); });
+    ask(report, elementField(field, 0), [&] { return numberIn(range); });
+}
+
 }  // namespace
 
 std::string allowedText(const Interval& interval) {
@@ -41,11 +59,13 @@ std::string allowedText(const Interval& interval) {
 }
 
 void reportFound(Report& report, Node node, const std::string& field, const std::string& allowed) {
+    if (report.questions() != nullptr) report.questions()->fault(field);
     report.add(node.place(), field, "found " + describe(node) + ", allowed: " + allowed);
 }
 
 std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Interval& range,
                                  const Slip& slip) {
+    ask(report, field, [&] { return numberIn(range); });
     if (!node.isNumber()) {
         const bool any = !std::isfinite(range.min) && !std::isfinite(range.max);
         reportFound(report, node, field, any ? "a number" : "a number, " + allowedText(range));
@@ -65,6 +85,7 @@ std::optional<double> readNumber(Report& report, Node node, const std::string& f
 }
 
 std::optional<std::int64_t> readInteger(Report& report, Node node, const std::string& field, Bounds bounds) {
+    ask(report, field, [&] { return integerIn(bounds); });
     const std::string range = std::to_string(bounds.min) + " to " + std::to_string(bounds.max);
     if (node.kind() != Kind::integer) {
         reportFound(report, node, field, "an integer, " + range);
@@ -77,13 +98,13 @@ std::optional<std::int64_t> readInteger(Report& report, Node node, const std::st
 }
 
 std::optional<std::string> readText(Report& report, Node node, const std::string& field) {
-    if (node.kind() == Kind::text) return node.text();
-    reportFound(report, node, field, "a string");
-    return std::nullopt;
+    ask(report, field, [] { return Asked{.kind = AskedKind::text}; });
+    return textIn(report, node, field);
 }
 
 std::optional<std::vector<double>> readNumbers(Report& report, Node node, const std::string& field,
                                                const Interval& range, std::optional<std::size_t> length) {
+    askNumbers(report, field, range, length);
     if (!checkArray(report, node, field, "number", length)) return std::nullopt;
     std::vector<double> values;
     values.reserve(node.size());
@@ -103,6 +124,7 @@ std::optional<Vec3> readVector(Report& report, Node node, const std::string& fie
 TableReader::TableReader(Report& report, Node table, std::string field, std::vector<std::string> allowed)
     : report_(report), table_(table), place_(table.place()), field_(std::move(field)) {
     if (!field_.empty()) report_.mark(field_, place_);
+    if (report_.questions() != nullptr) report_.questions()->read(field_, allowed);
     for (const Entry& entry : table_.entries()) {
         if (std::find(allowed.begin(), allowed.end(), entry.key) != allowed.end()) {
             report_.mark(fieldOf(entry.key), entry.value.place());
@@ -132,8 +154,10 @@ Place TableReader::placeOf(std::string_view key) const {
 }
 
 void TableReader::require(std::initializer_list<std::string_view> keys) {
-    for (const std::string_view key : keys)
+    for (const std::string_view key : keys) {
+        if (report_.questions() != nullptr) report_.questions()->require(field_, key);
         if (!has(key) && !isMeant(key)) error(key, "missing; this key is required");
+    }
 }
 
 bool TableReader::isMeant(std::string_view key) const {
@@ -164,16 +188,19 @@ void TableReader::error(std::string_view key, std::string message) {
 }
 
 std::optional<double> TableReader::number(std::string_view key, const Interval& range, const Slip& slip) {
+    ask(key, [&] { return numberIn(range); });
     const auto node = find(key);
     return node ? readNumber(report_, *node, fieldOf(key), range, slip) : std::nullopt;
 }
 
 std::optional<std::int64_t> TableReader::integer(std::string_view key, Bounds bounds) {
+    ask(key, [&] { return integerIn(bounds); });
     const auto node = find(key);
     return node ? readInteger(report_, *node, fieldOf(key), bounds) : std::nullopt;
 }
 
 std::optional<bool> TableReader::boolean(std::string_view key) {
+    ask(key, [] { return Asked{.kind = AskedKind::boolean}; });
     const auto node = find(key);
     if (!node) return std::nullopt;
     if (node->kind() == Kind::boolean) return node->boolean();
@@ -182,35 +209,43 @@ std::optional<bool> TableReader::boolean(std::string_view key) {
 }
 
 std::optional<std::string> TableReader::text(std::string_view key) {
+    ask(key, [] { return Asked{.kind = AskedKind::text}; });
     const auto node = find(key);
     return node ? readText(report_, *node, fieldOf(key)) : std::nullopt;
 }
 
 std::optional<std::size_t> TableReader::choice(std::string_view key,
                                                const std::vector<std::string>& allowed) {
-    const auto value = text(key);
+    ask(key, [&] { return Asked{.kind = AskedKind::choice, .choices = allowed}; });
+    const auto node = find(key);
+    const auto value = node ? textIn(report_, *node, fieldOf(key)) : std::nullopt;
     if (!value) return std::nullopt;
     const auto found = std::find(allowed.begin(), allowed.end(), *value);
     if (found != allowed.end()) return static_cast<std::size_t>(found - allowed.begin());
     std::string list;
     for (const std::string& name : allowed) list += (list.empty() ? "" : ", ") + quoted(name);
+    if (report_.questions() != nullptr) report_.questions()->fault(fieldOf(key));
     error(key, "found " + quoted(*value) + ", allowed: " + list);
     return std::nullopt;
 }
 
 std::optional<Vec3> TableReader::vector(std::string_view key, const Interval& range) {
+    askNumbers(report_, fieldOf(key), range, 3);
     const auto node = find(key);
     return node ? readVector(report_, *node, fieldOf(key), range) : std::nullopt;
 }
 
 std::optional<std::vector<double>> TableReader::numbers(std::string_view key, const Interval& range,
                                                         std::optional<std::size_t> length) {
+    askNumbers(report_, fieldOf(key), range, length);
     const auto node = find(key);
     return node ? readNumbers(report_, *node, fieldOf(key), range, length) : std::nullopt;
 }
 
 std::optional<std::vector<std::string>> TableReader::texts(std::string_view key,
                                                            std::optional<std::size_t> length) {
+    ask(key, [&] { return arrayOf(length); });
+    toml::ask(report_, elementField(fieldOf(key), 0), [] { return Asked{.kind = AskedKind::text}; });
     const auto node = find(key);
     if (!node || !checkArray(report_, *node, fieldOf(key), "string", length)) return std::nullopt;
     std::vector<std::string> values;
@@ -222,6 +257,7 @@ std::optional<std::vector<std::string>> TableReader::texts(std::string_view key,
 }
 
 std::optional<Node> TableReader::array(std::string_view key) {
+    ask(key, [] { return arrayOf(std::nullopt); });
     const auto node = find(key);
     if (!node || node->kind() == Kind::array) return node;
     reportFound(report_, *node, fieldOf(key), "an array");
@@ -229,6 +265,7 @@ std::optional<Node> TableReader::array(std::string_view key) {
 }
 
 std::optional<TableReader> TableReader::table(std::string_view key, std::vector<std::string> allowed) {
+    ask(key, [] { return Asked{.kind = AskedKind::table}; });
     const auto node = find(key);
     if (!node) return std::nullopt;
     if (node->kind() == Kind::table) return TableReader(report_, *node, fieldOf(key), std::move(allowed));
@@ -237,6 +274,7 @@ std::optional<TableReader> TableReader::table(std::string_view key, std::vector<
 }
 
 std::vector<FieldNode> TableReader::tables(std::string_view key) {
+    ask(key, [] { return Asked{.kind = AskedKind::tables}; });
     const auto node = find(key);
     if (!node) return {};
     const std::string allowed = "tables that begin with [[" + std::string(key) + "]]";
@@ -256,6 +294,7 @@ std::vector<FieldNode> TableReader::tables(std::string_view key) {
 }
 
 std::vector<FieldNode> TableReader::namedTables(std::string_view key) {
+    ask(key, [] { return Asked{.kind = AskedKind::named_tables}; });
     const auto node = find(key);
     if (!node) return {};
     const std::string allowed = "tables that begin with [" + std::string(key) + ".NAME]";

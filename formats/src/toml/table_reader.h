@@ -30,11 +30,6 @@ inline constexpr Interval kCoordinate{-kMaxLength, kMaxLength, false, false};  /
 inline constexpr Interval kSize{0, kMaxLength, true, false};                   ///< [m]
 inline constexpr Interval kTiltDeg{-90, 90, true, true};
 
-struct Bounds {
-    std::int64_t min = 0;
-    std::int64_t max = 0;
-};
-
 inline constexpr double kRadPerDeg = 3.14159265358979323846 / 180;
 
 /// A table with its field ("stack[0]", "joint.default") and the last part of that, when it is a name.
@@ -54,6 +49,12 @@ std::optional<std::string> readText(Report& report, Node node, const std::string
 std::optional<std::vector<double>> readNumbers(Report& report, Node node, const std::string& field,
                                                const Interval& range, std::optional<std::size_t> length);
 std::optional<Vec3> readVector(Report& report, Node node, const std::string& field, const Interval& range);
+
+/// Writes down what is asked, where somebody listens.
+template <class What>
+void ask(Report& report, const std::string& field, const What& what) {
+    if (report.questions() != nullptr) report.questions()->ask(field, what());
+}
 
 /// Adds `found X, allowed: Y`.
 void reportFound(Report& report, Node node, const std::string& field, const std::string& allowed);
@@ -101,6 +102,12 @@ class TableReader {
     std::optional<std::string> name(std::string_view key, bool may_be_empty);
 
  private:
+    /// Also of a key that is not there.
+    template <class What>
+    void ask(std::string_view key, const What& what) const {
+        if (report_.questions() != nullptr) report_.questions()->ask(fieldOf(key), what());
+    }
+
     Report& report_;
     Node table_;
     Place place_;

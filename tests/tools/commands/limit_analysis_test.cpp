@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "answers/ceiling.h"
 #include "cli/text.h"
-#include "commands/ceiling.h"
 #include "tools/program.h"
 
 using namespace talus;

@@ -1,6 +1,6 @@
 #pragma once
-// Frames in formats of other programs, as the bytes of a file: VTK's XML poly data (ParaView 5.11 and VTK 9 read it) and
-// STL. Lengths in m, forces in N, everything in the model frame.
+// Frames in formats of other programs, as the bytes of a file: VTK's XML poly data (ParaView 5.11 and VTK 9 read it), STL, PLY
+// and glTF. Lengths in m, forces in N, everything in the model frame.
 
 #include <string>
 #include <utility>
@@ -31,5 +31,12 @@ std::string pvdSeries(const std::vector<std::pair<double, std::string>>& files);
 
 /// Binary STL of all blocks, faces as fans of triangles.
 std::string stlBlocks(const SnapshotHeader& header, const LightFrame& frame);
+
+/// Binary PLY of all blocks: their faces as polygons, each with `block`, `failure_role` and a colour.
+std::string plyBlocks(const SnapshotHeader& header, const LightFrame& frame);
+
+/// glTF 2.0 in its binary form (.glb): a node and a mesh a block, coloured by how it moves up to the last of the frames; more
+/// than one frame are an animation in the run's time. \pre at least one frame
+std::string gltfBlocks(const SnapshotHeader& header, const std::vector<LightFrame>& frames);
 
 }  // namespace talus::formats

@@ -31,9 +31,10 @@ function groupRow(columns) {
   }, words(group.group ?? ""))));
 }
 
-export function table({ caption, columns, rows }) {
+/** `alerts`: rows that are not as they should be. */
+export function table({ caption, columns, rows, alerts = [] }) {
   const head = html("tr", {}, columns.map((column) => html("th", { class: classes(column), scope: "col" }, words(column.title))));
-  const body = rows.map((row) => html("tr", {}, row.map((value, k) => {
+  const body = rows.map((row, r) => html("tr", { class: alerts.includes(r) && "bad" }, row.map((value, k) => {
     const column = columns[k], text = cellText(value, column);
     return html("td", { class: classes(column, column.strong && "strong", isText(column) && text.length > 60 && "long") }, words(text));
   })));

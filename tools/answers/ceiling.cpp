@@ -1,4 +1,4 @@
-#include "commands/ceiling.h"
+#include "answers/ceiling.h"
 
 #include <CLI/CLI.hpp>
 

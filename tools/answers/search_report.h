@@ -18,7 +18,7 @@ struct SearchReport {
     const Common& common;
     const formats::Scenario& scenario;
     const LoadSearch& search;
-    const SearchResult& result;
+    SearchResult result;
     std::optional<TheoryFigure> theory;
     Ceiling ceiling{};
     std::optional<KeptRun> kept{};  ///< with --keep-run

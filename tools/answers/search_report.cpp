@@ -1,4 +1,4 @@
-#include "commands/search_report.h"
+#include "answers/search_report.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,96 @@
+"""Analyses from Python: the same answers as the command line, to the bit, and under every name it gives them."""
+
+import json
+import unittest
+
+import talus
+from support import ROOT, SLOPE, Folder, of_the_slope, talus as program
+
+
+class Answers(unittest.TestCase):
+    def setUp(self):
+        self.folder = Folder()
+        self.files = self.folder.__enter__()
+        self.addCleanup(self.folder.cleanup)
+        self.file = self.files.write("slope.toml", SLOPE)
+
+    def test_searches_are_those_of_the_command_line(self):
+        for command, function in (
+            ("critical-angle", talus.critical_angle),
+            ("safety-factor", talus.safety_factor),
+            ("critical-acceleration", talus.critical_acceleration),
+        ):
+            with self.subTest(command):
+                result = function(talus.load(self.file), threads=1)
+                self.assertEqual(of_the_slope(result.to_dict()), of_the_slope(program(command, self.file)))
+                self.assertRegex(result.state_hash, "^[0-9a-f]{16}$")
+                self.assertEqual(result.status, "found")
+
+    def test_the_contract_names_are_there(self):
+        result = talus.safety_factor(talus.load(self.file), threads=1)
+        self.assertGreater(result.safety_factor, 1)
+        self.assertLess(result.bracket[0], result.bracket[1])
+        self.assertEqual(result.failure_mode, "sliding")
+        self.assertEqual(result.moving_blocks, ["c1r1s1", "c1r2s1"])
+        self.assertEqual(result.provenance.threads, 1)
+        with self.assertRaisesRegex(AttributeError, "it has status, safety_factor"):
+            result.factor_of_safety
+
+    def test_threads_do_not_matter(self):
+        answers = {talus.critical_angle(self.file, threads=threads).state_hash for threads in (0, 1, 2)}
+        self.assertEqual(len(answers), 1)
+
+    def test_limit_analysis(self):
+        for load in ("tilt", "factor", "horizontal"):
+            with self.subTest(load):
+                result = talus.limit_analysis(self.file, load, threads=1)
+                beside = program("limit-analysis", self.file, "--for", load)
+                self.assertEqual(of_the_slope(result.to_dict()), of_the_slope(beside))
+        with self.assertRaises(talus.ScenarioError) as raised:
+            talus.limit_analysis(self.file, "weight")
+        self.assertEqual(raised.exception.errors[0][3:], ("load", 'found "weight", allowed: "tilt", "factor", "horizontal"'))
+
+    def test_run_is_that_of_the_command_line(self):
+        result = talus.run(self.file, self.files / "here.mcap", threads=1)
+        beside = program("run", self.file, "-o", self.files / "there.mcap")
+        self.assertEqual(of_the_slope(result.to_dict()), of_the_slope(beside))
+        self.assertEqual(len(result.watch.c1r1s1.position_m), 3)
+
+    def test_a_kept_failure_is_a_run(self):
+        result = talus.critical_angle(self.file, keep_run=self.files / "failing.mcap", threads=1)
+        self.assertGreater(result.kept_run.frames, 1)
+        self.assertEqual(len(talus.open(self.files / "failing.mcap")), result.kept_run.frames)
+
+    def test_batch(self):
+        sweep = self.files.write(
+            "sweep.toml",
+            'scenario = "slope.toml"\nanalysis = "critical-angle"\n'
+            '[[grid]]\nfield = "joint.default.friction_deg"\nvalues = [18.0, 20.0]\n',
+        )
+        told = []
+        result = talus.batch(sweep, self.files / "out", threads=2, progress=lambda *news: told.append(news))
+        self.assertEqual((result.runs, result.done, result.failed, result.interrupted), (2, 2, 0, False))
+        self.assertEqual(len((self.files / "out" / "results.csv").read_text().splitlines()), 3)
+        self.assertEqual(set(told[-1]), {"batch", told[-1][1], told[-1][2]})
+        again = talus.batch(sweep, self.files / "out")
+        self.assertEqual(again.computed, 0)
+
+    def test_results_show_themselves_and_stay_as_they_are(self):
+        result = talus.Result({"angle_deg": 1.5, "none": None, "parts": [{"name": "<a>"}]})
+        self.assertEqual(result.parts[0].name, "<a>")
+        self.assertIsNone(result.none)
+        self.assertIn("<td", result._repr_html_())
+        self.assertIn("&lt;a&gt;", result._repr_html_())
+        self.assertIn("angle_deg=1.5", repr(result))
+        with self.assertRaises(AttributeError):
+            result.angle_deg = 2
+        self.assertEqual(json.loads(json.dumps(result.to_dict())), result.to_dict())
+
+    def test_the_papers_slope(self):
+        # The first fissure of the paper, exact 7.25 degrees; answers.csv holds its hash for the command line.
+        result = talus.critical_angle(ROOT / "bench/paper/fissure-1.toml")
+        self.assertAlmostEqual(result.critical_angle_deg, 7.2537, delta=0.02)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,51 @@
+#include "answers/run_report.h"
+
+#include "cli/json.h"
+#include "cli/provenance.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
+
+namespace talus::tools {
+
+RunResult runRecorded(const formats::Scenario& scenario, const FullFrame* resume, RunRecorder& recorder,
+                      const Control& control) {
+    Result<RunResult> outcome = run(scenario.model, control, recorder.output(), resume);
+    recorder.finish(outcome);
+    return valueOf(std::move(outcome), scenario);
+}
+
+namespace {
+
+Json watchJson(const RunResult& result) {
+    Json watch = Json::object();
+    for (const BlockReport& block : result.watch)
+        watch[block.name] = {{"position_m", vector(block.position)},
+                             {"velocity_m_s", vector(block.velocity)},
+                             {"rotation_deg", number(degrees(block.rotation))},
+                             {"displacement_m", vector(block.displacement)}};
+    return watch;
+}
+
+}  // namespace
+
+Json runJson(const RunOptions& options, const RunResult& result, const RunRecorder& recorder) {
+    return {{"steps", result.steps},
+            {"simulated_seconds", number(result.simulated_seconds)},
+            {"time_step_s", number(result.time_step)},
+            {"start", options.resume.empty() ? Json(toString(result.start)) : Json(nullptr)},
+            {"blocks", result.blocks},
+            {"interfaces", result.interfaces},
+            {"contact_points", result.contact_points},
+            {"kinetic_energy_j", number(result.kinetic_energy)},
+            {"state_hash", hashText(result.state_hash)},
+            {"wall_seconds", number(result.wall_seconds)},
+            {"watch", watchJson(result)},
+            {"interrupted", result.interrupted},
+            {"warnings", result.warnings},
+            {"output", options.output.empty() ? Json(nullptr) : Json(options.output)},
+            {"snapshots", recorder.facts()},
+            {"resumed", options.resume.empty() ? Json(nullptr) : Json(options.resume)},
+            {"provenance", provenance(options.common, options.scenario)}};
+}
+
+}  // namespace talus::tools

@@ -1,0 +1,15 @@
+#pragma once
+// A time history that is recorded, and its result as JSON.
+
+#include "cli/json_fwd.h"
+#include "recording/run_output.h"
+
+namespace talus::tools {
+
+/// Runs, and brings what the recorder holds to its end. Throws BadInput with the places of what is wrong, FileRefused.
+RunResult runRecorded(const formats::Scenario& scenario, const FullFrame* resume, RunRecorder& recorder,
+                      const Control& control);
+
+Json runJson(const RunOptions& options, const RunResult& result, const RunRecorder& recorder);
+
+}  // namespace talus::tools

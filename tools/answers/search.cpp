@@ -1,0 +1,41 @@
+#include "answers/search.h"
+
+#include <limits>
+
+#include "cli/scenario.h"
+
+namespace talus::tools {
+
+namespace {
+
+/// Of what the answer is for: without the blocks that fall at the start.
+Ceiling ceilingOf(const formats::Scenario& scenario, Varied load, const CeilingOptions& options,
+                  const SearchResult& result, const Control& control) {
+    if (result.fallen_at_start.empty()) return findCeiling(scenario, load, options, result, control);
+    formats::Scenario rest = scenario;
+    rest.model = withoutBlocks(scenario.model, result.fallen_at_start);
+    return findCeiling(rest, load, options, result, control);
+}
+
+std::size_t mostPointsOfRange(const RangeOptions& range) {
+    if (range.never) return 0;
+    return range.always ? std::numeric_limits<std::size_t>::max() : kMostPointsOfRange;
+}
+
+}  // namespace
+
+SearchReport answer(const LoadSearch& search, const formats::Scenario& scenario, const SearchRequest& request,
+                    const Common& common, Control control) {
+    FailureKeeper keeper(request.keep, common, scenario);
+    control.keep_failing_state = keeper.wanted();
+    control.groups = request.groups;
+    control.most_points_of_range = mostPointsOfRange(request.range);
+    SearchResult result = valueOf(search.find(scenario.model, control, {}), scenario);
+    const Ceiling ceiling = ceilingOf(scenario, search.load->varied, request.ceiling, result, control);
+    holdUnder(ceiling, search.load->varied, result);
+    SearchReport report{common, scenario, search, std::move(result), search.theory(scenario.model), ceiling};
+    if (keeper.wanted()) report.kept = keeper.keep(report.result, search, control);
+    return report;
+}
+
+}  // namespace talus::tools

@@ -1,0 +1,85 @@
+#include "batch/outcome.h"
+
+#include <chrono>
+
+#include "batch/report.h"
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/provenance.h"
+#include "cli/text.h"
+
+namespace talus::tools::batch {
+
+namespace {
+
+std::string rateText(const BatchProgress& progress) {
+    const double rate = progress.seconds > 0 ? static_cast<double>(progress.done) / progress.seconds : 0;
+    return std::to_string(progress.done) + " of " + std::to_string(progress.todo) + " runs, " +
+           (rate >= 1 || rate == 0 ? text(rate, 1) + " a second" : text(1 / rate, 1) + " s each") +
+           (progress.failed ? ", " + std::to_string(progress.failed) + " failed" : "");
+}
+
+Progress shownProgress(const BatchProgress& progress) {
+    const double fraction =
+        progress.todo ? static_cast<double>(progress.done) / static_cast<double>(progress.todo) : 1;
+    return {"batch", fraction, rateText(progress)};
+}
+
+std::uint64_t shardRuns(const Store& store, const Shard& shard) {
+    if (shard.whole()) return store.info().runs;
+    std::uint64_t count = 0;
+    for (std::uint64_t run = 0; run < store.info().runs; ++run) count += shard.has(store.info(), run);
+    return count;
+}
+
+}  // namespace
+
+BatchOutcome computeBatch(const formats::Sweep& sweep, const BatchRequest& request,
+                          const std::atomic<bool>& stop) {
+    const auto begin = std::chrono::steady_clock::now();
+    Store store(request.folder, describe(sweep), request.shard);
+    const BatchWork batch{sweep,
+                          store,
+                          request.shard,
+                          threadsUsed(request.common),
+                          request.retry,
+                          caseCosts(sweep),
+                          stop,
+                          request.abandon,
+                          [&](const BatchProgress& p) {
+                              if (request.progress) request.progress(shownProgress(p));
+                          }};
+    const BatchProgress progress = request.work(batch);
+    if (const int error = store.sync(); error != 0)
+        throw FileRefused(store.resultsPath(), "cannot be written", error);
+    const BatchOutcome outcome{
+        .runs = shardRuns(store, request.shard),
+        .done = store.doneCount(),
+        .failed = store.failedCount(),
+        .computed = progress.done,
+        .wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+        .interrupted = stop.load(),
+        .identity = store.info().identity,
+        .results = store.resultsPath(),
+        .seed = store.info().seed};
+    if (request.shard.whole()) writeReport(request.folder, readStored(request.folder), request.common);
+    return outcome;
+}
+
+Json batchJson(const BatchOutcome& outcome, const BatchRequest& request) {
+    const bool whole = request.shard.whole();
+    return {{"runs", outcome.runs},
+            {"done", outcome.done},
+            {"failed", outcome.failed},
+            {"computed", outcome.computed},
+            {"wall_seconds", number(outcome.wall_seconds)},
+            {"interrupted", outcome.interrupted},
+            {"identity", outcome.identity},
+            {"seed", outcome.seed},
+            {"results", outcome.results},
+            {"summary", whole ? Json(request.folder + "/summary.json") : Json(nullptr)},
+            {"page", whole ? Json(request.folder + "/report.html") : Json(nullptr)},
+            {"provenance", provenance(request.common, request.sweep)}};
+}
+
+}  // namespace talus::tools::batch

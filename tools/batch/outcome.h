@@ -1,0 +1,38 @@
+#pragma once
+// A batch from its sweep to its report, and what came of it as JSON.
+
+#include <functional>
+#include <string>
+
+#include "batch/schedule.h"
+#include "cli/common.h"
+#include "cli/json_fwd.h"
+#include "talus/analysis.h"
+
+namespace talus::tools::batch {
+
+struct BatchRequest {
+    Common common;
+    std::string sweep, folder;
+    Shard shard{};
+    bool retry = false;               ///< compute failed runs again
+    std::function<void()> abandon{};  ///< called once the results cannot be written
+    std::function<void(const Progress&)> progress{};
+    std::function<BatchProgress(const BatchWork&)> work = batch::work;  ///< who computes
+};
+
+struct BatchOutcome {
+    std::uint64_t runs = 0, done = 0, failed = 0, computed = 0;
+    double wall_seconds = 0;
+    bool interrupted = false;
+    std::string identity, results;
+    std::uint64_t seed = 0;
+};
+
+/// Computes what is left to do, and writes the report of a whole batch. Throws BadInput, FileRefused.
+BatchOutcome computeBatch(const formats::Sweep& sweep, const BatchRequest& request,
+                          const std::atomic<bool>& stop);
+
+Json batchJson(const BatchOutcome& outcome, const BatchRequest& request);
+
+}  // namespace talus::tools::batch

@@ -1,0 +1,30 @@
+// talus schema: JSON Schemas of the files that are read.
+
+#include "talus/formats/schema.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/text.h"
+#include "commands/commands.h"
+
+namespace talus::tools {
+
+Command addSchema(CLI::App& root) {
+    CLI::App* app = root.add_subcommand("schema", "JSON Schema of a scenario or a sweep, for editors");
+    const auto what = std::make_shared<std::string>("scenario");
+    app->add_option("FILE", *what, "Of which file: scenario or sweep")
+        ->check(CLI::IsMember({"scenario", "sweep"}))
+        ->capture_default_str();
+    app->footer(
+        "Example:\n  talus schema > talus-scenario.json\n\nEditors with a TOML plugin (Even Better TOML, "
+        "taplo, "
+        "tombi) complete and check the keys of a file whose\nfirst line is\n  #:schema "
+        "./talus-scenario.json");
+    return {app, [what] {
+                printText(*what == "sweep" ? formats::sweepSchema() : formats::scenarioSchema());
+                return 0;
+            }};
+}
+
+}  // namespace talus::tools

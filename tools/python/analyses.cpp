@@ -1,0 +1,162 @@
+// Analyses, runs and batches: the computations and the JSON of the command line, called from Python.
+
+#include <pybind11/stl.h>
+
+#include "answers/limit_report.h"
+#include "answers/run_report.h"
+#include "answers/search.h"
+#include "batch/outcome.h"
+#include "cli/json.h"
+#include "cli/scenario.h"
+#include "python/computing.h"
+#include "python/module.h"
+
+namespace talus::python {
+
+namespace {
+
+using namespace tools;
+
+/// As the command line prints it; Python's reader makes the same numbers of it, to the bit.
+std::string jsonText(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Common commonOf(const Manner& manner) { return {.json = true, .quiet = true, .threads = manner.threads}; }
+
+struct SearchOptions {
+    int groups = 1;
+    py::object ceiling = py::none();  ///< True, False, or None: by the model's size
+    py::object range = py::none();    ///< likewise
+    std::string keep_run;
+    std::optional<double> keep_run_seconds;
+    bool force = false;
+};
+
+/// True, False, or None: by the model's size.
+template <class Options>
+void choose(const py::object& wish, Options& options) {
+    if (wish.is_none()) return;
+    options.always = wish.cast<bool>();
+    options.never = !options.always;
+}
+
+std::string search(const std::string& name, const formats::Scenario& scenario, const SearchOptions& options,
+                   const Manner& manner) {
+    const LoadSearch* wanted = loadSearch(name);
+    if (wanted == nullptr) throw BadInput(Error{"search", "there is no search \"" + name + "\""});
+    SearchRequest request{.groups = options.groups,
+                          .keep = {options.keep_run, options.keep_run_seconds, options.force}};
+    choose(options.ceiling, request.ceiling);
+    choose(options.range, request.range);
+    std::string json;
+    compute(manner, [&](Computing& computing) {
+        const Common common = commonOf(manner);
+        json = jsonText(searchJson(answer(*wanted, scenario, request, common, computing.control())));
+    });
+    return json;
+}
+
+std::string limit(const formats::Scenario& scenario, const std::string& load, std::size_t max_points,
+                  const Manner& manner) {
+    const VariedQuantity* quantity = variedNamed(load);
+    if (quantity == nullptr) {
+        std::string names;
+        for (const VariedQuantity& known : variedQuantities())
+            names += (names.empty() ? "\"" : ", \"") + std::string(known.name) + "\"";
+        throw BadInput(Error{"load", "found \"" + load + "\", allowed: " + names});
+    }
+    LimitSettings settings;
+    settings.max_contact_points = max_points;
+    std::string json;
+    compute(manner, [&](Computing& computing) {
+        const LimitResult result = tools::valueOf(
+            limitAnalysis(scenario.model, quantity->varied, computing.control(), settings), scenario);
+        json = jsonText(limitJson(*quantity, result, commonOf(manner), scenario.path));
+    });
+    return json;
+}
+
+std::string timeHistory(const formats::Scenario* scenario, const std::string& output,
+                        const std::string& resume, int full_every, bool force, const Manner& manner) {
+    std::string json;
+    compute(manner, [&](Computing& computing) {
+        const RunOptions options{.common = commonOf(manner),
+                                 .scenario = scenario != nullptr ? scenario->path : "",
+                                 .output = output,
+                                 .resume = resume,
+                                 .force = force,
+                                 .frames_per_full = full_every,
+                                 .output_option = "output",
+                                 .give_up = [&] { computing.requestStop(); }};
+        std::optional<Resumed> resumed;
+        if (scenario == nullptr) resumed.emplace(readResumed(options));
+        const formats::Scenario& of = resumed ? resumed->scenario : *scenario;
+        RunRecorder recorder(options, of, resumed ? &*resumed : nullptr);
+        const RunResult result =
+            runRecorded(of, resumed ? &resumed->from : nullptr, recorder, computing.control());
+        json = jsonText(runJson(options, result, recorder));
+    });
+    return json;
+}
+
+std::string batchRuns(const std::string& sweep_path, const std::string& folder, bool retry,
+                      const Manner& manner) {
+    std::string json;
+    compute(manner, [&](Computing& computing) {
+        const formats::Sweep sweep = tools::valueOf(formats::readSweep(sweep_path));
+        const batch::BatchRequest request{
+            .common = commonOf(manner),
+            .sweep = sweep_path,
+            .folder = folder,
+            .retry = retry,
+            .abandon = [&] { computing.requestStop(); },
+            .progress = [&](const Progress& progress) { computing.report(progress); }};
+        json = jsonText(batchJson(batch::computeBatch(sweep, request, computing.stop()), request));
+    });
+    return json;
+}
+
+}  // namespace
+
+void addAnalyses(py::module_& module) {
+    module.def(
+        "search",
+        [](const std::string& name, const formats::Scenario& scenario, int groups, const py::object& ceiling,
+           const py::object& range, const std::string& keep_run, std::optional<double> keep_run_seconds,
+           bool force, int threads, const py::object& progress) {
+            return search(name, scenario, {groups, ceiling, range, keep_run, keep_run_seconds, force},
+                          {threads, progress});
+        },
+        py::arg("name"), py::arg("scenario"), py::kw_only(), py::arg("groups"), py::arg("ceiling"),
+        py::arg("range"), py::arg("keep_run"), py::arg("keep_run_seconds"), py::arg("force"),
+        py::arg("threads"), py::arg("progress"));
+    module.def(
+        "limit_analysis",
+        [](const formats::Scenario& scenario, const std::string& load, std::size_t max_points, int threads,
+           const py::object& progress) {
+            return limit(scenario, load, max_points, {threads, progress});
+        },
+        py::arg("scenario"), py::kw_only(), py::arg("load"), py::arg("max_points"), py::arg("threads"),
+        py::arg("progress"));
+    module.def(
+        "run",
+        [](const formats::Scenario* scenario, const std::string& output, const std::string& resume,
+           int full_every, bool force, int threads, const py::object& progress) {
+            return timeHistory(scenario, output, resume, full_every, force, {threads, progress});
+        },
+        py::arg("scenario"), py::kw_only(), py::arg("output"), py::arg("resume"), py::arg("full_every"),
+        py::arg("force"), py::arg("threads"), py::arg("progress"));
+    module.def(
+        "batch",
+        [](const std::string& sweep, const std::string& folder, bool retry, int threads,
+           const py::object& progress) {
+            return batchRuns(sweep, folder, retry, {threads, progress});
+        },
+        py::arg("sweep"), py::arg("folder"), py::kw_only(), py::arg("retry"), py::arg("threads"),
+        py::arg("progress"));
+    std::vector<std::string> searches;
+    for (const LoadSearch& each : loadSearches()) searches.emplace_back(each.name);
+    module.attr("searches") = py::cast(searches);
+    module.attr("max_contact_points") = LimitSettings{}.max_contact_points;
+}
+
+}  // namespace talus::python

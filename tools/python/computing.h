@@ -1,0 +1,46 @@
+#pragma once
+// Long computations on behalf of Python: without its lock, with its progress callback, and stopped by Ctrl-C.
+
+#include <pybind11/functional.h>
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <exception>
+#include <functional>
+
+#include "talus/analysis.h"
+
+namespace talus::python {
+
+namespace py = pybind11;
+
+/// What a caller says of how to compute: threads (0: all cores), and a callback (stage, fraction, detail) or None.
+struct Manner {
+    int threads = 0;
+    py::object progress = py::none();
+};
+
+/// What the computation may do: report progress, and look whether it shall stop.
+class Computing {
+ public:
+    Control control() const;
+    const std::atomic<bool>& stop() const { return stop_; }
+    void requestStop() { stop_ = true; }
+    void report(const Progress& progress);
+
+ private:
+    friend void compute(const Manner& manner, const std::function<void(Computing&)>& body);
+    explicit Computing(int threads) : threads_(threads) {}
+
+    struct Slot;
+    int threads_;
+    std::atomic<bool> stop_{false};
+    Slot* slot_ = nullptr;
+};
+
+/// Runs `body` in a thread of its own, while the calling one looks for signals and calls the callback, so that a computation is
+/// stopped whatever it is busy with. Throws what the body or the callback threw, and KeyboardInterrupt, once the body has
+/// come to its end.
+void compute(const Manner& manner, const std::function<void(Computing&)>& body);
+
+}  // namespace talus::python

@@ -1,0 +1,13 @@
+#pragma once
+// The parts of the Python module talus._core, which the package talus (talus/*.py beside this file) puts a face on.
+
+#include <pybind11/pybind11.h>
+
+namespace talus::python {
+
+void addScenarios(pybind11::module_& module);   ///< Scenario, read, parse
+void addAnalyses(pybind11::module_& module);    ///< search, limit_analysis, run, batch
+void addSimulation(pybind11::module_& module);  ///< Simulation
+void addSnapshots(pybind11::module_& module);   ///< Snapshots
+
+}  // namespace talus::python

@@ -1,0 +1,138 @@
+"""Talus: rigid-block discrete elements for jointed rock slopes with water in their fissures.
+
+    import talus
+    model = talus.load("slope.toml")            # or talus.Model() and its methods
+    result = talus.safety_factor(model)
+    result.safety_factor, result.failure_mode   # the names of the command line's JSON
+
+Units are SI; angles are degrees where a name ends in ``_deg``. Every function that computes takes ``threads`` (0: all cores; the
+answer is the same to the bit) and ``progress``, called with (stage, fraction, detail) now and then. Python's lock is free while
+it computes, and Ctrl-C stops it. What is wrong with the input is raised as ``talus.ScenarioError``.
+"""
+
+import os as _os
+
+from . import _core
+from ._errors import ScenarioError
+from ._model import Model
+from ._result import Result
+from ._run import Contacts, Run, Simulation, open
+
+__version__ = _core.version
+__all__ = [
+    "Contacts",
+    "Model",
+    "Result",
+    "Run",
+    "ScenarioError",
+    "Simulation",
+    "batch",
+    "critical_acceleration",
+    "critical_angle",
+    "limit_analysis",
+    "load",
+    "open",
+    "run",
+    "safety_factor",
+]
+
+
+def load(file):
+    """Reads a scenario file (TOML). Raises ScenarioError with every fault, its line and column."""
+    return Model._loaded(_core.read(_os.fspath(file)))
+
+
+def _model(model):
+    """A model, or the file it is in."""
+    return (model if isinstance(model, Model) else load(model))._read()
+
+
+def _search(name, model, *, threads=0, progress=None, groups=1, ceiling=None, range=None, keep_run=None, keep_run_seconds=None,
+            force=False):
+    return Result.of_json(
+        _core.search(
+            name,
+            _model(model),
+            groups=groups,
+            ceiling=ceiling,
+            range=range,
+            keep_run=_os.fspath(keep_run) if keep_run is not None else "",
+            keep_run_seconds=keep_run_seconds,
+            force=force,
+            threads=threads,
+            progress=progress,
+        )
+    )
+
+
+def critical_angle(model, *, threads=0, progress=None, ceiling=None, range=None, keep_run=None, keep_run_seconds=None, force=False):
+    """The tilt at which the assembly first fails: ``critical_angle_deg``, ``bracket_deg``, ``failure_mode``, ... [degrees]
+
+    ceiling: True, False, or None: limit analysis beside it up to a model's size; range: likewise another loading history, for
+    ``range`` and ``range_reason``. keep_run: a .mcap file for the run in which it
+    fails, over keep_run_seconds or until it is plain to see; force replaces a finished one.
+    """
+    return _search("critical-angle", model, threads=threads, progress=progress, ceiling=ceiling, range=range, keep_run=keep_run,
+                   keep_run_seconds=keep_run_seconds, force=force)
+
+
+def safety_factor(model, *, threads=0, progress=None, groups=1, ceiling=None, range=None, keep_run=None, keep_run_seconds=None,
+                  force=False):
+    """The factor by which all strengths can be divided before it fails, at the model's own tilt: ``safety_factor``, ``bracket``.
+
+    groups: how many groups of blocks to follow, one going after the other. The rest as of critical_angle.
+    """
+    return _search("safety-factor", model, threads=threads, progress=progress, groups=groups, ceiling=ceiling, range=range,
+                   keep_run=keep_run, keep_run_seconds=keep_run_seconds, force=force)
+
+
+def critical_acceleration(model, *, threads=0, progress=None, ceiling=None, range=None, keep_run=None, keep_run_seconds=None,
+                          force=False):
+    """The horizontal seismic coefficient at which it first fails, at the model's own tilt: ``critical_k`` [share of the weight].
+
+    The rest as of critical_angle.
+    """
+    return _search("critical-acceleration", model, threads=threads, progress=progress, ceiling=ceiling, range=range, keep_run=keep_run,
+                   keep_run_seconds=keep_run_seconds, force=force)
+
+
+def limit_analysis(model, load="factor", *, max_points=_core.max_contact_points, threads=0, progress=None):
+    """The limit of the associated rigid-block problem, which no other answer is above: ``lower``, ``upper``, ``moving_blocks``.
+
+    load: what grows, "tilt" [degrees], "factor" or "horizontal" [share of the weight].
+    """
+    return Result.of_json(
+        _core.limit_analysis(_model(model), load=load, max_points=max_points, threads=threads, progress=progress)
+    )
+
+
+def run(model=None, output=None, *, resume=None, full_every=10, force=False, threads=0, progress=None):
+    """Time history: ``steps``, ``kinetic_energy_j``, ``watch``, ``state_hash``, ...; frames go to a .mcap file, energies to a .csv.
+
+    output: that file, or None. resume: a .mcap file that was begun earlier, in place of the model; it goes on to the same bits.
+    full_every: the full state, with contacts, every so many frames. force replaces a finished file.
+    """
+    if (model is None) == (resume is None):
+        raise TypeError("give either a model or resume=FILE, which brings its own")
+    return Result.of_json(
+        _core.run(
+            None if model is None else _model(model),
+            output=_os.fspath(output) if output is not None else "",
+            resume=_os.fspath(resume) if resume is not None else "",
+            full_every=full_every,
+            force=force,
+            threads=threads,
+            progress=progress,
+        )
+    )
+
+
+def batch(sweep, folder, *, retry=False, threads=0, progress=None):
+    """A sweep or Monte Carlo: many runs of one scenario side by side, results.csv and a report in a folder.
+
+    sweep: its file; the same call goes on where it was stopped. retry computes failed runs again.
+    Gives ``runs``, ``done``, ``failed``, ``results`` (the CSV file), ``summary`` and ``page``.
+    """
+    return Result.of_json(
+        _core.batch(_os.fspath(sweep), _os.fspath(folder), retry=retry, threads=threads, progress=progress)
+    )

@@ -1,0 +1,82 @@
+"""Results: the JSON of the command line with its names as attributes."""
+
+import html
+import json
+
+
+class Result:
+    """A result with the names of the command line's JSON as attributes, in its units (``bracket_deg``: degrees).
+
+    Objects in it (``provenance``, the entries of ``evidence``) are Results, too; null is None. ``to_dict()`` gives plain
+    dictionaries and lists, ``result["name"]`` what ``result.name`` gives, also for names that are not Python's.
+    """
+
+    def __init__(self, values):
+        self.__dict__["_values"] = values
+
+    @classmethod
+    def of_json(cls, text):
+        """Of a JSON object's text, as the command line prints it."""
+        return cls(json.loads(text))
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return _shown(self._values[name])
+        except KeyError:
+            raise AttributeError(f"this result has no {name}; it has {', '.join(self._values)}") from None
+
+    def __setattr__(self, name, value):
+        raise AttributeError("results are not changed")
+
+    def __getitem__(self, name):
+        return _shown(self._values[name])
+
+    def __contains__(self, name):
+        return name in self._values
+
+    def __iter__(self):
+        return iter(self._values)
+
+    def __len__(self):
+        return len(self._values)
+
+    def __dir__(self):
+        return [*super().__dir__(), *self._values]
+
+    def __eq__(self, other):
+        return isinstance(other, Result) and self._values == other._values
+
+    __hash__ = None
+
+    def __reduce__(self):
+        return Result, (self._values,)
+
+    def to_dict(self):
+        """Plain dictionaries and lists (a copy)."""
+        return json.loads(json.dumps(self._values))
+
+    def __repr__(self):
+        return f"Result({', '.join(f'{name}={_short(value)}' for name, value in self._values.items())})"
+
+    def _repr_html_(self):
+        rows = "".join(
+            f"<tr><th style='text-align:left'>{html.escape(name)}</th>"
+            f"<td style='text-align:left'>{html.escape(_short(value, 200))}</td></tr>"
+            for name, value in self._values.items()
+        )
+        return f"<table>{rows}</table>"
+
+
+def _shown(value):
+    if isinstance(value, dict):
+        return Result(value)
+    if isinstance(value, list):
+        return [_shown(element) for element in value]
+    return value
+
+
+def _short(value, length=60):
+    text = json.dumps(value, ensure_ascii=False) if isinstance(value, (dict, list)) else repr(value)
+    return text if len(text) <= length else text[: length - 4] + " ..."

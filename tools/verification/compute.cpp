@@ -1,0 +1,208 @@
+#include "verification/compute.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include "cli/failures.h"
+#include "talus/limit_analysis.h"
+#include "talus/parallel.h"
+#include "talus/searches.h"
+#include "talus/simulation.h"
+
+namespace talus::tools {
+
+namespace {
+
+constexpr const char* kFalls = "falls_at_start";
+
+/// What answers a quantity.
+struct Analysis {
+    const LoadSearch* search = nullptr;
+    const VariedQuantity* limit = nullptr;  ///< neither: a time history
+
+    std::string key() const { return search ? search->name : limit ? limit->key : "run"; }
+};
+
+std::string limitQuantity(const VariedQuantity& load) { return std::string("limit_") + load.key; }
+
+Analysis analysisFor(const std::string& quantity) {
+    if (quantity == kFalls) return {loadSearch("critical-angle"), nullptr};
+    for (const LoadSearch& search : loadSearches())
+        if (quantity == search.answer_key) return {&search, nullptr};
+    for (const VariedQuantity& load : variedQuantities())
+        if (quantity == limitQuantity(load)) return {nullptr, &load};
+    for (const char* known : {"speed_m_s", "way_m", "energy_change", "energy_gain"})
+        if (quantity == known) return {};
+    throw BadInput(Error{"quantity", "there is no quantity \"" + quantity + "\""});
+}
+
+/// One computation, for all rows that want something of it.
+struct Task {
+    const VerificationRow* row = nullptr;
+    Analysis analysis;
+    double seconds = 0;
+    std::shared_ptr<Computed> result{};
+};
+
+std::string keyOf(const VerificationRow& row, const Analysis& analysis) {
+    return row.scenario + "|" + row.set + "|" + analysis.key();
+}
+
+Analysis ceilingOf(const VerificationRow& row) { return {nullptr, analysisFor(row.quantity).search->load}; }
+
+std::map<std::string, Task> tasksOf(const std::vector<VerificationRow>& rows) {
+    std::map<std::string, Task> tasks;
+    const auto want = [&](const VerificationRow& row, const Analysis& analysis) {
+        Task& task = tasks[keyOf(row, analysis)];
+        task.row = &row;
+        task.analysis = analysis;
+        task.seconds = std::max(task.seconds, row.seconds);
+    };
+    for (const VerificationRow& row : rows) {
+        want(row, analysisFor(row.quantity));
+        if (row.ceiling_is_high) want(row, ceilingOf(row));
+    }
+    return tasks;
+}
+
+// --- what is computed -----------------------------------------------------------------------------------------------------
+
+template <class T>
+bool given(const Result<T>& result, Computed& computed) {
+    if (result.ok()) return true;
+    computed.status = formats::format(formats::placed(computed.scenario, result.errors()).front());
+    return false;
+}
+
+void search(const LoadSearch& search, const Control& control, Computed& computed) {
+    const Result<SearchResult> result = search.find(computed.scenario.model, control, {});
+    if (!given(result, computed)) return;
+    computed.status = toString(result->status);
+    computed.motions = result->motions;
+    const bool found = result->status == SearchStatus::found;
+    if (found) computed.load = result->answer;
+    if (found) computed.values[search.answer_key] = result->answer / search.load->scale;
+    if (result->status == SearchStatus::unstable_at_start) computed.values[kFalls] = 1;
+    if (found || result->status == SearchStatus::stable_to_stop) computed.values[kFalls] = 0;
+}
+
+void limit(const VariedQuantity& load, const Control& control, Computed& computed) {
+    const Result<LimitResult> result = limitAnalysis(computed.scenario.model, load.varied, control);
+    if (!given(result, computed)) return;
+    computed.status = toString(result->status);
+    if (result->status == SearchStatus::found)
+        computed.values[limitQuantity(load)] = 0.5 * (result->lower + result->upper) / load.scale;
+}
+
+/// Energies of a history as it goes by [J].
+class EnergyWatch {
+ public:
+    void see(const HistoryRecord& record) {
+        const double total = record.kinetic_energy + record.elastic_energy + record.gravity_energy;
+        if (!first_) first_ = last_ = total;
+        change_ = std::max(change_, std::abs(total - *first_));
+        gain_ = std::max(gain_, total - last_);
+        kinetic_ = std::max(kinetic_, record.kinetic_energy);
+        last_ = total;
+    }
+    double change() const { return change_ / kinetic_; }
+    double gain() const { return gain_ / kinetic_; }
+
+ private:
+    std::optional<double> first_;
+    double last_ = 0, change_ = 0, gain_ = 0, kinetic_ = 0;
+};
+
+void timeHistory(const Control& control, Computed& computed) {
+    EnergyWatch energies;
+    const Result<RunResult> result =
+        run(computed.scenario.model, control, [&](const HistoryRecord& record) { energies.see(record); });
+    if (!given(result, computed)) return;
+    computed.status = result->interrupted ? "interrupted" : "finished";
+    if (result->interrupted) return;
+    computed.values["energy_change"] = energies.change();
+    computed.values["energy_gain"] = energies.gain();
+    if (result->watch.empty()) return;
+    computed.values["speed_m_s"] = result->watch.front().velocity.norm();
+    computed.values["way_m"] = result->watch.front().displacement.norm();
+}
+
+std::shared_ptr<Computed> compute(const Task& task, const Control& control) {
+    auto computed = std::make_shared<Computed>();
+    const auto begin = std::chrono::steady_clock::now();
+    auto scenario = formats::parseScenario(scenarioText(*task.row), "bench/" + task.row->scenario + ".toml");
+    if (!scenario) {
+        computed->status = formats::format(scenario.errors().front());
+        return computed;
+    }
+    computed->scenario = std::move(*scenario);
+    if (task.analysis.search)
+        search(*task.analysis.search, control, *computed);
+    else if (task.analysis.limit)
+        limit(*task.analysis.limit, control, *computed);
+    else
+        timeHistory(control, *computed);
+    computed->wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return computed;
+}
+
+void computeAll(std::vector<Task*>& order, int threads, const std::atomic<bool>& stop,
+                const std::function<void(const Progress&)>& progress) {
+    std::atomic<std::size_t> next{0};
+    std::mutex telling;
+    std::size_t done = 0;
+    double seconds = 0, all_seconds = 0;
+    for (const Task* task : order) all_seconds += task->seconds;
+    const auto work = [&](int) {
+        for (std::size_t k = next++; k < order.size() && !stop; k = next++) {
+            auto computed = compute(*order[k], {.stop = &stop});
+            if (stop) return;
+            order[k]->result = std::move(computed);
+            const std::lock_guard alone(telling);
+            seconds += order[k]->seconds;
+            if (progress)
+                progress({std::to_string(++done) + " of " + std::to_string(order.size()) + " done",
+                          seconds / all_seconds, order[k]->row->name});
+        }
+    };
+    inArena(threads, [&] { tbb::parallel_for(0, threads, 1, work, tbb::simple_partitioner{}); });
+}
+
+std::optional<double> valueOf(const Computed& computed, const std::string& quantity) {
+    const auto found = computed.values.find(quantity);
+    if (found == computed.values.end()) return std::nullopt;
+    return found->second;
+}
+
+}  // namespace
+
+std::vector<VerifiedRow> verify(const std::vector<VerificationRow>& rows, int threads,
+                                const std::atomic<bool>& stop,
+                                const std::function<void(const Progress&)>& progress) {
+    std::map<std::string, Task> tasks = tasksOf(rows);
+    std::vector<Task*> order;
+    for (auto& [key, task] : tasks) order.push_back(&task);
+    std::stable_sort(order.begin(), order.end(),
+                     [](const Task* a, const Task* b) { return a->seconds > b->seconds; });
+    computeAll(order, threads, stop, progress);
+    std::vector<VerifiedRow> verified;
+    for (const VerificationRow& row : rows) {
+        const auto result = tasks.at(keyOf(row, analysisFor(row.quantity))).result;
+        if (!result) continue;  // stopped
+        VerifiedRow one{row, valueOf(*result, row.quantity), row.high, result};
+        if (row.ceiling_is_high) {
+            const auto ceiling = tasks.at(keyOf(row, ceilingOf(row))).result;
+            if (!ceiling) continue;
+            one.high = valueOf(*ceiling, limitQuantity(*ceilingOf(row).limit));
+        }
+        verified.push_back(std::move(one));
+    }
+    return verified;
+}
+
+}  // namespace talus::tools

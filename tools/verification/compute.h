@@ -1,0 +1,50 @@
+#pragma once
+// The values of the verification manual. A scenario's rows share what is computed of it:
+//
+//   critical_angle_deg, safety_factor, critical_k   the answer of a search (its answer_key)
+//   falls_at_start                                  of the critical angle: 1 it falls where the search starts, 0 it stands
+//   limit_tilt_deg, limit_factor, limit_horizontal  the middle of limit analysis's bracket
+//   speed_m_s, way_m                                of the first watched block, at the end of a time history
+//   energy_change, energy_gain                      largest change, and largest gain between two frames, of the kinetic, elastic
+//                                                   and gravity energy, over the largest kinetic one
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "talus/analysis.h"
+#include "talus/formats/scenario.h"
+#include "verification/rows.h"
+
+namespace talus::tools {
+
+/// What was computed of one scenario by one analysis.
+struct Computed {
+    formats::Scenario scenario;
+    std::map<std::string, double> values;  ///< by quantity; what was not found is not there
+    std::string status;                    ///< of the analysis, or what went wrong
+    std::vector<BlockMotion> motions;      ///< of a search: how blocks move at failure
+    double load = 0;                       ///< of a search: the answer, in SI units
+    double wall_seconds = 0;
+};
+
+struct VerifiedRow {
+    VerificationRow what;
+    std::optional<double> value, high;  ///< the band's upper end
+    std::shared_ptr<const Computed> computed;
+
+    double difference() const { return *value - what.reference; }
+    /// Inside its band; what is only reported is always.
+    bool ok() const { return !what.judged() || (value && high && *value >= *what.low && *value <= *high); }
+};
+
+/// Computes all rows, costly ones first, each in one of the threads. After `stop` what was not computed is left out.
+std::vector<VerifiedRow> verify(const std::vector<VerificationRow>& rows, int threads,
+                                const std::atomic<bool>& stop,
+                                const std::function<void(const Progress&)>& progress);
+
+}  // namespace talus::tools

@@ -1,0 +1,142 @@
+// The page of the verification manual.
+
+#include <algorithm>
+#include <set>
+
+#include "cli/json.h"
+#include "cli/text.h"
+#include "report/page.h"
+#include "verification/manual.h"
+
+namespace talus::tools {
+
+namespace {
+
+constexpr std::size_t kMostText = 20'000;  // of a scenario that is shown on the page [bytes]
+
+Json cell(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+std::string bandText(const VerifiedRow& row) {
+    if (!row.what.judged()) return "not judged";
+    const auto figure = [](const std::optional<double>& value) {
+        if (!value) return std::string("?");
+        char buffer[32];
+        std::snprintf(buffer, sizeof buffer, "%.5g", *value);
+        return std::string(buffer);
+    };
+    return figure(row.what.low) + " to " + figure(row.high);
+}
+
+std::string kindText(std::string kind) {
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    return kind;
+}
+
+std::string verdict(const VerifiedRow& row) {
+    if (!row.what.judged()) return "reported";
+    if (!row.value) return "no value: " + row.computed->status;
+    return row.ok() ? "inside" : "outside";
+}
+
+Json rowCells(const VerifiedRow& row) {
+    return Json::array({row.what.name, row.what.quantity, kindText(row.what.kind), number(row.what.reference),
+                        bandText(row), cell(row.value), row.value ? number(row.difference()) : Json(nullptr),
+                        number(row.computed->wall_seconds), verdict(row),
+                        row.what.source + (row.what.others.empty() ? "" : "; " + row.what.others)});
+}
+
+Json rowTable(const std::vector<const VerifiedRow*>& rows, const std::string& caption) {
+    const Json columns{textColumn("problem"),
+                       textColumn("quantity"),
+                       textColumn("reference is a", "", kStart),
+                       valueColumn("reference", "figure"),
+                       textColumn("band"),
+                       Json{{"title", "computed"}, {"format", "figure"}, {"start", true}, {"strong", true}},
+                       valueColumn("difference", "figure"),
+                       numberColumn("time [s]", 2),
+                       textColumn("verdict", "", kStart),
+                       textColumn("source of the reference; beside it")};
+    Json cells = Json::array(), alerts = Json::array();
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        cells.push_back(rowCells(*rows[k]));
+        if (!rows[k]->ok()) alerts.push_back(k);
+    }
+    Json json = table(caption, columns, cells);
+    json["alerts"] = alerts;
+    return json;
+}
+
+/// Pictures of the scenarios of these rows, each once.
+Json pictures(const std::vector<const VerifiedRow*>& rows) {
+    Json items = Json::array();
+    std::set<std::string> seen;
+    for (const VerifiedRow* row : rows)
+        if (seen.insert(scenarioName(row->what)).second) items.push_back(problemPicture(*row));
+    Json colours = Json::array();
+    for (const auto& [role, words] : {std::pair{"stable", "stays"},
+                                      {"sliding", "slides"},
+                                      {"mixed", "slides and turns"},
+                                      {"toppling", "topples"},
+                                      {"fixed", "fixed"}})
+        colours.push_back({{"role", role}, {"text", words}});
+    return {{"type", "drawings"}, {"items", items}, {"colours", colours}};
+}
+
+Json scenarioFiles(const Manual& manual) {
+    Json blocks = Json::array({paragraph(
+        "Each file lies in scenarios/ beside this page, too, and is computed again by the command at its top "
+        "or by "
+        "\u201ctalus critical-angle FILE\u201d, \u201ctalus safety-factor FILE\u201d and their like.")});
+    std::set<std::string> seen;
+    for (const VerifiedRow& row : manual.rows)
+        if (const std::string text = scenarioText(row.what);
+            seen.insert(scenarioName(row.what)).second && text.size() <= kMostText)
+            blocks.push_back(file(scenarioName(row.what) + ".toml", text));
+    return section("scenarios", "Scenarios", "Scenario files", std::move(blocks));
+}
+
+Json opening(const Manual& manual) {
+    const std::string count = std::to_string(manual.judged()) + " rows are held to a band, " +
+                              std::to_string(manual.outside()) + " of them are outside.";
+    Json blocks = Json::array({paragraph(count, "lead")});
+    if (manual.interrupted)
+        blocks.push_back(paragraph("Interrupted: only the rows computed until then are shown.", "alert"));
+    if (manual.quick) blocks.push_back(paragraph("Only the rows that take seconds (--quick).", "muted"));
+    blocks.push_back(
+        paragraph("A closed form is held to 0.02\u00b0 beyond the bracket of a search, or 0.1 %, where "
+                  "nothing else is said; a bound must "
+                  "not be exceeded; a laboratory's or another program's value is one of several, and its "
+                  "band says what is asked "
+                  "of any of them. Rows that are not judged are set beside for the reader."));
+    return blocks;
+}
+
+Json outsideSection(const Manual& manual) {
+    std::vector<const VerifiedRow*> outside;
+    for (const VerifiedRow& row : manual.rows)
+        if (!row.ok()) outside.push_back(&row);
+    return section("outside", "Outside", "Outside their bands",
+                   {rowTable(outside, "Rows that are outside their bands, or have no value")});
+}
+
+}  // namespace
+
+Json manualReport(const Manual& manual) {
+    Report report;
+    report.title = "Talus: verification manual";
+    report.heading = "Verification manual";
+    report.opening = opening(manual);
+    report.provenance = manual.provenance;
+    if (manual.outside() > 0) report.sections.push_back(outsideSection(manual));
+    for (auto row = manual.rows.begin(); row != manual.rows.end();) {
+        const std::string name = row->what.section;
+        std::vector<const VerifiedRow*> rows;
+        for (; row != manual.rows.end() && row->what.section == name; ++row) rows.push_back(&*row);
+        report.sections.push_back(section("section-" + std::to_string(report.sections.size()), name, name,
+                                          {rowTable(rows, name), pictures(rows)}));
+    }
+    report.sections.push_back(scenarioFiles(manual));
+    return toJson(report);
+}
+
+}  // namespace talus::tools
