@@ -1,6 +1,7 @@
 // talus run: time history of a scenario, or of one that was begun earlier and goes on.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "cli/json.h"
@@ -8,6 +9,7 @@
 #include "cli/provenance.h"
 #include "cli/scenario.h"
 #include "cli/text.h"
+#include "commands/bolt_report.h"
 #include "commands/commands.h"
 #include "recording/run_output.h"
 
@@ -25,7 +27,31 @@ Json watchJson(const RunResult& result) {
     return watch;
 }
 
-Json toJson(const RunOptions& options, const RunResult& result, const RunRecorder& recorder) {
+/// Of every block that moves; the farthest is the figure one asks for after an earthquake.
+Json displacementsJson(const formats::Scenario& scenario, const RunResult& result) {
+    Json all = Json::object();
+    for (std::size_t b = 0; b < result.displacements.size(); ++b)
+        if (scenario.model.blocks[b].motion != Motion::fixed)
+            all[scenario.model.blocks[b].name] = vector(result.displacements[b]);
+    return all;
+}
+
+std::size_t farthestBlock(const RunResult& result) {
+    const auto& all = result.displacements;
+    return static_cast<std::size_t>(
+        std::max_element(all.begin(), all.end(),
+                         [](const Vec3& a, const Vec3& b) { return a.norm() < b.norm(); }) -
+        all.begin());
+}
+
+Json largestJson(const formats::Scenario& scenario, const RunResult& result) {
+    const std::size_t block = farthestBlock(result);
+    return {{"block", scenario.model.blocks[block].name},
+            {"displacement_m", number(result.displacements[block].norm())}};
+}
+
+Json toJson(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
+            const RunRecorder& recorder) {
     return {{"steps", result.steps},
             {"simulated_seconds", number(result.simulated_seconds)},
             {"time_step_s", number(result.time_step)},
@@ -37,6 +63,9 @@ Json toJson(const RunOptions& options, const RunResult& result, const RunRecorde
             {"state_hash", hashText(result.state_hash)},
             {"wall_seconds", number(result.wall_seconds)},
             {"watch", watchJson(result)},
+            {"displacements_m", scenario.model.ground_motion.empty() ? Json(nullptr) : displacementsJson(scenario, result)},
+            {"largest_displacement", largestJson(scenario, result)},
+            {"bolts", boltsJson(result.bolts)},
             {"interrupted", result.interrupted},
             {"warnings", result.warnings},
             {"output", options.output.empty() ? Json(nullptr) : Json(options.output)},
@@ -62,7 +91,8 @@ const char* describe(InitialState start) {
     return "starts unstressed: weight and water come all at once\n";
 }
 
-std::string toText(const RunOptions& options, const RunResult& result, const RunRecorder& recorder) {
+std::string toText(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
+                   const RunRecorder& recorder) {
     std::string lines = (options.resume.empty() ? options.scenario : options.resume) + ": " +
                         (result.interrupted ? "interrupted after " : "") + text(result.simulated_seconds, 6) +
                         " s simulated in " + std::to_string(result.steps) + " steps of " +
@@ -76,6 +106,10 @@ std::string toText(const RunOptions& options, const RunResult& result, const Run
         lines += block.name + ": at " + triple(block.position, 6) + " m, velocity " +
                  triple(block.velocity, 6) + " m/s, moved " + text(block.displacement.norm(), 9) +
                  " m, turned " + text(degrees(block.rotation), 5) + " deg\n";
+    const std::size_t farthest = farthestBlock(result);
+    lines += "moved farthest: " + scenario.model.blocks[farthest].name + ", by " +
+             text(result.displacements[farthest].norm(), 9) + " m\n";
+    for (const std::string& bolt : boltLines(result.bolts)) lines += "bolt " + bolt + "\n";
     for (const std::string& warning : result.warnings) lines += "warning: " + warning + "\n";
     return lines + recorder.lines();
 }
@@ -95,9 +129,9 @@ int runScenario(const RunOptions& options) {
     recorder.finish(outcome);
     const RunResult result = valueOf(std::move(outcome), scenario);
     if (options.common.json) {
-        printJson(toJson(options, result, recorder));
+        printJson(toJson(options, scenario, result, recorder));
     } else {
-        printText(toText(options, result, recorder));
+        printText(toText(options, scenario, result, recorder));
     }
     return result.interrupted ? kInterrupted : kDone;
 }

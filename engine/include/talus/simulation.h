@@ -37,10 +37,12 @@ struct HistoryRecord {
     double time = 0;  ///< [s]
     std::int64_t step = 0;
     double kinetic_energy = 0;  ///< [J]
-    double elastic_energy = 0;  ///< stored in the contact springs [J]
+    double elastic_energy = 0;  ///< stored in contacts and bolts [J]
     double gravity_energy = 0;  ///< relative to the start [J]
     double out_of_balance = 0;  ///< largest out-of-balance force of a free block over its weight
     std::vector<BlockReport> watch;
+    std::vector<BoltReport> bolts;
+    Vec3 ground_acceleration = Vec3::Zero();  ///< of the fixed blocks, where a record moves them [m/s^2]
 };
 
 /// What a time history started from (`RunSettings::Start::equilibrium` takes the first that exists).
@@ -60,6 +62,8 @@ struct RunResult {
     std::uint64_t state_hash = 0;
     double wall_seconds = 0;
     std::vector<BlockReport> watch;
+    std::vector<BoltReport> bolts;
+    std::vector<Vec3> displacements;  ///< of each block's centroid since the start [m]
     bool interrupted = false;
     std::vector<std::string> warnings;  ///< what left the valid range, if anything did
 };

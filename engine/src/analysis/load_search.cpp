@@ -10,6 +10,8 @@
 #include "analysis/bracket.h"
 #include "analysis/failure_mode.h"
 #include "analysis/quasi_static.h"
+#include "forces/bolts.h"
+#include "forces/sum.h"
 #include "frame/frame.h"
 #include "measure/measure.h"
 #include "state/incidence.h"
@@ -137,8 +139,10 @@ class Search {
         return result_.low == -kInfinity || probe.displacement <= nearLimit();
     }
 
+    /// Bolts take hold only as far as the assembly has come.
     double nearLimit() const {
-        return std::max(kSeenShare * last_stable_.geometry->length_scale, kNear * deflection());
+        return std::max(kSeenShare * last_stable_.geometry->length_scale, kNear * deflection()) +
+               tieReach(last_stable_);
     }
 
     /// Of the farthest-moved block [m].
@@ -256,7 +260,7 @@ class Search {
         if (moved.load.gravity_share < 1 || moved.load.tilt != start_tilt_) return false;
         takeBack(moved, work_);
         if (!settles(moved, axis_.start, kStartPeriods)) return false;
-        const bool dry = last_stable_.geometry->model.waters.empty() || last_stable_.load.water_share == 1;
+        const bool dry = !last_stable_.geometry->model.hasWater() || last_stable_.load.water_share == 1;
         return dry || loadWater() == Verdict::stable;
     }
 
@@ -266,7 +270,7 @@ class Search {
         start_tilt_ = last_stable_.load.tilt;
         last_stable_.load.gravity_share = last_stable_.load.water_share = 0;
         Verdict verdict = loadGravity();
-        if (verdict == Verdict::stable && !last_stable_.geometry->model.waters.empty()) verdict = loadWater();
+        if (verdict == Verdict::stable && last_stable_.geometry->model.hasWater()) verdict = loadWater();
         if (verdict == Verdict::failing) {
             result_.status = SearchStatus::unstable_at_start;
             result_.high = axis_.start;
@@ -386,6 +390,7 @@ class Search {
             result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start;
         const State& last = fails ? last_moving_ : last_stable_;
         if (!fails) result_.failing = nullptr;
+        if (!fails) result_.bolts = bolts::report(last_stable_);
         result_.steps = steps();
         result_.state_hash = stateHash(last);
         result_.inertia_scaled = work_.inertia_scaled;
@@ -429,6 +434,7 @@ class Search {
         if (control_.keep_failing_state)
             failing = std::make_shared<FailingState>(
                 FailingState{fullFrameOf(last_moving_), load + kOverload * axis_.cell});
+        result_.bolts = bolts::report(last_moving_);
         Failure failure = continueFailure(last_moving_, evidence(), control_, parallel_);
         if (failing) {
             failing->contact_damping = last_moving_.damping.contact;

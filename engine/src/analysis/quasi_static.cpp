@@ -48,11 +48,13 @@ double largestMotion(const State& state, const PositionArray& position, const Qu
 /// Whether a block has gone so far that, come to rest or not, the assembly is no longer the one that was loaded: what
 /// has fallen off may lie still at the foot of the slope.
 bool hasGone(const State& state, const PositionArray& position, const QuaternionArray& orientation) {
+    const double reach = tieReach(state);
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
         const double shift = (state.blocks.position.get(b) - position.get(b)).norm();
         const double turn = rotationFrom(orientation, state.blocks.orientation, b);
-        if (shift + turn * state.geometry->radius[b] > kGone * state.geometry->size[b]) return true;
+        if (shift + turn * state.geometry->radius[b] > kGone * state.geometry->size[b] + reach)
+            return true;
     }
     return false;
 }

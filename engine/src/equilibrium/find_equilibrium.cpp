@@ -228,9 +228,9 @@ class Solver {
             if (h >= kRestStep && !bondsGive()) result_.verdict = Verdict::stable;
             return;
         }
-        const double size = state_.geometry->length_scale;
-        const double leaves = std::max(options_.leaves * size, kElasticParting * deepest_);
-        if (result_.parted > kGone * size || (result_.parted > leaves && goesOnAsFast(motion_ / h)))
+        const double size = state_.geometry->length_scale, reach = tieReach(state_);
+        const double leaves = std::max(options_.leaves * size, kElasticParting * deepest_) + reach;
+        if (result_.parted > kGone * size + reach || (result_.parted > leaves && goesOnAsFast(motion_ / h)))
             result_.verdict = Verdict::failing;
         track_.push_back({result_.parted, motion_ / h});
     }

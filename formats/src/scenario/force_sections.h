@@ -2,6 +2,8 @@
 // The sections that say what pushes on blocks beside their weight and water: one list, each with its reader.
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "scenario/directory.h"
 #include "scenario/reading.h"
@@ -9,10 +11,20 @@
 
 namespace talus::formats::scenario {
 
+/// What a section is read with.
+struct ForceReader {
+    Report& report;
+    TableReader& root;
+    const BlockDirectory& blocks;
+    const std::string& folder;  ///< where files are looked for: "" or with a slash at its end
+};
+
 struct ForceSection {
     const char* name;
     /// Adds to the model what the section's tables say. The names of all blocks are known.
-    void (*read)(Report& report, TableReader& root, const BlockDirectory& blocks, Model& model);
+    void (*read)(const ForceReader& from, Model& model);
+    /// Once the model has its blocks; nullptr where nothing is left to do.
+    std::vector<Error> (*place)(Model& model);
 };
 
 std::span<const ForceSection> forceSections();
