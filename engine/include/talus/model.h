@@ -133,22 +133,22 @@ struct Bolt {
     std::string name;
     Vec3 head = Vec3::Zero(), end = Vec3::Zero();  ///< at the start [m]
     bool grouted = false;
-    bool plate = false;            ///< grouted: held at its head by a plate
-    double area = 0;               ///< [m^2]
-    double modulus = 0;            ///< [Pa]
-    double yield_force = 0;        ///< beyond it the force stays [N]
-    double pretension = 0;         ///< [N]
+    bool plate = false;      ///< grouted: held at its head by a plate
+    double area = 0;         ///< [m^2]
+    double modulus = 0;      ///< [Pa]
+    double yield_force = 0;  ///< beyond it the force stays [N]
+    double pretension = 0;   ///< [N]
     double rupture_strain = kInfinity;
-    double bond_stiffness = 0;     ///< grouted [N/m per m]
-    double bond_strength = 0;      ///< grouted [N/m]
-    double shear_stiffness = 0;    ///< grouted, of each joint it crosses [N/m]
-    bool must_hold = true;         ///< one that ties no blocks is an error
-    std::string field{};           ///< "bolt[0]", for messages
+    double bond_stiffness = 0;   ///< grouted [N/m per m]
+    double bond_strength = 0;    ///< grouted [N/m]
+    double shear_stiffness = 0;  ///< grouted, of each joint it crosses [N/m]
+    bool must_hold = true;       ///< one that ties no blocks is an error
+    std::string field{};         ///< "bolt[0]", for messages
 };
 
 /// Bolts of one kind on a face.
 struct BoltPattern {
-    Bolt like;  ///< without head and end
+    Bolt like;                                            ///< without head and end
     Vec3 box_min = Vec3::Zero(), box_max = Vec3::Zero();  ///< of the heads [m]
     Vec3 direction = Vec3::UnitX();                       ///< which way the faces look
     double spacing_along = 0, spacing_up = 0;             ///< on the face [m]

@@ -12,6 +12,7 @@
 // See engine/README.md for what each stage reads and writes.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -42,7 +43,7 @@ struct HistoryRecord {
     double out_of_balance = 0;  ///< largest out-of-balance force of a free block over its weight
     std::vector<BlockReport> watch;
     std::vector<BoltReport> bolts;
-    Vec3 ground_acceleration = Vec3::Zero();  ///< of the fixed blocks, where a record moves them [m/s^2]
+    std::optional<Vec3> ground_acceleration{};  ///< where a record moves the fixed blocks [m/s^2]
 };
 
 /// What a time history started from (`RunSettings::Start::equilibrium` takes the first that exists).

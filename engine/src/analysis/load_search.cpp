@@ -11,6 +11,7 @@
 #include "analysis/failure_mode.h"
 #include "analysis/quasi_static.h"
 #include "forces/bolts.h"
+#include "forces/contact_forces.h"
 #include "forces/sum.h"
 #include "frame/frame.h"
 #include "measure/measure.h"
@@ -46,7 +47,8 @@ class Search {
           parallel_(parallel),
           bracket_(axis.stop),
           last_stable_(state),
-          work_(prepare(last_stable_, settings, control, axis.imbalance_tolerance, parallel)) {}
+          work_(prepare(last_stable_, settings, control, axis.imbalance_tolerance, parallel)),
+          implicit_first_(tieReach(state) > 0) {}
 
     SearchResult run() {
         if (start())
@@ -401,6 +403,33 @@ class Search {
         result_.contact_points = contacts.points;
         result_.warnings = last.warnings;
         warnOfSoftJoints(last);
+        if (fails) warnOfLostCohesion(last);
+    }
+
+    /// Share of the area of joints whose cohesion goes at the first slip that has lost it, 0..1.
+    static double lostCohesion(const State& state) {
+        double all = 0, lost = 0;
+        for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
+            const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
+            if (!(law.cohesion > law.residual_cohesion) || isIdle(state.interfaces, i)) continue;
+            for (const ContactPoint& point : contactPoints(state, i)) {
+                all += point.area;
+                lost += (1 - point.memory.bond) * point.area;
+            }
+        }
+        return all > 0 ? lost / all : 0.0;
+    }
+
+    /// Limit equilibrium keeps cohesion to the end; eq 9 does not.
+    void warnOfLostCohesion(const State& state) {
+        const double lost = lostCohesion(state);
+        if (lost == 0) return;
+        result_.warnings.push_back(
+            "the answer hangs on cohesion that is lost where a joint first slips or opens (" +
+            formatted("%.0f", 100 * lost) +
+            " % of its area in the failure): with residual_cohesion = cohesion, as limit equilibrium has it, "
+            "it "
+            "may be higher; the ceiling of limit analysis counts it as kept");
     }
 
     /// The formulas are for joints that do not give.
@@ -479,7 +508,8 @@ class Search {
     bool no_rest_ = false;  ///< nor any other there
     NoNearRest no_near_rest_;
     std::int64_t states_at_rest_ = 0;  ///< the search has been in
-    bool implicit_first_ = false;      ///< explicit steps have not been enough
+    /// explicit steps have not been enough, or will not be: bolts take hold over ways that they are slow to go
+    bool implicit_first_ = false;
     std::int64_t probe_steps_ = 0, continuation_steps_ = 0;
 };
 

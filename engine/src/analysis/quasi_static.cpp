@@ -53,8 +53,7 @@ bool hasGone(const State& state, const PositionArray& position, const Quaternion
         if (state.blocks.motion[b] != Motion::free) continue;
         const double shift = (state.blocks.position.get(b) - position.get(b)).norm();
         const double turn = rotationFrom(orientation, state.blocks.orientation, b);
-        if (shift + turn * state.geometry->radius[b] > kGone * state.geometry->size[b] + reach)
-            return true;
+        if (shift + turn * state.geometry->radius[b] > kGone * state.geometry->size[b] + reach) return true;
     }
     return false;
 }

@@ -78,7 +78,7 @@ HistoryRecord recordOf(const State& state, const std::vector<std::size_t>& watch
     record.out_of_balance = outOfBalanceRatio(state);
     for (std::size_t b : watched) record.watch.push_back(reportOn(state, b));
     record.bolts = bolts::report(state);
-    record.ground_acceleration = groundAcceleration(state);
+    if (state.load.shaken) record.ground_acceleration = groundAcceleration(state);
     return record;
 }
 

@@ -41,8 +41,7 @@ Chord chordOf(const State& state, std::size_t block, const Bolt& bolt) {
             continue;
         }
         const double at = -height / slope;
-        (slope > 0 ? chord.to : chord.from) =
-            slope > 0 ? std::min(chord.to, at) : std::max(chord.from, at);
+        (slope > 0 ? chord.to : chord.from) = slope > 0 ? std::min(chord.to, at) : std::max(chord.from, at);
     }
     return chord;
 }
@@ -111,11 +110,13 @@ class Build {
         const double length = (bolt.end - bolt.head).norm();
         const std::vector<Chord> chords = chordsOf(state_, bolt);
         if (chords.empty() || chords.front().from > slackAt(chords.front().block))
-            return refuse(bolt, ".head", "found " + placeText(bolt.head) +
-                                             ", outside of every block; allowed: a place in a block or on its face");
+            return refuse(bolt, ".head",
+                          "found " + placeText(bolt.head) +
+                              ", outside of every block; allowed: a place in a block or on its face");
         if (chords.back().to < length - slackAt(chords.back().block))
-            return refuse(bolt, ".end", "found " + placeText(bolt.end) +
-                                            ", outside of every block; allowed: a place in a block or on its face");
+            return refuse(bolt, ".end",
+                          "found " + placeText(bolt.end) +
+                              ", outside of every block; allowed: a place in a block or on its face");
         if (chords.size() == 1)
             return refuse(bolt, ".end",
                           "found head and end both in block \"" + nameOf(chords.front().block) +
@@ -123,7 +124,8 @@ class Build {
         const std::size_t before = state_.bolts.size();
         bolt.grouted ? addGrouted(index, bolt, chords) : addAnchored(index, bolt, chords);
         if (state_.bolts.size() == before)
-            refuse(bolt, ".end", "found no free block that it ties to another; allowed: a head or an end in one");
+            refuse(bolt, ".end",
+                   "found no free block that it ties to another; allowed: a head or an end in one");
     }
 
     /// \param from, to  lengths along the bolt of its two ends [m]
@@ -176,9 +178,9 @@ class Build {
 
     static BoltLaw groutedLaw(const Bolt& bolt, double before, double after) {
         BoltLaw law = lawOf(bolt);
-        law.stiffness = bolt::inSeries(
-            bolt::embeddedStiffness(law.rigidity, bolt.bond_stiffness, before, bolt.plate),
-            bolt::embeddedStiffness(law.rigidity, bolt.bond_stiffness, after, false));
+        law.stiffness =
+            bolt::inSeries(bolt::embeddedStiffness(law.rigidity, bolt.bond_stiffness, before, bolt.plate),
+                           bolt::embeddedStiffness(law.rigidity, bolt.bond_stiffness, after, false));
         law.bond = bolt.bond_strength * (bolt.plate ? after : std::min(before, after));
         law.dowel_stiffness = bolt.shear_stiffness;
         law.dowel_strength = bolt::dowelStrength(bolt.yield_force);
@@ -230,7 +232,8 @@ struct Pull {
     double apart = 0;   ///< the two ends [m]
 };
 
-Pull pullOf(const BoltSegment& segment, BoltMemory memory, double share, const TiedPose& a, const TiedPose& b) {
+Pull pullOf(const BoltSegment& segment, BoltMemory memory, double share, const TiedPose& a,
+            const TiedPose& b) {
     Pull pull;
     pull.place = b.position + b.turn * segment.at_b;
     const Vec3 apart = pull.place - a.position - a.turn * segment.at_a;
@@ -241,8 +244,8 @@ Pull pullOf(const BoltSegment& segment, BoltMemory memory, double share, const T
     pull.axial = bolt::axialForce(segment.law, elongation, share, memory);
     if (grouted) {
         const Vec3 own = a.turn.transpose() * apart;
-        pull.dowel = bolt::dowelForce(segment.law, segment.axis, own - segment.axis.dot(own) * segment.axis,
-                                      memory);
+        pull.dowel =
+            bolt::dowelForce(segment.law, segment.axis, own - segment.axis.dot(own) * segment.axis, memory);
     }
     pull.memory = memory;
     return pull;
@@ -274,9 +277,8 @@ void update(State& state) {
         bolts.memory[k] = pull.memory;
         bolts.place[k] = pull.place;
         const Mat3 turn = poseOf(state, bolts.segments[k].block_a).turn;
-        bolts.force[k] = pull.memory.broken
-                             ? Vec3(Vec3::Zero())
-                             : Vec3(turn * pull.dowel.force - pull.axial.force * pull.along);
+        bolts.force[k] = pull.memory.broken ? Vec3(Vec3::Zero())
+                                            : Vec3(turn * pull.dowel.force - pull.axial.force * pull.along);
     }
 }
 
@@ -297,8 +299,7 @@ std::vector<Tie> ties(const State& state) {
 }
 
 TieForce between(const State& state, std::size_t k, const TiedPose& a, const TiedPose& b) {
-    const Pull pull =
-        pullOf(state.bolts.segments[k], state.bolts.memory[k], state.load.gravity_share, a, b);
+    const Pull pull = pullOf(state.bolts.segments[k], state.bolts.memory[k], state.load.gravity_share, a, b);
     const Mat3 own = a.turn * pull.dowel.slope * a.turn.transpose();
     Mat3 stiffness = own + pull.axial.slope * pull.along * pull.along.transpose();
     if (state.bolts.segments[k].axis.squaredNorm() == 0)  // it turns after its ends
@@ -354,8 +355,9 @@ std::vector<BoltReport> report(const State& state) {
         const BoltMemory& memory = state.bolts.memory[k];
         const double force = memory.broken ? 0.0 : pullOf(state, k).axial.force;
         bolt.force = std::max(bolt.force, force);
-        bolt.utilisation = std::max(
-            bolt.utilisation, std::min(1.0, force / bolt::axialStrength(segment.law, state.load.gravity_share)));
+        bolt.utilisation =
+            std::max(bolt.utilisation,
+                     std::min(1.0, force / bolt::axialStrength(segment.law, state.load.gravity_share)));
         bolt.yielded = bolt.yielded || memory.yielded > 0;
         bolt.slipped = bolt.slipped || memory.slipped > 0;
         bolt.broken = bolt.broken || memory.broken;

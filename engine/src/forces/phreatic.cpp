@@ -75,8 +75,8 @@ std::vector<Strip> stripsOf(const PhreaticSurface& surface, const Vec3& down, do
     return strips;
 }
 
-Wrench pressureOn(const std::vector<Strip>& strips, const Polyhedron& shape, std::size_t f, const Vec3& position,
-                  const Mat3& turn) {
+Wrench pressureOn(const std::vector<Strip>& strips, const Polyhedron& shape, std::size_t f,
+                  const Vec3& position, const Mat3& turn) {
     const FaceFrame own = faceFrame(shape, f);
     const Polygon outline = outlineOf(shape, f, own);
     const Vec3 arm = turn * own.origin;

@@ -20,19 +20,20 @@ namespace talus::phreatic {
 
 /// One strip of the surface, in the state's coordinates: p = max(0, p0 + gradient . x) where low <= across . x <= high.
 struct Strip {
-    double p0 = 0;                     ///< [Pa]
-    Vec3 gradient = Vec3::Zero();      ///< [Pa/m]
+    double p0 = 0;                 ///< [Pa]
+    Vec3 gradient = Vec3::Zero();  ///< [Pa/m]
     Vec3 across = Vec3::UnitX();
     double low = -kInfinity, high = kInfinity;  ///< [m]
 };
 
 /// \param down  along gravity
 /// \param unit_weight  of the water, times the factor of the head [N/m^3]
-std::vector<Strip> stripsOf(const PhreaticSurface& surface, const Vec3& down, double unit_weight, const Vec3& origin);
+std::vector<Strip> stripsOf(const PhreaticSurface& surface, const Vec3& down, double unit_weight,
+                            const Vec3& origin);
 
 /// On a block's face, about a centroid, model frame.
-Wrench pressureOn(const std::vector<Strip>& strips, const Polyhedron& shape, std::size_t face, const Vec3& position,
-                  const Mat3& turn);
+Wrench pressureOn(const std::vector<Strip>& strips, const Polyhedron& shape, std::size_t face,
+                  const Vec3& position, const Mat3& turn);
 
 /// Errors: a line that folds back when it is seen along gravity.
 std::vector<Error> build(State& state, ForceParts& parts);

@@ -125,7 +125,8 @@ void addBoltLines(const State& state, BoltLines& lines) {
     const auto inModel = [&](std::int32_t block, const Vec3& own) -> Vec3 {
         const auto b = static_cast<std::size_t>(block);
         const Geometry& geometry = *state.geometry;
-        return geometry.origin + geometry.initial_position.get(b) + geometry.initial_orientation.matrix(b) * own;
+        return geometry.origin + geometry.initial_position.get(b) +
+               geometry.initial_orientation.matrix(b) * own;
     };
     std::size_t k = 0;
     for (std::size_t bolt = 0; bolt < all.size(); ++bolt) {

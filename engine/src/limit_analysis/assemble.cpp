@@ -174,13 +174,13 @@ Loads presentForces(const State& state, const Assembly& assembly) {
 
 void addTendons(const State& state, Assembly& assembly) {
     for (const BoltSegment& segment : state.bolts.segments) {
-        const auto a = static_cast<std::size_t>(segment.block_a), b = static_cast<std::size_t>(segment.block_b);
+        const auto a = static_cast<std::size_t>(segment.block_a),
+                   b = static_cast<std::size_t>(segment.block_b);
         const std::int32_t body_a = assembly.body_of_block[a], body_b = assembly.body_of_block[b];
         if (body_a == body_b || std::min(body_a, body_b) == kAbsent) continue;
         const Bolt& bolt = state.geometry->model.bolts[static_cast<std::size_t>(segment.bolt)];
         assembly.tendons.push_back(
-            {body_a, body_b,
-             state.blocks.position.get(b) + state.blocks.orientation.matrix(b) * segment.at_b,
+            {body_a, body_b, state.blocks.position.get(b) + state.blocks.orientation.matrix(b) * segment.at_b,
              (bolt.end - bolt.head).normalized(), bolts::strength(segment)});
     }
 }

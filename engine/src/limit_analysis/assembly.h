@@ -32,7 +32,7 @@ struct ContactPoint {
 /// A bolt where it ties two bodies: it pulls as much as is wanted, up to its strength.
 struct Tendon {
     std::int32_t body_a = kFixed, body_b = kFixed;
-    Vec3 place = Vec3::Zero();  ///< [m]
+    Vec3 place = Vec3::Zero();   ///< [m]
     Vec3 along = Vec3::UnitZ();  ///< from a to b
     double strength = 0;         ///< [N]
 };

@@ -11,7 +11,7 @@ namespace talus {
 namespace {
 
 constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which a face looks a way
-constexpr double kOff = 1e-5;          // of a face's extent: so far off it there is no other block, or it is not free
+constexpr double kOff = 1e-5;  // of a face's extent: so far off it there is no other block, or it is not free
 
 /// Part of a face in the pattern's box.
 struct Part {
@@ -63,7 +63,8 @@ class Placing {
         return std::none_of(model_.blocks.begin(), model_.blocks.end(), [&](const Block& block) {
             for (std::size_t f = 0; f < block.shape.faces.size(); ++f)
                 if (block.shape.faceNormal(f).dot(
-                        outside - block.shape.vertices[static_cast<std::size_t>(block.shape.faces[f][0])]) > 0)
+                        outside - block.shape.vertices[static_cast<std::size_t>(block.shape.faces[f][0])]) >
+                    0)
                     return false;
             return true;
         });
@@ -118,8 +119,9 @@ class Placing {
         Bolt bolt = pattern_.like;
         const double level = std::cos(pattern_.plunge);
         bolt.head = head;
-        bolt.end = head + pattern_.length * Vec3(level * std::sin(pattern_.trend),
-                                                 level * std::cos(pattern_.trend), -std::sin(pattern_.plunge));
+        bolt.end =
+            head + pattern_.length * Vec3(level * std::sin(pattern_.trend), level * std::cos(pattern_.trend),
+                                          -std::sin(pattern_.plunge));
         bolt.name += "-" + std::to_string(number);
         bolt.must_hold = false;
         model_.bolts.push_back(std::move(bolt));
@@ -137,9 +139,10 @@ std::vector<Error> placeBoltPatterns(Model& model) {
     std::vector<Error> errors;
     for (const BoltPattern& pattern : model.bolt_patterns)
         if (!Placing(pattern, model).run())
-            errors.push_back({pattern.like.field + ".box",
-                              "no free face inside it looks this way; allowed: a box with at least a part of one, "
-                              "whose normal is within 60 degrees of `face`"});
+            errors.push_back(
+                {pattern.like.field + ".box",
+                 "no free face inside it looks this way; allowed: a box with at least a part of one, "
+                 "whose normal is within 60 degrees of `face`"});
     model.bolt_patterns.clear();
     return errors;
 }

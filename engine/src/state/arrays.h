@@ -276,10 +276,10 @@ struct State {
     std::vector<ForceParts> force_parts{};  ///< one for each of blockForces
     Bolts bolts{};
     PhreaticWalls phreatic{};
-    std::vector<std::uint8_t> drained;      ///< per water: 1 once it has run out through an open joint
-    std::vector<PressureField> pressure;    ///< per water, for `water_load`
-    std::vector<WaterLoad> water_load;      ///< per water: what its wrenches were computed for
-    PositionArray search_position;          ///< poses at the last neighbour search
+    std::vector<std::uint8_t> drained;    ///< per water: 1 once it has run out through an open joint
+    std::vector<PressureField> pressure;  ///< per water, for `water_load`
+    std::vector<WaterLoad> water_load;    ///< per water: what its wrenches were computed for
+    PositionArray search_position;        ///< poses at the last neighbour search
     QuaternionArray search_orientation;
     double search_margin = 0;  ///< gap up to which that search made interfaces [m]
     double shear_lost = 0;     ///< shear force that could not be carried over to clipped patches, in all [N]

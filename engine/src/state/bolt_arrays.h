@@ -10,14 +10,14 @@ namespace talus {
 
 /// What one segment is made of (forces/bolt_law.h).
 struct BoltLaw {
-    double stiffness = 0;         ///< axial [N/m]
-    double rigidity = 0;          ///< E A [N]
-    double pretension = 0;        ///< [N]
-    double yield = 0;             ///< of the bar [N]
-    double bond = 0;              ///< of the weaker embedded side, beyond the pretension [N]
-    double rupture_strain = 0;    ///< may be infinite
-    double dowel_stiffness = 0;   ///< across the bolt [N/m]
-    double dowel_strength = 0;    ///< [N]
+    double stiffness = 0;        ///< axial [N/m]
+    double rigidity = 0;         ///< E A [N]
+    double pretension = 0;       ///< [N]
+    double yield = 0;            ///< of the bar [N]
+    double bond = 0;             ///< of the weaker embedded side, beyond the pretension [N]
+    double rupture_strain = 0;   ///< may be infinite
+    double dowel_stiffness = 0;  ///< across the bolt [N/m]
+    double dowel_strength = 0;   ///< [N]
 };
 
 /// What a segment remembers.

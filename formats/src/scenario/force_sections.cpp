@@ -67,9 +67,9 @@ void readLoads(const ForceReader& from, Model& model) {
 
 // --- [[bolt]], [[bolt_pattern]] --------------------------------------------------------------------------------------------
 
-const std::vector<std::string> kBoltKeys{"name",           "kind",           "area",          "modulus",
-                                         "yield_force",    "pretension",     "rupture_strain", "bond_stiffness",
-                                         "bond_strength",  "shear_stiffness", "plate"};
+const std::vector<std::string> kBoltKeys{
+    "name",           "kind",           "area",          "modulus",         "yield_force", "pretension",
+    "rupture_strain", "bond_stiffness", "bond_strength", "shear_stiffness", "plate"};
 
 std::vector<std::string> withBoltKeys(std::vector<std::string> keys) {
     keys.insert(keys.end(), kBoltKeys.begin(), kBoltKeys.end());
@@ -144,9 +144,8 @@ void readGrid(TableReader& table, BoltPattern& pattern) {
 void readBoltPatterns(const ForceReader& from, Model& model) {
     std::set<std::string> names;
     for (const FieldNode& node : from.root.tables("bolt_pattern")) {
-        TableReader table(
-            from.report, node.node, node.field,
-            withBoltKeys({"box", "face", "spacing", "length", "plunge_deg", "trend_deg"}));
+        TableReader table(from.report, node.node, node.field,
+                          withBoltKeys({"box", "face", "spacing", "length", "plunge_deg", "trend_deg"}));
         BoltPattern pattern;
         pattern.like.field = node.field;
         pattern.like.name =

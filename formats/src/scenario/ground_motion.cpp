@@ -43,7 +43,8 @@ std::vector<std::string_view> cellsOf(std::string_view line) {
 std::optional<double> numberOf(std::string_view text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
     return value;
 }
 
@@ -100,15 +101,16 @@ class RecordReader {
     void readRow() {
         const std::vector<std::string_view> cells = cellsOf(line_);
         if (cells.size() != column_.size())
-            return refuse("found " + std::to_string(cells.size()) + " values, allowed: " +
-                          std::to_string(column_.size()) + ", one for each column");
+            return refuse("found " + std::to_string(cells.size()) +
+                          " values, allowed: " + std::to_string(column_.size()) + ", one for each column");
         double time = 0;
         Vec3 value = Vec3::Zero();
         for (std::size_t k = 0; k < cells.size(); ++k) {
             const auto number = numberOf(cells[k]);
             if (!number)
-                return refuse(cells[k].empty() ? "found a gap, allowed: a number in each column"
-                                               : "found \"" + std::string(cells[k]) + "\", allowed: a number");
+                return refuse(cells[k].empty()
+                                  ? "found a gap, allowed: a number in each column"
+                                  : "found \"" + std::string(cells[k]) + "\", allowed: a number");
             (column_[k] == kTime ? time : value[column_[k]]) = *number;
         }
         if (!record_.time.empty() && time <= record_.time.back())
@@ -116,7 +118,8 @@ class RecordReader {
                           numberText(record_.time.back()) + " s, allowed: times that rise");
         if (time < 0) return refuse("found the time " + numberText(time) + " s, allowed: at least 0");
         if (record_.time.size() == kMostRows)
-            return refuse("found more than " + std::to_string(kMostRows) + " rows, allowed: at most that many");
+            return refuse("found more than " + std::to_string(kMostRows) +
+                          " rows, allowed: at most that many");
         record_.time.push_back(time);
         record_.value.push_back(value);
     }
@@ -143,8 +146,7 @@ GroundMotion motionOf(const Record& record, double scale) {
             continue;
         }
         if (k + 1 == record.time.size()) break;
-        const Vec3 slope =
-            (record.value[k + 1] - record.value[k]) / (record.time[k + 1] - record.time[k]);
+        const Vec3 slope = (record.value[k + 1] - record.value[k]) / (record.time[k + 1] - record.time[k]);
         add(record.time[k], slope);
         add(record.time[k + 1], slope);
     }

@@ -47,7 +47,7 @@ class ScenarioReader {
         checkWatch(directory);
         const auto interfaces = readInterfaces(report_, root_, directory, joints_);
         const auto waters = readWaters(report_, root_, {stacks_, rock_ ? &*rock_ : nullptr}, directory);
-        for (const ForceSection& section : forceSections()) 
+        for (const ForceSection& section : forceSections())
             section.read({report_, root_, directory, folder_}, model_);
         std::vector<std::vector<WetFace>> walls;
         if (report_.clean()) walls = rockWalls(waters);

@@ -17,7 +17,7 @@ namespace talus::formats::scenario {
 struct WaterEntry {
     enum class Where { stack_joint, between_blocks, block_face, rock_joint, below_surface };
     Where where = Where::stack_joint;
-    Water water;  ///< complete but for its walls
+    Water water;                ///< complete but for its walls
     PhreaticSurface surface{};  ///< below_surface
     Place place;
     std::size_t stack = 0;                ///< stack_joint: which stack

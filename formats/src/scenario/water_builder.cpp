@@ -49,7 +49,8 @@ void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const 
             model.phreatic = entry.surface;
             if (entries.size() > 1)
                 report.add(entry.place, entry.surface.field,
-                           "found a surface beside another [[water]], allowed: a surface alone, since it wets every joint");
+                           "found a surface beside another [[water]], allowed: a surface alone, since it "
+                           "wets every joint");
             continue;
         }
         Water water = entry.water;

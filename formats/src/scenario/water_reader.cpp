@@ -32,9 +32,10 @@ class WaterReader {
     }
 
     std::optional<WaterEntry> read(const FieldNode& node) const {
-        TableReader table(report_, node.node, node.field,
-                          {"fissure", "stack", "between", "block", "face", "joint", "plane", "depth",
-                           "elevation", "levels", "head", "base", "density", "drains_at_aperture", "surface", "factor"});
+        TableReader table(
+            report_, node.node, node.field,
+            {"fissure", "stack", "between", "block", "face", "joint", "plane", "depth", "elevation", "levels",
+             "head", "base", "density", "drains_at_aperture", "surface", "factor"});
         WaterEntry entry;
         entry.place = table.place();
         entry.water.field = node.field;

@@ -347,7 +347,8 @@ void unpackFull(const fb::Full& m, FullFrame& f) {
 std::size_t messageBytes(const FullFrame& frame) {
     return 240 * frame.blocks.inverse_mass.size() + 284 * frame.interfaces.size() +
            16 * frame.interfaces.patch_xi.size() + 81 * frame.points.size() + 400 * frame.wet.block.size() +
-           16 * frame.wet.vertex_x.size() + 48 * frame.bolts.yielded.size() + frame.phreatic.drained.size() + 65536;
+           16 * frame.wet.vertex_x.size() + 48 * frame.bolts.yielded.size() + frame.phreatic.drained.size() +
+           65536;
 }
 
 }  // namespace

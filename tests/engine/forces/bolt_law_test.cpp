@@ -26,7 +26,8 @@ BoltLaw lawOf(double yield, double bond, double pretension = 0) {
 }  // namespace
 
 TEST_SUITE("forces") {
-    TEST_CASE("a bar in grout: the solution of E A w'' = k_b w by finite differences, free or held by a plate") {
+    TEST_CASE(
+        "a bar in grout: the solution of E A w'' = k_b w by finite differences, free or held by a plate") {
         const double rigidity = 181e-6 * 98.6e9, bond = 112e6;
         for (const double length : {0.1, 0.7, 3.0})
             for (const bool plate : {false, true}) {
@@ -72,7 +73,8 @@ TEST_SUITE("forces") {
         CHECK(memory.yielded == doctest::Approx(0.0012));
     }
 
-    TEST_CASE("where the grout is weaker it slips and the bar does not yield; a pretension is held beside it") {
+    TEST_CASE(
+        "where the grout is weaker it slips and the bar does not yield; a pretension is held beside it") {
         const BoltLaw law = lawOf(80, 30, 20);
         BoltMemory memory;
         CHECK(bolt::axialForce(law, 0, 1, memory).force == 20);
@@ -97,7 +99,8 @@ TEST_SUITE("forces") {
     TEST_CASE("dowel action: elastic across the bolt to its strength, then along the way it goes") {
         const BoltLaw law = lawOf(80, kNever);
         BoltMemory memory;
-        CHECK((bolt::dowelForce(law, Vec3::UnitX(), {0, 0.001, 0}, memory).force - Vec3(0, -20, 0)).norm() < 1e-12);
+        CHECK((bolt::dowelForce(law, Vec3::UnitX(), {0, 0.001, 0}, memory).force - Vec3(0, -20, 0)).norm() <
+              1e-12);
         const bolt::DowelForce slides = bolt::dowelForce(law, Vec3::UnitX(), {0, 0.004, 0.003}, memory);
         CHECK((slides.force + 40 * Vec3(0, 0.8, 0.6)).norm() < 1e-12);
         CHECK((memory.dowel - Vec3(0, 0.0024, 0.0018)).norm() < 1e-12);

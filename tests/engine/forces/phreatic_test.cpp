@@ -32,7 +32,8 @@ State wet(const Model& model) {
 }  // namespace
 
 TEST_SUITE("forces") {
-    TEST_CASE("below a level surface the net force is buoyancy, at the centroid, however it is split into strips") {
+    TEST_CASE(
+        "below a level surface the net force is buoyancy, at the centroid, however it is split into strips") {
         for (const double factor : {1.0, 0.6})
             for (const auto& line : {std::vector<PhreaticSurface::Point>{{-10, 5}, {20, 5}},
                                      {{-10, 5}, {0.7, 5}, {1.1, 5}, {4.2, 5}, {20, 5}},
@@ -46,14 +47,16 @@ TEST_SUITE("forces") {
             }
     }
 
-    TEST_CASE("a sloping surface pushes the submerged downhill: minus the gradient of pressure times volume") {
+    TEST_CASE(
+        "a sloping surface pushes the submerged downhill: minus the gradient of pressure times volume") {
         const State state = wet(underWater({{-10, 3}, {20, 9}}));
         const double slope = 6.0 / 30;
         CHECK((on(state, 1).force - 9810 * Vec3(-slope, 0, 1)).norm() < 1e-6);
         CHECK(on(state, 1).torque.norm() < 1e-6);
     }
 
-    TEST_CASE("depth is measured along gravity: tilted, a submerged block feels g turned, from the same line") {
+    TEST_CASE(
+        "depth is measured along gravity: tilted, a submerged block feels g turned, from the same line") {
         Model model = underWater({{-10, 4}, {20, 4}});
         State state = wet(model);
         state.load.tilt = radians(15);

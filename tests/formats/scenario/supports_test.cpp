@@ -28,7 +28,8 @@ std::string bolt(const std::string& more) {
 }
 
 std::string pattern(const std::string& more) {
-    return "[[bolt_pattern]]\nname = \"P\"\nface = \"-x\"\nspacing = [2.0, 2.0]\nlength = 5.0\nplunge_deg = 45.0\n"
+    return "[[bolt_pattern]]\nname = \"P\"\nface = \"-x\"\nspacing = [2.0, 2.0]\nlength = 5.0\nplunge_deg = "
+           "45.0\n"
            "trend_deg = 90.0\n" +
            kBar + kGrout + more;
 }
@@ -64,7 +65,8 @@ struct RecordFile {
 TEST_SUITE("scenario") {
     TEST_CASE("a bolt is read in SI units") {
         const auto scenario = parseScenario(
-            kBlocks + bolt(kBar + kGrout + "pretension = 1e5\nrupture_strain = 0.05\nshear_stiffness = 1e7\nplate = true\n"),
+            kBlocks + bolt(kBar + kGrout +
+                           "pretension = 1e5\nrupture_strain = 0.05\nshear_stiffness = 1e7\nplate = true\n"),
             "slope.toml");
         REQUIRE(scenario.ok());
         const Bolt& read = scenario->model.bolts.at(0);
@@ -80,16 +82,21 @@ TEST_SUITE("scenario") {
 
     TEST_CASE("bolts that cannot be are refused at their place") {
         const std::string anchored = "kind = \"anchored\"\n";
-        starts(refused(bolt("area = -1.0\nmodulus = 2e11\nyield_force = 4e5\n" + anchored)), "bolt[0].area: found -1");
+        starts(refused(bolt("area = -1.0\nmodulus = 2e11\nyield_force = 4e5\n" + anchored)),
+               "bolt[0].area: found -1");
         starts(refused(bolt("area = 1.0\nmodulus = 2e11\n" + anchored)), "bolt[0].yield_force: missing");
         starts(refused(bolt(kBar + "kind = \"glued\"\n")), "bolt[0].kind: found \"glued\"");
         starts(refused(bolt(kBar + "kind = \"grouted\"\n")), "bolt[0].bond_stiffness: missing");
-        starts(refused(bolt(kBar + anchored + "bond_strength = 1e5\n")), "bolt[0].bond_strength: found bond_strength with");
-        starts(refused(bolt(kBar + anchored + "pretension = 5e5\n")), "bolt[0].pretension: found more than yield_force");
-        starts(refused(bolt(kBar + anchored) + bolt(kBar + anchored)), "bolt[1].name: found \"A1\" a second time");
+        starts(refused(bolt(kBar + anchored + "bond_strength = 1e5\n")),
+               "bolt[0].bond_strength: found bond_strength with");
+        starts(refused(bolt(kBar + anchored + "pretension = 5e5\n")),
+               "bolt[0].pretension: found more than yield_force");
+        starts(refused(bolt(kBar + anchored) + bolt(kBar + anchored)),
+               "bolt[1].name: found \"A1\" a second time");
         starts(refused("[[bolt]]\nhead = [1.0, 1.0, 1.0]\nend = [1.0, 1.0, 1.0]\n" + kBar + anchored),
                "bolt[0].end: found the place of head");
-        starts(refused(pattern("box = { min = [-1, 0, 9], max = [1, 4, 12] }\n")), "bolt_pattern[0].box: no free face");
+        starts(refused(pattern("box = { min = [-1, 0, 9], max = [1, 4, 12] }\n")),
+               "bolt_pattern[0].box: no free face");
     }
 
     TEST_CASE("a pattern becomes bolts on the free face that looks its way") {
@@ -106,7 +113,8 @@ TEST_SUITE("scenario") {
     TEST_CASE("a record of accelerations, scaled; the run lasts as long as it when nothing else is said") {
         const RecordFile file;
         const auto scenario = parseScenario(
-            kBlocks + file.with("# a comment\ntime_s, az_m_s2, ax_m_s2\n0, 1, 2\n0.5, 3, 4\n2.5,5,6\n", "scale = 2.0\n"),
+            kBlocks + file.with("# a comment\ntime_s, az_m_s2, ax_m_s2\n0, 1, 2\n0.5, 3, 4\n2.5,5,6\n",
+                                "scale = 2.0\n"),
             "slope.toml");
         REQUIRE(scenario.ok());
         const GroundMotion& motion = scenario->model.ground_motion;
@@ -168,7 +176,8 @@ TEST_SUITE("scenario") {
 
     TEST_CASE("a phreatic surface is read; one that folds back, or stands beside other water, is refused") {
         const auto scenario = parseScenario(
-            kBlocks + "[[water]]\nsurface = [[0.0, 1.0], [4.0, 2.0]]\nfactor = 0.8\ndrains_at_aperture = 0.002\n",
+            kBlocks +
+                "[[water]]\nsurface = [[0.0, 1.0], [4.0, 2.0]]\nfactor = 0.8\ndrains_at_aperture = 0.002\n",
             "slope.toml");
         REQUIRE(scenario.ok());
         REQUIRE(scenario->model.phreatic.has_value());
@@ -177,10 +186,12 @@ TEST_SUITE("scenario") {
         CHECK(scenario->model.phreatic->drains_at_aperture == 0.002);
         starts(refused("[[water]]\nsurface = [[0.0, 1.0], [4.0, 2.0], [3.0, 3.0]]\n"),
                "water[0].surface[2]: found x = 3 after 4, a line that folds back");
-        starts(refused("[[water]]\nsurface = [[0.0, 1.0]]\n"), "water[0].surface: found fewer than two points");
+        starts(refused("[[water]]\nsurface = [[0.0, 1.0]]\n"),
+               "water[0].surface: found fewer than two points");
         starts(refused("[[water]]\nsurface = [[0.0, 1.0], [1.0, 1.0]]\ndepth = 1.0\n"),
                "water[0].depth: found depth beside surface");
-        starts(refused("[[water]]\nbetween = [\"top\", \"base\"]\ndepth = 1.0\nfactor = 0.5\n"), "water[0].factor: ");
+        starts(refused("[[water]]\nbetween = [\"top\", \"base\"]\ndepth = 1.0\nfactor = 0.5\n"),
+               "water[0].factor: ");
         starts(refused("[[water]]\nsurface = [[0.0, 1.0], [1.0, 1.0]]\n"
                        "[[water]]\nbetween = [\"top\", \"base\"]\nhead = [1.0, 0.0]\n"),
                "water[0]: found a surface beside another");
