@@ -48,7 +48,8 @@ class Search {
           bracket_(axis.stop),
           last_stable_(state),
           work_(prepare(last_stable_, settings, control, axis.imbalance_tolerance, parallel)),
-          implicit_first_(tieReach(state) > 0) {}
+          reach_(tieReach(state)),
+          implicit_first_(reach_ > 0) {}
 
     SearchResult run() {
         if (start())
@@ -138,13 +139,18 @@ class Search {
     /// Whether an equilibrium is where the assembly stands, but for what it gives. Blocks that lean on each other have others,
     /// farther off, in which they are jammed: to get there is to fail first.
     bool isNear(const Probe& probe) const {
-        return result_.low == -kInfinity || probe.displacement <= nearLimit();
+        return result_.low == -kInfinity || probe.displacement <= nearLimit(last_stable_);
     }
 
-    /// Bolts take hold only as far as the assembly has come.
-    double nearLimit() const {
-        return std::max(kSeenShare * last_stable_.geometry->length_scale, kNear * deflection()) +
-               tieReach(last_stable_);
+    /// Without what bolts have given until they held [m].
+    double ownDeflection(const State& state) const {
+        return std::max(0.0, deflection() - (reach_ - tieReach(state)));
+    }
+
+    /// From a state. Bolts hold only as far as blocks have moved, so that way is none of a failure.
+    double nearLimit(const State& from) const {
+        return std::max(kSeenShare * from.geometry->length_scale, kNear * ownDeflection(from)) +
+               tieReach(from);
     }
 
     /// Of the farthest-moved block [m].
@@ -359,7 +365,7 @@ class Search {
         const auto hold = [](State&, double) {};
         const State before = last_stable_;
         if (probe("settling", load, moving, patient, hold) != Verdict::stable) return false;
-        if (result_.low == -kInfinity || wayBetween(before, last_stable_) <= nearLimit()) return true;
+        if (result_.low == -kInfinity || wayBetween(before, last_stable_) <= nearLimit(before)) return true;
         stands_elsewhere_ = true;
         last_moving_ = std::exchange(last_stable_, before);
         return false;
@@ -435,10 +441,10 @@ class Search {
     /// The formulas are for joints that do not give.
     void warnOfSoftJoints(const State& state) {
         constexpr double kSoft = 1e-4;  // of the block size
-        if (deflection() <= kSoft * state.geometry->length_scale) return;
+        const double deflected = ownDeflection(last_stable_);
+        if (deflected <= kSoft * state.geometry->length_scale) return;
         result_.warnings.push_back(
-            "the joints are soft against the stress on them: blocks move by " +
-            formatted("%.2g", deflection()) +
+            "the joints are soft against the stress on them: blocks move by " + formatted("%.2g", deflected) +
             " m before they fail, so toppling blocks turn about points inside their edges, and "
             "formulas for rigid joints give higher values");
     }
@@ -451,7 +457,8 @@ class Search {
         if (!bracket_.high())
             return {.deflection = 0, .share = kSeenAtStart, .most_steps = kMostStepsAtStart};
         const double settled = std::max(kSeenShare * last_stable_.geometry->length_scale, settlement_);
-        const double deflected = no_rest_ ? std::min(deflection(), settled) : deflection();
+        const double own = ownDeflection(last_stable_);
+        const double deflected = no_rest_ ? std::min(own, settled) : own;
         return {.deflection = deflected, .share = kSeenShare, .most_steps = most};
     }
 
@@ -508,6 +515,7 @@ class Search {
     bool no_rest_ = false;  ///< nor any other there
     NoNearRest no_near_rest_;
     std::int64_t states_at_rest_ = 0;  ///< the search has been in
+    double reach_;                     ///< of the bolts at the beginning [m]
     /// explicit steps have not been enough, or will not be: bolts take hold over ways that they are slow to go
     bool implicit_first_ = false;
     std::int64_t probe_steps_ = 0, continuation_steps_ = 0;

@@ -337,9 +337,12 @@ double reach(const State& state) {
     double farthest = 0;
     for (std::size_t k = 0; k < state.bolts.size(); ++k) {
         const BoltLaw& law = state.bolts.segments[k].law;
-        if (state.bolts.memory[k].broken) continue;
-        farthest = std::max(farthest, (bolt::axialStrength(law, 1.0) - law.pretension) / law.stiffness);
-        if (law.dowel_stiffness > 0) farthest = std::max(farthest, law.dowel_strength / law.dowel_stiffness);
+        const Pull pull = pullOf(state, k);
+        if (pull.memory.broken) continue;
+        farthest = std::max(farthest, (bolt::axialStrength(law, 1.0) - pull.axial.force) / law.stiffness);
+        if (law.dowel_stiffness > 0)
+            farthest =
+                std::max(farthest, (law.dowel_strength - pull.dowel.force.norm()) / law.dowel_stiffness);
     }
     return farthest;
 }

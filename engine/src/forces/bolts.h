@@ -30,7 +30,7 @@ TieForce between(const State& state, std::size_t segment, const TiedPose& a, con
 std::vector<std::pair<std::int32_t, TieForce>> springsOn(const State& state, const ForceParts& parts,
                                                          std::size_t block);
 double storedEnergy(const State& state);
-/// How far blocks part until the last segment yields [m]; 0 without any.
+/// How much farther blocks part until the last segment holds all it can [m]; 0 without any.
 double reach(const State& state);
 
 /// What a segment can carry at most, along the bolt [N].

@@ -24,7 +24,7 @@ struct TyingForce {
     std::vector<std::pair<std::int32_t, TieForce>> (*springsOn)(const State& state, const ForceParts& parts,
                                                                 std::size_t block);
     double (*storedEnergy)(const State& state);  ///< [J]
-    /// How far blocks part until all of it holds as much as it can [m].
+    /// How much farther blocks part until all of it holds as much as it can [m].
     double (*reach)(const State& state);
 };
 
@@ -75,7 +75,7 @@ DeadForce deadForcesOn(const State& state, std::size_t block);
 bool hasDeadForces(const State& state);
 bool hasBlockForces(const State& state);
 
-/// Elastic energy of what ties blocks beside contacts [J], and how far they part until it holds most [m].
+/// Elastic energy of what ties blocks beside contacts [J], and how much farther they part until it holds most [m].
 double tieEnergy(const State& state);
 double tieReach(const State& state);
 
