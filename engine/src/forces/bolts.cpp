@@ -5,7 +5,6 @@
 
 #include "forces/bolt_law.h"
 #include "geometry/face_frame.h"
-#include "state/block_motion.h"
 
 namespace talus::bolts {
 namespace {

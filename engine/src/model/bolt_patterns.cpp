@@ -11,6 +11,7 @@ namespace talus {
 namespace {
 
 constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which a face looks a way
+constexpr double kMostBolts = 100'000;
 constexpr double kOff = 1e-5;  // of a face's extent: so far off it there is no other block, or it is not free
 
 /// Part of a face in the pattern's box.
@@ -31,20 +32,32 @@ class Placing {
  public:
     Placing(const BoltPattern& pattern, Model& model) : pattern_(pattern), model_(model) {}
 
-    /// False when there is no face.
-    bool run() {
+    /// What is wrong, or nothing.
+    std::optional<Error> run() {
         findParts();
-        if (parts_.empty()) return false;
+        if (parts_.empty()) return noFace();
         findPlane();
+        const double count = countOn(along_, pattern_.spacing_along) * countOn(up_, pattern_.spacing_up);
+        if (count > kMostBolts)
+            return Error{pattern_.like.field + ".spacing", "found one that gives " + std::to_string(count) +
+                                                               " bolts, allowed: at most " +
+                                                               std::to_string(static_cast<int>(kMostBolts))};
         const std::vector<double> along = line(along_, pattern_.spacing_along);
         const std::size_t before = model_.bolts.size();
         for (const double v : line(up_, pattern_.spacing_up))
             for (const double u : along)
                 if (const auto head = headAt(u, v)) add(*head, model_.bolts.size() - before + 1);
-        return model_.bolts.size() > before;
+        return model_.bolts.size() > before ? std::nullopt : std::optional(noFace());
     }
 
  private:
+    Error noFace() const {
+        return {pattern_.like.field + ".box",
+                "no free face inside it looks this way; allowed: a box with at least a part of one, whose "
+                "normal is "
+                "within 60 degrees of `face`"};
+    }
+
     void findParts() {
         for (const Block& block : model_.blocks)
             for (std::size_t f = 0; f < block.shape.faces.size(); ++f) {
@@ -81,8 +94,8 @@ class Placing {
         along_ = up_.cross(normal_);
     }
 
-    /// Places along an axis of the plane, in the middle of fields as wide as the spacing.
-    std::vector<double> line(const Vec3& axis, double spacing) const {
+    /// From where to where the faces reach along an axis [m].
+    std::pair<double, double> extentOn(const Vec3& axis) const {
         double low = kInfinity, high = -kInfinity;
         for (const Part& part : parts_)
             for (const Vec2& v : part.outline) {
@@ -90,7 +103,18 @@ class Placing {
                 low = std::min(low, at);
                 high = std::max(high, at);
             }
-        const double count = std::max(1.0, std::floor((high - low) / spacing + 1e-9));
+        return {low, high};
+    }
+
+    double countOn(const Vec3& axis, double spacing) const {
+        const auto [low, high] = extentOn(axis);
+        return std::max(1.0, std::floor((high - low) / spacing + 1e-9));
+    }
+
+    /// Places along an axis of the plane, in the middle of fields as wide as the spacing.
+    std::vector<double> line(const Vec3& axis, double spacing) const {
+        const auto [low, high] = extentOn(axis);
+        const double count = countOn(axis, spacing);
         std::vector<double> places;
         for (double k = 0; k < count; ++k)
             places.push_back(0.5 * (low + high) + (k - 0.5 * (count - 1)) * spacing);
@@ -138,11 +162,7 @@ class Placing {
 std::vector<Error> placeBoltPatterns(Model& model) {
     std::vector<Error> errors;
     for (const BoltPattern& pattern : model.bolt_patterns)
-        if (!Placing(pattern, model).run())
-            errors.push_back(
-                {pattern.like.field + ".box",
-                 "no free face inside it looks this way; allowed: a box with at least a part of one, "
-                 "whose normal is within 60 degrees of `face`"});
+        if (auto error = Placing(pattern, model).run()) errors.push_back(std::move(*error));
     model.bolt_patterns.clear();
     return errors;
 }

@@ -3,10 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "build/build.h"
-#include "equilibrium/balance.h"
 #include "forces/sum.h"
 #include "measure/measure.h"
-#include "state/block_motion.h"
 #include "step/step.h"
 #include "step/time_step.h"
 #include "support/models.h"
@@ -232,6 +230,15 @@ TEST_SUITE("forces") {
         pattern.direction = Vec3::UnitX();  // there the joint with the block beside it is closed
         pattern.box_min.x() = 0.9, pattern.box_max.x() = 1.1;
         model.bolt_patterns = {pattern};
-        CHECK(placeBoltPatterns(model).size() == 1);
+        const auto no_face = placeBoltPatterns(model);
+        REQUIRE(no_face.size() == 1);
+        CHECK(no_face[0].field == "bolt[0].box");
+        pattern.direction = -Vec3::UnitX();
+        pattern.box_min.x() = -0.1, pattern.box_max.x() = 0.1;
+        pattern.spacing_up = 1e-9;
+        model.bolt_patterns = {pattern};
+        const auto too_many = placeBoltPatterns(model);
+        REQUIRE(too_many.size() == 1);
+        CHECK(too_many[0].field == "bolt[0].spacing");
     }
 }
