@@ -441,7 +441,8 @@ class Search {
     /// The formulas are for joints that do not give.
     void warnOfSoftJoints(const State& state) {
         constexpr double kSoft = 1e-4;  // of the block size
-        const double deflected = ownDeflection(last_stable_);
+        if (reach_ > 0) return;         // blocks that move until their bolts hold say nothing of joints
+        const double deflected = deflection();
         if (deflected <= kSoft * state.geometry->length_scale) return;
         result_.warnings.push_back(
             "the joints are soft against the stress on them: blocks move by " + formatted("%.2g", deflected) +
