@@ -2,22 +2,12 @@
 // The sections that say what pushes on blocks beside their weight and water: one list, each with its reader.
 
 #include <span>
-#include <string>
 #include <vector>
 
-#include "scenario/directory.h"
-#include "scenario/reading.h"
+#include "scenario/force_reader.h"
 #include "talus/model.h"
 
 namespace talus::formats::scenario {
-
-/// What a section is read with.
-struct ForceReader {
-    Report& report;
-    TableReader& root;
-    const BlockDirectory& blocks;
-    const std::string& folder;  ///< where files are looked for: "" or with a slash at its end
-};
 
 struct ForceSection {
     const char* name;

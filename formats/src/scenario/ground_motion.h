@@ -1,7 +1,8 @@
 #pragma once
 // [ground_motion]: a record of accelerations or velocities in a CSV file.
 
-#include "scenario/force_sections.h"
+#include "scenario/force_reader.h"
+#include "talus/model.h"
 
 namespace talus::formats::scenario {
 
