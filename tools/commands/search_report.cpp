@@ -292,9 +292,9 @@ std::string searchText(const SearchReport& report, bool verbose) {
                         row(report.search.answer, answerText(report)) + theoryText(report) +
                         ceilingText(report) + rangeText(report) + row("failure mode", toString(result.mode)) +
                         row("moving blocks", movingText(result)) + fallenText(result) + groupsText(result) +
-                        boltsText(result) +
-                        row("model", sizeText(result)) + row("method", methodText(result)) +
-                        row("cost", costText(result)) + row("state hash", hashText(result.state_hash));
+                        boltsText(result) + row("model", sizeText(result)) +
+                        row("method", methodText(result)) + row("cost", costText(result)) +
+                        row("state hash", hashText(result.state_hash));
     for (const std::string& warning : result.warnings) table += row("warning", warning);
     if (report.kept)
         for (const auto& [label, content] : keptRunLines(*report.kept)) table += row(label, content);
