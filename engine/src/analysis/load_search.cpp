@@ -142,15 +142,12 @@ class Search {
         return result_.low == -kInfinity || probe.displacement <= nearLimit(last_stable_);
     }
 
-    /// Without what bolts have given until they held [m].
-    double ownDeflection(const State& state) const {
-        return std::max(0.0, deflection() - (reach_ - tieReach(state)));
-    }
+    /// Without the way on which bolts took hold: then what the assembly gave at its start [m].
+    double ownDeflection() const { return reach_ > 0 ? std::min(settlement_, deflection()) : deflection(); }
 
     /// From a state. Bolts hold only as far as blocks have moved, so that way is none of a failure.
     double nearLimit(const State& from) const {
-        return std::max(kSeenShare * from.geometry->length_scale, kNear * ownDeflection(from)) +
-               tieReach(from);
+        return std::max(kSeenShare * from.geometry->length_scale, kNear * ownDeflection()) + tieReach(from);
     }
 
     /// Of the farthest-moved block [m].
@@ -458,7 +455,7 @@ class Search {
         if (!bracket_.high())
             return {.deflection = 0, .share = kSeenAtStart, .most_steps = kMostStepsAtStart};
         const double settled = std::max(kSeenShare * last_stable_.geometry->length_scale, settlement_);
-        const double own = ownDeflection(last_stable_);
+        const double own = ownDeflection();
         const double deflected = no_rest_ ? std::min(own, settled) : own;
         return {.deflection = deflected, .share = kSeenShare, .most_steps = most};
     }
