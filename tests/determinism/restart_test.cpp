@@ -81,6 +81,32 @@ TEST_SUITE("determinism") {
         checkRestarts(model, 8);
     }
 
+    TEST_CASE("restart: bolts that yield, slip, shear and break in a shaken slope with a water table") {
+        Model model = scenarioModel(
+            "[gravity]\ntilt_deg = 25.0\n[run]\nduration_s = 0.06\nframe_interval_s = 0.001\n"
+            "[damping]\ncontact = 1e-5\n[material.rock]\ndensity = 2700.0\n"
+            "[joint.default]\nnormal_stiffness = 1e8\nshear_stiffness = 1e8\nfriction_deg = 10.0\n"
+            "[[stack]]\ncolumns = 3\nrows = 3\nslices = 1\nblock = [0.2, 0.1, 0.1]\n"
+            "[[bolt]]\nkind = \"grouted\"\nhead = [0.02, 0.05, 0.28]\nend = [0.18, 0.05, -0.1]\narea = 1e-6\n"
+            "modulus = 2e11\nyield_force = 8.0\nbond_stiffness = 1e7\nbond_strength = 60.0\n"
+            "shear_stiffness = 1e5\n"
+            "[[bolt]]\nkind = \"anchored\"\nhead = [0.42, 0.05, 0.28]\nend = [0.58, 0.05, -0.1]\narea = "
+            "1e-6\n"
+            "modulus = 2e11\nyield_force = 30.0\npretension = 10.0\nrupture_strain = 0.0001\n"
+            "[[water]]\nsurface = [[-1.0, 0.0], [0.3, 0.12], [2.0, 0.25]]\ndrains_at_aperture = 0.0001\n");
+        model.ground_motion = {{0.0, 0.01, 0.02, 0.02, 0.045},
+                               {{0, 0, 0}, {9, 2, 0}, {-5, 0, 3}, {6, 0, 0}, {0, 0, 0}}};
+        const Recorded whole = record(model, 8);
+        REQUIRE(whole.result.ok());
+        const std::vector<BoltReport>& bolts = whole.result->bolts;
+        CHECK(bolts[0].yielded);
+        CHECK(bolts[0].slipped);
+        CHECK(bolts[1].broken);
+        const auto& drained = whole.fulls.back().phreatic.drained;
+        CHECK(std::count(drained.begin(), drained.end(), 1) > 0);
+        checkRestarts(model, 8);
+    }
+
     TEST_CASE("restart: blocks that fly, hit and turn") {
         Model model = floorModel(30, 1e7);
         addBox(model, "falling", {0, 0, 0.02}, {0.3, 0.3, 0.3});

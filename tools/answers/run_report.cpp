@@ -1,5 +1,8 @@
 #include "answers/run_report.h"
 
+#include <algorithm>
+
+#include "answers/bolt_report.h"
 #include "cli/json.h"
 #include "cli/provenance.h"
 #include "cli/scenario.h"
@@ -14,6 +17,14 @@ RunResult runRecorded(const formats::Scenario& scenario, const FullFrame* resume
     return valueOf(std::move(outcome), scenario);
 }
 
+std::size_t farthestBlock(const RunResult& result) {
+    const auto& all = result.displacements;
+    return static_cast<std::size_t>(
+        std::max_element(all.begin(), all.end(),
+                         [](const Vec3& a, const Vec3& b) { return a.norm() < b.norm(); }) -
+        all.begin());
+}
+
 namespace {
 
 Json watchJson(const RunResult& result) {
@@ -26,9 +37,25 @@ Json watchJson(const RunResult& result) {
     return watch;
 }
 
+/// Of every block that moves; the farthest is the figure one asks for after an earthquake.
+Json displacementsJson(const formats::Scenario& scenario, const RunResult& result) {
+    Json all = Json::object();
+    for (std::size_t b = 0; b < result.displacements.size(); ++b)
+        if (scenario.model.blocks[b].motion != Motion::fixed)
+            all[scenario.model.blocks[b].name] = vector(result.displacements[b]);
+    return all;
+}
+
+Json largestJson(const formats::Scenario& scenario, const RunResult& result) {
+    const std::size_t block = farthestBlock(result);
+    return {{"block", scenario.model.blocks[block].name},
+            {"displacement_m", number(result.displacements[block].norm())}};
+}
+
 }  // namespace
 
-Json runJson(const RunOptions& options, const RunResult& result, const RunRecorder& recorder) {
+Json runJson(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
+             const RunRecorder& recorder) {
     return {{"steps", result.steps},
             {"simulated_seconds", number(result.simulated_seconds)},
             {"time_step_s", number(result.time_step)},
@@ -40,6 +67,10 @@ Json runJson(const RunOptions& options, const RunResult& result, const RunRecord
             {"state_hash", hashText(result.state_hash)},
             {"wall_seconds", number(result.wall_seconds)},
             {"watch", watchJson(result)},
+            {"displacements_m",
+             scenario.model.ground_motion.empty() ? Json(nullptr) : displacementsJson(scenario, result)},
+            {"largest_displacement", largestJson(scenario, result)},
+            {"bolts", boltsJson(result.bolts)},
             {"interrupted", result.interrupted},
             {"warnings", result.warnings},
             {"output", options.output.empty() ? Json(nullptr) : Json(options.output)},

@@ -10,6 +10,10 @@ namespace talus::tools {
 RunResult runRecorded(const formats::Scenario& scenario, const FullFrame* resume, RunRecorder& recorder,
                       const Control& control);
 
-Json runJson(const RunOptions& options, const RunResult& result, const RunRecorder& recorder);
+/// The block that ends farthest from where it began.
+std::size_t farthestBlock(const RunResult& result);
+
+Json runJson(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
+             const RunRecorder& recorder);
 
 }  // namespace talus::tools

@@ -9,6 +9,7 @@
 #include "cli/provenance.h"
 #include "cli/signals.h"
 #include "cli/text.h"
+#include "answers/bolt_report.h"
 #include "report/numbers.h"
 
 namespace talus::tools {
@@ -135,6 +136,12 @@ std::string groupsText(const SearchResult& result) {
     return rows;
 }
 
+std::string boltsText(const SearchResult& result) {
+    std::string rows;
+    for (const std::string& line : boltLines(result.bolts)) rows += row(rows.empty() ? "bolts" : "", line);
+    return rows;
+}
+
 std::string costText(const SearchResult& result) {
     return std::to_string(result.probes.size()) + " probes, " + std::to_string(result.steps) + " steps, " +
            text(result.wall_seconds, 2) + " s";
@@ -255,6 +262,7 @@ Json searchJson(const SearchReport& report) {
     json["failure_mode"] = toString(result.mode);
     json["moving_blocks"] = result.moving_blocks;
     json["fallen_at_start"] = result.fallen_at_start;
+    json["bolts"] = boltsJson(result.bolts);
     if (search.follows_groups) json["groups"] = list(result.groups, groupJson);
     json["theory"] = theoryJson(report);
     json["probes"] = result.probes.size();
@@ -284,8 +292,9 @@ std::string searchText(const SearchReport& report, bool verbose) {
                         row(report.search.answer, answerText(report)) + theoryText(report) +
                         ceilingText(report) + rangeText(report) + row("failure mode", toString(result.mode)) +
                         row("moving blocks", movingText(result)) + fallenText(result) + groupsText(result) +
-                        row("model", sizeText(result)) + row("method", methodText(result)) +
-                        row("cost", costText(result)) + row("state hash", hashText(result.state_hash));
+                        boltsText(result) + row("model", sizeText(result)) +
+                        row("method", methodText(result)) + row("cost", costText(result)) +
+                        row("state hash", hashText(result.state_hash));
     for (const std::string& warning : result.warnings) table += row("warning", warning);
     if (report.kept)
         for (const auto& [label, content] : keptRunLines(*report.kept)) table += row(label, content);

@@ -1,8 +1,10 @@
 // talus run: time history of a scenario, or of one that was begun earlier and goes on.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
+#include "answers/bolt_report.h"
 #include "answers/run_report.h"
 #include "cli/json.h"
 #include "cli/progress.h"
@@ -31,7 +33,8 @@ const char* describe(InitialState start) {
     return "starts unstressed: weight and water come all at once\n";
 }
 
-std::string toText(const RunOptions& options, const RunResult& result, const RunRecorder& recorder) {
+std::string toText(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
+                   const RunRecorder& recorder) {
     std::string lines = (options.resume.empty() ? options.scenario : options.resume) + ": " +
                         (result.interrupted ? "interrupted after " : "") + text(result.simulated_seconds, 6) +
                         " s simulated in " + std::to_string(result.steps) + " steps of " +
@@ -45,6 +48,10 @@ std::string toText(const RunOptions& options, const RunResult& result, const Run
         lines += block.name + ": at " + triple(block.position, 6) + " m, velocity " +
                  triple(block.velocity, 6) + " m/s, moved " + text(block.displacement.norm(), 9) +
                  " m, turned " + text(degrees(block.rotation), 5) + " deg\n";
+    const std::size_t farthest = farthestBlock(result);
+    lines += "moved farthest: " + scenario.model.blocks[farthest].name + ", by " +
+             text(result.displacements[farthest].norm(), 9) + " m\n";
+    for (const std::string& bolt : boltLines(result.bolts)) lines += "bolt " + bolt + "\n";
     for (const std::string& warning : result.warnings) lines += "warning: " + warning + "\n";
     return lines + recorder.lines();
 }
@@ -62,9 +69,9 @@ int runScenario(const RunOptions& options) {
                                          controlOf(options.common, progress));
     progress.finish();
     if (options.common.json) {
-        printJson(runJson(options, result, recorder));
+        printJson(runJson(options, scenario, result, recorder));
     } else {
-        printText(toText(options, result, recorder));
+        printText(toText(options, scenario, result, recorder));
     }
     return result.interrupted ? kInterrupted : kDone;
 }

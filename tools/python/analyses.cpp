@@ -93,7 +93,7 @@ std::string timeHistory(const formats::Scenario* scenario, const std::string& ou
         RunRecorder recorder(options, of, resumed ? &*resumed : nullptr);
         const RunResult result =
             runRecorded(of, resumed ? &resumed->from : nullptr, recorder, computing.control());
-        json = jsonText(runJson(options, result, recorder));
+        json = jsonText(runJson(options, of, result, recorder));
     });
     return json;
 }

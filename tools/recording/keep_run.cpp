@@ -65,7 +65,7 @@ std::string remarkOn(const formats::Scenario& scenario, const FailingState& fail
     std::string remark = scenario.path + " as it fails: " + loadText(kept) +
                          ", just beyond the first that fails.\nWritten by talus " + kept.search->name +
                          " --keep-run. The dashpots in [damping] only take out the rattle of the contacts.";
-    if (!scenario.model.waters.empty() && failing.state.loads.water_share < 1)
+    if (scenario.model.hasWater() && failing.state.loads.water_share < 1)
         remark += "\nIt fails under its weight already: in the kept run no water pushes.";
     return remark;
 }

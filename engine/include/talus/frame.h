@@ -26,6 +26,14 @@ struct QuaternionList {
     std::vector<double> w, x, y, z;
 };
 
+/// Bolts as lines through the blocks they hold, at the start: head, both sides of each joint they tie, end.
+struct BoltLines {
+    std::vector<std::string> name;
+    std::vector<std::int32_t> point_begin;  ///< per bolt
+    VectorList<double> point;               ///< [m]
+    std::vector<std::int32_t> block;        ///< that each point goes with
+};
+
 /// Shapes in the model frame as they lie at the start, flat. Names, joints and waters are the model's.
 struct RunGeometry {
     std::vector<double> mass;                     ///< [kg]
@@ -43,6 +51,7 @@ struct RunGeometry {
     std::vector<std::uint8_t> face_inner;  ///< per face: 1 where it lies on other parts, no surface
 
     bool isInner(std::size_t face) const { return !face_inner.empty() && face_inner[face] != 0; }
+    BoltLines bolts;
 };
 
 /// Water as it stands, per water of the model. Its table is the plane up . x = table, up = (sin tilt, 0, cos tilt).
@@ -50,6 +59,13 @@ struct WaterLevels {
     std::vector<double> level;  ///< depth or elevation as the scenario gives it [m]
     std::vector<double> table;  ///< [m]; nan when drained and for water given by two heads
     std::vector<std::uint8_t> drained;
+};
+
+/// Bolts as they stand, per bolt of the model.
+struct BoltForces {
+    std::vector<float> force;        ///< [N]
+    std::vector<float> utilisation;  ///< of what it can carry, 0..1
+    std::vector<std::uint8_t> broken;
 };
 
 /// What a viewer needs of one instant: 36 bytes a block.
@@ -60,13 +76,14 @@ struct LightFrame {
     double tilt = 0;                 ///< [rad]
     double time_step = 0;            ///< [s]
     double kinetic_energy = 0;       ///< [J]
-    double elastic_energy = 0;       ///< in the contact springs [J]
+    double elastic_energy = 0;       ///< in contacts and bolts [J]
     double gravity_energy = 0;       ///< relative to the start [J]
     double out_of_balance = 0;       ///< largest out-of-balance force of a free block over its weight
     VectorList<float> displacement;  ///< of each block's centroid since the start [m]
     VectorList<float> rotation;  ///< of each block since the start: axis times angle [rad], at most pi long
     VectorList<float> velocity;  ///< of each block's centroid [m/s]
     WaterLevels water;
+    BoltForces bolts;
 };
 
 /// Exact states of the blocks.
@@ -144,6 +161,19 @@ struct FrameWaters {
     std::vector<std::uint8_t> drained;  ///< as it is now
 };
 
+/// What bolts remember, for each joint that one ties.
+struct FrameBolts {
+    std::vector<double> yielded;  ///< elongation of the bar that stays [m]
+    std::vector<double> slipped;  ///< of the bar through its grout [m]
+    VectorList<double> dowel;     ///< displacement across the bolt that stays [m]
+    std::vector<std::uint8_t> broken;
+};
+
+/// Walls of a phreatic surface.
+struct FramePhreatic {
+    std::vector<std::uint8_t> drained;  ///< 1: dry for good
+};
+
 /// What the contact law takes of each joint, divided by the factor of a strength reduction.
 struct FrameLaws {
     struct Parameter {
@@ -207,6 +237,8 @@ struct FullFrame {
     FramePoints points;
     FrameWetPatches wet;
     FrameWaters waters;
+    FrameBolts bolts;
+    FramePhreatic phreatic;
     FrameLaws laws;
     FrameLoads loads;
     VectorList<double> search_position;  ///< poses at the last neighbour search

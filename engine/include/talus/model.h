@@ -76,6 +76,20 @@ struct Water {
     std::string field{};  ///< "water[0]", for messages
 };
 
+/// The water table of a slope: a line over x, extruded along y. Every face below it, of joints and free ones (ponded water),
+/// feels the pressure of the depth below it along gravity, times `factor`. It stays where it is.
+struct PhreaticSurface {
+    struct Point {
+        double x = 0, z = 0;  ///< [m]
+    };
+    std::vector<Point> line;  ///< x rising; level beyond its ends
+    double factor = 1;        ///< of the head (Hu)
+    double density = 1000;    ///< [kg/m^3]
+    /// [m]; the two faces of a joint are dry for good once it opens wider
+    double drains_at_aperture = kInfinity;
+    std::string field{};  ///< "water[0]", for messages
+};
+
 /// Where contact points (contact points) lie on a patch and which area each stands for.
 struct PointRule {
     enum class Kind : std::uint8_t { vertex, quarter, corner, grid };
@@ -111,6 +125,43 @@ struct AppliedLoad {
     std::vector<LevelPoint> factor{};                     ///< over time; empty: 1
     bool must_act = true;                                 ///< a box without a face is an error
     std::string field{};                                  ///< "load[0]", for messages
+};
+
+/// A bar between two places: bonded over its length, or free between head and end. It pulls at the blocks those lie in, or at
+/// all it goes through.
+struct Bolt {
+    std::string name;
+    Vec3 head = Vec3::Zero(), end = Vec3::Zero();  ///< at the start [m]
+    bool grouted = false;
+    bool plate = false;      ///< grouted: held at its head by a plate
+    double area = 0;         ///< [m^2]
+    double modulus = 0;      ///< [Pa]
+    double yield_force = 0;  ///< beyond it the force stays [N]
+    double pretension = 0;   ///< [N]
+    double rupture_strain = kInfinity;
+    double bond_stiffness = 0;   ///< grouted [N/m per m]
+    double bond_strength = 0;    ///< grouted [N/m]
+    double shear_stiffness = 0;  ///< grouted, of each joint it crosses [N/m]
+    bool must_hold = true;       ///< one that ties no blocks is an error
+    std::string field{};         ///< "bolt[0]", for messages
+};
+
+/// Bolts of one kind on a face.
+struct BoltPattern {
+    Bolt like;                                            ///< without head and end
+    Vec3 box_min = Vec3::Zero(), box_max = Vec3::Zero();  ///< of the heads [m]
+    Vec3 direction = Vec3::UnitX();                       ///< which way the faces look
+    double spacing_along = 0, spacing_up = 0;             ///< on the face [m]
+    double length = 0;                                    ///< [m]
+    double plunge = 0, trend = 0;  ///< of the bolts: below the horizontal; clockwise from +y [rad]
+};
+
+/// A recorded motion of all fixed blocks. Motion is computed against them: free blocks feel the opposite of its acceleration.
+struct GroundMotion {
+    std::vector<double> time;        ///< [s]; where two are equal the acceleration jumps
+    std::vector<Vec3> acceleration;  ///< linear between, none outside [m/s^2]
+
+    bool empty() const { return time.empty(); }
 };
 
 /// Damping terms of eqs (3)-(4), and Cundall's local damping.
@@ -156,14 +207,20 @@ struct Model {
     std::vector<Block> blocks;
     std::vector<PairJoint> pair_joints;
     std::vector<Water> waters;
+    std::optional<PhreaticSurface> phreatic;
     std::vector<AppliedLoad> loads;
+    std::vector<Bolt> bolts;
+    std::vector<BoltPattern> bolt_patterns;  ///< until they are placed (talus/bolts.h)
     PointRule points;
     Gravity gravity;
     Seismic seismic;
+    GroundMotion ground_motion;
     Damping damping;
     AnalysisSettings analysis;
     RunSettings run;
     std::optional<StackShape> stack;
+
+    bool hasWater() const { return !waters.empty() || phreatic.has_value(); }
 };
 
 }  // namespace talus

@@ -30,7 +30,7 @@ class Afresh {
         axis_.apply(state, axis_.load(cell));
         state.load.gravity_share = 1;
         if (!rests(state)) return false;
-        if (state.geometry->model.waters.empty()) return true;
+        if (!state.geometry->model.hasWater()) return true;
         state.load.water_share = 1;
         return rests(state);
     }

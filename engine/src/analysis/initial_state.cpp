@@ -27,7 +27,7 @@ bool comesToRest(State& state, const Control& control, bool parallel) {
     const Ramp gravity = [](State& s, double share) { s.load.gravity_share = share; };
     const Ramp water = [](State& s, double share) { s.load.water_share = share; };
     if (bringOn(state, work, gravity).verdict != Verdict::stable) return false;
-    return state.geometry->model.waters.empty() || bringOn(state, work, water).verdict == Verdict::stable;
+    return !state.geometry->model.hasWater() || bringOn(state, work, water).verdict == Verdict::stable;
 }
 
 /// What the history has of its own, whatever loads brought the state to its start.

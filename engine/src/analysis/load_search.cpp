@@ -10,6 +10,9 @@
 #include "analysis/bracket.h"
 #include "analysis/failure_mode.h"
 #include "analysis/quasi_static.h"
+#include "forces/bolts.h"
+#include "forces/contact_forces.h"
+#include "forces/sum.h"
 #include "frame/frame.h"
 #include "measure/measure.h"
 #include "state/incidence.h"
@@ -44,7 +47,9 @@ class Search {
           parallel_(parallel),
           bracket_(axis.stop),
           last_stable_(state),
-          work_(prepare(last_stable_, settings, control, axis.imbalance_tolerance, parallel)) {}
+          work_(prepare(last_stable_, settings, control, axis.imbalance_tolerance, parallel)),
+          reach_(tieReach(state)),
+          implicit_first_(reach_ > 0) {}
 
     SearchResult run() {
         if (start())
@@ -134,11 +139,15 @@ class Search {
     /// Whether an equilibrium is where the assembly stands, but for what it gives. Blocks that lean on each other have others,
     /// farther off, in which they are jammed: to get there is to fail first.
     bool isNear(const Probe& probe) const {
-        return result_.low == -kInfinity || probe.displacement <= nearLimit();
+        return result_.low == -kInfinity || probe.displacement <= nearLimit(last_stable_);
     }
 
-    double nearLimit() const {
-        return std::max(kSeenShare * last_stable_.geometry->length_scale, kNear * deflection());
+    /// Without the way on which bolts took hold: then what the assembly gave at its start [m].
+    double ownDeflection() const { return reach_ > 0 ? std::min(settlement_, deflection()) : deflection(); }
+
+    /// From a state. Bolts hold only as far as blocks have moved, so that way is none of a failure.
+    double nearLimit(const State& from) const {
+        return std::max(kSeenShare * from.geometry->length_scale, kNear * ownDeflection()) + tieReach(from);
     }
 
     /// Of the farthest-moved block [m].
@@ -256,7 +265,7 @@ class Search {
         if (moved.load.gravity_share < 1 || moved.load.tilt != start_tilt_) return false;
         takeBack(moved, work_);
         if (!settles(moved, axis_.start, kStartPeriods)) return false;
-        const bool dry = last_stable_.geometry->model.waters.empty() || last_stable_.load.water_share == 1;
+        const bool dry = !last_stable_.geometry->model.hasWater() || last_stable_.load.water_share == 1;
         return dry || loadWater() == Verdict::stable;
     }
 
@@ -266,7 +275,7 @@ class Search {
         start_tilt_ = last_stable_.load.tilt;
         last_stable_.load.gravity_share = last_stable_.load.water_share = 0;
         Verdict verdict = loadGravity();
-        if (verdict == Verdict::stable && !last_stable_.geometry->model.waters.empty()) verdict = loadWater();
+        if (verdict == Verdict::stable && last_stable_.geometry->model.hasWater()) verdict = loadWater();
         if (verdict == Verdict::failing) {
             result_.status = SearchStatus::unstable_at_start;
             result_.high = axis_.start;
@@ -353,7 +362,7 @@ class Search {
         const auto hold = [](State&, double) {};
         const State before = last_stable_;
         if (probe("settling", load, moving, patient, hold) != Verdict::stable) return false;
-        if (result_.low == -kInfinity || wayBetween(before, last_stable_) <= nearLimit()) return true;
+        if (result_.low == -kInfinity || wayBetween(before, last_stable_) <= nearLimit(before)) return true;
         stands_elsewhere_ = true;
         last_moving_ = std::exchange(last_stable_, before);
         return false;
@@ -386,6 +395,7 @@ class Search {
             result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start;
         const State& last = fails ? last_moving_ : last_stable_;
         if (!fails) result_.failing = nullptr;
+        if (!fails) result_.bolts = bolts::report(last_stable_);
         result_.steps = steps();
         result_.state_hash = stateHash(last);
         result_.inertia_scaled = work_.inertia_scaled;
@@ -396,15 +406,43 @@ class Search {
         result_.contact_points = contacts.points;
         result_.warnings = last.warnings;
         warnOfSoftJoints(last);
+        if (fails) warnOfLostCohesion(last);
+    }
+
+    /// Share of the area of joints whose cohesion goes at the first slip that has lost it, 0..1.
+    static double lostCohesion(const State& state) {
+        double all = 0, lost = 0;
+        for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
+            const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
+            if (!(law.cohesion > law.residual_cohesion) || isIdle(state.interfaces, i)) continue;
+            for (const ContactPoint& point : contactPoints(state, i)) {
+                all += point.area;
+                lost += (1 - point.memory.bond) * point.area;
+            }
+        }
+        return all > 0 ? lost / all : 0.0;
+    }
+
+    /// Limit equilibrium keeps cohesion to the end; eq 9 does not.
+    void warnOfLostCohesion(const State& state) {
+        const double lost = lostCohesion(state);
+        if (lost == 0) return;
+        result_.warnings.push_back(
+            "the answer hangs on cohesion that is lost where a joint first slips or opens (" +
+            formatted("%.0f", 100 * lost) +
+            " % of its area in the failure): with residual_cohesion = cohesion, as limit equilibrium has it, "
+            "it "
+            "may be higher; the ceiling of limit analysis counts it as kept");
     }
 
     /// The formulas are for joints that do not give.
     void warnOfSoftJoints(const State& state) {
         constexpr double kSoft = 1e-4;  // of the block size
-        if (deflection() <= kSoft * state.geometry->length_scale) return;
+        if (reach_ > 0) return;         // blocks that move until their bolts hold say nothing of joints
+        const double deflected = deflection();
+        if (deflected <= kSoft * state.geometry->length_scale) return;
         result_.warnings.push_back(
-            "the joints are soft against the stress on them: blocks move by " +
-            formatted("%.2g", deflection()) +
+            "the joints are soft against the stress on them: blocks move by " + formatted("%.2g", deflected) +
             " m before they fail, so toppling blocks turn about points inside their edges, and "
             "formulas for rigid joints give higher values");
     }
@@ -417,7 +455,8 @@ class Search {
         if (!bracket_.high())
             return {.deflection = 0, .share = kSeenAtStart, .most_steps = kMostStepsAtStart};
         const double settled = std::max(kSeenShare * last_stable_.geometry->length_scale, settlement_);
-        const double deflected = no_rest_ ? std::min(deflection(), settled) : deflection();
+        const double own = ownDeflection();
+        const double deflected = no_rest_ ? std::min(own, settled) : own;
         return {.deflection = deflected, .share = kSeenShare, .most_steps = most};
     }
 
@@ -429,6 +468,7 @@ class Search {
         if (control_.keep_failing_state)
             failing = std::make_shared<FailingState>(
                 FailingState{fullFrameOf(last_moving_), load + kOverload * axis_.cell});
+        result_.bolts = bolts::report(last_moving_);
         Failure failure = continueFailure(last_moving_, evidence(), control_, parallel_);
         if (failing) {
             failing->contact_damping = last_moving_.damping.contact;
@@ -473,7 +513,9 @@ class Search {
     bool no_rest_ = false;  ///< nor any other there
     NoNearRest no_near_rest_;
     std::int64_t states_at_rest_ = 0;  ///< the search has been in
-    bool implicit_first_ = false;      ///< explicit steps have not been enough
+    double reach_;                     ///< of the bolts at the beginning [m]
+    /// explicit steps have not been enough, or will not be: bolts take hold over ways that they are slow to go
+    bool implicit_first_ = false;
     std::int64_t probe_steps_ = 0, continuation_steps_ = 0;
 };
 

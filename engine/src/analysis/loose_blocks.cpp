@@ -56,6 +56,7 @@ Model withoutBlocks(const Model& model, const std::vector<char>& gone) {
         if (load.kind == AppliedLoad::Kind::box || renumber(load.block, index))
             left.loads.push_back(std::move(load));
     }
+    for (Bolt& bolt : left.bolts) bolt.must_hold = false;  // what they held may have gone
     left.stack.reset();
     return left;
 }

@@ -47,12 +47,14 @@ double largestMotion(const State& state, const PositionArray& position, const Qu
 
 /// Whether a block has gone so far that, come to rest or not, the assembly is no longer the one that was loaded: what
 /// has fallen off may lie still at the foot of the slope.
-bool hasGone(const State& state, const PositionArray& position, const QuaternionArray& orientation) {
+/// \param reach  of the bolts when it was loaded [m]
+bool hasGone(const State& state, const PositionArray& position, const QuaternionArray& orientation,
+             double reach) {
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
         const double shift = (state.blocks.position.get(b) - position.get(b)).norm();
         const double turn = rotationFrom(orientation, state.blocks.orientation, b);
-        if (shift + turn * state.geometry->radius[b] > kGone * state.geometry->size[b]) return true;
+        if (shift + turn * state.geometry->radius[b] > kGone * state.geometry->size[b] + reach) return true;
     }
     return false;
 }
@@ -324,6 +326,7 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     const PositionArray position = state.blocks.position;
     const QuaternionArray orientation = state.blocks.orientation;
     const ExternalLoad before = externalLoad(state);
+    const double reach = tieReach(state);
     const auto ramp_samples = std::max<std::int64_t>(
         2, std::llround(work.settings.ramp_periods * work.slow_period / (kStepsPerSample * work.time_step)));
     const auto ramp_steps = static_cast<double>(ramp_samples * kStepsPerSample);
@@ -341,7 +344,7 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     while (!decided && !interrupted(work) && probe.steps < work.settings.max_steps_per_probe) {
         takeSteps(state, work, probe);
         decided = watch.look(probe);
-        if (!decided && probe.steps % kStepsPerGlance == 0 && hasGone(state, position, orientation)) {
+        if (!decided && probe.steps % kStepsPerGlance == 0 && hasGone(state, position, orientation, reach)) {
             probe.verdict = Verdict::failing;
             probe.reason = describe("a block has left its place: out-of-balance force", probe.out_of_balance,
                                     probe.steps);

@@ -10,7 +10,9 @@
 #include "analysis/threads.h"
 #include "build/build.h"
 #include "contacts/update.h"
-#include "forces/water.h"
+#include "forces/bolts.h"
+#include "forces/ground_motion.h"
+#include "forces/sum.h"
 #include "frame/frame.h"
 #include "law/joint_laws.h"
 #include "measure/measure.h"
@@ -75,6 +77,8 @@ HistoryRecord recordOf(const State& state, const std::vector<std::size_t>& watch
     record.gravity_energy = gravityEnergy(state);
     record.out_of_balance = outOfBalanceRatio(state);
     for (std::size_t b : watched) record.watch.push_back(reportOn(state, b));
+    record.bolts = bolts::report(state);
+    if (state.load.shaken) record.ground_acceleration = groundAcceleration(state);
     return record;
 }
 
@@ -95,6 +99,7 @@ class TimeHistory {
         if (control_.progress) control_.progress({"start", 0.0, "weight and water are put on"});
         start_ = analysis::bringToStart(state_, control_, parallel_);
         state_.springs = Springs::keep_energy;
+        shake();
         chooseTimeStep();
         beginFrames();
     }
@@ -107,7 +112,10 @@ class TimeHistory {
             return {{"full.progress", "holds no valid time step or next frame: the frame is damaged"}};
         last_light_ = last_full_ = frame.step;
         // A failure that is played on goes as its search saw it (startFailing).
-        if (progress_.step_safety != analysis::kContinuationStepSafety) state_.springs = Springs::keep_energy;
+        if (progress_.step_safety != analysis::kContinuationStepSafety) {
+            state_.springs = Springs::keep_energy;
+            shake();
+        }
         return restoreFrame(frame, state_);
     }
 
@@ -167,6 +175,8 @@ class TimeHistory {
                                        std::to_string(progress_.stability_bound * 1e6) +
                                        " us (leave the key out to have it chosen)"};
     }
+
+    void shake() { state_.load.shaken = !state_.geometry->model.ground_motion.empty(); }
 
     void beginFrames() {
         updateForces(state_, parallel_);
@@ -272,7 +282,7 @@ class TimeHistory {
         if (state_.step % kStepsPerLook == 0) {
             finite_ = isFinite(state_);
             if (!finite_) return;
-            drainWater(state_);
+            lookAtBlockForces(state_);
             if (refreshInterfaces(state_, parallel_, kStepsPerLook * progress_.time_step)) chooseTimeStep();
         }
         if (state_.step % kStepsPerReport == 0 && control_.progress)
@@ -293,6 +303,9 @@ class TimeHistory {
         result.kinetic_energy = kineticEnergy(state_);
         result.state_hash = stateHash(state_);
         for (std::size_t b : watched_) result.watch.push_back(reportOn(state_, b));
+        result.bolts = bolts::report(state_);
+        for (std::size_t b = 0; b < state_.blocks.size(); ++b)
+            result.displacements.push_back(reportOn(state_, b).displacement);
         result.interrupted = interrupted_;
         result.warnings = state_.warnings;
         if (state_.shear_lost > 0)

@@ -52,21 +52,41 @@ void listInterfaces(const State& state, Balance& balance) {
     }
 }
 
+void listTies(const State& state, Balance& balance) {
+    eachBlockForce(state, [&](const BlockForce& force, const ForceParts&) {
+        if (force.tying == nullptr) return;
+        const std::vector<Tie> ties = force.tying->ties(state);
+        for (std::size_t k = 0; k < ties.size(); ++k) {
+            const auto a = static_cast<std::size_t>(ties[k].a), b = static_cast<std::size_t>(ties[k].b);
+            balance.ties.push_back({.force = force.tying,
+                                    .tie = k,
+                                    .block_a = a,
+                                    .block_b = b,
+                                    .a_first = balance.row[a] < balance.row[b]});
+        }
+    });
+}
+
 void makeStructure(Balance& balance) {
     std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-    const auto pairOf = [&](const ActiveInterface& i) {
+    const auto pairOf = [&](const auto& i) {
         return std::minmax(balance.row[i.block_a], balance.row[i.block_b]);
     };
-    for (const ActiveInterface& i : balance.interfaces)
+    const auto list = [&](const auto& i) {
         if (pairOf(i).first >= 0) pairs.emplace_back(pairOf(i));
+    };
+    for (const ActiveInterface& i : balance.interfaces) list(i);
+    for (const ActiveTie& tie : balance.ties) list(tie);
     balance.matrix = BlockMatrix(balance.block.size(), std::move(pairs));
     const auto& edges = balance.matrix.edges;
-    for (ActiveInterface& i : balance.interfaces) {
+    const auto find = [&](auto& i) {
         const std::pair<std::int32_t, std::int32_t> pair = pairOf(i);
-        if (pair.first < 0) continue;
+        if (pair.first < 0) return;
         i.edge =
             static_cast<std::int32_t>(std::lower_bound(edges.begin(), edges.end(), pair) - edges.begin());
-    }
+    };
+    for (ActiveInterface& i : balance.interfaces) find(i);
+    for (ActiveTie& tie : balance.ties) find(tie);
 }
 
 /// A drag of the size of what holds a block; what touches nothing has that of its largest face on the stiffest joint.
@@ -91,7 +111,9 @@ void scale(Mat6& k, double row_radius, double column_radius) {
     k.rightCols<3>() /= column_radius;
 }
 
-void addStiffness(Balance& balance, const ActiveInterface& i, InterfaceStiffness& k) {
+/// \param i an interface or a tie
+template <class Active>
+void addStiffness(Balance& balance, const Active& i, InterfaceStiffness& k) {
     const std::int32_t a = balance.row[i.block_a], b = balance.row[i.block_b];
     const auto at = [](std::int32_t row) { return static_cast<std::size_t>(row); };
     const auto take = [&](Mat6& block, std::int32_t row, std::int32_t column, Mat6& into) {
@@ -140,6 +162,27 @@ void addLoad(const Vec3& acceleration, Balance& balance, const State& state, con
     }
 }
 
+void addTies(const State& state, Balance& balance, const Poses& poses, bool stiffness, Vec6s& force) {
+    for (const ActiveTie& tie : balance.ties) {
+        const Vec3 at_a = poses.position.get(tie.block_a), at_b = poses.position.get(tie.block_b);
+        const TieForce found = tie.force->between(state, tie.tie, {at_a, poses.turn[tie.block_a]},
+                                                  {at_b, poses.turn[tie.block_b]});
+        const auto add = [&](std::size_t block, const Wrench& wrench) {
+            if (balance.row[block] < 0) return;
+            const auto row = static_cast<std::size_t>(balance.row[block]);
+            force[row].head<3>() += wrench.force;
+            force[row].tail<3>() += wrench.torque / balance.radius[row];
+        };
+        add(tie.block_a, found.onA(at_a));
+        add(tie.block_b, found.onB(at_b));
+        if (!stiffness) continue;
+        const TieRates rates = ratesOf(found, at_a, at_b);
+        InterfaceStiffness k{rates.on_a.leftCols<6>(), rates.on_a.rightCols<6>(), rates.on_b.leftCols<6>(),
+                             rates.on_b.rightCols<6>()};
+        addStiffness(balance, tie, k);
+    }
+}
+
 Placed placedOf(const Poses& poses, std::size_t b) { return {poses.position.get(b), poses.turn[b]}; }
 
 /// q after a small turn by a rotation vector in the model frame.
@@ -160,6 +203,7 @@ Balance makeBalance(const State& state) {
     Balance balance;
     listRows(state, balance);
     listInterfaces(state, balance);
+    listTies(state, balance);
     makeStructure(balance);
     findDrag(state, balance);
     readMemory(state, balance);
@@ -234,6 +278,7 @@ void sumForces(const State& state, Balance& balance, const Poses& poses, double 
     for (std::size_t r = 0; r < force.size(); ++r) force[r].tail<3>() /= balance.radius[r];
     addLoad(bodyAcceleration(state), balance, state, poses, stiffness, force);
     addDead(balance, poses, stiffness, force);
+    addTies(state, balance, poses, stiffness, force);
 }
 
 void commitRounded(const State& state, Balance& balance, const Poses& poses, double rounding) {

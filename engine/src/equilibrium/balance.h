@@ -9,6 +9,7 @@
 
 #include "equilibrium/block_matrix.h"
 #include "equilibrium/interface_response.h"
+#include "forces/sum.h"
 #include "forces/wrench.h"
 #include "state/arrays.h"
 
@@ -31,6 +32,14 @@ struct ActiveInterface {
     bool a_first = false;    ///< whether a's row comes before b's
 };
 
+/// What ties two blocks beside contacts (forces/sum.h).
+struct ActiveTie {
+    const TyingForce* force = nullptr;
+    std::size_t tie = 0, block_a = 0, block_b = 0;
+    std::int32_t edge = -1;  ///< as of an interface
+    bool a_first = false;
+};
+
 struct Balance {
     std::vector<std::int32_t> row{};                 ///< of each block, -1 when it does not move
     std::vector<std::size_t> block{};                ///< of each row
@@ -41,7 +50,8 @@ struct Balance {
     std::vector<DeadForce> dead{};  ///< of those that keep their direction; empty where there are none
     std::vector<ActiveInterface> interfaces{};
     std::vector<SolverPoint> points{};
-    BlockMatrix matrix{};  ///< of the structure of these interfaces
+    std::vector<ActiveTie> ties{};
+    BlockMatrix matrix{};  ///< of the structure of these interfaces and ties
 };
 
 /// Reads interfaces, contact points and what they remember. Idle slots are left out.

@@ -61,6 +61,7 @@ class Solver {
         takeContacts();
         start_ = at_.poses;
         deepest_ = deepestPoint(balance_, start_);
+        reach_ = tieReach(state_);
         median_weight_ = median(balance_.weight);
     }
 
@@ -229,8 +230,8 @@ class Solver {
             return;
         }
         const double size = state_.geometry->length_scale;
-        const double leaves = std::max(options_.leaves * size, kElasticParting * deepest_);
-        if (result_.parted > kGone * size || (result_.parted > leaves && goesOnAsFast(motion_ / h)))
+        const double leaves = std::max(options_.leaves * size, kElasticParting * deepest_) + reach_;
+        if (result_.parted > kGone * size + reach_ || (result_.parted > leaves && goesOnAsFast(motion_ / h)))
             result_.verdict = Verdict::failing;
         track_.push_back({result_.parted, motion_ / h});
     }
@@ -275,6 +276,7 @@ class Solver {
     Trial at_{};  ///< where the state is, its way zero
     Poses start_{};
     double deepest_ = 0;        ///< of the joints at the start [m]
+    double reach_ = 0;          ///< of bolts, at the start [m]
     double median_weight_ = 0;  ///< [N]
     std::optional<BlockLu> lu_{};
     Equilibrium result_{};

@@ -33,7 +33,7 @@ struct Equilibrium {
 /// Looks for the equilibrium that the state comes to when it is let go, from where it stands, against a drag.
 ///  - stable: at rest by the exact law, plastic slides committed;
 ///  - failing: on its way it has left its place: neighbours have parted or slid by more than `leaves`, and twenty times what
-///    the deepest joint is pressed together, and it does not slow down; or by a hundredth of the block size. An equilibrium
+///    the deepest joint is pressed together, and it does not slow down; or by a hundredth of the block size. What bolts give before they hold most comes on top. An equilibrium
 ///    farther on is another one than that of the assembly as it stands: blocks that lean on each other find such, and
 ///    with inertia may go past it;
 ///  - undecided: neither within the factorisations allowed, or interrupted; the state is the last one reached.

@@ -12,6 +12,7 @@
 
 #include "forces/contact_forces.h"
 #include "forces/wrench.h"
+#include "geometry/box_clip.h"
 #include "geometry/face_frame.h"
 #include "geometry/parts.h"
 #include "model/over_time.h"
@@ -22,7 +23,6 @@
 namespace talus::loads {
 
 inline constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which a face looks a way
-inline constexpr double kFlat = 1e-12;        // a face across an axis is in a box or not, as a whole
 inline constexpr double kClosed = 1e-6;       // of the length scale: a wider joint leaves its faces free
 inline constexpr double kLeastFree = 1e-9;    // share of a face that counts
 inline constexpr double kInReach = 1e-3;      // of the block's size: a point that far outside is on it
@@ -112,18 +112,9 @@ class Face {
 
     /// What of a polygon of this face lies in a load's box.
     Polygon clipped(Polygon polygon, const AppliedLoad& load) const {
-        const Vec3 e1 = turn_ * own_.e1, e2 = turn_ * own_.e2;
-        for (int axis = 0; axis < 3; ++axis)
-            for (const double sign : {1.0, -1.0}) {
-                const double most = sign * ((sign > 0 ? load.box_max : load.box_min)[axis] - origin_[axis]);
-                const Vec2 out(sign * e1[axis], sign * e2[axis]);
-                if (polygon.empty()) return polygon;
-                if (out.norm() > kFlat)
-                    polygon = clipHalfPlane(polygon, out, most);
-                else if (most < -kClosed * state_.geometry->length_scale)
-                    return {};
-            }
-        return polygon;
+        const FaceFrame in_model{origin_, turn_ * own_.e1, turn_ * own_.e2, normal()};
+        return clippedToBox(std::move(polygon), in_model, load.box_min, load.box_max,
+                            kClosed * state_.geometry->length_scale);
     }
 
     const State& state_;

@@ -3,7 +3,10 @@
 #include <array>
 #include <iterator>
 
+#include "forces/bolts.h"
+#include "forces/ground_motion.h"
 #include "forces/loads.h"
+#include "forces/phreatic.h"
 #include "forces/seismic.h"
 #include "forces/water.h"
 #include "model/gravity.h"
@@ -17,10 +20,24 @@ Wrench waterOnBlock(const State& state, const ForceParts&, std::size_t block) {
     return waterOn(state, block);
 }
 
+constexpr TyingForce kBolts{bolts::ties, bolts::between, bolts::springsOn, bolts::storedEnergy, bolts::reach};
+
 constexpr BlockForce kBlockForces[] = {
-    {"water", makeWater, updateWater, wetBlocksOf, waterOnBlock, nullptr},
-    {"loads", loads::build, nullptr, loads::blocks, loads::on, loads::dead},
+    {"water", makeWater, updateWater, drainWater, wetBlocksOf, waterOnBlock, nullptr, nullptr},
+    {"phreatic surface", phreatic::build, phreatic::update, phreatic::drain, phreatic::blocks, phreatic::on,
+     nullptr, nullptr},
+    {"loads", loads::build, nullptr, nullptr, loads::blocks, loads::on, loads::dead, nullptr},
+    {"bolts", bolts::build, bolts::update, nullptr, bolts::blocks, bolts::on, nullptr, &kBolts},
 };
+
+/// Adds up one number of each force that ties blocks.
+template <class Number>
+double sumOfTies(const Number& number) {
+    double sum = 0;
+    for (const BlockForce& force : kBlockForces)
+        if (force.tying != nullptr) sum += number(*force.tying);
+    return sum;
+}
 
 }  // namespace
 
@@ -40,6 +57,11 @@ void updateBlockForces(State& state) {
         if (force.update != nullptr) force.update(state);
 }
 
+void lookAtBlockForces(State& state) {
+    for (const BlockForce& force : kBlockForces)
+        if (force.look != nullptr) force.look(state);
+}
+
 Wrench blockForcesOn(const State& state, std::size_t block) {
     Wrench sum;
     eachBlockForce(state, [&](const BlockForce& force, const ForceParts& parts) {
@@ -48,10 +70,18 @@ Wrench blockForcesOn(const State& state, std::size_t block) {
     return sum;
 }
 
+Wrench outsideForcesOn(const State& state, std::size_t block) {
+    Wrench sum;
+    eachBlockForce(state, [&](const BlockForce& force, const ForceParts& parts) {
+        if (force.tying == nullptr) sum += force.on(state, parts, block);
+    });
+    return sum;
+}
+
 Wrench turningForcesOn(const State& state, std::size_t block) {
     Wrench sum;
     eachBlockForce(state, [&](const BlockForce& force, const ForceParts& parts) {
-        if (force.dead == nullptr) sum += force.on(state, parts, block);
+        if (force.dead == nullptr && force.tying == nullptr) sum += force.on(state, parts, block);
     });
     return sum;
 }
@@ -80,7 +110,20 @@ bool hasBlockForces(const State& state) {
     return any;
 }
 
+double tieEnergy(const State& state) {
+    return sumOfTies([&](const TyingForce& force) { return force.storedEnergy(state); });
+}
+
+double tieReach(const State& state) {
+    return sumOfTies([&](const TyingForce& force) { return force.reach(state); });
+}
+
 Vec3 bodyAcceleration(const State& state) {
+    const Vec3 standing = standingAcceleration(state);
+    return state.load.shaken ? Vec3(standing - groundAcceleration(state)) : standing;
+}
+
+Vec3 standingAcceleration(const State& state) {
     const Gravity& gravity = state.geometry->model.gravity;
     const Vec3 weight = gravity.magnitude * state.load.gravity_share * downward(gravity, state.load.tilt);
     const auto quake = seismicAcceleration(state);
@@ -89,7 +132,7 @@ Vec3 bodyAcceleration(const State& state) {
 
 Wrench appliedOn(const State& state, std::size_t block, const Vec3& acceleration) {
     Wrench sum{state.blocks.mass[block] * acceleration, Vec3::Zero()};
-    sum += blockForcesOn(state, block);
+    sum += outsideForcesOn(state, block);
     return sum;
 }
 

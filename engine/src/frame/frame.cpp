@@ -5,6 +5,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "forces/bolts.h"
 #include "forces/contact_forces.h"
 #include "forces/water.h"
 #include "frame/frame_fields.h"
@@ -96,6 +97,52 @@ void addWaterLoads(const State& state, FrameWaters& waters) {
     }
 }
 
+void addBolts(const State& state, FrameBolts& bolts) {
+    for (const BoltMemory& memory : state.bolts.memory) {
+        bolts.yielded.push_back(memory.yielded);
+        bolts.slipped.push_back(memory.slipped);
+        add(bolts.dowel, memory.dowel);
+        bolts.broken.push_back(memory.broken ? 1 : 0);
+    }
+}
+
+void addBoltForces(const State& state, BoltForces& forces) {
+    for (const BoltReport& bolt : bolts::report(state)) {
+        forces.force.push_back(static_cast<float>(bolt.force));
+        forces.utilisation.push_back(static_cast<float>(bolt.utilisation));
+        forces.broken.push_back(bolt.broken ? 1 : 0);
+    }
+}
+
+/// The line of a bolt goes with the blocks it ties, from joint to joint.
+void addBoltLines(const State& state, BoltLines& lines) {
+    const std::vector<Bolt>& all = state.geometry->model.bolts;
+    const std::vector<BoltSegment>& segments = state.bolts.segments;
+    lines.point_begin = {0};
+    const auto point = [&](std::int32_t block, const Vec3& place) {
+        add(lines.point, place);
+        lines.block.push_back(block);
+    };
+    const auto inModel = [&](std::int32_t block, const Vec3& own) -> Vec3 {
+        const auto b = static_cast<std::size_t>(block);
+        const Geometry& geometry = *state.geometry;
+        return geometry.origin + geometry.initial_position.get(b) +
+               geometry.initial_orientation.matrix(b) * own;
+    };
+    std::size_t k = 0;
+    for (std::size_t bolt = 0; bolt < all.size(); ++bolt) {
+        lines.name.push_back(all[bolt].name);
+        const std::size_t first = k;
+        for (; k < segments.size() && static_cast<std::size_t>(segments[k].bolt) == bolt; ++k) {
+            if (k == first) point(segments[k].block_a, all[bolt].head);
+            point(segments[k].block_a, inModel(segments[k].block_a, segments[k].at_a));
+            point(segments[k].block_b, inModel(segments[k].block_b, segments[k].at_b));
+        }
+        if (k > first) point(segments[k - 1].block_b, all[bolt].end);
+        lines.point_begin.push_back(static_cast<std::int32_t>(lines.block.size()));
+    }
+}
+
 void addLaws(const State& state, FrameLaws& laws) {
     for (const auto& parameter : contact::kLawParameters<double>) {
         std::vector<double>& values = laws.named(parameter.name);
@@ -167,6 +214,7 @@ RunGeometry geometryOf(const State& state) {
     for (const Block& block : state.geometry->model.blocks) addShape(block, g);
     if (state.geometry->part_block.size() > state.blocks.size())
         for (const Block& block : state.geometry->model.blocks) addParts(block.shape, g);
+    addBoltLines(state, g.bolts);
     return g;
 }
 
@@ -187,6 +235,7 @@ LightFrame lightFrameOf(const State& state) {
         add(frame.velocity, state.blocks.velocity.get(b));
     }
     addWaterLevels(state, frame.water);
+    addBoltForces(state, frame.bolts);
     return frame;
 }
 
@@ -197,6 +246,8 @@ FullFrame fullFrameOf(const State& state) {
     const Vec3& origin = state.geometry->origin;
     frame.origin_x = origin.x(), frame.origin_y = origin.y(), frame.origin_z = origin.z();
     addWaterLoads(state, frame.waters);
+    addBolts(state, frame.bolts);
+    frame.phreatic.drained = state.phreatic.drained;
     addLaws(state, frame.laws);
     addPatches(state, frame.interfaces, frame.points);
     addReadings(state, frame.interfaces, frame.points);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "contacts/limits.h"
+#include "forces/bolts.h"
 #include "forces/contact_forces.h"
 #include "forces/sum.h"
 #include "limit_analysis/section.h"
@@ -105,12 +106,25 @@ void addPoints(const State& state, std::size_t i, Assembly& assembly) {
 Loads presentForces(const State& state, const Assembly& assembly) {
     Loads loads(assembly.bodies.size());
     forFreeBlocks(assembly, [&](std::size_t b, std::size_t body) {
-        const Wrench applied = blockForcesOn(state, b);
+        const Wrench applied = outsideForcesOn(state, b);
         const Vec3 arm = state.blocks.position.get(b) - assembly.bodies[body].centroid;
         loads[body].force += applied.force;
         loads[body].torque += applied.torque + arm.cross(applied.force);
     });
     return loads;
+}
+
+void addTendons(const State& state, Assembly& assembly) {
+    for (const BoltSegment& segment : state.bolts.segments) {
+        const auto a = static_cast<std::size_t>(segment.block_a),
+                   b = static_cast<std::size_t>(segment.block_b);
+        const std::int32_t body_a = assembly.body_of_block[a], body_b = assembly.body_of_block[b];
+        if (body_a == body_b || std::min(body_a, body_b) == kAbsent) continue;
+        const Bolt& bolt = state.geometry->model.bolts[static_cast<std::size_t>(segment.bolt)];
+        assembly.tendons.push_back(
+            {body_a, body_b, state.blocks.position.get(b) + state.blocks.orientation.matrix(b) * segment.at_b,
+             (bolt.end - bolt.head).normalized(), bolts::strength(segment)});
+    }
 }
 
 /// Whether gravity or an earthquake, of whatever strength, pushes out of the plane of x and z.
@@ -125,7 +139,8 @@ Assembly assemble(const State& state, const std::vector<std::string>& left_out) 
     Assembly assembly;
     makeBodies(state, absent(state, left_out), assembly);
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) addPoints(state, i, assembly);
-    if (pushesAcross(state)) return assembly;
+    addTendons(state, assembly);
+    if (pushesAcross(state) || !assembly.tendons.empty()) return assembly;
     State loaded = state;
     const Loads loads = appliedLoads(loaded, assembly, state.load.tilt);
     return foldToSection(std::move(assembly), loads, state.geometry->length_scale);

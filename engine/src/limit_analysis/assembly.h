@@ -29,10 +29,19 @@ struct ContactPoint {
     std::int32_t joint = 0;
 };
 
+/// A bolt where it ties two bodies: it pulls as much as is wanted, up to its strength.
+struct Tendon {
+    std::int32_t body_a = kFixed, body_b = kFixed;
+    Vec3 place = Vec3::Zero();   ///< [m]
+    Vec3 along = Vec3::UnitZ();  ///< from a to b
+    double strength = 0;         ///< [N]
+};
+
 struct Assembly {
     std::vector<Body> bodies;
     std::vector<std::int32_t> body_of_block;  ///< kFixed for blocks that are not free, kAbsent
     std::vector<ContactPoint> points;
+    std::vector<Tendon> tendons;
     /// Solved in a plane y = constant (section.h): y, and turning about x and z, are left out.
     bool plane_section = false;
 

@@ -314,6 +314,16 @@ std::string curvedText(const Joint& joint) {
            "\", and limit analysis is for straight envelopes (\"coulomb\")";
 }
 
+/// What limit analysis is not made for; "" where there is nothing of it.
+std::string whyNot(const State& state, const Assembly& assembly) {
+    if (const Joint* curved = curvedJoint(state, assembly)) return curvedText(*curved);
+    for (const BoltSegment& segment : state.bolts.segments)
+        if (segment.law.dowel_stiffness > 0)
+            return "bolt \"" + state.geometry->model.bolts[static_cast<std::size_t>(segment.bolt)].name +
+                   "\" has a shear_stiffness, and limit analysis is for bolts that only pull";
+    return "";
+}
+
 Error tooLarge(std::size_t points, std::size_t most) {
     return {"", "limit analysis: the model has " + std::to_string(points) +
                     " contact points; allowed: at most " + std::to_string(most)};
@@ -362,7 +372,7 @@ Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control
         model, control, settings, [&](State& state, const Assembly& assembly) -> Result<LimitResult> {
             if (assembly.points.size() > settings.max_contact_points)
                 return tooLarge(assembly.points.size(), settings.max_contact_points);
-            if (const Joint* curved = curvedJoint(state, assembly)) return Error{"", curvedText(*curved)};
+            if (const std::string why = whyNot(state, assembly); !why.empty()) return Error{"", why};
             LimitResult result = analyse(state, assembly, load, control, settings);
             result.wall_seconds =
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -374,8 +384,7 @@ Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const
                              const LimitSettings& settings) {
     return withAssembly<
         Ceiling>(model, control, settings, [&](State& state, const Assembly& assembly) -> Result<Ceiling> {
-        if (const Joint* curved = curvedJoint(state, assembly))
-            return Ceiling{std::nullopt, curvedText(*curved)};
+        if (const std::string why = whyNot(state, assembly); !why.empty()) return Ceiling{std::nullopt, why};
         const std::size_t most = assembly.plane_section ? kCeilingPointsInSection : kCeilingPoints;
         if (!always && assembly.points.size() > most)
             return Ceiling{std::nullopt, tooManyPoints(assembly.points.size(), most, assembly.plane_section)};

@@ -27,6 +27,7 @@ Programme::Programme(const Assembly& assembly, const std::vector<contact::JointL
     Columns columns;
     addImbalance(columns);
     addMultiplier(columns, growing);
+    for (const Tendon& tendon : assembly.tendons) addTendon(columns, tendon);
     for (std::size_t p = 0; p < assembly.points.size(); ++p) addPoint(columns, p, pyramids.corners(p, side));
     program_.append(columns);
     columns_ = columns.size();
@@ -36,10 +37,10 @@ double Programme::scaleOf(std::int32_t body) const {
     return std::max(assembly_.bodies[static_cast<std::size_t>(body)].weight, kLightest * mean_weight_);
 }
 
-double Programme::scaleOf(const ContactPoint& point) const {
-    if (point.body_a == kFixed) return scaleOf(point.body_b);
-    if (point.body_b == kFixed) return scaleOf(point.body_a);
-    return std::min(scaleOf(point.body_a), scaleOf(point.body_b));
+double Programme::scaleOf(std::int32_t body_a, std::int32_t body_b) const {
+    if (body_a == kFixed) return scaleOf(body_b);
+    if (body_b == kFixed) return scaleOf(body_a);
+    return std::min(scaleOf(body_a), scaleOf(body_b));
 }
 
 /// Tension bears shear only as the envelope says; where the tensile strength is beyond the envelope's apex, the convex
@@ -103,6 +104,13 @@ void Programme::addImbalance(Columns& columns) const {
 void Programme::addMultiplier(Columns& columns, const Loads& growing) const {
     for (std::size_t b = 0; b < growing.size(); ++b) writeLoad(columns, b, growing[b]);
     columns.close(0, 0);
+}
+
+void Programme::addTendon(Columns& columns, const Tendon& tendon) const {
+    const double scale = scaleOf(tendon.body_a, tendon.body_b);
+    writeForce(columns, tendon.body_a, tendon.place, scale * tendon.along);
+    writeForce(columns, tendon.body_b, tendon.place, -scale * tendon.along);
+    columns.close(0, tendon.strength / scale);
 }
 
 /// A column of one force, as strong as the lighter of the two bodies is heavy.

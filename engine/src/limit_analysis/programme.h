@@ -6,6 +6,7 @@
 //             one limit a point with cohesion
 //   columns   what is missing from balance, either way, a pair for each equation
 //             the growing load's multiplier
+//             the pull of each bolt, up to its strength
 //             forces along the edges of each point's pyramid, all pushing; with cohesion also its blunt end
 //
 // What the rows cost at the end (prices) is the mechanism: the velocities at which the loads do most work against
@@ -72,7 +73,8 @@ class Programme {
 
     Strength strengthOf(const ContactPoint& point) const;
     double scaleOf(std::int32_t body) const;
-    double scaleOf(const ContactPoint& point) const;
+    double scaleOf(std::int32_t body_a, std::int32_t body_b) const;
+    double scaleOf(const ContactPoint& point) const { return scaleOf(point.body_a, point.body_b); }
     void writeLoad(Columns& columns, std::size_t body, const Wrench& load) const;
     void writeForce(Columns& columns, std::int32_t body, const Vec3& place, const Vec3& force) const;
     void addForce(Columns& columns, std::size_t point, const Vec3& force, double most, int limit_row,
@@ -81,6 +83,7 @@ class Programme {
     void addPoint(Columns& columns, std::size_t point, const std::vector<Corner>& corners);
     void addImbalance(Columns& columns) const;
     void addMultiplier(Columns& columns, const Loads& growing) const;
+    void addTendon(Columns& columns, const Tendon& tendon) const;
     LinearProgram makeRows(const Loads& fixed, const std::atomic<bool>* stop);
     Vec3 slip(std::size_t point, const std::vector<BodyMotion>& motion) const;
     bool worthAdding(std::size_t point, const Vec3& slip, double angle) const;

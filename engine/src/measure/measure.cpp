@@ -26,7 +26,7 @@ double kineticEnergy(const State& state) {
 double elasticEnergy(const State& state) {
     double sum = 0;
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) sum += storedEnergy(contactsOf(state), i);
-    return sum;
+    return sum + tieEnergy(state);
 }
 
 namespace {
@@ -51,7 +51,7 @@ double workOfDeadForces(const State& state) {
 }  // namespace
 
 double gravityEnergy(const State& state) {
-    const Vec3 g = bodyAcceleration(state);
+    const Vec3 g = standingAcceleration(state);
     double sum = 0;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;

@@ -10,7 +10,7 @@
 namespace talus {
 
 double kineticEnergy(const State& state);  ///< with the inertia used in the motion [J]
-double elasticEnergy(const State& state);  ///< in the contact springs [J]
+double elasticEnergy(const State& state);  ///< in contacts and bolts [J]
 /// Potential of weight, pseudo-static earthquake and forces that keep their direction, as large as they are now,
 /// relative to the initial poses of free blocks [J].
 double gravityEnergy(const State& state);

@@ -17,9 +17,11 @@
 #include "simd/instruction_set.h"
 #include "simd/pointers.h"
 #include "simd/scalar.h"
+#include "state/bolt_arrays.h"
 #include "state/interface_frame.h"
 #include "state/interface_group.h"
 #include "state/lane_array.h"
+#include "state/phreatic_arrays.h"
 #include "state/pose_arrays.h"
 #include "talus/model.h"
 
@@ -245,7 +247,8 @@ struct Load {
     double horizontal = 0;     ///< k_h of the pseudo-static earthquake
     double gravity_share = 1;  ///< 0..1, for loading: of weight, earthquake and loads
     double water_share = 1;    ///< 0..1, for loading
-    double time = 0;           ///< for water levels and loads over time [s]
+    double time = 0;           ///< for water levels, loads over time and ground motion [s]
+    bool shaken = false;       ///< whether the ground moves: in time histories only
 };
 
 /// What springs that are pressed do with the energy they hold.
@@ -274,10 +277,12 @@ struct State {
     double time = 0;                                                 ///< [s]
     std::int64_t step = 0;
     std::vector<ForceParts> force_parts{};  ///< one for each of blockForces
-    std::vector<std::uint8_t> drained;      ///< per water: 1 once it has run out through an open joint
-    std::vector<PressureField> pressure;    ///< per water, for `water_load`
-    std::vector<WaterLoad> water_load;      ///< per water: what its wrenches were computed for
-    PositionArray search_position;          ///< poses at the last neighbour search
+    Bolts bolts{};
+    PhreaticWalls phreatic{};
+    std::vector<std::uint8_t> drained;    ///< per water: 1 once it has run out through an open joint
+    std::vector<PressureField> pressure;  ///< per water, for `water_load`
+    std::vector<WaterLoad> water_load;    ///< per water: what its wrenches were computed for
+    PositionArray search_position;        ///< poses at the last neighbour search
     QuaternionArray search_orientation;
     double search_margin = 0;  ///< gap up to which that search made interfaces [m]
     double shear_lost = 0;     ///< shear force that could not be carried over to clipped patches, in all [N]

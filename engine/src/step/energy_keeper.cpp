@@ -54,8 +54,9 @@ double totalEnergy(const State& state, bool parallel) {
 }
 
 bool isLeftAlone(const State& state) {
-    return !hasBlockForces(state) && std::none_of(state.blocks.motion.begin(), state.blocks.motion.end(),
-                                                  [](Motion motion) { return motion == Motion::driven; });
+    return !hasBlockForces(state) && !state.load.shaken &&
+           std::none_of(state.blocks.motion.begin(), state.blocks.motion.end(),
+                        [](Motion motion) { return motion == Motion::driven; });
 }
 
 void takeBack(State& state, double energy, double since, bool parallel) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "forces/contact_forces.h"
+#include "forces/sum.h"
 #include "law/points.h"
 #include "state/incidence.h"
 #include "state/range.h"
@@ -12,6 +13,15 @@ namespace talus {
 namespace {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+/// Adds what a spring on a block at an arm from its centroid gives.
+void addSpring(const Mat3& k, const Vec3& arm, Mat6& sum) {
+    Mat3 cross;
+    cross << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;  // u = v + cross * theta
+    sum.topLeftCorner<3, 3>() += k;
+    sum.topRightCorner<3, 3>() += k * cross;
+    sum.bottomRightCorner<3, 3>() += cross.transpose() * k * cross;
+}
 
 /// Stiffness that one interface gives a block whose centroid is `centre`, its neighbour held.
 Mat6 interfaceStiffness(const State& state, std::size_t i, const Vec3& centre) {
@@ -24,13 +34,23 @@ Mat6 interfaceStiffness(const State& state, std::size_t i, const Vec3& centre) {
     for (const contact::PatchPoint& point :
          interfacePoints(state.interfaces, i, state.geometry->model.points)) {
         const Vec3 arm = pose.origin + point.position.x() * pose.e1 + point.position.y() * pose.e2 - centre;
-        Mat3 cross;
-        cross << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;  // u = v + cross * theta
-        const Mat3 k = point.area * stiffness;
-        sum.topLeftCorner<3, 3>() += k;
-        sum.topRightCorner<3, 3>() += k * cross;
-        sum.bottomRightCorner<3, 3>() += cross.transpose() * k * cross;
+        addSpring(point.area * stiffness, arm, sum);
     }
+    sum.bottomLeftCorner<3, 3>() = sum.topRightCorner<3, 3>().transpose();
+    return sum;
+}
+
+/// Of what ties a block to others beside contacts, counted as twice the stiffness against one that moves.
+Mat6 tieStiffness(const State& state, std::size_t block) {
+    Mat6 sum = Mat6::Zero();
+    eachBlockForce(state, [&](const BlockForce& force, const ForceParts& parts) {
+        if (force.tying == nullptr || force.blocks(state, parts).empty()) return;
+        for (const auto& [other, spring] : force.tying->springsOn(state, parts, block)) {
+            const double share =
+                state.blocks.motion[static_cast<std::size_t>(other)] == Motion::free ? 2.0 : 1.0;
+            addSpring(share * spring.stiffness, spring.place - state.blocks.position.get(block), sum);
+        }
+    });
     sum.bottomLeftCorner<3, 3>() = sum.topRightCorner<3, 3>().transpose();
     return sum;
 }
@@ -69,7 +89,6 @@ double frequencyBound(const State& state, std::size_t block) {
     const Incidence& incidence = state.incidence;
     const auto begin = incidence.interface_begin[block], end = incidence.interface_begin[block + 1];
     if (blocks.motion[block] != Motion::free) return 0.0;
-    if (begin == end) return boundInTheAir(state, block);
     Mat6 stiffness = Mat6::Zero();
     double idle_area = 0;  // of vertices and edges that may come to touch before this is asked again
     bool touches_nothing = true;
@@ -86,7 +105,8 @@ double frequencyBound(const State& state, std::size_t block) {
         const double share = blocks.motion[other] == Motion::free ? 2.0 : 1.0;
         stiffness += share * interfaceStiffness(state, i, blocks.position.get(block));
     }
-    if (touches_nothing) return boundInTheAir(state, block);
+    const double in_the_air = touches_nothing ? boundInTheAir(state, block) : 0.0;
+    stiffness += tieStiffness(state, block);
     // M^-1/2 K M^-1/2, the rotations in the block's own frame where the inertia is diagonal.
     const Mat3 turn = blocks.orientation.matrix(block);
     Mat6 to_own = Mat6::Zero();
@@ -96,6 +116,7 @@ double frequencyBound(const State& state, std::size_t block) {
     const Mat6 scaled = to_own.transpose() * stiffness * to_own;
     const double closed =
         Eigen::SelfAdjointEigenSolver<Mat6>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[5];
+    if (touches_nothing) return in_the_air + closed;
     return idle_area > 0 ? closed + boundAnywhere(state, block, idle_area) : closed;
 }
 

@@ -82,7 +82,8 @@ std::string reasons(const Section& section) {
 
 std::optional<Prediction> predict(const Model& model) {
     const bool weight_only = !model.gravity.direction && model.seismic.horizontal == 0 &&
-                             model.seismic.vertical == 0 && model.loads.empty();
+                             model.seismic.vertical == 0 && model.loads.empty() && model.bolts.empty() &&
+                             !model.phreatic;
     if (!(model.gravity.magnitude > 0) || !weight_only) return std::nullopt;
     const auto section = model.stack ? stackSection(model) : singleSection(model);
     if (!section) return std::nullopt;

@@ -78,7 +78,7 @@ std::vector<Error> HistoryWriter::write(const HistoryRecord& record) {
     if (failed_) return {};
     if (std::exchange(started_, true)) return append(row(record));
     if (isRegular(file_.file()) && ::ftruncate(file_.file(), 0) != 0) return refusal(writeRefusal(errno));
-    return append(head() + row(record));
+    return append(head(record) + row(record));
 }
 
 std::vector<Error> HistoryWriter::finish(std::string_view how) {
@@ -89,7 +89,7 @@ std::vector<Error> HistoryWriter::finish(std::string_view how) {
     return errors;
 }
 
-std::string HistoryWriter::head() const {
+std::string HistoryWriter::head(const HistoryRecord& first) const {
     std::string text = std::string(kFirstLine) + comments_;
     text +=
         "# out_of_balance: largest out-of-balance force of a block over its weight; gravity energy is "
@@ -99,6 +99,8 @@ std::string HistoryWriter::head() const {
     for (const std::string& block : watch_)
         for (const char* quantity : {"x_m", "y_m", "z_m", "vx_m_s", "vy_m_s", "vz_m_s", "rotation_deg"})
             text += ',' + columnName(block, quantity);
+    if (first.ground_acceleration) text += ",ground_ax_m_s2,ground_ay_m_s2,ground_az_m_s2";
+    for (const BoltReport& bolt : first.bolts) text += ',' + columnName(bolt.name, "force_n");
     return text + '\n';
 }
 
@@ -116,6 +118,11 @@ std::string HistoryWriter::row(const HistoryRecord& record) const {
         appendNumbers(line, block.velocity);
         line += ',';
         appendNumber(line, block.rotation / kDegree);
+    }
+    if (record.ground_acceleration) appendNumbers(line, *record.ground_acceleration);
+    for (const BoltReport& bolt : record.bolts) {
+        line += ',';
+        appendNumber(line, bolt.force);
     }
     return line + '\n';
 }

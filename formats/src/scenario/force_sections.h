@@ -2,9 +2,9 @@
 // The sections that say what pushes on blocks beside their weight and water: one list, each with its reader.
 
 #include <span>
+#include <vector>
 
-#include "scenario/directory.h"
-#include "scenario/reading.h"
+#include "scenario/force_reader.h"
 #include "talus/model.h"
 
 namespace talus::formats::scenario {
@@ -12,7 +12,9 @@ namespace talus::formats::scenario {
 struct ForceSection {
     const char* name;
     /// Adds to the model what the section's tables say. The names of all blocks are known.
-    void (*read)(Report& report, TableReader& root, const BlockDirectory& blocks, Model& model);
+    void (*read)(const ForceReader& from, Model& model);
+    /// Once the model has its blocks; nullptr where nothing is left to do.
+    std::vector<Error> (*place)(Model& model);
 };
 
 std::span<const ForceSection> forceSections();

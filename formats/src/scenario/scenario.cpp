@@ -47,13 +47,15 @@ class ScenarioReader {
         checkWatch(directory);
         const auto interfaces = readInterfaces(report_, root_, directory, joints_);
         const auto waters = readWaters(report_, root_, {stacks_, rock_ ? &*rock_ : nullptr}, directory);
-        for (const ForceSection& section : forceSections()) section.read(report_, root_, directory, model_);
+        for (const ForceSection& section : forceSections())
+            section.read({report_, root_, directory, folder_}, model_);
         std::vector<std::vector<WetFace>> walls;
         if (report_.clean()) walls = rockWalls(waters);
         if (report_.clean()) buildBlocks();
         if (report_.clean()) {
             addInterfaces(interfaces, model_);
             appendWaters(report_, waters, stacks_, walls, model_);
+            placeForces();
         }
         Scenario scenario;
         scenario.model = std::move(model_);
@@ -117,6 +119,15 @@ class ScenarioReader {
                 walls[i] =
                     jointWalls(rock_blocks_->cut, waters[i].rock_joint, waters[i].plane, firstRockBlock());
         return walls;
+    }
+
+    void placeForces() {
+        for (const ForceSection& section : forceSections()) {
+            if (section.place == nullptr) continue;
+            for (Error& error : section.place(model_))
+                report_.add(report_.placeOf(error.field).value_or(kFileStart), error.field,
+                            std::move(error.message));
+        }
     }
 
     bool checkCount(Place place, const std::string& field, std::int64_t count) {

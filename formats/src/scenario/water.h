@@ -15,9 +15,10 @@ namespace talus::formats::scenario {
 
 /// What a [[water]] table says; its walls are looked up once the blocks are built.
 struct WaterEntry {
-    enum class Where { stack_joint, between_blocks, block_face, rock_joint };
+    enum class Where { stack_joint, between_blocks, block_face, rock_joint, below_surface };
     Where where = Where::stack_joint;
-    Water water;  ///< complete but for its walls
+    Water water;                ///< complete but for its walls
+    PhreaticSurface surface{};  ///< below_surface
     Place place;
     std::size_t stack = 0;                ///< stack_joint: which stack
     int fissure = 0;                      ///< stack_joint: between this many columns and the others

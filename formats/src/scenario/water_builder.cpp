@@ -48,6 +48,14 @@ void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const 
     std::size_t walls = 0;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const WaterEntry& entry = entries[i];
+        if (entry.where == WaterEntry::Where::below_surface) {
+            model.phreatic = entry.surface;
+            if (entries.size() > 1)
+                report.add(entry.place, entry.surface.field,
+                           "found a surface beside another [[water]], allowed: a surface alone, since it "
+                           "wets every joint");
+            continue;
+        }
         Water water = entry.water;
         water.walls =
             entry.where == WaterEntry::Where::rock_joint ? rock_walls[i] : wallsOf(entry, stacks, model);

@@ -32,15 +32,17 @@ class WaterReader {
     }
 
     std::optional<WaterEntry> read(const FieldNode& node) const {
-        TableReader table(report_, node.node, node.field,
-                          {"fissure", "stack", "between", "block", "face", "joint", "plane", "depth",
-                           "elevation", "levels", "head", "base", "density", "drains_at_aperture"});
+        TableReader table(
+            report_, node.node, node.field,
+            {"fissure", "stack", "between", "block", "face", "joint", "plane", "depth", "elevation", "levels",
+             "head", "base", "density", "drains_at_aperture", "surface", "factor"});
         WaterEntry entry;
         entry.place = table.place();
         entry.water.field = node.field;
         readNumbers(table, kWaterFields, entry.water);
-        if (!table.requireOneOf({"fissure", "between", "block", "joint"})) return std::nullopt;
+        if (!table.requireOneOf({"fissure", "between", "block", "joint", "surface"})) return std::nullopt;
         refuseForeignKeys(table);
+        if (table.has("surface")) return readSurface(table, entry);
         if (table.has("joint")) return readRockJoint(table, entry);
         if (table.has("fissure")) return readStackJoint(table, entry);
         if (table.has("between")) return readBetweenBlocks(table, entry);
@@ -61,6 +63,39 @@ class WaterReader {
         refuse("joint", {"plane"});
         refuse("between", {"head"});
         refuse("block", {"face"});
+        refuse("surface", {"factor"});
+    }
+
+    /// The water table of the whole slope.
+    std::optional<WaterEntry> readSurface(TableReader& table, WaterEntry& entry) const {
+        entry.where = WaterEntry::Where::below_surface;
+        for (const std::string& key : table.present({"depth", "elevation", "levels"}))
+            table.error(key, "found " + key + " beside surface, allowed: one or the other");
+        entry.surface.line = readLine(table);
+        entry.surface.factor = table.number("factor", {0, 10, true, false}).value_or(1);
+        entry.surface.density = entry.water.density;
+        entry.surface.drains_at_aperture = entry.water.drains_at_aperture;
+        entry.surface.field = entry.water.field;
+        return entry;
+    }
+
+    /// `surface = [[x, z], ...]` from small to great x.
+    std::vector<PhreaticSurface::Point> readLine(TableReader& table) const {
+        const auto list = table.array("surface");
+        if (!list) return {};
+        std::vector<PhreaticSurface::Point> line;
+        for (std::size_t k = 0; k < list->size(); ++k) {
+            const std::string field = table.fieldOf("surface") + "[" + std::to_string(k) + "]";
+            const auto point = readNumbers(report_, list->at(k), field, kCoordinate, 2);
+            if (!point) return {};
+            if (!line.empty() && (*point)[0] <= line.back().x)
+                report_.add(list->at(k).place(), field,
+                            "found x = " + numberText((*point)[0]) + " after " + numberText(line.back().x) +
+                                ", a line that folds back; allowed: x that rises");
+            line.push_back({(*point)[0], (*point)[1]});
+        }
+        if (line.size() < 2) table.error("surface", "found fewer than two points, allowed: at least two");
+        return line;
     }
 
     /// Index of the stack meant; nothing when that is reported.

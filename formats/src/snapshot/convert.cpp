@@ -310,9 +310,14 @@ flatbuffers::Offset<fb::Full> packFull(flatbuffers::FlatBufferBuilder& builder, 
     const auto progress = packPart<fb::Progress>(builder, f.progress);
     flatbuffers::Offset<flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>> warnings = 0;
     if (!f.warnings.empty()) warnings = builder.CreateVectorOfStrings(f.warnings);
+    flatbuffers::Offset<fb::Bolts> bolts = 0;
+    if (!f.bolts.yielded.empty()) bolts = packTable<fb::Bolts, FieldsOf<kBoltFields>>(builder, f.bolts);
+    flatbuffers::Offset<fb::Phreatic> phreatic = 0;
+    if (!f.phreatic.drained.empty())
+        phreatic = packTable<fb::Phreatic, FieldsOf<kPhreaticFields>>(builder, f.phreatic);
     return fb::CreateFull(builder, f.time, f.step, f.state_hash, blocks, interfaces, points, wet, waters,
                           laws, loads, search, progress, f.shear_lost, warnings, f.origin_x, f.origin_y,
-                          f.origin_z);
+                          f.origin_z, bolts, phreatic);
 }
 
 void unpackFull(const fb::Full& m, FullFrame& f) {
@@ -322,6 +327,8 @@ void unpackFull(const fb::Full& m, FullFrame& f) {
     unpackTable<fb::Points, FieldsOf<kPointFields>>(m.points(), f.points);
     unpackTable<fb::WetPatches, FieldsOf<kWetFields>>(m.wet(), f.wet);
     unpackTable<fb::WaterLoads, FieldsOf<kWaterFields>>(m.waters(), f.waters);
+    unpackTable<fb::Bolts, FieldsOf<kBoltFields>>(m.bolts(), f.bolts);
+    unpackTable<fb::Phreatic, FieldsOf<kPhreaticFields>>(m.phreatic(), f.phreatic);
     unpackPart(m.laws(), f.laws);
     unpackPart(m.loads(), f.loads);
     if (const fb::Search* search = m.search()) {
@@ -340,7 +347,8 @@ void unpackFull(const fb::Full& m, FullFrame& f) {
 std::size_t messageBytes(const FullFrame& frame) {
     return 240 * frame.blocks.inverse_mass.size() + 284 * frame.interfaces.size() +
            16 * frame.interfaces.patch_xi.size() + 81 * frame.points.size() + 400 * frame.wet.block.size() +
-           16 * frame.wet.vertex_x.size() + 65536;
+           16 * frame.wet.vertex_x.size() + 48 * frame.bolts.yielded.size() + frame.phreatic.drained.size() +
+           65536;
 }
 
 }  // namespace
@@ -349,14 +357,21 @@ mcap::Bytes encode(SnapshotHeader header) {
     fb::HeaderT message;
     message.joints = std::make_unique<fb::JointsT>(toMessage(header.joints));
     for (const Water& water : header.waters) message.waters.push_back(toMessage(water));
+    for (const PhreaticSurface::Point& point : header.phreatic) {
+        message.phreatic_x.push_back(point.x);
+        message.phreatic_z.push_back(point.z);
+    }
     if (header.failure) message.failure = std::make_unique<fb::FailureT>(toMessage(*header.failure));
     eachField(header, message, IntoMessage{});
+    if (!header.geometry.bolts.name.empty())
+        eachField(header.geometry.bolts, made(message.bolts), IntoMessage{});
     return pack<fb::Header>(message);
 }
 
 mcap::Bytes encode(LightFrame frame) {
     fb::FrameT message;
     eachField(frame, message, IntoMessage{});
+    if (!frame.bolts.force.empty()) eachField(frame.bolts, made(message.bolts), IntoMessage{});
     return pack<fb::Frame>(message);
 }
 
@@ -379,8 +394,12 @@ bool decode(const mcap::Bytes& bytes, SnapshotHeader& header, std::string& why) 
     if (!message.joints || !fromMessage(*message.joints, header.joints)) return false;
     for (const auto& water : message.waters)
         if (!fromMessage(*water, header.waters.emplace_back())) return false;
+    if (message.phreatic_x.size() != message.phreatic_z.size()) return false;
+    for (std::size_t k = 0; k < message.phreatic_x.size(); ++k)
+        header.phreatic.push_back({message.phreatic_x[k], message.phreatic_z[k]});
     if (message.failure && !fromMessage(*message.failure, header.failure.emplace())) return false;
     eachField(header, message, FromMessage{});
+    if (message.bolts) eachField(header.geometry.bolts, *message.bolts, FromMessage{});
     return true;
 }
 
@@ -388,6 +407,7 @@ bool decode(const mcap::Bytes& bytes, LightFrame& frame) {
     fb::FrameT message;
     if (!readMessage<fb::Frame>(bytes, message)) return false;
     eachField(frame, message, FromMessage{});
+    if (message.bolts) eachField(frame.bolts, *message.bolts, FromMessage{});
     return true;
 }
 
@@ -418,6 +438,7 @@ SnapshotHeader headerOf(const Scenario& scenario, RunGeometry geometry, std::str
     header.joints = model.joints;
     if (!allCoulomb(model.joints)) header.format = kFormatWithLaws;
     header.waters = model.waters;
+    if (model.phreatic) header.phreatic = model.phreatic->line;
     return header;
 }
 

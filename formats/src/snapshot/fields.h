@@ -35,6 +35,21 @@ void eachField(LightFrame& f, fb::FrameT& m, const Move& move) {
     move(f.water.drained, m.water->drained);
 }
 
+template <class Move>
+void eachField(BoltLines& f, fb::BoltLinesT& m, const Move& move) {
+    move(f.name, m.name);
+    move(f.point_begin, m.point_begin);
+    move(f.point, m.point);
+    move(f.block, m.block);
+}
+
+template <class Move>
+void eachField(BoltForces& f, fb::BoltForcesT& m, const Move& move) {
+    move(f.force, m.force);
+    move(f.utilisation, m.utilisation);
+    move(f.broken, m.broken);
+}
+
 // Columns of the first version: of a joint's properties by their keys, of the law's parameters by their names. Everything
 // that has none goes by its name (JointsT::property, LawsT::parameter), so that nothing here changes with a new property.
 struct JointColumn {

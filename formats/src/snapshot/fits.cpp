@@ -37,6 +37,18 @@ bool areBegins(const std::vector<Index>& begins, std::size_t items, std::size_t 
 
 }  // namespace
 
+namespace {
+
+/// An older file, and one without bolts, has nothing of them.
+bool boltsFit(const BoltLines& bolts, std::size_t blocks) {
+    if (bolts.name.empty()) return bolts.block.empty();
+    const std::size_t points = bolts.block.size();
+    return sized(bolts.point, points) && areBegins(bolts.point_begin, bolts.name.size(), points) &&
+           within(bolts.block, 0, blocks);
+}
+
+}  // namespace
+
 bool fits(const SnapshotHeader& header) {
     const RunGeometry& g = header.geometry;
     const std::size_t n = header.names.size();
@@ -48,6 +60,7 @@ bool fits(const SnapshotHeader& header) {
         return false;
     if ((!g.face_part.empty() || !g.face_inner.empty()) && !allSized(faces, g.face_part, g.face_inner))
         return false;
+    if (!boltsFit(g.bolts, n)) return false;
     if (header.failure && header.failure->roles.size() != n) return false;
     for (const Motion motion : header.motions)
         if (motion > Motion::driven) return false;
@@ -65,7 +78,9 @@ bool fits(const SnapshotHeader& header) {
 bool fits(const LightFrame& frame, const SnapshotHeader& header) {
     const std::size_t n = header.names.size();
     return sized(frame.displacement, n) && sized(frame.rotation, n) && sized(frame.velocity, n) &&
-           allSized(header.waters.size(), frame.water.level, frame.water.table, frame.water.drained);
+           allSized(header.waters.size(), frame.water.level, frame.water.table, frame.water.drained) &&
+           allSized(header.geometry.bolts.name.size(), frame.bolts.force, frame.bolts.utilisation,
+                    frame.bolts.broken);
 }
 
 bool fits(const FullFrame& frame, const SnapshotHeader& header) {

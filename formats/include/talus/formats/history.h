@@ -33,7 +33,7 @@ class HistoryWriter {
     std::vector<Error> finish(std::string_view how);
 
  private:
-    std::string head() const;
+    std::string head(const HistoryRecord& first) const;
     std::string row(const HistoryRecord& record) const;
     std::vector<Error> append(std::string_view text);
     std::vector<Error> refusal(std::string why);

@@ -51,6 +51,7 @@ struct SnapshotHeader {
     RunGeometry geometry;
     std::vector<Joint> joints;
     std::vector<Water> waters;
+    std::vector<PhreaticSurface::Point> phreatic;  ///< the line of a phreatic surface, if there is one
     /// of a run kept by a search, which begins in a state of that search
     std::optional<SnapshotFailure> failure;
 };

@@ -51,7 +51,7 @@ export class Controls {
     element("facts").textContent = `${header.names.length} blocks · tilt ${angle(frames[0].tilt, 4)} · ` +
       `${quantity(frames.at(-1).time, "s")} · ${motion}` + (file.end?.get("ended") === "finished" ? "" : " · run not finished");
     element("run").innerHTML = runText(file, motion);
-    element("water").disabled = header.waters.length === 0;
+    element("water").disabled = header.waters.length === 0 && !header.phreaticX?.length;
   }
 
   connectTransport() {
@@ -269,6 +269,7 @@ export class Controls {
       colouring: look.colouring, range: replay.range, ownScale: look.ownScale, roles: look.colouring === "role" ? replay.roles : [], joints: look.joints,
       forces: arrows, reference: replay.arrows.reference, arrowPixels: this.arrowPixels(), fullTime: replay.full?.time ?? null,
       exaggeration: look.exaggeration, selected: replay.selected.block >= 0,
+      bolts: replay.bolts.bolts.length > 0,
     });
     if (html !== this.legendShown) element("legend").innerHTML = this.legendShown = html;
   }

@@ -6,7 +6,7 @@ import { openJoint, rgb, used, water as waterColour } from "./colours.js";
 import { sheetFragment, sheetVertex } from "./shaders.js";
 
 /** Triangles and lines that are filled anew; drawn over the blocks. */
-class Sheets {
+export class Sheets {
   constructor(motion, order) {
     const material = (strength, depth) =>
       new THREE.ShaderMaterial({
@@ -42,10 +42,10 @@ class Sheets {
   }
 }
 
-const emptyMesh = () => ({ position: [], block: [], tint: [] });
-const put = (mesh, block, point, tint) => (mesh.position.push(...point), mesh.block.push(block), mesh.tint.push(...tint));
+export const emptyMesh = () => ({ position: [], block: [], tint: [] });
+export const put = (mesh, block, point, tint) => (mesh.position.push(...point), mesh.block.push(block), mesh.tint.push(...tint));
 
-function putPolygon(mesh, block, points, tints) {
+export function putPolygon(mesh, block, points, tints) {
   for (let k = 1; k + 1 < points.length; ++k)
     for (const j of [0, k, k + 1]) put(mesh, block, points[j], tints[j]);
 }

@@ -1,0 +1,20 @@
+#pragma once
+// Walls below a phreatic surface, or that may come below it: all faces of free blocks.
+
+#include <cstdint>
+#include <vector>
+
+#include "talus/polyhedron.h"
+
+namespace talus {
+
+struct PhreaticWalls {
+    std::vector<std::int32_t> block, face;  ///< block by block
+    std::vector<std::uint8_t> drained;      ///< 1 once its joint has opened wider than the surface allows
+    std::vector<Vec3> force,
+        moment;  ///< on the block about its centroid, model frame, as last brought up to date [N, N m]
+
+    std::size_t size() const { return block.size(); }
+};
+
+}  // namespace talus

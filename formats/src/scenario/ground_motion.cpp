@@ -1,0 +1,208 @@
+#include "scenario/ground_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "toml/file_text.h"
+
+namespace talus::formats::scenario {
+
+namespace {
+
+constexpr std::array<const char*, 3> kAccelerations{"ax_m_s2", "ay_m_s2", "az_m_s2"};
+constexpr std::array<const char*, 3> kVelocities{"vx_m_s", "vy_m_s", "vz_m_s"};
+constexpr const char* kColumns = "time_s and any of ax_m_s2, ay_m_s2, az_m_s2, or of vx_m_s, vy_m_s, vz_m_s";
+constexpr std::size_t kMostRows = 10'000'000;
+
+struct Record {
+    bool velocities = false;
+    std::vector<double> time;
+    std::vector<Vec3> value;
+};
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return "";
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string_view> cellsOf(std::string_view line) {
+    std::vector<std::string_view> cells;
+    for (;;) {
+        const auto comma = line.find(',');
+        cells.push_back(trimmed(line.substr(0, comma)));
+        if (comma == std::string_view::npos) return cells;
+        line.remove_prefix(comma + 1);
+    }
+}
+
+std::optional<double> numberOf(std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+/// Reads a file's lines; the first fault ends it.
+class RecordReader {
+ public:
+    explicit RecordReader(std::string_view text) : text_(text) {}
+
+    /// Empty, and `fault` says why.
+    std::optional<Record> read(std::string& fault) {
+        while (fault_.empty() && next()) has_header_ ? readRow() : readHeader();
+        if (fault_.empty() && record_.time.size() < 2)
+            fault_ = "found " + std::to_string(record_.time.size()) + " rows, allowed: at least 2";
+        fault = fault_;
+        return fault.empty() ? std::optional(std::move(record_)) : std::nullopt;
+    }
+
+ private:
+    /// The next line that is neither empty nor a comment.
+    bool next() {
+        while (!text_.empty()) {
+            const auto end = text_.find('\n');
+            line_ = trimmed(text_.substr(0, end));
+            text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
+            ++number_;
+            if (!line_.empty() && line_.front() != '#') return true;
+        }
+        return false;
+    }
+
+    void refuse(const std::string& what) { fault_ = "line " + std::to_string(number_) + ": " + what; }
+
+    void readHeader() {
+        has_header_ = true;
+        bool accelerations = false;
+        for (const std::string_view cell : cellsOf(line_)) {
+            const auto among = [&](const auto& names) {
+                return static_cast<int>(std::find(names.begin(), names.end(), cell) - names.begin());
+            };
+            const int a = among(kAccelerations), v = among(kVelocities);
+            column_.push_back(cell == "time_s" ? kTime : a < 3 ? a : v < 3 ? v : kUnknown);
+            accelerations = accelerations || a < 3;
+            record_.velocities = record_.velocities || v < 3;
+            if (column_.back() == kUnknown)
+                return refuse("found column \"" + std::string(cell) + "\", allowed: " + kColumns);
+        }
+        std::vector<int> sorted = column_;
+        std::sort(sorted.begin(), sorted.end());
+        if (sorted.front() != kTime || sorted.size() < 2 || accelerations == record_.velocities ||
+            std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+            refuse("found columns \"" + std::string(line_) + "\", allowed: " + kColumns + ", each once");
+    }
+
+    void readRow() {
+        const std::vector<std::string_view> cells = cellsOf(line_);
+        if (cells.size() != column_.size())
+            return refuse("found " + std::to_string(cells.size()) +
+                          " values, allowed: " + std::to_string(column_.size()) + ", one for each column");
+        double time = 0;
+        Vec3 value = Vec3::Zero();
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            const auto number = numberOf(cells[k]);
+            if (!number)
+                return refuse(cells[k].empty()
+                                  ? "found a gap, allowed: a number in each column"
+                                  : "found \"" + std::string(cells[k]) + "\", allowed: a number");
+            (column_[k] == kTime ? time : value[column_[k]]) = *number;
+        }
+        if (!record_.time.empty() && time <= record_.time.back())
+            return refuse("found the time " + numberText(time) + " s after " +
+                          numberText(record_.time.back()) + " s, allowed: times that rise");
+        if (time < 0) return refuse("found the time " + numberText(time) + " s, allowed: at least 0");
+        if (record_.time.size() == kMostRows)
+            return refuse("found more than " + std::to_string(kMostRows) +
+                          " rows, allowed: at most that many");
+        record_.time.push_back(time);
+        record_.value.push_back(value);
+    }
+
+    static constexpr int kTime = -1, kUnknown = 3;
+    std::string_view text_, line_{};
+    int number_ = 0;
+    bool has_header_ = false;
+    std::vector<int> column_{};
+    Record record_{};
+    std::string fault_{};
+};
+
+/// Accelerations, linear in between; between velocities they are constant, and jump.
+GroundMotion motionOf(const Record& record, double scale) {
+    GroundMotion motion;
+    const auto add = [&](double time, const Vec3& acceleration) {
+        motion.time.push_back(time);
+        motion.acceleration.push_back(scale * acceleration);
+    };
+    for (std::size_t k = 0; k < record.time.size(); ++k) {
+        if (!record.velocities) {
+            add(record.time[k], record.value[k]);
+            continue;
+        }
+        if (k + 1 == record.time.size()) break;
+        const Vec3 slope = (record.value[k + 1] - record.value[k]) / (record.time[k + 1] - record.time[k]);
+        add(record.time[k], slope);
+        add(record.time[k + 1], slope);
+    }
+    return motion;
+}
+
+/// Integrals over time of a piecewise linear quantity times 1 and time (trapezoids; exact for the first).
+struct TimeMoments {
+    Vec3 zeroth = Vec3::Zero(), first = Vec3::Zero();
+};
+
+TimeMoments momentsOf(const GroundMotion& motion) {
+    TimeMoments sum;
+    const double start = motion.time.front();
+    for (std::size_t k = 0; k + 1 < motion.time.size(); ++k) {
+        const double from = motion.time[k] - start, to = motion.time[k + 1] - start, step = to - from;
+        const Vec3 &a = motion.acceleration[k], &b = motion.acceleration[k + 1];
+        sum.zeroth += 0.5 * step * (a + b);
+        sum.first += step / 6.0 * (a * (2 * from + to) + b * (from + 2 * to));
+    }
+    return sum;
+}
+
+/// Takes off the mean, or the straight line c0 + c1 t that is nearest by least squares: over a length T the integrals of the
+/// rest and of the rest times t are zero, so the velocity ends where it began.
+void correctBaseline(GroundMotion& motion, bool line) {
+    const double start = motion.time.front(), length = motion.time.back() - start;
+    const TimeMoments moments = momentsOf(motion);
+    const Vec3 mean = moments.zeroth / length;
+    Vec3 slope = Vec3::Zero();
+    if (line) slope = 12.0 / (length * length * length) * (moments.first - 0.5 * length * moments.zeroth);
+    for (std::size_t k = 0; k < motion.time.size(); ++k)
+        motion.acceleration[k] -= mean + (motion.time[k] - start - 0.5 * length) * slope;
+}
+
+}  // namespace
+
+void readGroundMotion(const ForceReader& from, Model& model) {
+    auto table = from.root.table("ground_motion", {"file", "scale", "baseline"});
+    if (!table) return;
+    table->require({"file"});
+    const double scale = table->number("scale", kAnyNumber).value_or(1);
+    const auto baseline = table->choice("baseline", {"none", "mean", "line"});
+    const auto file = table->text("file");
+    if (!file) return;
+    const std::string path = file->starts_with('/') ? *file : from.folder + *file;
+    const auto text = toml::readFileText(path);
+    if (!text) return table->error("file", path + ": " + text.errors().front().message);
+    std::string fault;
+    const auto record = RecordReader(*text).read(fault);
+    if (!record) return table->error("file", path + ", " + fault);
+    model.ground_motion = motionOf(*record, scale);
+    if (baseline && *baseline > 0) correctBaseline(model.ground_motion, *baseline == 2);
+    const auto run = from.root.find("run");
+    if (!run || run->kind() != Kind::table || !run->find("duration_s"))
+        model.run.duration = model.ground_motion.time.back();
+}
+
+}  // namespace talus::formats::scenario

@@ -1,0 +1,111 @@
+#include "forces/phreatic.h"
+
+#include <doctest/doctest.h>
+
+#include "build/build.h"
+#include "forces/sum.h"
+#include "support/models.h"
+
+using namespace talus;
+using namespace talus::test;
+
+namespace {
+
+/// Turned and pushed together, so that no face is along an axis.
+Model underWater(std::vector<PhreaticSurface::Point> line, double factor = 1) {
+    Model model = floorModel(30);
+    model.blocks[0].shape = *makeBox({-5, -5, -9}, {20, 5, -8});
+    addTurnedCube(model, "cube", turnAbout({1, 2, 3}, 40), 1, 0, 0.0, 1.0);
+    addTurnedCube(model, "other", turnAbout({-1, 1, 2}, 70), 4, 1, 0.0, 1.5);
+    model.phreatic = PhreaticSurface{.line = std::move(line), .factor = factor, .field = "water[0]"};
+    return model;
+}
+
+Wrench on(const State& state, std::size_t block) { return outsideForcesOn(state, block); }
+
+State wet(const Model& model) {
+    State state = *buildState(model, false);
+    updateBlockForces(state);
+    return state;
+}
+
+}  // namespace
+
+TEST_SUITE("forces") {
+    TEST_CASE(
+        "below a level surface the net force is buoyancy, at the centroid, however it is split into strips") {
+        for (const double factor : {1.0, 0.6})
+            for (const auto& line : {std::vector<PhreaticSurface::Point>{{-10, 5}, {20, 5}},
+                                     {{-10, 5}, {0.7, 5}, {1.1, 5}, {4.2, 5}, {20, 5}},
+                                     {{1.0, 5}, {1.2, 5}}}) {
+                const State state = wet(underWater(line, factor));
+                for (const std::size_t block : {1U, 2U}) {
+                    const double buoyancy = factor * 1000 * 9.81 * (block == 1 ? 1.0 : 1.5 * 1.5 * 1.5);
+                    CHECK((on(state, block).force - Vec3(0, 0, buoyancy)).norm() < 1e-9 * buoyancy);
+                    CHECK(on(state, block).torque.norm() < 1e-9 * buoyancy);
+                }
+            }
+    }
+
+    TEST_CASE(
+        "a sloping surface pushes the submerged downhill: minus the gradient of pressure times volume") {
+        const State state = wet(underWater({{-10, 3}, {20, 9}}));
+        const double slope = 6.0 / 30;
+        CHECK((on(state, 1).force - 9810 * Vec3(-slope, 0, 1)).norm() < 1e-6);
+        CHECK(on(state, 1).torque.norm() < 1e-6);
+    }
+
+    TEST_CASE(
+        "depth is measured along gravity: tilted, a submerged block feels g turned, from the same line") {
+        Model model = underWater({{-10, 4}, {20, 4}});
+        State state = wet(model);
+        state.load.tilt = radians(15);
+        updateBlockForces(state);
+        // The line stays level in the model, so the gradient is along its normal: unit weight over cos(tilt), up.
+        CHECK((on(state, 1).force - 9810 / std::cos(radians(15)) * Vec3::UnitZ()).norm() < 1e-6);
+    }
+
+    TEST_CASE("a box half below: thrust of each face, exactly; dry above") {
+        Model model = floorModel(30);
+        addBox(model, "box", {0, 0, 0}, {2, 1, 3});
+        addBox(model, "dry", {3, 0, 2.5}, {1, 1, 1});
+        model.phreatic = PhreaticSurface{.line = {{-1, 2}, {1, 2}, {1.5, 1}, {9, 1}}, .field = "water[0]"};
+        const State state = wet(model);
+        CHECK(on(state, 2).force == Vec3::Zero());
+        // Left 2 m deep, right 1 m; uplift on the base: depths 2 to x = 1, falling to 1 at 1.5, 1 to x = 2. The two other
+        // faces are each other's mirror image.
+        const double g = 9810, uplift = g * (2.0 * 1.0 + 1.5 * 0.5 + 1.0 * 0.5);
+        CHECK((on(state, 1).force - Vec3(g * (0.5 * 4 - 0.5 * 1), 0, uplift)).norm() < 1e-6);
+        const double about_edge = g * (1.0 + 11.0 / 12 + 0.875);  // of the uplift, of its three parts
+        const Vec3 centroid(1, 0.5, 1.5);
+        const Vec3 torque = on(state, 1).torque + centroid.cross(on(state, 1).force);
+        // About y: thrusts at a third of their depths turn by z F, uplift by -x F.
+        const double expected = g * (0.5 * 4 * 2.0 / 3 - 0.5 / 3) - about_edge;
+        CHECK(torque.y() == doctest::Approx(expected).epsilon(1e-9));
+    }
+
+    TEST_CASE("a joint that opens wider than the surface allows runs dry on both sides, for good") {
+        Model model = floorModel(30);
+        addBox(model, "box", {0, 0, 0}, {1, 1, 1});
+        model.phreatic =
+            PhreaticSurface{.line = {{-9, 5}, {9, 5}}, .drains_at_aperture = 1e-3, .field = "water[0]"};
+        State state = wet(model);
+        CHECK(on(state, 1).force.z() == doctest::Approx(9810));
+        state.blocks.position.set(1, state.blocks.position.get(1) + Vec3(0, 0, 2e-3));
+        lookAtBlockForces(state);
+        updateBlockForces(state);
+        CHECK(on(state, 1).force.z() == doctest::Approx(-9810 * (4 - 2e-3)));  // its top alone
+        state.blocks.position.set(1, state.blocks.position.get(1) - Vec3(0, 0, 2e-3));
+        lookAtBlockForces(state);
+        updateBlockForces(state);
+        CHECK(on(state, 1).force.z() == doctest::Approx(-9810 * 4));
+    }
+
+    TEST_CASE("a line that folds back when it is seen along gravity is refused") {
+        Model model = underWater({{0, 0}, {1, 4}, {5, 4}});
+        model.gravity.tilt = radians(60);
+        const auto errors = buildState(model, false).errors();
+        REQUIRE(errors.size() == 1);
+        CHECK(errors[0].field == "water[0].surface");
+    }
+}
