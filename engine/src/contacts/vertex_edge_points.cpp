@@ -7,6 +7,8 @@
 #include <tuple>
 #include <vector>
 
+#include "geometry/parts.h"
+
 namespace talus {
 namespace {
 

@@ -5,10 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "geometry/parts.h"
 #include "talus/polyhedron.h"
 
 namespace talus {
+
+struct PartOfBody;  // geometry/parts.h
 
 /// A convex part of a body as it stands in the world; refers to the caller's arrays.
 struct WorldShape {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/parts.h"
 #include "geometry/world_shape.h"
 #include "state/arrays.h"
 
