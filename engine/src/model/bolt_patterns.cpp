@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/box_clip.h"
+#include "geometry/parts.h"
 #include "talus/bolts.h"
 
 namespace talus {
@@ -63,7 +64,7 @@ class Placing {
             for (std::size_t f = 0; f < block.shape.faces.size(); ++f) {
                 const FaceFrame face = faceFrame(block.shape, f);
                 if (face.e3.dot(pattern_.direction) < kLooks) continue;
-                const Polygon whole = outlineOf(block.shape, f, face);
+                const Polygon whole = outlineOf(block.shape, f);
                 const double slack = kOff * extent(whole);
                 Polygon part = clippedToBox(whole, face, pattern_.box_min, pattern_.box_max, slack);
                 if (!part.empty() && isFree(face.toWorld(centroid(part)), face.e3, slack))
