@@ -13,6 +13,8 @@ namespace talus::tools {
 Command addSchema(CLI::App& root) {
     CLI::App* app = root.add_subcommand("schema", "JSON Schema of a scenario or a sweep, for editors");
     const auto what = std::make_shared<std::string>("scenario");
+    const auto common = std::make_shared<Common>();  // a schema is JSON with --json and without
+    addCommon(*app, *common, false);
     app->add_option("FILE", *what, "Of which file: scenario or sweep")
         ->check(CLI::IsMember({"scenario", "sweep"}))
         ->capture_default_str();
@@ -21,7 +23,7 @@ Command addSchema(CLI::App& root) {
         "taplo, "
         "tombi) complete and check the keys of a file whose\nfirst line is\n  #:schema "
         "./talus-scenario.json");
-    return {app, [what] {
+    return {app, [what, common] {
                 printText(*what == "sweep" ? formats::sweepSchema() : formats::scenarioSchema());
                 return 0;
             }};

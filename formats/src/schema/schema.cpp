@@ -21,8 +21,8 @@ constexpr std::int64_t kFewBlocks = 1000;
 constexpr const char* kAnyName = "default";  // what the explorer calls named tables
 
 constexpr const char* kSmallScenario =
-    "[material.default]\ndensity = 1\n[joint.default]\nnormal_stiffness = 1\nshear_stiffness = "
-    "1\nfriction_deg = 1\n"
+    "[material.default]\ndensity = 2700\n[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\n"
+    "friction_deg = 30\n"
     "[[stack]]\ncolumns = 1\nrows = 1\nslices = 1\nblock = [1, 1, 1]\n";
 
 /// The range of all that was asked of a field. An end that is not always the same depends on other values: it is left out.

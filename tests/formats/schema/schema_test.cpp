@@ -95,7 +95,8 @@ TEST_CASE("schema: what it says of some keys is what the reader says") {
     CHECK(at("joint", "friction_deg")["minimum"] == 0);
     CHECK(at("joint", "friction_deg")["exclusiveMaximum"] == 90);
     CHECK(at("joint", "friction_deg")["description"] == "angle of friction, peak [deg]");
-    CHECK(at("joint", "normal_stiffness")["exclusiveMinimum"] == 0);
+    CHECK(at("joint", "normal_stiffness")["minimum"] == 1000);
+    CHECK(at("joint", "normal_stiffness")["maximum"] == 1e15);
     CHECK(at("joint", "law")["enum"] == json{"coulomb", "barton-bandis", "envelope", "power"});
     CHECK(at("stack", "columns")["type"] == "integer");
     CHECK(at("stack", "bond")["enum"] == json{"stack", "running"});
