@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answers/bolt_report.h"
 #include "cli/block_names.h"
 #include "cli/failures.h"
 #include "cli/json.h"
 #include "cli/provenance.h"
 #include "cli/signals.h"
 #include "cli/text.h"
-#include "answers/bolt_report.h"
 #include "report/numbers.h"
 
 namespace talus::tools {

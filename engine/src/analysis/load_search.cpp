@@ -26,9 +26,9 @@ constexpr int kMostReopenings = 12;  // times a failing motion may come to rest 
 constexpr std::int64_t kFirstSteps = 6'000;
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kMostFactors = 600, kStepsPerFactor = 2000;
-// Rest is near when it is no farther than this times the way the assembly has come, from rest to rest: what goes farther counts
-// as failure in the continuation, too (failure_mode.cpp).
-constexpr double kNear = 5.0;
+// Rest is near when it is no farther than this times the way the assembly has come, from rest to rest (engine/README.md says what
+// smaller and larger ones do).
+constexpr double kNear = 1.5;
 constexpr double kSettlingDrag = 0.125;
 constexpr double kSettlingPeriods = 3.0;
 constexpr double kStartPeriods = 20.0;  // nothing is known of the slowest period yet but a guess

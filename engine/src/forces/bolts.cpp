@@ -45,7 +45,8 @@ Chord chordOf(const State& state, std::size_t block, const Polyhedron& shape, co
 }
 
 /// Through a block, in pieces where it leaves the block and comes back. A seam between two parts is no gap.
-void appendChords(const State& state, std::size_t block, const Bolt& bolt, double least, std::vector<Chord>& chords) {
+void appendChords(const State& state, std::size_t block, const Bolt& bolt, double least,
+                  std::vector<Chord>& chords) {
     std::vector<Chord> own;
     for (const Polyhedron& part : partsOf(state.geometry->shape[block])) {
         const Chord chord = chordOf(state, block, part, bolt);

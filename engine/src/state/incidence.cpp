@@ -23,7 +23,8 @@ bool isIdle(const Interfaces& f, std::size_t i) { return f.idle[i] != 0; }
 
 void markIdle(Interfaces& f, std::size_t g) {
     InterfaceGroup& group = f.groups[g];
-    const auto begin = static_cast<std::size_t>(group.begin), end = begin + static_cast<std::size_t>(group.size);
+    const auto begin = static_cast<std::size_t>(group.begin),
+               end = begin + static_cast<std::size_t>(group.size);
     const bool was_idle = group.is_idle;
     group.is_idle = true;
     for (std::size_t i = begin; i < end; ++i) group.is_idle = group.is_idle && isIdle(f, i);

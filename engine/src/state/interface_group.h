@@ -15,7 +15,7 @@ struct InterfaceGroup {
     std::int32_t points = 0;        ///< contact points of each member
     std::int64_t first_corner = 0;  ///< slot of the first member's first corner
     std::int64_t first_point = 0;   ///< slot of the first member's first contact point
-    bool is_idle = false;           ///< all members are places that touch nothing: the kernel passes over them
+    bool is_idle = false;  ///< all members are places that touch nothing: the kernel passes over them
 };
 
 }  // namespace talus
