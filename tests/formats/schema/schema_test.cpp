@@ -69,11 +69,14 @@ TEST_CASE(
     "schema: has the sections and keys that the reader allows, and the reader knows all of the schema's") {
     // What the reader says of an unknown key is its own list.
     const auto root = parseScenario("zzzzzz = 1\n", "test.toml");
-    for (const auto& [key, value] : theSchema()["properties"].items()) {
+    for (const auto& property : theSchema()["properties"].items()) {
+        const std::string key = property.key();
         CAPTURE(key);
         CHECK(mentions(root, "zzzzzz", key));
     }
-    for (const auto& [section, table] : theSchema()["properties"].items()) {
+    for (const auto& entry : theSchema()["properties"].items()) {
+        const std::string section = entry.key();
+        const json& table = entry.value();
         if (!table.contains("items") && !table.contains("properties")) continue;
         const bool list = table.contains("items");
         // Sections of the rock mass are read where there is one.
@@ -83,7 +86,8 @@ TEST_CASE(
             parseScenario(section == "rock_mass" ? "[rock_mass]\nzzzzzz = 1\n" : text, "test.toml");
         const std::string field = section + (list ? "[0]" : "") + ".zzzzzz";
         const json& properties = list ? table["items"]["properties"] : table["properties"];
-        for (const auto& [key, value] : properties.items()) {
+        for (const auto& property : properties.items()) {
+            const std::string key = property.key();
             CAPTURE(section);
             CAPTURE(key);
             CHECK(mentions(read, field, key));
