@@ -5,15 +5,14 @@
 #include <optional>
 #include <utility>
 
-#include "analysis/quasi_static.h"
+#include "analysis/probing.h"
 #include "state/incidence.h"
 
 namespace talus::analysis {
 namespace {
 
-constexpr std::int64_t kMostFactors = 600;  // of one load
-constexpr std::int64_t kNoDifference = 2;   // [cells] answers as near as that are the same
-constexpr double kFarEnough = 0.5;          // of the answer: no farther is looked
+constexpr std::int64_t kNoDifference = 2;  // [cells] answers as near as that are the same
+constexpr double kFarEnough = 0.5;         // of the answer: no farther is looked
 
 /// Loads that are brought on afresh, on the search's own cells.
 class Afresh {

@@ -1,0 +1,173 @@
+#include "analysis/probing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "forces/sum.h"
+
+namespace talus::analysis {
+namespace {
+
+// Steps of a probe before the implicit solve is asked; slides need 1,000 to 5,000.
+constexpr std::int64_t kFirstSteps = 6'000;
+// Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
+constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
+// Rest is near when it is no farther than this times the way the assembly has come, from rest to rest (engine/README.md says
+// what smaller and larger ones do).
+constexpr double kNear = 1.5;
+constexpr double kSettlingDrag = 0.125;
+
+void report(const Probing& p, const std::string& stage, double load, Verdict verdict) {
+    if (!p.control.progress) return;
+    // Longer than most, and never down to nothing: what comes after the last probe takes as long as some of them.
+    constexpr double kAfterwards = 4.0;
+    const double probes = static_cast<double>(p.probes.size());
+    const double expected = std::max(6.0 + std::log2(static_cast<double>(p.axis.stop)) / 2, probes + 1);
+    p.control.progress(
+        {stage, probes / (expected + kAfterwards), p.axis.say(load) + ", " + toString(verdict)});
+}
+
+Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, State& state) {
+    probe.load = load;
+    p.steps += probe.steps;
+    p.factors += probe.factors;
+    p.probes.push_back(probe);
+    report(p, stage, load, probe.verdict);
+    if (probe.verdict == Verdict::stable) ++p.states_at_rest;
+    (probe.verdict == Verdict::stable ? p.last_stable : p.last_moving) = std::move(state);
+    return probe.verdict;
+}
+
+Verdict probeExplicitly(Probing& p, const std::string& stage, double load, State state, QuasiStaticWork& work,
+                        const Ramp& ramp) {
+    return keep(p, stage, load, bringOn(state, work, ramp), state);
+}
+
+void keepLearnt(Probing& p, const QuasiStaticWork& work) {
+    const QuasiStatic settings = p.work.settings;
+    p.work = work;
+    p.work.settings = settings;
+}
+
+/// From a state. Bolts hold only as far as blocks have moved, so that way is none of a failure.
+double nearLimit(const Probing& p, const State& from) {
+    return std::max(kSeenShare * from.geometry->length_scale, kNear * ownDeflection(p)) + tieReach(from);
+}
+
+/// Whether an equilibrium is where the assembly stands, but for what it gives. Blocks that lean on each other have others,
+/// farther off, in which they are jammed: to get there is to fail first.
+bool isNear(const Probing& p, const Probe& probe) {
+    return !p.has_stood || probe.displacement <= nearLimit(p, p.last_stable);
+}
+
+/// Of the farthest-moved block [m].
+double wayBetween(const State& from, const State& to) {
+    double farthest = 0;
+    for (std::size_t b = 0; b < from.blocks.size(); ++b)
+        farthest = std::max(farthest, (to.blocks.position.get(b) - from.blocks.position.get(b)).norm());
+    return farthest;
+}
+
+/// From the last stable state, the whole change of load at once.
+Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const Ramp& ramp,
+                        bool patiently = false) {
+    const bool doubtful = patiently || p.implicit_first || !p.has_stood;
+    const std::int64_t most_factors =
+        doubtful ? kMostFactors : std::clamp(p.steps / kStepsPerFactor, kLeastFactors, kMostFactors);
+    State state = p.last_stable;
+    ramp(state, 1.0);
+    Probe found = findRest(state, p.work, most_factors);
+    const bool is_elsewhere = found.verdict == Verdict::stable && !isNear(p, found);
+    if (is_elsewhere) {
+        found.verdict = Verdict::failing;
+        p.stands_elsewhere = true;
+        found.reason = "moves " + formatted("%.2g", found.displacement) + " m to where it stands again";
+        state = p.last_stable;
+        ramp(state, 1.0);
+    }
+    if (found.verdict == Verdict::failing)
+        p.no_near_rest = {load, most_factors, p.states_at_rest, is_elsewhere};
+    return keep(p, stage, load, found, state);
+}
+
+}  // namespace
+
+Probing beginProbing(const State& state, const LoadAxis& axis, const Control& control,
+                     const QuasiStatic& settings, bool parallel) {
+    Probing p{.axis = axis, .control = control, .last_stable = state, .last_moving = {}, .work = {}};
+    p.work = prepare(p.last_stable, settings, control, axis.imbalance_tolerance, parallel);
+    p.reach = tieReach(state);
+    p.implicit_first = p.reach > 0;
+    return p;
+}
+
+bool interrupted(const Probing& p) {
+    return p.control.stop != nullptr && p.control.stop->load(std::memory_order_relaxed);
+}
+
+Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ramp) {
+    if (p.implicit_first)
+        if (const Verdict found = probeImplicitly(p, stage, load, ramp); found != Verdict::undecided)
+            return found;
+    QuasiStaticWork work = p.work;
+    work.settings.max_steps_per_probe = std::min(kFirstSteps, p.work.settings.max_steps_per_probe);
+    Verdict verdict = probeExplicitly(p, stage, load, p.last_stable, work, ramp);
+    keepLearnt(p, work);
+    const bool doubtful = verdict == Verdict::failing && !p.has_stood;
+    if (verdict == Verdict::stable || (verdict == Verdict::failing && !doubtful) || interrupted(p))
+        return verdict;
+    if (!p.implicit_first) {
+        const State moving = p.last_moving;
+        const Verdict found = probeImplicitly(p, stage, load, ramp);
+        if (found != Verdict::undecided) p.implicit_first = true;
+        if (found != Verdict::stable) p.last_moving = moving;  // nearer to rest, where a failure is let go
+        if (found != Verdict::undecided) return found;
+    }
+    if (verdict == Verdict::failing) return verdict;
+    work = p.work;
+    verdict = probeExplicitly(p, stage, load, p.last_moving, work, [](State&, double) {});
+    keepLearnt(p, work);
+    return verdict;
+}
+
+Verdict restAt(Probing& p, double load) {
+    const Probing::NoNearRest& known = p.no_near_rest;
+    if (known.load == load && known.most_factors == kMostFactors &&
+        known.states_at_rest == p.states_at_rest) {
+        p.stands_elsewhere = known.is_elsewhere;
+        return Verdict::failing;
+    }
+    State moving = p.last_moving;
+    const Verdict found = probeImplicitly(
+        p, "equilibrium", load, [&](State& state, double) { p.axis.apply(state, load); }, true);
+    if (found == Verdict::stable)
+        p.implicit_first = true;
+    else
+        p.last_moving = std::move(moving);  // nearer to rest, where a failure is let go
+    return found;
+}
+
+bool settles(Probing& p, const State& moving, double load, double watch_periods) {
+    QuasiStaticWork work = patient(p.work, kSettlingDrag, watch_periods);
+    const auto hold = [](State&, double) {};
+    const State before = p.last_stable;
+    if (probeExplicitly(p, "settling", load, moving, work, hold) != Verdict::stable) return false;
+    if (!p.has_stood || wayBetween(before, p.last_stable) <= nearLimit(p, before)) return true;
+    p.stands_elsewhere = true;
+    p.last_moving = std::exchange(p.last_stable, before);
+    return false;
+}
+
+double deflection(const Probing& p) {
+    double sum = 0;
+    for (const Probe& probe : p.probes)
+        if (probe.verdict == Verdict::stable) sum += probe.displacement;
+    return sum;
+}
+
+double ownDeflection(const Probing& p) {
+    return p.reach > 0 ? std::min(p.settlement, deflection(p)) : deflection(p);
+}
+
+}  // namespace talus::analysis

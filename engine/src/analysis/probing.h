@@ -1,0 +1,70 @@
+#pragma once
+// Probes of a search: a load is changed from where the assembly last stood, and it comes to rest or does not.
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "analysis/load_axis.h"
+#include "analysis/quasi_static.h"
+#include "talus/analysis.h"
+
+namespace talus::analysis {
+
+/// Factorisations of one implicit solve that is given its time.
+inline constexpr std::int64_t kMostFactors = 600;
+/// A block that has gone this share of its size has left its place.
+inline constexpr double kSeenShare = 2e-4;
+
+/// What probes start from and what they leave.
+struct Probing {
+    const LoadAxis& axis;
+    const Control& control;
+    State last_stable, last_moving;
+    QuasiStaticWork work;
+    std::vector<Probe> probes{};
+    std::int64_t steps = 0, factors = 0;
+    std::int64_t states_at_rest = 0;  ///< the search has been in
+    bool has_stood = false;           ///< under weight and water
+    double start_tilt = 0;            ///< [rad]
+    double settlement = 0;            ///< under weight and water at the start [m]
+    double reach = 0;                 ///< of the bolts at the beginning [m]
+    /// explicit steps have not been enough, or will not be: bolts take hold over ways that they are slow to go
+    bool implicit_first = false;
+    bool stands_elsewhere = false;  ///< an equilibrium was found at the failing load, but not near
+
+    /// The last load at which the implicit solve found no rest nearby, and from which state: it would find the same again.
+    struct NoNearRest {
+        double load = -std::numeric_limits<double>::infinity();
+        std::int64_t most_factors = 0;
+        std::int64_t states_at_rest = 0;
+        bool is_elsewhere = false;
+    } no_near_rest{};
+};
+
+Probing beginProbing(const State& state, const LoadAxis& axis, const Control& control,
+                     const QuasiStatic& settings, bool parallel);
+
+bool interrupted(const Probing& probing);
+
+/// One probe from the last stable state; keeps the state it ends in. Explicit steps first, which are quick where
+/// blocks slide; what they leave open, and what seems to fail before the assembly has stood, the implicit solve
+/// answers. A model that once needed it is asked that way first. Where neither knows, explicit steps go on.
+Verdict probe(Probing& probing, const std::string& stage, double load, const Ramp& ramp);
+
+/// What the implicit solve finds at a failing load, given its time: blocks that topple may have been shaken there by the
+/// explicit steps. Failing: no rest near, though `stands_elsewhere` may say that there is another.
+Verdict restAt(Probing& probing, double load);
+
+/// Whether a state that moves at a load comes to rest when it is watched for longer; it is the last stable one then. A
+/// mode many times slower than the slowest known one looks like failure for a while: close below the load at which a
+/// column topples its stiffness goes to zero. \param watch_periods  windows, in slowest periods
+bool settles(Probing& probing, const State& moving, double load, double watch_periods = 3.0);
+
+/// How far the assembly has come in all, from rest to rest [m]; and without the way on which bolts took hold: then what it
+/// gave at its start.
+double deflection(const Probing& probing);
+double ownDeflection(const Probing& probing);
+
+}  // namespace talus::analysis

@@ -1,0 +1,58 @@
+#include "analysis/search_warnings.h"
+
+#include <optional>
+
+#include "forces/contact_forces.h"
+#include "state/incidence.h"
+
+namespace talus::analysis {
+namespace {
+
+/// Share of the area of joints whose cohesion goes at the first slip that has lost it, 0..1.
+double lostCohesion(const State& state) {
+    double all = 0, lost = 0;
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
+        const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
+        if (!(law.cohesion > law.residual_cohesion) || isIdle(state.interfaces, i)) continue;
+        for (const ContactPoint& point : contactPoints(state, i)) {
+            all += point.area;
+            lost += (1 - point.memory.bond) * point.area;
+        }
+    }
+    return all > 0 ? lost / all : 0.0;
+}
+
+/// Limit equilibrium keeps cohesion to the end; eq 9 does not.
+std::optional<std::string> ofLostCohesion(const State& state) {
+    const double lost = lostCohesion(state);
+    if (lost == 0) return std::nullopt;
+    return "the answer hangs on cohesion that is lost where a joint first slips or opens (" +
+           formatted("%.0f", 100 * lost) +
+           " % of its area in the failure): with residual_cohesion = cohesion, as limit equilibrium has it, "
+           "it may be "
+           "higher; the ceiling of limit analysis counts it as kept";
+}
+
+/// The formulas are for joints that do not give.
+std::optional<std::string> ofSoftJoints(const Probing& p, const State& state) {
+    constexpr double kSoft = 1e-4;         // of the block size
+    if (p.reach > 0) return std::nullopt;  // blocks that move until their bolts hold say nothing of joints
+    const double deflected = deflection(p);
+    if (deflected <= kSoft * state.geometry->length_scale) return std::nullopt;
+    return "the joints are soft against the stress on them: blocks move by " + formatted("%.2g", deflected) +
+           " m before they fail, so toppling blocks turn about points inside their edges, and formulas for "
+           "rigid joints "
+           "give higher values";
+}
+
+}  // namespace
+
+std::vector<std::string> searchWarnings(const Probing& probing, const State& last, bool fails) {
+    std::vector<std::string> warnings = last.warnings;
+    if (auto soft = ofSoftJoints(probing, last)) warnings.push_back(std::move(*soft));
+    if (!fails) return warnings;
+    if (auto lost = ofLostCohesion(last)) warnings.push_back(std::move(*lost));
+    return warnings;
+}
+
+}  // namespace talus::analysis
