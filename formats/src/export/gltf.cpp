@@ -132,6 +132,7 @@ std::size_t addMesh(Gltf& gltf, const RunGeometry& g, std::size_t b, std::size_t
     std::vector<std::uint32_t> corners;
     for (auto f = static_cast<std::size_t>(g.face_begin[b]);
          f < static_cast<std::size_t>(g.face_begin[b + 1]); ++f) {
+        if (g.isInner(f)) continue;
         const auto corner = [&](std::int32_t k) {
             return static_cast<std::uint32_t>(g.face_vertex[static_cast<std::size_t>(k)] - first);
         };

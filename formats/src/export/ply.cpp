@@ -22,19 +22,27 @@ std::string head(std::size_t vertices, std::size_t faces) {
            "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
 }
 
+/// Without inner ones.
+std::size_t surfaceFaceCount(const RunGeometry& g) {
+    std::size_t count = 0;
+    for (std::size_t f = 0; f + 1 < g.face_vertex_begin.size(); ++f) count += g.isInner(f) ? 0 : 1;
+    return count;
+}
+
 }  // namespace
 
 std::string plyBlocks(const SnapshotHeader& header, const LightFrame& frame) {
     const RunGeometry& g = header.geometry;
     const std::vector<Vec3> vertices = placedVertices(header, frame);
     const std::vector<FailureMode> roles = failureRoles(header, frame);
-    std::string out = head(vertices.size(), g.face_vertex_begin.size() - 1);
+    std::string out = head(vertices.size(), surfaceFaceCount(g));
     for (const Vec3& v : vertices)
         for (const double x : {v.x(), v.y(), v.z()}) append(out, x);
     for (std::size_t b = 0; b < header.names.size(); ++b) {
         const RoleColour colour = colourOf(header.motions[b], roles[b]);
         for (auto f = static_cast<std::size_t>(g.face_begin[b]);
              f < static_cast<std::size_t>(g.face_begin[b + 1]); ++f) {
+            if (g.isInner(f)) continue;
             const auto begin = g.face_vertex_begin[f], end = g.face_vertex_begin[f + 1];
             append(out, static_cast<std::uint8_t>(end - begin));
             for (auto k = begin; k < end; ++k) append(out, g.face_vertex[static_cast<std::size_t>(k)]);

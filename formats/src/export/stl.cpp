@@ -29,6 +29,7 @@ std::string stlBlocks(const SnapshotHeader& header, const LightFrame& frame) {
     std::string triangles;
     std::uint32_t count = 0;
     for (std::size_t f = 0; f + 1 < g.face_vertex_begin.size(); ++f) {
+        if (g.isInner(f)) continue;
         const auto begin = static_cast<std::size_t>(g.face_vertex_begin[f]);
         const auto end = static_cast<std::size_t>(g.face_vertex_begin[f + 1]);
         const auto corner = [&](std::size_t k) {

@@ -34,6 +34,15 @@ Bolt groutedOf(const Vec3& head, const Vec3& end) {
     return bolt;
 }
 
+/// From the upper box into the lower one, along no axis.
+Bolt slantedBolt(bool is_grouted) {
+    const Vec3 head(0.9, 0.3, 1.9), end(0.2, 0.6, 0.2);
+    Bolt bolt = is_grouted ? groutedOf(head, end) : anchorOf(head, end);
+    bolt.pretension = 5e4;
+    bolt.shear_stiffness = is_grouted ? 1e7 : 0;
+    return bolt;
+}
+
 /// Two boxes of 1 m on a floor, side by side and on top of each other, and a bolt.
 Model bolted(Bolt bolt) {
     Model model = floorModel(30);
@@ -105,11 +114,7 @@ TEST_SUITE("forces") {
 
     TEST_CASE("force and its opposite: no force and no torque in all, the pretension with the weight") {
         for (const bool is_grouted : {false, true}) {
-            Bolt bolt = is_grouted ? groutedOf({0.9, 0.3, 1.9}, {0.2, 0.6, 0.2})
-                                   : anchorOf({0.9, 0.3, 1.9}, {0.2, 0.6, 0.2});
-            bolt.pretension = 5e4;
-            bolt.shear_stiffness = is_grouted ? 1e7 : 0;
-            State state = *buildState(bolted(bolt), false);
+            State state = *buildState(bolted(slantedBolt(is_grouted)), false);
             move(state, 2, {0.002, -0.001, 0.003}, turnAbout({1, 2, -1}, 0.02));
             state.load.gravity_share = 0.6;
             updateBlockForces(state);
@@ -126,11 +131,7 @@ TEST_SUITE("forces") {
 
     TEST_CASE("the implicit solve has the exact derivative: against differences of forces") {
         for (const bool is_grouted : {false, true}) {
-            Bolt bolt = is_grouted ? groutedOf({0.9, 0.3, 1.9}, {0.2, 0.6, 0.2})
-                                   : anchorOf({0.9, 0.3, 1.9}, {0.2, 0.6, 0.2});
-            bolt.pretension = 5e4;
-            bolt.shear_stiffness = is_grouted ? 1e7 : 0;
-            State state = *buildState(bolted(bolt), false);
+            State state = *buildState(bolted(slantedBolt(is_grouted)), false);
             // Away from each other, so that no contact has a share in it.
             move(state, 2, {0.0005, -0.0002, 0.0008}, turnAbout({1, 2, -1}, 0.02));
             const TyingForce* tying = nullptr;

@@ -188,3 +188,28 @@ TEST_CASE("PLY: vertices and faces are those of the frame, each face with its bl
     }
     CHECK(at == ply.data() + ply.size());
 }
+
+TEST_CASE("a body of two parts is drawn by its surface: no face that lies inside, in any format") {
+    formats::Scenario scenario = *formats::parseScenario(runScenarioText("0.002"), "test.toml");
+    Block& block = scenario.model.blocks.back();
+    block.shape = *joinParts({*makeBox({2, 0, 5}, {3, 1, 6}), *makeBox({3, 0, 5}, {4, 1, 6})});
+    block.face_joint.assign(block.shape.faces.size(), 0);
+    scenario.model.waters.clear();
+    const Recorded recorded = record(scenario.model);
+    const formats::SnapshotHeader header = formats::headerOf(scenario, recorded.geometry, "", 10);
+    const LightFrame& frame = recorded.lights.back();
+    const std::size_t faces = header.geometry.face_vertex_begin.size() - 1, surface = faces - 2;
+    std::size_t triangles = 0;  // of the fans of all but the two inner squares
+    for (std::size_t f = 0; f < faces; ++f)
+        triangles += static_cast<std::size_t>(header.geometry.face_vertex_begin[f + 1] -
+                                              header.geometry.face_vertex_begin[f] - 2);
+    triangles -= 2 * 2;
+
+    const std::string ply = formats::plyBlocks(header, frame);
+    CHECK(ply.find("element face " + std::to_string(surface) + "\n") != std::string::npos);
+    const std::string stl = formats::stlBlocks(header, frame);
+    CHECK(stl.size() == 84 + 50 * triangles);
+    const Glb glb(formats::gltfBlocks(header, {frame}));
+    const json& body = glb.document["meshes"].back()["primitives"][0];
+    CHECK(glb.document["accessors"][body["indices"].get<std::size_t>()]["count"] == 10 * 6);
+}
