@@ -112,6 +112,38 @@ TEST_SUITE("forces") {
         CHECK(errors[0].message.find("no free block") != std::string::npos);
     }
 
+    TEST_CASE(
+        "a bolt through a body of several parts: seams are no joints, and a notch with another block in it "
+        "is") {
+        const auto segmentsOf = [](const std::vector<Polyhedron>& parts, const Bolt& bolt, bool has_filling) {
+            Model model = floorModel(30);
+            Block& body = model.blocks.emplace_back(box("body", {0, 0, 0}, {1, 1, 1}));
+            body.shape = *joinParts(parts);
+            body.face_joint.assign(body.shape.faces.size(), 0);
+            if (has_filling) addBox(model, "filling", {1, 0, 1}, {1, 1, 1});
+            model.bolts = {bolt};
+            const State state = *buildState(model, false);
+            return state.bolts.segments;
+        };
+        const auto slab = [](double x) { return *makeBox({x, 0, 0}, {x + 1, 1, 1}); };
+        const auto tower = [](double x) { return *makeBox({x, 0, 1}, {x + 1, 1, 2}); };
+        const Bolt down = groutedOf({0.5, 0.5, 2}, {0.5, 0.5, -0.4});
+        const auto parted = segmentsOf({slab(0), tower(0)}, down, false);
+        const auto whole = segmentsOf({*makeBox({0, 0, 0}, {1, 1, 2})}, down, false);
+        REQUIRE(parted.size() == 1);
+        REQUIRE(whole.size() == 1);
+        CHECK(parted[0].law.stiffness == doctest::Approx(whole[0].law.stiffness).epsilon(1e-12));
+        CHECK(parted[0].law.bond == doctest::Approx(whole[0].law.bond).epsilon(1e-12));
+        CHECK(parted[0].length == doctest::Approx(whole[0].length));
+
+        // A U with a block between its arms: two joints, body to filling and filling to body.
+        const Bolt across = groutedOf({0.2, 0.5, 1.5}, {2.8, 0.5, 1.5});
+        const auto through = segmentsOf({slab(0), slab(1), slab(2), tower(0), tower(2)}, across, true);
+        REQUIRE(through.size() == 2);
+        CHECK(through[0].block_a == through[1].block_b);
+        CHECK(through[0].block_b == through[1].block_a);
+    }
+
     TEST_CASE("force and its opposite: no force and no torque in all, the pretension with the weight") {
         for (const bool is_grouted : {false, true}) {
             State state = *buildState(bolted(slantedBolt(is_grouted)), false);

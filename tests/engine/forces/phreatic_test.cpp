@@ -65,6 +65,28 @@ TEST_SUITE("forces") {
         CHECK((on(state, 1).force - 9810 / std::cos(radians(15)) * Vec3::UnitZ()).norm() < 1e-6);
     }
 
+    TEST_CASE(
+        "a body of several parts is pressed as one: an L below a sloping surface, and half out of a level "
+        "one") {
+        const Polyhedron foot = *makeBox({0, 0, 0}, {3, 1, 1}), leg = *makeBox({0, 0, 1}, {1, 1, 4});
+        for (const bool is_turned : {false, true}) {
+            Model model = floorModel(30);
+            model.blocks[0].shape = *makeBox({-5, -5, -9}, {20, 5, -8});
+            Block& body = model.blocks.emplace_back(box("L", {0, 0, 0}, {1, 1, 1}));
+            body.shape = *joinParts({foot, leg});
+            const Eigen::Quaterniond turn =
+                is_turned ? turnAbout({1, 2, 3}, 40) : Eigen::Quaterniond::Identity();
+            for (Vec3& v : body.shape.vertices) v = turn * v;
+            body.face_joint.assign(body.shape.faces.size(), 0);
+            model.phreatic = PhreaticSurface{.line = {{-20, 18}, {20, 26}}, .field = "water[0]"};
+            CHECK((on(wet(model), 1).force - 6 * 9810 * Vec3(-0.2, 0, 1)).norm() < 1e-5);
+            CHECK(on(wet(model), 1).torque.norm() < 1e-5);
+            if (is_turned) continue;
+            model.phreatic->line = {{-20, 2}, {20, 2}};  // 3 m3 of the foot and 1 m3 of the leg
+            CHECK((on(wet(model), 1).force - 4 * 9810 * Vec3::UnitZ()).norm() < 1e-5);
+        }
+    }
+
     TEST_CASE("a box half below: thrust of each face, exactly; dry above") {
         Model model = floorModel(30);
         addBox(model, "box", {0, 0, 0}, {2, 1, 3});
