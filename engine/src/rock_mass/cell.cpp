@@ -145,6 +145,11 @@ Polygon projected(const CellFace& face, const FaceFrame& frame, bool reversed, c
     return polygon;
 }
 
+void keepDistinct(std::vector<std::int32_t>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
 }  // namespace
 
 std::uint64_t VertexTable::keyOf(const Vec3& position) const {
@@ -249,20 +254,26 @@ bool merge(const Cell& a, const Cell& b, const std::vector<Plane>& planes, const
 
 double thickness(const std::vector<const Cell*>& cells, const std::vector<Plane>& planes,
                  const VertexTable& vertices) {
-    double thinnest = std::numeric_limits<double>::infinity();
+    std::vector<std::int32_t> corners, sides;
     for (const Cell* cell : cells)
         for (const CellFace& face : cell->faces) {
-            const Plane& plane = planes[static_cast<std::size_t>(face.plane)];
-            double low = std::numeric_limits<double>::infinity(), high = -low;
-            for (const Cell* other : cells)
-                for (const CellFace& outline : other->faces)
-                    for (const std::int32_t v : outline.outline) {
-                        const double height = plane.height(vertices[v]);
-                        low = std::min(low, height);
-                        high = std::max(high, height);
-                    }
-            thinnest = std::min(thinnest, high - low);
+            corners.insert(corners.end(), face.outline.begin(), face.outline.end());
+            sides.push_back(face.plane);
         }
+    keepDistinct(corners);
+    keepDistinct(sides);
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const std::int32_t side : sides) {
+        const Plane& plane = planes[static_cast<std::size_t>(side)];
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const std::int32_t v : corners) {
+            const double height = plane.height(vertices[v]);
+            low = std::min(low, height);
+            high = std::max(high, height);
+            if (high - low >= thinnest) break;  // across this plane it is no thinner
+        }
+        thinnest = std::min(thinnest, high - low);
+    }
     return thinnest;
 }
 

@@ -40,26 +40,47 @@ bool touch(const CellFace& a, const CellFace& b, const Knife& knife) {
     return common > 0 && common > kTouch * std::min(faceArea(a, knife.vertices), faceArea(b, knife.vertices));
 }
 
+/// Box around pieces [m].
+struct Bounds {
+    Vec3 min = Vec3::Constant(kInfinity), max = Vec3::Constant(-kInfinity);
+
+    void add(const Bounds& other) {
+        min = min.cwiseMin(other.min);
+        max = max.cwiseMax(other.max);
+    }
+    bool meets(const Bounds& other) const {
+        return (min.array() <= other.max.array()).all() && (other.min.array() <= max.array()).all();
+    }
+};
+
+Bounds boundsOf(const Cell& piece, const VertexTable& vertices) {
+    Bounds bounds;
+    for (const CellFace& face : piece.faces)
+        for (const std::int32_t v : face.outline) bounds.add({vertices[v], vertices[v]});
+    return bounds;
+}
+
 Solid bounded(std::vector<Cell> pieces, const VertexTable& vertices) {
-    Solid solid{std::move(pieces)};
-    solid.min = solid.max = vertices[solid.pieces[0].faces[0].outline[0]];
-    for (const Cell& piece : solid.pieces)
-        for (const CellFace& face : piece.faces)
-            for (const std::int32_t v : face.outline) {
-                solid.min = solid.min.cwiseMin(vertices[v]);
-                solid.max = solid.max.cwiseMax(vertices[v]);
-            }
-    return solid;
+    Bounds bounds;
+    for (const Cell& piece : pieces) bounds.add(boundsOf(piece, vertices));
+    return {std::move(pieces), bounds.min, bounds.max};
 }
 
 /// Pieces parted inside the region only, and no longer in need of it, become one again.
 void mergePieces(std::vector<Cell>& pieces, const Knife& knife) {
+    std::vector<Bounds>
+        bounds;  // a face is shared by boxes that meet: thousands of pieces are mostly told apart by these
+    for (const Cell& piece : pieces) bounds.push_back(boundsOf(piece, knife.vertices));
     Cell merged;
     for (std::size_t i = 0; i < pieces.size(); ++i)
         for (std::size_t j = i + 1; j < pieces.size(); ++j) {
-            if (!merge(pieces[i], pieces[j], knife.planes, knife.vertices, merged)) continue;
+            if (!bounds[i].meets(bounds[j]) ||
+                !merge(pieces[i], pieces[j], knife.planes, knife.vertices, merged))
+                continue;
             pieces[i] = std::move(merged);
             pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(j));
+            bounds[i].add(bounds[j]);
+            bounds.erase(bounds.begin() + static_cast<std::ptrdiff_t>(j));
             merged = {};
             j = i;  // the grown piece may fit those it did not fit before
         }
