@@ -73,7 +73,7 @@ for (const path of paths) {
     deepEqual(found.outside, []);
     if (width === 390 && (await page.locator(".plot details").count()) > 0) {
       await page.locator(".plot details summary").first().click();
-      ok((await page.locator(".plot details").first().locator("table").count()) > 0, "the numbers behind a plot");
+      await page.locator(".plot details").first().locator("table").waitFor(); // drawn when the page hears of the click
       await page.locator(".plot details summary").first().click();
     }
     if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/${basename(path)}-${width}.png`, fullPage: true });
