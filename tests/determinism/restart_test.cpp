@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "build/build.h"
+#include "frame/frame.h"
 #include "support/models.h"
 #include "support/snapshots.h"
 
@@ -98,13 +99,34 @@ TEST_SUITE("determinism") {
                                {{0, 0, 0}, {9, 2, 0}, {-5, 0, 3}, {6, 0, 0}, {0, 0, 0}}};
         const Recorded whole = record(model, 8);
         REQUIRE(whole.result.ok());
-        const std::vector<BoltReport>& bolts = whole.result->bolts;
-        CHECK(bolts[0].yielded);
-        CHECK(bolts[0].slipped);
+        const std::vector<SupportReport>& bolts = whole.result->supports.at(0).reports;
+        for (const SupportSign& sign : bolts[0].signs) CHECK_MESSAGE(sign.is, sign.text);
         CHECK(bolts[1].broken);
-        const auto& drained = whole.fulls.back().phreatic.drained;
-        CHECK(std::count(drained.begin(), drained.end(), 1) > 0);
+        const ForceArray& drained = whole.fulls.back().memory.at(0);
+        CHECK(drained.name == "phreatic.drained");
+        CHECK(std::count(drained.values.begin(), drained.values.end(), 1) > 0);
         checkRestarts(model, 8);
+
+        // What forces remember comes from files: nothing of it may be missing, too much, out of order or no number.
+        const FullFrame good = whole.fulls.back();
+        const auto isRefused = [&](const auto& damage) {
+            FullFrame bad = good;
+            damage(bad.memory);
+            State state = *buildState(model, false);
+            const auto errors = restoreFrame(bad, state);
+            return errors.size() == 1 && errors[0].field == "full.memory";
+        };
+        using Memory = std::vector<ForceArray>;
+        CHECK(isRefused([](Memory& memory) { memory.clear(); }));
+        for (std::size_t k = 0; k < good.memory.size(); ++k) {
+            CAPTURE(good.memory[k].name);
+            CHECK(isRefused([&](Memory& memory) { memory.erase(memory.begin() + static_cast<long>(k)); }));
+            CHECK(isRefused([&](Memory& memory) { memory.push_back(memory[k]); }));
+            CHECK(isRefused([&](Memory& memory) { memory[k].name += "?"; }));
+            CHECK(isRefused([&](Memory& memory) { memory[k].values.push_back(0); }));
+            CHECK(isRefused([&](Memory& memory) { memory[k].values.pop_back(); }));
+            CHECK(isRefused([&](Memory& memory) { memory[k].values[0] = kInfinity; }));
+        }
     }
 
     TEST_CASE("restart: blocks that fly, hit and turn") {

@@ -67,11 +67,11 @@ TEST_SUITE("physics") {
             const SearchResult found = factorOf(model);
             MESSAGE("factor of safety ", found.answer, ", exact ", exact);
             CHECK(found.answer == doctest::Approx(exact).epsilon(0.002));
-            REQUIRE(found.bolts.size() == 1);
-            CHECK(found.bolts[0].name == "tie");
-            CHECK(found.bolts[0].force == doctest::Approx(force).epsilon(1e-6));
-            CHECK(found.bolts[0].utilisation == doctest::Approx(1.0));
-            CHECK(!found.bolts[0].broken);
+            REQUIRE(found.supports.at(0).reports.size() == 1);
+            CHECK(found.supports.at(0).reports[0].name == "tie");
+            CHECK(found.supports.at(0).reports[0].force == doctest::Approx(force).epsilon(1e-6));
+            CHECK(found.supports.at(0).reports[0].utilisation == doctest::Approx(1.0));
+            CHECK(!found.supports.at(0).reports[0].broken);
             const auto ceiling = limitAnalysis(model, Varied::factor);
             REQUIRE(ceiling.ok());
             CHECK(ceiling->upper == doctest::Approx(exact).epsilon(2e-4));
@@ -86,8 +86,8 @@ TEST_SUITE("physics") {
         const SearchResult found = factorOf(model);
         MESSAGE("factor of safety ", found.answer, ", exact ", exact);
         CHECK(found.answer == doctest::Approx(exact).epsilon(0.002));
-        CHECK(found.bolts[0].broken);
-        CHECK(found.bolts[0].force == 0);
+        CHECK(found.supports.at(0).reports[0].broken);
+        CHECK(found.supports.at(0).reports[0].force == 0);
     }
 
     TEST_CASE("the Hoek-Bray slope with 2 m of water and an anchor of 200 kN/m at 15 degrees: 1.848") {
@@ -114,17 +114,19 @@ TEST_SUITE("physics") {
                 run(model, {}, [&](const HistoryRecord& record) { records.push_back(record); });
             REQUIRE(result.ok());
             double most = 0;
-            for (const HistoryRecord& record : records) most = std::max(most, record.bolts[0].force);
+            for (const HistoryRecord& record : records)
+                most = std::max(most, record.supports.at(0).reports[0].force);
             const HistoryRecord &half = records[8], &third = records[4];  // at 0.4 and 0.2 s
-            const double pull = half.bolts[0].force - third.bolts[0].force;
+            const double pull = half.supports.at(0).reports[0].force - third.supports.at(0).reports[0].force;
             const double way = half.watch[0].displacement.z() - third.watch[0].displacement.z();
             MESSAGE("initial stiffness ", pull / way / 1e6, " MN/m, shear lag ", stiffness / 1e6, "; holds ",
                     most / 1e3, " kN");
             CHECK(pull == doctest::Approx(0.2 * 490e3).epsilon(1e-3));
             CHECK(pull / way == doctest::Approx(stiffness).epsilon(0.01));
             CHECK(most == doctest::Approx(is_short ? 0.35e6 : 0.5e6).epsilon(1e-9));
-            CHECK(result->bolts[0].yielded == !is_short);
-            CHECK(result->bolts[0].slipped == is_short);
+            const std::vector<SupportSign> signs{{"yielded", "yielded", !is_short},
+                                                 {"slipped", "slipped in its grout", is_short}};
+            CHECK(result->supports.at(0).reports[0].signs == signs);
         }
     }
 

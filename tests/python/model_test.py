@@ -7,6 +7,7 @@ import unittest
 
 import talus
 from talus import _toml
+from talus._model import _sections
 from support import ROOT, SLOPE, Folder
 
 
@@ -26,6 +27,17 @@ class Built(unittest.TestCase):
             model = sliding_block()
             model["joint.default.friction_deg"] = friction
             self.assertAlmostEqual(talus.critical_angle(model).critical_angle_deg, friction, delta=0.02)
+
+    def test_every_section_of_a_file_can_be_added(self):
+        model = talus.Model()
+        for section, kind in _sections().items():
+            model.add(section, "name", key=1)
+            with self.subTest(section=section):
+                one = {"key": 1}
+                expected = {"list": [{"name": "name", **one}], "named": {"name": one}, "single": one}
+                self.assertEqual(model._tables[section], expected[kind])
+        self.assertEqual({_sections()[name] for name in ("bolt", "joint", "gravity")},
+                         {"list", "named", "single"})
 
     def test_methods_chain_and_fields_are_read(self):
         model = talus.Model().gravity(tilt_deg=3.0).gravity(magnitude=9.8)

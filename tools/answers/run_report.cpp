@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "answers/bolt_report.h"
+#include "answers/support_report.h"
 #include "cli/json.h"
 #include "cli/provenance.h"
 #include "cli/scenario.h"
@@ -56,27 +56,28 @@ Json largestJson(const formats::Scenario& scenario, const RunResult& result) {
 
 Json runJson(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
              const RunRecorder& recorder) {
-    return {{"steps", result.steps},
-            {"simulated_seconds", number(result.simulated_seconds)},
-            {"time_step_s", number(result.time_step)},
-            {"start", options.resume.empty() ? Json(toString(result.start)) : Json(nullptr)},
-            {"blocks", result.blocks},
-            {"interfaces", result.interfaces},
-            {"contact_points", result.contact_points},
-            {"kinetic_energy_j", number(result.kinetic_energy)},
-            {"state_hash", hashText(result.state_hash)},
-            {"wall_seconds", number(result.wall_seconds)},
-            {"watch", watchJson(result)},
-            {"displacements_m",
-             scenario.model.ground_motion.empty() ? Json(nullptr) : displacementsJson(scenario, result)},
-            {"largest_displacement", largestJson(scenario, result)},
-            {"bolts", boltsJson(result.bolts)},
-            {"interrupted", result.interrupted},
-            {"warnings", result.warnings},
-            {"output", options.output.empty() ? Json(nullptr) : Json(options.output)},
-            {"snapshots", recorder.facts()},
-            {"resumed", options.resume.empty() ? Json(nullptr) : Json(options.resume)},
-            {"provenance", provenance(options.common, options.scenario)}};
+    Json json{{"steps", result.steps},
+              {"simulated_seconds", number(result.simulated_seconds)},
+              {"time_step_s", number(result.time_step)},
+              {"start", options.resume.empty() ? Json(toString(result.start)) : Json(nullptr)},
+              {"blocks", result.blocks},
+              {"interfaces", result.interfaces},
+              {"contact_points", result.contact_points},
+              {"kinetic_energy_j", number(result.kinetic_energy)},
+              {"state_hash", hashText(result.state_hash)},
+              {"wall_seconds", number(result.wall_seconds)},
+              {"watch", watchJson(result)},
+              {"displacements_m",
+               scenario.model.ground_motion.empty() ? Json(nullptr) : displacementsJson(scenario, result)},
+              {"largest_displacement", largestJson(scenario, result)}};
+    addSupports(result.supports, json);
+    json["interrupted"] = result.interrupted;
+    json["warnings"] = result.warnings;
+    json["output"] = options.output.empty() ? Json(nullptr) : Json(options.output);
+    json["snapshots"] = recorder.facts();
+    json["resumed"] = options.resume.empty() ? Json(nullptr) : Json(options.resume);
+    json["provenance"] = provenance(options.common, options.scenario);
+    return json;
 }
 
 }  // namespace talus::tools

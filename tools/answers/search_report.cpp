@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "answers/bolt_report.h"
+#include "answers/support_report.h"
 #include "cli/block_names.h"
 #include "cli/failures.h"
 #include "cli/json.h"
@@ -136,9 +136,11 @@ std::string groupsText(const SearchResult& result) {
     return rows;
 }
 
-std::string boltsText(const SearchResult& result) {
+std::string supportsText(const SearchResult& result) {
     std::string rows;
-    for (const std::string& line : boltLines(result.bolts)) rows += row(rows.empty() ? "bolts" : "", line);
+    for (const SupportTexts& kind : supportTexts(result.supports))
+        for (const std::string& line : kind.lines)
+            rows += row(&line == &kind.lines.front() ? kind.kind : "", line);
     return rows;
 }
 
@@ -262,7 +264,7 @@ Json searchJson(const SearchReport& report) {
     json["failure_mode"] = toString(result.mode);
     json["moving_blocks"] = result.moving_blocks;
     json["fallen_at_start"] = result.fallen_at_start;
-    json["bolts"] = boltsJson(result.bolts);
+    addSupports(result.supports, json);
     if (search.follows_groups) json["groups"] = list(result.groups, groupJson);
     json["theory"] = theoryJson(report);
     json["probes"] = result.probes.size();
@@ -292,7 +294,7 @@ std::string searchText(const SearchReport& report, bool verbose) {
                         row(report.search.answer, answerText(report)) + theoryText(report) +
                         ceilingText(report) + rangeText(report) + row("failure mode", toString(result.mode)) +
                         row("moving blocks", movingText(result)) + fallenText(result) + groupsText(result) +
-                        boltsText(result) + row("model", sizeText(result)) +
+                        supportsText(result) + row("model", sizeText(result)) +
                         row("method", methodText(result)) + row("cost", costText(result)) +
                         row("state hash", hashText(result.state_hash));
     for (const std::string& warning : result.warnings) table += row("warning", warning);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "answers/bolt_report.h"
 #include "answers/run_report.h"
+#include "answers/support_report.h"
 #include "cli/json.h"
 #include "cli/progress.h"
 #include "cli/scenario.h"
@@ -51,7 +51,8 @@ std::string toText(const RunOptions& options, const formats::Scenario& scenario,
     const std::size_t farthest = farthestBlock(result);
     lines += "moved farthest: " + scenario.model.blocks[farthest].name + ", by " +
              text(result.displacements[farthest].norm(), 9) + " m\n";
-    for (const std::string& bolt : boltLines(result.bolts)) lines += "bolt " + bolt + "\n";
+    for (const SupportTexts& kind : supportTexts(result.supports))
+        for (const std::string& line : kind.lines) lines += kind.kind + ": " + line + "\n";
     for (const std::string& warning : result.warnings) lines += "warning: " + warning + "\n";
     return lines + recorder.lines();
 }

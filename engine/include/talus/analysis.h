@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "talus/bolts.h"
 #include "talus/frame.h"
 #include "talus/model.h"
 #include "talus/result.h"
+#include "talus/supports.h"
 
 namespace talus {
 
@@ -102,7 +102,7 @@ struct SearchResult {
     std::optional<std::pair<double, double>> range;
     std::string range_reason;        ///< why there is a range, or none
     std::vector<BlockGroup> groups;  ///< of `safetyFactor`: who goes at which factor; the first is the answer
-    std::vector<BoltReport> bolts;   ///< as the failure is let go, or at the last load that stands
+    std::vector<Supports> supports;  ///< as the failure is let go, or at the last load that stands
     double continuation_seconds = 0;  ///< simulated time of the continuation with true inertia [s]
     bool confirmed = false;           ///< the continuation bore the failure out
     std::vector<Probe> probes;

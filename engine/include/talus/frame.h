@@ -19,6 +19,13 @@ namespace talus {
 template <class Number>
 struct VectorList {
     std::vector<Number> x, y, z;
+
+    template <class Vector>
+    void push_back(const Vector& v) {
+        x.push_back(static_cast<Number>(v.x()));
+        y.push_back(static_cast<Number>(v.y()));
+        z.push_back(static_cast<Number>(v.z()));
+    }
 };
 
 /// Unit quaternions, a block's own frame (its centroid, its principal axes) to the model frame.
@@ -26,12 +33,18 @@ struct QuaternionList {
     std::vector<double> w, x, y, z;
 };
 
-/// Bolts as lines through the blocks they hold, at the start: head, both sides of each joint they tie, end.
-struct BoltLines {
+/// Supports (talus/supports.h) as lines through the blocks they hold, at the start: of a bolt its head, both sides of each joint
+/// it ties, its end.
+struct SupportLines {
     std::vector<std::string> name;
-    std::vector<std::int32_t> point_begin;  ///< per bolt
+    std::vector<std::int32_t> point_begin;  ///< per support; empty without any
     VectorList<double> point;               ///< [m]
     std::vector<std::int32_t> block;        ///< that each point goes with
+
+    void add(std::int32_t with, const auto& place) {
+        point.push_back(place);
+        block.push_back(with);
+    }
 };
 
 /// Shapes in the model frame as they lie at the start, flat. Names, joints and waters are the model's.
@@ -51,7 +64,7 @@ struct RunGeometry {
     std::vector<std::uint8_t> face_inner;  ///< per face: 1 where it lies on other parts, no surface
 
     bool isInner(std::size_t face) const { return !face_inner.empty() && face_inner[face] != 0; }
-    BoltLines bolts;
+    SupportLines supports;
 };
 
 /// Water as it stands, per water of the model. Its table is the plane up . x = table, up = (sin tilt, 0, cos tilt).
@@ -61,8 +74,8 @@ struct WaterLevels {
     std::vector<std::uint8_t> drained;
 };
 
-/// Bolts as they stand, per bolt of the model.
-struct BoltForces {
+/// Supports as they stand, in the order of SupportLines.
+struct SupportForces {
     std::vector<float> force;        ///< [N]
     std::vector<float> utilisation;  ///< of what it can carry, 0..1
     std::vector<std::uint8_t> broken;
@@ -76,14 +89,14 @@ struct LightFrame {
     double tilt = 0;                 ///< [rad]
     double time_step = 0;            ///< [s]
     double kinetic_energy = 0;       ///< [J]
-    double elastic_energy = 0;       ///< in contacts and bolts [J]
+    double elastic_energy = 0;       ///< in contacts and supports [J]
     double gravity_energy = 0;       ///< relative to the start [J]
     double out_of_balance = 0;       ///< largest out-of-balance force of a free block over its weight
     VectorList<float> displacement;  ///< of each block's centroid since the start [m]
     VectorList<float> rotation;  ///< of each block since the start: axis times angle [rad], at most pi long
     VectorList<float> velocity;  ///< of each block's centroid [m/s]
     WaterLevels water;
-    BoltForces bolts;
+    SupportForces supports;
 };
 
 /// Exact states of the blocks.
@@ -161,17 +174,10 @@ struct FrameWaters {
     std::vector<std::uint8_t> drained;  ///< as it is now
 };
 
-/// What bolts remember, for each joint that one ties.
-struct FrameBolts {
-    std::vector<double> yielded;  ///< elongation of the bar that stays [m]
-    std::vector<double> slipped;  ///< of the bar through its grout [m]
-    VectorList<double> dowel;     ///< displacement across the bolt that stays [m]
-    std::vector<std::uint8_t> broken;
-};
-
-/// Walls of a phreatic surface.
-struct FramePhreatic {
-    std::vector<std::uint8_t> drained;  ///< 1: dry for good
+/// One array of what a force remembers. Flags are 0 or 1.
+struct ForceArray {
+    std::string name;  ///< of the force and its own: "bolts.yielded"
+    std::vector<double> values;
 };
 
 /// What the contact law takes of each joint, divided by the factor of a strength reduction.
@@ -237,8 +243,7 @@ struct FullFrame {
     FramePoints points;
     FrameWetPatches wet;
     FrameWaters waters;
-    FrameBolts bolts;
-    FramePhreatic phreatic;
+    std::vector<ForceArray> memory;  ///< what forces remember beside contacts and `waters`
     FrameLaws laws;
     FrameLoads loads;
     VectorList<double> search_position;  ///< poses at the last neighbour search

@@ -22,8 +22,6 @@ enum class Item : std::uint8_t {
     wet_patch,
     wet_corner,
     water,
-    bolt_segment,
-    phreatic_wall,
     joint,
     none
 };
@@ -131,15 +129,6 @@ inline constexpr auto kWaterFields =
                     frameField("load_drained", &FrameWaters::load_drained, Item::water),
                     frameField("drained", &FrameWaters::drained, Item::water));
 
-inline constexpr auto kBoltFields =
-    std::make_tuple(frameField("yielded", &FrameBolts::yielded, Item::bolt_segment, "m"),
-                    frameField("slipped", &FrameBolts::slipped, Item::bolt_segment, "m"),
-                    frameField("dowel", &FrameBolts::dowel, Item::bolt_segment, "m"),
-                    frameField("broken", &FrameBolts::broken, Item::bolt_segment));
-
-inline constexpr auto kPhreaticFields =
-    std::make_tuple(frameField("drained", &FramePhreatic::drained, Item::phreatic_wall));
-
 /// Calls visit(table, field, array) for every array of a frame; `table` is the field of Full that holds it.
 template <class Frame, class Visit>
 void eachFrameArray(Frame& frame, const Visit& visit) {
@@ -151,8 +140,6 @@ void eachFrameArray(Frame& frame, const Visit& visit) {
     all("points", kPointFields, frame.points);
     all("wet", kWetFields, frame.wet);
     all("waters", kWaterFields, frame.waters);
-    all("bolts", kBoltFields, frame.bolts);
-    all("phreatic", kPhreaticFields, frame.phreatic);
     using Values = std::vector<double>;
     for (auto& parameter : frame.laws.parameters)
         visit("laws", FrameField<FrameLaws, Values>{parameter.name, nullptr, Item::joint, "", {}},

@@ -123,7 +123,6 @@ struct AppliedLoad {
     double pressure = 0;             ///< on them [Pa]
     Vec3 box_min = Vec3::Zero(), box_max = Vec3::Zero();  ///< [m]
     std::vector<LevelPoint> factor{};                     ///< over time; empty: 1
-    bool must_act = true;                                 ///< a box without a face is an error
     std::string field{};                                  ///< "load[0]", for messages
 };
 
@@ -219,8 +218,12 @@ struct Model {
     AnalysisSettings analysis;
     RunSettings run;
     std::optional<StackShape> stack;
+    bool is_remainder =
+        false;  ///< blocks were taken out: what pressed or held them may find nothing to act on
 
     bool hasWater() const { return !waters.empty() || phreatic.has_value(); }
+    /// Whether anything acts beside weight, earthquake, contacts and water in joints.
+    bool hasOtherForces() const { return phreatic || !loads.empty() || !bolts.empty(); }
 };
 
 }  // namespace talus

@@ -23,6 +23,7 @@
 #include "talus/frame.h"
 #include "talus/model.h"
 #include "talus/result.h"
+#include "talus/supports.h"
 
 namespace talus {
 
@@ -40,11 +41,11 @@ struct HistoryRecord {
     double time = 0;  ///< [s]
     std::int64_t step = 0;
     double kinetic_energy = 0;  ///< [J]
-    double elastic_energy = 0;  ///< stored in contacts and bolts [J]
+    double elastic_energy = 0;  ///< stored in contacts and supports [J]
     double gravity_energy = 0;  ///< relative to the start [J]
     double out_of_balance = 0;  ///< largest out-of-balance force of a free block over its weight
     std::vector<BlockReport> watch;
-    std::vector<BoltReport> bolts;
+    std::vector<Supports> supports;
     std::optional<Vec3> ground_acceleration{};  ///< where a record moves the fixed blocks [m/s^2]
 };
 
@@ -65,7 +66,7 @@ struct RunResult {
     std::uint64_t state_hash = 0;
     double wall_seconds = 0;
     std::vector<BlockReport> watch;
-    std::vector<BoltReport> bolts;
+    std::vector<Supports> supports;
     std::vector<Vec3> displacements;  ///< of each block's centroid since the start [m]
     bool interrupted = false;
     std::vector<std::string> warnings;  ///< what left the valid range, if anything did

@@ -9,7 +9,7 @@
 #include "analysis/load_start.h"
 #include "analysis/probing.h"
 #include "analysis/search_warnings.h"
-#include "forces/bolts.h"
+#include "forces/sum.h"
 #include "frame/frame.h"
 #include "measure/measure.h"
 #include "state/incidence.h"
@@ -166,7 +166,7 @@ class Search {
         std::shared_ptr<FailingState> failing;
         if (control_.keep_failing_state)
             failing = std::make_shared<FailingState>(FailingState{fullFrameOf(moving), load});
-        result_.bolts = bolts::report(moving);
+        result_.supports = supportReports(moving);
         Failure failure = continueFailure(moving, evidence(), control_, parallel_);
         if (failing) {
             failing->contact_damping = moving.damping.contact;
@@ -200,7 +200,7 @@ class Search {
         result_.high = bracket_.high() ? axis_.load(*bracket_.high()) : fell ? axis_.start : kInfinity;
         if (result_.status == SearchStatus::found) result_.answer = 0.5 * (result_.low + result_.high);
         if (!fails) result_.failing = nullptr;
-        if (!fails) result_.bolts = bolts::report(probing_.last_stable);
+        if (!fails) result_.supports = supportReports(probing_.last_stable);
         result_.factors = probing_.factors;
         result_.steps = steps();
         describe(fails ? probing_.last_moving : probing_.last_stable, fails);

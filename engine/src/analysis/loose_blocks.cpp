@@ -51,12 +51,10 @@ Model withoutBlocks(const Model& model, const std::vector<char>& gone) {
     for (Water water : model.waters)
         if (renumber(water, index)) left.waters.push_back(std::move(water));
     left.loads.clear();
-    for (AppliedLoad load : model.loads) {
-        load.must_act = false;  // the faces in its box may have gone
+    for (AppliedLoad load : model.loads)
         if (load.kind == AppliedLoad::Kind::box || renumber(load.block, index))
             left.loads.push_back(std::move(load));
-    }
-    for (Bolt& bolt : left.bolts) bolt.must_hold = false;  // what they held may have gone
+    left.is_remainder = true;
     left.stack.reset();
     return left;
 }

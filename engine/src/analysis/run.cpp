@@ -10,7 +10,6 @@
 #include "analysis/threads.h"
 #include "build/build.h"
 #include "contacts/update.h"
-#include "forces/bolts.h"
 #include "forces/ground_motion.h"
 #include "forces/sum.h"
 #include "frame/frame.h"
@@ -77,7 +76,7 @@ HistoryRecord recordOf(const State& state, const std::vector<std::size_t>& watch
     record.gravity_energy = gravityEnergy(state);
     record.out_of_balance = outOfBalanceRatio(state);
     for (std::size_t b : watched) record.watch.push_back(reportOn(state, b));
-    record.bolts = bolts::report(state);
+    record.supports = supportReports(state);
     if (state.load.shaken) record.ground_acceleration = groundAcceleration(state);
     return record;
 }
@@ -303,7 +302,7 @@ class TimeHistory {
         result.kinetic_energy = kineticEnergy(state_);
         result.state_hash = stateHash(state_);
         for (std::size_t b : watched_) result.watch.push_back(reportOn(state_, b));
-        result.bolts = bolts::report(state_);
+        result.supports = supportReports(state_);
         for (std::size_t b = 0; b < state_.blocks.size(); ++b)
             result.displacements.push_back(reportOn(state_, b).displacement);
         result.interrupted = interrupted_;

@@ -74,8 +74,7 @@ std::optional<TheoryFigure> theoryOfAcceleration(const Model& model) {
     });
     const Seismic& seismic = model.seismic;
     const bool downhill = (pushOf(seismic, model.gravity, 0) + Vec3::UnitX()).norm() < 1e-12;
-    if (cohesive || !downhill || model.hasWater() || !model.bolts.empty() || !(seismic.vertical < 1))
-        return std::nullopt;
+    if (cohesive || !downhill || model.hasWater() || !(seismic.vertical < 1)) return std::nullopt;
     Model still = model;
     still.seismic = {};
     still.analysis.start.reset();  // the question is about this tilt, not about where a search starts

@@ -115,7 +115,7 @@ class Build {
     }
 
     void refuse(const Bolt& bolt, const char* key, std::string message) {
-        if (bolt.must_hold)
+        if (bolt.must_hold && !model_.is_remainder)
             errors_.push_back({bolt.field + key, std::move(message)});
         else
             ++holding_nothing_;
@@ -363,25 +363,89 @@ double reach(const State& state) {
     return farthest;
 }
 
-double strength(const BoltSegment& segment) { return bolt::axialStrength(segment.law, 1.0); }
+Result<std::vector<TieLimit>> limits(const State& state) {
+    std::vector<TieLimit> all;
+    for (const BoltSegment& segment : state.bolts.segments) {
+        const Bolt& bolt = state.geometry->model.bolts[static_cast<std::size_t>(segment.bolt)];
+        if (segment.law.dowel_stiffness > 0)
+            return Error{"", "bolt \"" + bolt.name +
+                                 "\" has a shear_stiffness, and limit analysis is for bolts that only pull"};
+        const TiedPose b = poseOf(state, segment.block_b);
+        all.push_back({{segment.block_a, segment.block_b},
+                       b.position + b.turn * segment.at_b,
+                       (bolt.end - bolt.head).normalized(),
+                       bolt::axialStrength(segment.law, 1.0)});
+    }
+    return all;
+}
 
-std::vector<BoltReport> report(const State& state) {
-    std::vector<BoltReport> all;
-    for (const Bolt& bolt : state.geometry->model.bolts) all.push_back({.name = bolt.name});
+std::vector<ForceArray> memory(const State& state) {
+    if (state.bolts.size() == 0) return {};
+    std::vector<ForceArray> arrays{{"yielded", {}}, {"slipped", {}}, {"dowel_x", {}},
+                                   {"dowel_y", {}}, {"dowel_z", {}}, {"broken", {}}};
+    for (const BoltMemory& memory : state.bolts.memory) {
+        const double numbers[] = {memory.yielded,   memory.slipped,   memory.dowel.x(),
+                                  memory.dowel.y(), memory.dowel.z(), memory.broken ? 1.0 : 0.0};
+        for (std::size_t k = 0; k < arrays.size(); ++k) arrays[k].values.push_back(numbers[k]);
+    }
+    return arrays;
+}
+
+void remember(State& state, std::span<const ForceArray> arrays) {
+    if (arrays.empty()) return;
+    for (std::size_t k = 0; k < state.bolts.size(); ++k) {
+        const auto number = [&](std::size_t array) { return arrays[array].values[k]; };
+        state.bolts.memory[k] = {number(0), number(1), Vec3(number(2), number(3), number(4)), number(5) != 0};
+    }
+}
+
+std::vector<SupportReport> reports(const State& state) {
+    enum { kYielded, kSlipped };
+    std::vector<SupportReport> all;
+    for (const Bolt& bolt : state.geometry->model.bolts)
+        all.push_back(
+            {.name = bolt.name, .signs = {{"yielded", "yielded"}, {"slipped", "slipped in its grout"}}});
     for (std::size_t k = 0; k < state.bolts.size(); ++k) {
         const BoltSegment& segment = state.bolts.segments[k];
-        BoltReport& bolt = all[static_cast<std::size_t>(segment.bolt)];
+        SupportReport& bolt = all[static_cast<std::size_t>(segment.bolt)];
         const BoltMemory& memory = state.bolts.memory[k];
         const double force = memory.broken ? 0.0 : pullOf(state, k).axial.force;
         bolt.force = std::max(bolt.force, force);
         bolt.utilisation =
             std::max(bolt.utilisation,
                      std::min(1.0, force / bolt::axialStrength(segment.law, state.load.gravity_share)));
-        bolt.yielded = bolt.yielded || memory.yielded > 0;
-        bolt.slipped = bolt.slipped || memory.slipped > 0;
+        bolt.signs[kYielded].is = bolt.signs[kYielded].is || memory.yielded > 0;
+        bolt.signs[kSlipped].is = bolt.signs[kSlipped].is || memory.slipped > 0;
         bolt.broken = bolt.broken || memory.broken;
     }
     return all;
+}
+
+SupportLines lines(const State& state) {
+    const std::vector<Bolt>& all = state.geometry->model.bolts;
+    const std::vector<BoltSegment>& segments = state.bolts.segments;
+    const auto inModel = [&](std::int32_t block, const Vec3& own) -> Vec3 {
+        const auto b = static_cast<std::size_t>(block);
+        const Geometry& geometry = *state.geometry;
+        return geometry.origin + geometry.initial_position.get(b) +
+               geometry.initial_orientation.matrix(b) * own;
+    };
+    SupportLines lines;
+    lines.point_begin = {0};
+    std::size_t k = 0;
+    for (std::size_t bolt = 0; bolt < all.size(); ++bolt) {
+        lines.name.push_back(all[bolt].name);
+        const std::size_t first = k;
+        for (; k < segments.size() && static_cast<std::size_t>(segments[k].bolt) == bolt; ++k) {
+            const BoltSegment& segment = segments[k];
+            if (k == first) lines.add(segment.block_a, all[bolt].head);
+            lines.add(segment.block_a, inModel(segment.block_a, segment.at_a));
+            lines.add(segment.block_b, inModel(segment.block_b, segment.at_b));
+        }
+        if (k > first) lines.add(segments[k - 1].block_b, all[bolt].end);
+        lines.point_begin.push_back(static_cast<std::int32_t>(lines.block.size()));
+    }
+    return lines;
 }
 
 }  // namespace talus::bolts

@@ -10,8 +10,9 @@
 
 #include "forces/tie.h"
 #include "state/arrays.h"
-#include "talus/bolts.h"
+#include "talus/frame.h"
 #include "talus/result.h"
+#include "talus/supports.h"
 
 namespace talus::bolts {
 
@@ -33,10 +34,14 @@ double storedEnergy(const State& state);
 /// How much farther blocks part until the last segment holds all it can [m]; 0 without any.
 double reach(const State& state);
 
-/// What a segment can carry at most, along the bolt [N].
-double strength(const BoltSegment& segment);
+/// Error: a bolt with dowel action.
+Result<std::vector<TieLimit>> limits(const State& state);
 
-/// Of each bolt of the model, as it stands.
-std::vector<BoltReport> report(const State& state);
+std::vector<ForceArray> memory(const State& state);
+void remember(State& state, std::span<const ForceArray> arrays);
+
+/// Of each bolt of the model: as it stands by its segment that carries most, and as a line from joint to joint.
+std::vector<SupportReport> reports(const State& state);
+SupportLines lines(const State& state);
 
 }  // namespace talus::bolts

@@ -192,7 +192,7 @@ class Build {
                         {static_cast<std::int32_t>(b), index, face.pushed(region, load.pressure)});
             }
         }
-        if (parts_.size() == before && load.must_act)
+        if (parts_.size() == before && !model_.is_remainder)
             errors_.push_back(
                 {load.field + ".box",
                  "no free face of a free block inside it looks this way; allowed: a box with at "

@@ -164,4 +164,16 @@ Wrench on(const State& state, const ForceParts& parts, std::size_t block) {
     return sum;
 }
 
+std::vector<ForceArray> memory(const State& state) {
+    const std::vector<std::uint8_t>& drained = state.phreatic.drained;
+    if (drained.empty()) return {};
+    return {{"drained", {drained.begin(), drained.end()}}};
+}
+
+void remember(State& state, std::span<const ForceArray> arrays) {
+    for (const ForceArray& array : arrays)
+        std::transform(array.values.begin(), array.values.end(), state.phreatic.drained.begin(),
+                       [](double value) { return static_cast<std::uint8_t>(value != 0); });
+}
+
 }  // namespace talus::phreatic

@@ -14,6 +14,7 @@
 #include "forces/wrench.h"
 #include "geometry/pressure.h"
 #include "state/arrays.h"
+#include "talus/frame.h"
 #include "talus/result.h"
 
 namespace talus::phreatic {
@@ -40,6 +41,10 @@ std::vector<Error> build(State& state, ForceParts& parts);
 void update(State& state);
 /// Walls of joints that have opened wider than the surface allows run dry.
 void drain(State& state);
+
+/// Which walls are dry for good.
+std::vector<ForceArray> memory(const State& state);
+void remember(State& state, std::span<const ForceArray> arrays);
 
 inline std::span<const std::int32_t> blocks(const State&, const ForceParts& parts) { return parts.block; }
 Wrench on(const State& state, const ForceParts& parts, std::size_t block);

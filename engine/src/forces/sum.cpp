@@ -1,7 +1,9 @@
 #include "forces/sum.h"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <string>
 
 #include "forces/bolts.h"
 #include "forces/ground_motion.h"
@@ -20,14 +22,36 @@ Wrench waterOnBlock(const State& state, const ForceParts&, std::size_t block) {
     return waterOn(state, block);
 }
 
-constexpr TyingForce kBolts{bolts::ties, bolts::between, bolts::springsOn, bolts::storedEnergy, bolts::reach};
+constexpr ForceMemory kPhreaticMemory{phreatic::memory, phreatic::remember};
+
+constexpr TyingForce kBoltTies{bolts::ties,         bolts::between, bolts::springsOn,
+                               bolts::storedEnergy, bolts::reach,   bolts::limits};
+constexpr ForceMemory kBoltMemory{bolts::memory, bolts::remember};
+constexpr SupportingForce kBoltsOneByOne{"bolts", bolts::reports, bolts::lines};
 
 constexpr BlockForce kBlockForces[] = {
-    {"water", makeWater, updateWater, drainWater, wetBlocksOf, waterOnBlock, nullptr, nullptr},
-    {"phreatic surface", phreatic::build, phreatic::update, phreatic::drain, phreatic::blocks, phreatic::on,
-     nullptr, nullptr},
-    {"loads", loads::build, nullptr, nullptr, loads::blocks, loads::on, loads::dead, nullptr},
-    {"bolts", bolts::build, bolts::update, nullptr, bolts::blocks, bolts::on, nullptr, &kBolts},
+    {.name = "water",
+     .build = makeWater,
+     .blocks = wetBlocksOf,
+     .on = waterOnBlock,
+     .update = updateWater,
+     .look = drainWater},
+    {.name = "phreatic",
+     .build = phreatic::build,
+     .blocks = phreatic::blocks,
+     .on = phreatic::on,
+     .update = phreatic::update,
+     .look = phreatic::drain,
+     .memory = &kPhreaticMemory},
+    {.name = "loads", .build = loads::build, .blocks = loads::blocks, .on = loads::on, .dead = loads::dead},
+    {.name = "bolts",
+     .build = bolts::build,
+     .blocks = bolts::blocks,
+     .on = bolts::on,
+     .update = bolts::update,
+     .tying = &kBoltTies,
+     .memory = &kBoltMemory,
+     .supporting = &kBoltsOneByOne},
 };
 
 /// Adds up one number of each force that ties blocks.
@@ -37,6 +61,21 @@ double sumOfTies(const Number& number) {
     for (const BlockForce& force : kBlockForces)
         if (force.tying != nullptr) sum += number(*force.tying);
     return sum;
+}
+
+/// Of one force's arrays, the name that all see.
+std::string fullName(const BlockForce& force, const ForceArray& array) {
+    return std::string(force.name) + "." + array.name;
+}
+
+void append(SupportLines& all, const SupportLines& more) {
+    if (all.point_begin.empty()) all.point_begin = {0};
+    const std::int32_t before = all.point_begin.back();
+    all.name.insert(all.name.end(), more.name.begin(), more.name.end());
+    for (std::size_t k = 1; k < more.point_begin.size(); ++k)
+        all.point_begin.push_back(before + more.point_begin[k]);
+    for (std::size_t p = 0; p < more.block.size(); ++p)
+        all.add(more.block[p], Vec3(more.point.x[p], more.point.y[p], more.point.z[p]));
 }
 
 }  // namespace
@@ -116,6 +155,62 @@ double tieEnergy(const State& state) {
 
 double tieReach(const State& state) {
     return sumOfTies([&](const TyingForce& force) { return force.reach(state); });
+}
+
+Result<std::vector<TieLimit>> tieLimits(const State& state) {
+    std::vector<TieLimit> all;
+    for (const BlockForce& force : kBlockForces) {
+        if (force.tying == nullptr) continue;
+        const auto limits = force.tying->limits(state);
+        if (!limits.ok()) return limits.errors();
+        all.insert(all.end(), limits->begin(), limits->end());
+    }
+    return all;
+}
+
+std::vector<ForceArray> forceMemory(const State& state) {
+    std::vector<ForceArray> all;
+    for (const BlockForce& force : kBlockForces) {
+        if (force.memory == nullptr) continue;
+        for (ForceArray& array : force.memory->read(state))
+            all.push_back({fullName(force, array), std::move(array.values)});
+    }
+    return all;
+}
+
+bool isForceMemory(const State& state, const std::vector<ForceArray>& memory) {
+    const auto fits = [](const ForceArray& own, const ForceArray& given) {
+        return own.name == given.name && own.values.size() == given.values.size() &&
+               std::all_of(given.values.begin(), given.values.end(),
+                           [](double value) { return std::isfinite(value); });
+    };
+    const std::vector<ForceArray> own = forceMemory(state);
+    return std::equal(own.begin(), own.end(), memory.begin(), memory.end(), fits);
+}
+
+void setForceMemory(State& state, const std::vector<ForceArray>& memory) {
+    std::span<const ForceArray> left = memory;
+    for (const BlockForce& force : kBlockForces) {
+        if (force.memory == nullptr) continue;
+        const std::size_t count = force.memory->read(state).size();
+        force.memory->write(state, left.first(count));
+        left = left.subspan(count);
+    }
+}
+
+std::vector<Supports> supportReports(const State& state) {
+    std::vector<Supports> all;
+    for (const BlockForce& force : kBlockForces)
+        if (force.supporting != nullptr)
+            all.push_back({force.supporting->kind, force.supporting->reports(state)});
+    return all;
+}
+
+SupportLines supportLines(const State& state) {
+    SupportLines all;
+    for (const BlockForce& force : kBlockForces)
+        if (force.supporting != nullptr) append(all, force.supporting->lines(state));
+    return all;
 }
 
 Vec3 bodyAcceleration(const State& state) {

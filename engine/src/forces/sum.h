@@ -1,6 +1,6 @@
 #pragma once
 // The one list of forces on blocks: weight, contacts, and what stands in blockForces. A new force is a header of its own
-// that says what it reads and writes, and a line in sum.cpp.
+// that says what it reads and writes, and an entry in sum.cpp (block_force.h says what it may hold).
 //
 // What pulls at every block by its mass, and contacts, the sum of a step takes in its kernel (step/motion_kernel.h); the
 // others act on some blocks only and are added to those.
@@ -8,45 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "forces/tie.h"
-#include "forces/wrench.h"
-#include "state/arrays.h"
-#include "talus/result.h"
+#include "forces/block_force.h"
 
 namespace talus {
-
-/// What a force between two blocks has beside what all have.
-struct TyingForce {
-    std::vector<Tie> (*ties)(const State& state);
-    /// What a tie does with its blocks at these poses; nothing is remembered.
-    TieForce (*between)(const State& state, std::size_t tie, const TiedPose& a, const TiedPose& b);
-    /// Of the ties on a block: the block at the other end, and the elastic stiffness where it pulls.
-    std::vector<std::pair<std::int32_t, TieForce>> (*springsOn)(const State& state, const ForceParts& parts,
-                                                                std::size_t block);
-    double (*storedEnergy)(const State& state);  ///< [J]
-    /// How much farther blocks part until all of it holds as much as it can [m].
-    double (*reach)(const State& state);
-};
-
-/// A force on some blocks. Its parts are those of the state at its place in the list; what it needs no function for is
-/// nullptr.
-struct BlockForce {
-    const char* name;
-    /// Finds out where it acts, once the interfaces of a model that was just built are known.
-    std::vector<Error> (*build)(State& state, ForceParts& parts);
-    /// Brings it up to date with load, time and poses, once a step. Writes what is the force's own.
-    void (*update)(State& state);
-    /// What changes for good (water that runs out), between steps of a time history.
-    void (*look)(State& state);
-    /// The blocks it acts on, ascending.
-    std::span<const std::int32_t> (*blocks)(const State& state, const ForceParts& parts);
-    /// On one block, as last brought up to date; zero on one it does not act on.
-    Wrench (*on)(const State& state, const ForceParts& parts, std::size_t block);
-    /// The same of one that keeps its direction while its block turns; nullptr: it turns with the block.
-    DeadForce (*dead)(const State& state, const ForceParts& parts, std::size_t block);
-    /// One between two blocks; nullptr: it comes from outside.
-    const TyingForce* tying;
-};
 
 std::span<const BlockForce> blockForces();
 
@@ -78,6 +42,19 @@ bool hasBlockForces(const State& state);
 /// Elastic energy of what ties blocks beside contacts [J], and how much farther they part until it holds most [m].
 double tieEnergy(const State& state);
 double tieReach(const State& state);
+
+/// What all ties can do at most. Error: why limit analysis is not made for one of them.
+Result<std::vector<TieLimit>> tieLimits(const State& state);
+
+/// What forces remember, under the names of force and array; and whether arrays may take its place.
+std::vector<ForceArray> forceMemory(const State& state);
+bool isForceMemory(const State& state, const std::vector<ForceArray>& memory);
+/// \pre isForceMemory
+void setForceMemory(State& state, const std::vector<ForceArray>& memory);
+
+/// All that people look at one by one, kind by kind; and their lines.
+std::vector<Supports> supportReports(const State& state);
+SupportLines supportLines(const State& state);
 
 /// What every block feels by its mass, as the load has it now: gravity and the pseudo-static earthquake; with the ground's
 /// motion [m/s^2].

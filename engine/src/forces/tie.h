@@ -16,6 +16,14 @@ struct Tie {
     std::int32_t a = 0, b = 0;
 };
 
+/// What a tie can do at its limit: pull its blocks together at a place, up to its strength.
+struct TieLimit {
+    Tie between;
+    Vec3 place = Vec3::Zero();   ///< at b's material point, in the state's coordinates [m]
+    Vec3 along = Vec3::UnitZ();  ///< from a to b
+    double strength = 0;         ///< [N]
+};
+
 /// Where a block is: its centroid [m] and the turn from its own frame to the model's.
 struct TiedPose {
     Vec3 position = Vec3::Zero();

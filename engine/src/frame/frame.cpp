@@ -5,8 +5,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "forces/bolts.h"
 #include "forces/contact_forces.h"
+#include "forces/sum.h"
 #include "forces/water.h"
 #include "frame/frame_fields.h"
 #include "frame/frame_readings.h"
@@ -21,22 +21,12 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-void add(VectorList<double>& list, const Vec3& v) {
-    list.x.push_back(v.x()), list.y.push_back(v.y()), list.z.push_back(v.z());
-}
-
-void add(VectorList<float>& list, const Vec3& v) {
-    list.x.push_back(static_cast<float>(v.x()));
-    list.y.push_back(static_cast<float>(v.y()));
-    list.z.push_back(static_cast<float>(v.z()));
-}
-
 /// Copies an array of the state into the frame, whatever the two are called.
 struct ToFrame {
     void operator()(const VectorArray& s, VectorList<double>& f) const { f.x = s.x, f.y = s.y, f.z = s.z; }
     void operator()(const PositionArray& s, VectorList<double>& f) const {
         for (auto* values : {&f.x, &f.y, &f.z}) values->clear();
-        for (std::size_t i = 0; i < s.size(); ++i) add(f, s.get(i));
+        for (std::size_t i = 0; i < s.size(); ++i) f.push_back(s.get(i));
     }
     void operator()(const QuaternionArray& s, QuaternionList& f) const {
         for (auto* values : {&f.w, &f.x, &f.y, &f.z}) values->clear();
@@ -89,7 +79,7 @@ void addWaterLevels(const State& state, WaterLevels& levels) {
 void addWaterLoads(const State& state, FrameWaters& waters) {
     for (std::size_t w = 0; w < state.pressure.size(); ++w) {
         waters.p0.push_back(state.pressure[w].p0);
-        add(waters.gradient, state.pressure[w].gradient);
+        waters.gradient.push_back(state.pressure[w].gradient);
         waters.tilt.push_back(state.water_load[w].tilt);
         waters.share.push_back(state.water_load[w].share);
         waters.level.push_back(state.water_load[w].level);
@@ -97,50 +87,13 @@ void addWaterLoads(const State& state, FrameWaters& waters) {
     }
 }
 
-void addBolts(const State& state, FrameBolts& bolts) {
-    for (const BoltMemory& memory : state.bolts.memory) {
-        bolts.yielded.push_back(memory.yielded);
-        bolts.slipped.push_back(memory.slipped);
-        add(bolts.dowel, memory.dowel);
-        bolts.broken.push_back(memory.broken ? 1 : 0);
-    }
-}
-
-void addBoltForces(const State& state, BoltForces& forces) {
-    for (const BoltReport& bolt : bolts::report(state)) {
-        forces.force.push_back(static_cast<float>(bolt.force));
-        forces.utilisation.push_back(static_cast<float>(bolt.utilisation));
-        forces.broken.push_back(bolt.broken ? 1 : 0);
-    }
-}
-
-/// The line of a bolt goes with the blocks it ties, from joint to joint.
-void addBoltLines(const State& state, BoltLines& lines) {
-    const std::vector<Bolt>& all = state.geometry->model.bolts;
-    const std::vector<BoltSegment>& segments = state.bolts.segments;
-    lines.point_begin = {0};
-    const auto point = [&](std::int32_t block, const Vec3& place) {
-        add(lines.point, place);
-        lines.block.push_back(block);
-    };
-    const auto inModel = [&](std::int32_t block, const Vec3& own) -> Vec3 {
-        const auto b = static_cast<std::size_t>(block);
-        const Geometry& geometry = *state.geometry;
-        return geometry.origin + geometry.initial_position.get(b) +
-               geometry.initial_orientation.matrix(b) * own;
-    };
-    std::size_t k = 0;
-    for (std::size_t bolt = 0; bolt < all.size(); ++bolt) {
-        lines.name.push_back(all[bolt].name);
-        const std::size_t first = k;
-        for (; k < segments.size() && static_cast<std::size_t>(segments[k].bolt) == bolt; ++k) {
-            if (k == first) point(segments[k].block_a, all[bolt].head);
-            point(segments[k].block_a, inModel(segments[k].block_a, segments[k].at_a));
-            point(segments[k].block_b, inModel(segments[k].block_b, segments[k].at_b));
+void addSupports(const State& state, SupportForces& forces) {
+    for (const Supports& kind : supportReports(state))
+        for (const SupportReport& support : kind.reports) {
+            forces.force.push_back(static_cast<float>(support.force));
+            forces.utilisation.push_back(static_cast<float>(support.utilisation));
+            forces.broken.push_back(support.broken ? 1 : 0);
         }
-        if (k > first) point(segments[k - 1].block_b, all[bolt].end);
-        lines.point_begin.push_back(static_cast<std::int32_t>(lines.block.size()));
-    }
 }
 
 void addLaws(const State& state, FrameLaws& laws) {
@@ -158,9 +111,9 @@ void addPatches(const State& state, FrameInterfaces& f, FramePoints& points) {
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
         InterfaceFrame frame = state.interfaces.frame(i);
         frame.reference_gap = storedReferenceGap(state.interfaces, i);
-        eachFrameVector(f, [&](auto vector, VectorList<double>& list) { add(list, frame.*vector); });
+        eachFrameVector(f, [&](auto vector, VectorList<double>& list) { list.push_back(frame.*vector); });
         const InterfaceWrench wrench = state.interfaces.wrench(i);
-        eachWrenchVector(f, [&](auto vector, VectorList<double>& list) { add(list, wrench.*vector); });
+        eachWrenchVector(f, [&](auto vector, VectorList<double>& list) { list.push_back(wrench.*vector); });
         for (const Eigen::Vector2d& corner : patchOutline(state.interfaces, i)) {
             f.patch_xi.push_back(corner.x());
             f.patch_eta.push_back(corner.y());
@@ -184,7 +137,7 @@ void addPatches(const State& state, FrameInterfaces& f, FramePoints& points) {
 
 void addShape(const Block& block, RunGeometry& g) {
     const auto first_vertex = static_cast<std::int32_t>(g.vertex.x.size());
-    for (const Vec3& v : block.shape.vertices) add(g.vertex, v);
+    for (const Vec3& v : block.shape.vertices) g.vertex.push_back(v);
     for (const auto& face : block.shape.faces) {
         for (const std::int32_t v : face) g.face_vertex.push_back(first_vertex + v);
         g.face_vertex_begin.push_back(static_cast<std::int32_t>(g.face_vertex.size()));
@@ -207,14 +160,14 @@ RunGeometry geometryOf(const State& state) {
     RunGeometry g;
     g.mass = state.blocks.mass;
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
-        add(g.centroid, state.geometry->origin + state.geometry->initial_position.get(b));
+        g.centroid.push_back(state.geometry->origin + state.geometry->initial_position.get(b));
     ToFrame{}(state.geometry->initial_orientation, g.orientation);
     g.size = state.geometry->size;
     g.vertex_begin = g.face_begin = g.face_vertex_begin = {0};
     for (const Block& block : state.geometry->model.blocks) addShape(block, g);
     if (state.geometry->part_block.size() > state.blocks.size())
         for (const Block& block : state.geometry->model.blocks) addParts(block.shape, g);
-    addBoltLines(state, g.bolts);
+    g.supports = supportLines(state);
     return g;
 }
 
@@ -230,12 +183,13 @@ LightFrame lightFrameOf(const State& state) {
     frame.out_of_balance = outOfBalanceRatio(state);
     const Geometry& geometry = *state.geometry;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
-        add(frame.displacement, state.blocks.position.get(b) - geometry.initial_position.get(b));
-        add(frame.rotation, rotationVector(geometry.initial_orientation[b], state.blocks.orientation[b]));
-        add(frame.velocity, state.blocks.velocity.get(b));
+        frame.displacement.push_back(state.blocks.position.get(b) - geometry.initial_position.get(b));
+        frame.rotation.push_back(
+            rotationVector(geometry.initial_orientation[b], state.blocks.orientation[b]));
+        frame.velocity.push_back(state.blocks.velocity.get(b));
     }
     addWaterLevels(state, frame.water);
-    addBoltForces(state, frame.bolts);
+    addSupports(state, frame.supports);
     return frame;
 }
 
@@ -246,8 +200,7 @@ FullFrame fullFrameOf(const State& state) {
     const Vec3& origin = state.geometry->origin;
     frame.origin_x = origin.x(), frame.origin_y = origin.y(), frame.origin_z = origin.z();
     addWaterLoads(state, frame.waters);
-    addBolts(state, frame.bolts);
-    frame.phreatic.drained = state.phreatic.drained;
+    frame.memory = forceMemory(state);
     addLaws(state, frame.laws);
     addPatches(state, frame.interfaces, frame.points);
     addReadings(state, frame.interfaces, frame.points);

@@ -28,10 +28,6 @@ class Sizes {
                 return frame_.wet.vertex_x.size();
             case Item::water:
                 return counts_.waters;
-            case Item::bolt_segment:
-                return frame_.bolts.yielded.size();
-            case Item::phreatic_wall:
-                return frame_.phreatic.drained.size();
             case Item::joint:
                 return counts_.joints;
             case Item::none:

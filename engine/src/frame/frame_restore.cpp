@@ -5,6 +5,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "forces/sum.h"
 #include "forces/water.h"
 #include "frame/frame.h"
 #include "frame/frame_fields.h"
@@ -169,12 +170,6 @@ void restoreWaters(const FrameWaters& f, State& state) {
     }
 }
 
-void restoreBolts(const FrameBolts& f, Bolts& bolts) {
-    for (std::size_t k = 0; k < bolts.size(); ++k)
-        bolts.memory[k] = {f.yielded[k], f.slipped[k], Vec3(f.dowel.x[k], f.dowel.y[k], f.dowel.z[k]),
-                           f.broken[k] != 0};
-}
-
 }  // namespace
 
 std::uint64_t hashOf(const FullFrame& frame) {
@@ -222,14 +217,12 @@ std::vector<Error> restoreFrame(const FullFrame& frame, State& state) {
         return {misfitError("full.interfaces")};
     if (!pointsFit(frame, state.geometry->model.points, dilates)) return {misfitError("full.points")};
     if (!wetFits(frame.wet)) return {misfitError("full.wet")};
-    if (frame.bolts.yielded.size() != state.bolts.size()) return {misfitError("full.bolts")};
-    if (frame.phreatic.drained.size() != state.phreatic.size()) return {misfitError("full.phreatic")};
+    if (!isForceMemory(state, frame.memory)) return {misfitError("full.memory")};
 
     eachField(state, frame, FromFrame{});
     restorePatches(frame, state);
     restoreWaters(frame.waters, state);
-    restoreBolts(frame.bolts, state.bolts);
-    state.phreatic.drained = frame.phreatic.drained;
+    setForceMemory(state, frame.memory);
     updateSpin(state, {0, state.blocks.size()});
     buildIncidence(state);
     finishWalls(state);

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "contacts/limits.h"
-#include "forces/bolts.h"
 #include "forces/contact_forces.h"
 #include "forces/sum.h"
 #include "limit_analysis/section.h"
@@ -115,15 +114,13 @@ Loads presentForces(const State& state, const Assembly& assembly) {
 }
 
 void addTendons(const State& state, Assembly& assembly) {
-    for (const BoltSegment& segment : state.bolts.segments) {
-        const auto a = static_cast<std::size_t>(segment.block_a),
-                   b = static_cast<std::size_t>(segment.block_b);
-        const std::int32_t body_a = assembly.body_of_block[a], body_b = assembly.body_of_block[b];
+    const auto limits = tieLimits(state);
+    if (!limits.ok()) return;  // nothing is computed then: limit_analysis.cpp says why
+    for (const TieLimit& limit : *limits) {
+        const std::int32_t body_a = assembly.body_of_block[static_cast<std::size_t>(limit.between.a)],
+                           body_b = assembly.body_of_block[static_cast<std::size_t>(limit.between.b)];
         if (body_a == body_b || std::min(body_a, body_b) == kAbsent) continue;
-        const Bolt& bolt = state.geometry->model.bolts[static_cast<std::size_t>(segment.bolt)];
-        assembly.tendons.push_back(
-            {body_a, body_b, state.blocks.position.get(b) + state.blocks.orientation.matrix(b) * segment.at_b,
-             (bolt.end - bolt.head).normalized(), bolts::strength(segment)});
+        assembly.tendons.push_back({body_a, body_b, limit.place, limit.along, limit.strength});
     }
 }
 

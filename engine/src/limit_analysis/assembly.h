@@ -29,7 +29,7 @@ struct ContactPoint {
     std::int32_t joint = 0;
 };
 
-/// A bolt where it ties two bodies: it pulls as much as is wanted, up to its strength.
+/// What ties two bodies beside contacts (a bolt): it pulls as much as is wanted, up to its strength.
 struct Tendon {
     std::int32_t body_a = kFixed, body_b = kFixed;
     Vec3 place = Vec3::Zero();   ///< [m]

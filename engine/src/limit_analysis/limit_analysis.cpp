@@ -317,11 +317,8 @@ std::string curvedText(const Joint& joint) {
 /// What limit analysis is not made for; "" where there is nothing of it.
 std::string whyNot(const State& state, const Assembly& assembly) {
     if (const Joint* curved = curvedJoint(state, assembly)) return curvedText(*curved);
-    for (const BoltSegment& segment : state.bolts.segments)
-        if (segment.law.dowel_stiffness > 0)
-            return "bolt \"" + state.geometry->model.bolts[static_cast<std::size_t>(segment.bolt)].name +
-                   "\" has a shear_stiffness, and limit analysis is for bolts that only pull";
-    return "";
+    const auto limits = tieLimits(state);
+    return limits.ok() ? "" : limits.errors().front().message;
 }
 
 Error tooLarge(std::size_t points, std::size_t most) {

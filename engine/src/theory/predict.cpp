@@ -82,8 +82,7 @@ std::string reasons(const Section& section) {
 
 std::optional<Prediction> predict(const Model& model) {
     const bool weight_only = !model.gravity.direction && model.seismic.horizontal == 0 &&
-                             model.seismic.vertical == 0 && model.loads.empty() && model.bolts.empty() &&
-                             !model.phreatic;
+                             model.seismic.vertical == 0 && !model.hasOtherForces();
     if (!(model.gravity.magnitude > 0) || !weight_only) return std::nullopt;
     const auto section = model.stack ? stackSection(model) : singleSection(model);
     if (!section) return std::nullopt;

@@ -100,7 +100,8 @@ std::string HistoryWriter::head(const HistoryRecord& first) const {
         for (const char* quantity : {"x_m", "y_m", "z_m", "vx_m_s", "vy_m_s", "vz_m_s", "rotation_deg"})
             text += ',' + columnName(block, quantity);
     if (first.ground_acceleration) text += ",ground_ax_m_s2,ground_ay_m_s2,ground_az_m_s2";
-    for (const BoltReport& bolt : first.bolts) text += ',' + columnName(bolt.name, "force_n");
+    for (const Supports& kind : first.supports)
+        for (const SupportReport& support : kind.reports) text += ',' + columnName(support.name, "force_n");
     return text + '\n';
 }
 
@@ -120,10 +121,11 @@ std::string HistoryWriter::row(const HistoryRecord& record) const {
         appendNumber(line, block.rotation / kDegree);
     }
     if (record.ground_acceleration) appendNumbers(line, *record.ground_acceleration);
-    for (const BoltReport& bolt : record.bolts) {
-        line += ',';
-        appendNumber(line, bolt.force);
-    }
+    for (const Supports& kind : record.supports)
+        for (const SupportReport& support : kind.reports) {
+            line += ',';
+            appendNumber(line, support.force);
+        }
     return line + '\n';
 }
 

@@ -295,6 +295,18 @@ void unpackPart(const Table* table, Part& part) {
     eachField(part, message, FromMessage{});
 }
 
+/// Nothing where forces remember nothing.
+flatbuffers::Offset<flatbuffers::Vector<flatbuffers::Offset<fb::ForceArray>>> packMemory(
+    flatbuffers::FlatBufferBuilder& builder, const std::vector<ForceArray>& memory) {
+    if (memory.empty()) return 0;
+    std::vector<flatbuffers::Offset<fb::ForceArray>> arrays;
+    for (const ForceArray& array : memory) {
+        const auto name = builder.CreateString(array.name);
+        arrays.push_back(fb::CreateForceArray(builder, name, packed(builder, array.values)));
+    }
+    return builder.CreateVector(arrays);
+}
+
 /// Children are written in the schema's order, as flatc's own code does.
 flatbuffers::Offset<fb::Full> packFull(flatbuffers::FlatBufferBuilder& builder, FullFrame& f) {
     const auto blocks = packTable<fb::Blocks, FieldsOf<kBlockFields>>(builder, f.blocks);
@@ -310,14 +322,10 @@ flatbuffers::Offset<fb::Full> packFull(flatbuffers::FlatBufferBuilder& builder, 
     const auto progress = packPart<fb::Progress>(builder, f.progress);
     flatbuffers::Offset<flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>> warnings = 0;
     if (!f.warnings.empty()) warnings = builder.CreateVectorOfStrings(f.warnings);
-    flatbuffers::Offset<fb::Bolts> bolts = 0;
-    if (!f.bolts.yielded.empty()) bolts = packTable<fb::Bolts, FieldsOf<kBoltFields>>(builder, f.bolts);
-    flatbuffers::Offset<fb::Phreatic> phreatic = 0;
-    if (!f.phreatic.drained.empty())
-        phreatic = packTable<fb::Phreatic, FieldsOf<kPhreaticFields>>(builder, f.phreatic);
+    const auto memory = packMemory(builder, f.memory);
     return fb::CreateFull(builder, f.time, f.step, f.state_hash, blocks, interfaces, points, wet, waters,
                           laws, loads, search, progress, f.shear_lost, warnings, f.origin_x, f.origin_y,
-                          f.origin_z, bolts, phreatic);
+                          f.origin_z, memory);
 }
 
 void unpackFull(const fb::Full& m, FullFrame& f) {
@@ -327,8 +335,6 @@ void unpackFull(const fb::Full& m, FullFrame& f) {
     unpackTable<fb::Points, FieldsOf<kPointFields>>(m.points(), f.points);
     unpackTable<fb::WetPatches, FieldsOf<kWetFields>>(m.wet(), f.wet);
     unpackTable<fb::WaterLoads, FieldsOf<kWaterFields>>(m.waters(), f.waters);
-    unpackTable<fb::Bolts, FieldsOf<kBoltFields>>(m.bolts(), f.bolts);
-    unpackTable<fb::Phreatic, FieldsOf<kPhreaticFields>>(m.phreatic(), f.phreatic);
     unpackPart(m.laws(), f.laws);
     unpackPart(m.loads(), f.loads);
     if (const fb::Search* search = m.search()) {
@@ -340,15 +346,22 @@ void unpackFull(const fb::Full& m, FullFrame& f) {
     f.shear_lost = m.shear_lost();
     if (m.warnings() != nullptr)
         for (const flatbuffers::String* warning : *m.warnings()) f.warnings.push_back(warning->str());
+    if (m.memory() != nullptr)
+        for (const fb::ForceArray* array : *m.memory()) {
+            ForceArray& into = f.memory.emplace_back();
+            if (array->name() != nullptr) into.name = array->name()->str();
+            unpack(array->values(), into.values);
+        }
     f.origin_x = m.origin_x(), f.origin_y = m.origin_y(), f.origin_z = m.origin_z();
 }
 
 /// Upper bound of a full frame's message [bytes], generously.
 std::size_t messageBytes(const FullFrame& frame) {
+    std::size_t memory = 0;
+    for (const ForceArray& array : frame.memory) memory += 256 + 8 * array.values.size();
     return 240 * frame.blocks.inverse_mass.size() + 284 * frame.interfaces.size() +
            16 * frame.interfaces.patch_xi.size() + 81 * frame.points.size() + 400 * frame.wet.block.size() +
-           16 * frame.wet.vertex_x.size() + 48 * frame.bolts.yielded.size() + frame.phreatic.drained.size() +
-           65536;
+           16 * frame.wet.vertex_x.size() + memory + 65536;
 }
 
 }  // namespace
@@ -363,15 +376,15 @@ mcap::Bytes encode(SnapshotHeader header) {
     }
     if (header.failure) message.failure = std::make_unique<fb::FailureT>(toMessage(*header.failure));
     eachField(header, message, IntoMessage{});
-    if (!header.geometry.bolts.name.empty())
-        eachField(header.geometry.bolts, made(message.bolts), IntoMessage{});
+    if (!header.geometry.supports.name.empty())
+        eachField(header.geometry.supports, made(message.supports), IntoMessage{});
     return pack<fb::Header>(message);
 }
 
 mcap::Bytes encode(LightFrame frame) {
     fb::FrameT message;
     eachField(frame, message, IntoMessage{});
-    if (!frame.bolts.force.empty()) eachField(frame.bolts, made(message.bolts), IntoMessage{});
+    if (!frame.supports.force.empty()) eachField(frame.supports, made(message.supports), IntoMessage{});
     return pack<fb::Frame>(message);
 }
 
@@ -399,7 +412,7 @@ bool decode(const mcap::Bytes& bytes, SnapshotHeader& header, std::string& why) 
         header.phreatic.push_back({message.phreatic_x[k], message.phreatic_z[k]});
     if (message.failure && !fromMessage(*message.failure, header.failure.emplace())) return false;
     eachField(header, message, FromMessage{});
-    if (message.bolts) eachField(header.geometry.bolts, *message.bolts, FromMessage{});
+    if (message.supports) eachField(header.geometry.supports, *message.supports, FromMessage{});
     return true;
 }
 
@@ -407,7 +420,7 @@ bool decode(const mcap::Bytes& bytes, LightFrame& frame) {
     fb::FrameT message;
     if (!readMessage<fb::Frame>(bytes, message)) return false;
     eachField(frame, message, FromMessage{});
-    if (message.bolts) eachField(frame.bolts, *message.bolts, FromMessage{});
+    if (message.supports) eachField(frame.supports, *message.supports, FromMessage{});
     return true;
 }
 

@@ -36,7 +36,7 @@ void eachField(LightFrame& f, fb::FrameT& m, const Move& move) {
 }
 
 template <class Move>
-void eachField(BoltLines& f, fb::BoltLinesT& m, const Move& move) {
+void eachField(SupportLines& f, fb::SupportLinesT& m, const Move& move) {
     move(f.name, m.name);
     move(f.point_begin, m.point_begin);
     move(f.point, m.point);
@@ -44,7 +44,7 @@ void eachField(BoltLines& f, fb::BoltLinesT& m, const Move& move) {
 }
 
 template <class Move>
-void eachField(BoltForces& f, fb::BoltForcesT& m, const Move& move) {
+void eachField(SupportForces& f, fb::SupportForcesT& m, const Move& move) {
     move(f.force, m.force);
     move(f.utilisation, m.utilisation);
     move(f.broken, m.broken);

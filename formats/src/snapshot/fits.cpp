@@ -35,16 +35,12 @@ bool areBegins(const std::vector<Index>& begins, std::size_t items, std::size_t 
            std::is_sorted(begins.begin(), begins.end()) && begins.back() == static_cast<Index>(total);
 }
 
-}  // namespace
-
-namespace {
-
-/// An older file, and one without bolts, has nothing of them.
-bool boltsFit(const BoltLines& bolts, std::size_t blocks) {
-    if (bolts.name.empty()) return bolts.block.empty();
-    const std::size_t points = bolts.block.size();
-    return sized(bolts.point, points) && areBegins(bolts.point_begin, bolts.name.size(), points) &&
-           within(bolts.block, 0, blocks);
+/// An older file, and one without supports, has nothing of them.
+bool supportsFit(const SupportLines& lines, std::size_t blocks) {
+    if (lines.name.empty()) return lines.block.empty();
+    const std::size_t points = lines.block.size();
+    return sized(lines.point, points) && areBegins(lines.point_begin, lines.name.size(), points) &&
+           within(lines.block, 0, blocks);
 }
 
 }  // namespace
@@ -60,7 +56,7 @@ bool fits(const SnapshotHeader& header) {
         return false;
     if ((!g.face_part.empty() || !g.face_inner.empty()) && !allSized(faces, g.face_part, g.face_inner))
         return false;
-    if (!boltsFit(g.bolts, n)) return false;
+    if (!supportsFit(g.supports, n)) return false;
     if (header.failure && header.failure->roles.size() != n) return false;
     for (const Motion motion : header.motions)
         if (motion > Motion::driven) return false;
@@ -79,8 +75,8 @@ bool fits(const LightFrame& frame, const SnapshotHeader& header) {
     const std::size_t n = header.names.size();
     return sized(frame.displacement, n) && sized(frame.rotation, n) && sized(frame.velocity, n) &&
            allSized(header.waters.size(), frame.water.level, frame.water.table, frame.water.drained) &&
-           allSized(header.geometry.bolts.name.size(), frame.bolts.force, frame.bolts.utilisation,
-                    frame.bolts.broken);
+           allSized(header.geometry.supports.name.size(), frame.supports.force, frame.supports.utilisation,
+                    frame.supports.broken);
 }
 
 bool fits(const FullFrame& frame, const SnapshotHeader& header) {

@@ -1,4 +1,5 @@
 #include "forces/bolts.h"
+#include "talus/bolts.h"
 
 #include <doctest/doctest.h>
 

@@ -189,6 +189,7 @@ TEST_CASE("the codec puts each array under its own name, and back") {
     FullFrame frame;
     int next = 1;
     eachFrameArray(frame, [&](std::string_view, const auto&, auto& array) { fill(array, next); });
+    frame.memory = {{"one.a", {1, 2, 3}}, {"one.b", {}}, {"other.a", {4}}};
     const mcap::Bytes message = encode(frame);
     const flatbuffers::Table& root = *flatbuffers::GetAnyRoot(message.data());
     const auto in_full = fieldsOf(tableOf("Full"));
@@ -210,6 +211,11 @@ TEST_CASE("the codec puts each array under its own name, and back") {
         CAPTURE(name);
         CHECK(numbersIn(array) == written[name]);
     });
+    REQUIRE(read.memory.size() == frame.memory.size());
+    for (std::size_t k = 0; k < read.memory.size(); ++k) {
+        CHECK(read.memory[k].name == frame.memory[k].name);
+        CHECK(read.memory[k].values == frame.memory[k].values);
+    }
 }
 
 TEST_CASE("the replay page asks for fields that are there") {

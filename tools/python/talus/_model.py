@@ -1,16 +1,26 @@
 """Models: a scenario file's tables, read or built in code."""
 
 import copy
+import functools
 import html
+import json
 import os
 import tomllib
 
 from . import _core, _toml
 from ._errors import ScenarioError
 
-_TABLES = ("analysis", "run", "damping", "gravity", "contact", "seismic", "ground_motion", "rock_mass")
-_NAMED = ("material", "joint")
-_LISTS = ("stack", "block", "water", "interface", "load", "bolt", "bolt_pattern", "joint_set", "single_joint")
+
+@functools.cache
+def _sections():
+    """What sections a scenario file has: {"joint": "named", "bolt": "list", "gravity": "single", ...}."""
+    def kind(schema):
+        if schema["type"] == "array":
+            return "list"
+        return "named" if isinstance(schema.get("additionalProperties"), dict) else "single"
+
+    properties = json.loads(_core.scenario_schema())["properties"]
+    return {name: kind(schema) for name, schema in properties.items()}
 
 
 class Model:
@@ -47,11 +57,12 @@ class Model:
 
     def add(self, section, name=None, /, **keys):
         """Adds a section of any kind: a table of a list ([[block]]), a named one ([joint.NAME]), or keys of a single one."""
-        if section in _LISTS:
+        kind = _sections().get(section)
+        if kind == "list":
             if name is not None:
                 keys = {"name": name, **keys}
             self._tables.setdefault(section, []).append(keys)
-        elif section in _NAMED:
+        elif kind == "named":
             self._tables.setdefault(section, {}).setdefault(name or "default", {}).update(keys)
         else:
             self._tables.setdefault(section, {}).update(keys)

@@ -9,7 +9,7 @@ import { BlocksView } from "./view/blocks.js";
 import { MotionTextures } from "./view/motion.js";
 import { pickBlock, pickInterface } from "./view/pick.js";
 import { JointsView, WaterView } from "./view/sheets.js";
-import { BoltsView, PhreaticView } from "./view/supports.js";
+import { SupportsView, PhreaticView } from "./view/supports.js";
 import { Stage } from "./view/stage.js";
 import { Controls } from "./ui/controls.js";
 
@@ -48,9 +48,9 @@ export class Replay {
     const free = this.freeBlocks();
     this.blockSize = median(free.map((b) => this.header.size[b]));
     this.arrows = new ArrowsView(this.header, this.motion, this.blockSize);
-    this.bolts = new BoltsView(this.header, this.motion, this.blockSize);
+    this.supports = new SupportsView(this.header, this.motion, this.blockSize);
     this.phreatic = new PhreaticView(this.header, this.motion);
-    this.stage.model.add(this.blocks.object, this.joints.object, this.water.object, this.bolts.object, this.phreatic.object);
+    this.stage.model.add(this.blocks.object, this.joints.object, this.water.object, this.supports.object, this.phreatic.object);
     this.stage.over.add(this.arrows.object);
     this.ranges = this.wholeRanges();
   }
@@ -178,7 +178,7 @@ export class Replay {
     this.water.object.visible = this.look.water;
     this.water.show(this.look.water ? this.full : null, frame);
     this.phreatic.object.visible = this.look.water;
-    this.bolts.show(frame);
+    this.supports.show(frame);
     const chosen = this.selected.interface;
     this.joints.object.visible = this.look.joints || chosen >= 0;
     this.joints.show(this.joints.object.visible ? this.full : null, this.full?.sums, this.look.joints, chosen);

@@ -269,7 +269,7 @@ export class Controls {
       colouring: look.colouring, range: replay.range, ownScale: look.ownScale, roles: look.colouring === "role" ? replay.roles : [], joints: look.joints,
       forces: arrows, reference: replay.arrows.reference, arrowPixels: this.arrowPixels(), fullTime: replay.full?.time ?? null,
       exaggeration: look.exaggeration, selected: replay.selected.block >= 0,
-      bolts: replay.bolts.bolts.length > 0,
+      supports: replay.supports.supports.length > 0,
     });
     if (html !== this.legendShown) element("legend").innerHTML = this.legendShown = html;
   }

@@ -9,7 +9,7 @@ const item = (colour, text) => `<li><i style="background:${colour}"></i>${text}<
 const unitOf = (kind) => (value) =>
   kind === "rotation" ? `${Number(degrees(value).toPrecision(3))}°` : quantity(value, kind === "velocity" ? "m/s" : "m", 3);
 
-export function legendHtml({ colouring, range, ownScale, roles, joints, forces, reference, arrowPixels, fullTime, exaggeration, selected, bolts }) {
+export function legendHtml({ colouring, range, ownScale, roles, joints, forces, reference, arrowPixels, fullTime, exaggeration, selected, supports }) {
   const parts = [];
   if (colouring === "role") {
     const present = [...new Set(roles)].sort();
@@ -28,8 +28,8 @@ export function legendHtml({ colouring, range, ownScale, roles, joints, forces, 
       `<svg width="${arrowPixels + 2}" height="10" style="vertical-align:-1px"><path d="M1 5H${arrowPixels - 7}m0-4 8 4-8 4z" stroke="currentColor" stroke-width="2" fill="currentColor"/></svg>` +
       ` ${quantity(reference, "N", 2)}<ul>${item("var(--ink)", "holds")}${item(forceColours.slipping, "slips")}` +
       `${selected ? item(forceColours.water, "water") + item(forceColours.weight, "weight") : ""}</ul>`);
-  if (bolts)
-    parts.push(`Bolts: strength used<div class="bar" style="background:${gradientOf("used")}"></div>` +
+  if (supports)
+    parts.push(`Supports: strength used<div class="bar" style="background:${gradientOf("used")}"></div>` +
       `<div class="ends"><span>0</span><span>½</span><span>all</span></div><ul>${item(openJoint, "broken")}</ul>`);
   if (exaggeration !== 1) parts.push(`Displacement drawn × ${Number(exaggeration.toPrecision(3))}`);
   return parts.map((part) => `<div>${part}</div>`).join("");

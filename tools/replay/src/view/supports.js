@@ -1,4 +1,4 @@
-// Bolts as bars through the blocks they hold, coloured by how much of their strength is used; and the water table of a slope.
+// Supports (bolts) as bars through the blocks they hold, coloured by how much of their strength is used; and the water table of a slope.
 
 import { add, cross, get, norm, scale, sub } from "../data/poses.js";
 import { openJoint, rgb, used, water as waterColour } from "./colours.js";
@@ -17,16 +17,16 @@ function putBar(mesh, from, to, width, tint) {
   }
 }
 
-export class BoltsView extends Sheets {
+export class SupportsView extends Sheets {
   constructor(header, motion, blockSize) {
     super(motion, 30);
     this.header = header;
     this.width = 0.04 * blockSize;
-    this.bolts = header.bolts ? Array.from(header.bolts.name, (_, k) => this.pointsOf(k)) : [];
+    this.supports = header.supports ? Array.from(header.supports.name, (_, k) => this.pointsOf(k)) : [];
   }
 
   pointsOf(k) {
-    const { pointBegin, point, block } = this.header.bolts;
+    const { pointBegin, point, block } = this.header.supports;
     return Array.from({ length: pointBegin[k + 1] - pointBegin[k] }, (_, j) => {
       const at = pointBegin[k] + j, place = get(point, at);
       return { block: block[at], place, offset: sub(place, get(this.header.centroid, block[at])) };
@@ -35,8 +35,8 @@ export class BoltsView extends Sheets {
 
   show(frame) {
     const bars = emptyMesh();
-    this.bolts.forEach((points, k) => {
-      const tint = [...(frame.bolts?.broken[k] ? rgb(openJoint) : used(frame.bolts?.utilisation[k] ?? 0)), 1];
+    this.supports.forEach((points, k) => {
+      const tint = [...(frame.supports?.broken[k] ? rgb(openJoint) : used(frame.supports?.utilisation[k] ?? 0)), 1];
       for (let j = 0; j + 1 < points.length; ++j) putBar(bars, points[j], points[j + 1], this.width, tint);
     });
     this.fill(bars, emptyMesh());
