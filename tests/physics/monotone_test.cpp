@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <optional>
+#include <random>
 #include <string>
 
 #include "support/models.h"
@@ -31,7 +34,69 @@ double factorOf(Model model, double friction_deg, double normal, double shear) {
     return result.answer;
 }
 
+/// A rock slope 5 m deep that three joint sets cut: all that may be drawn of it is.
+Model drawnSlope(unsigned seed) {
+    std::mt19937_64 random(seed);
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * std::uniform_real_distribution<double>(0, 1)(random);
+    };
+    const double height = between(6, 9), foot = height / std::tan(radians(between(55, 75)));
+    const auto number = [](double value) { return std::to_string(value); };
+    const auto corner = [&](double x, double z) { return "[" + number(x) + ", " + number(z) + "], "; };
+    const auto set = [&](int k, double dip, double direction, const char* law) {
+        return "[[joint_set]]\nname = \"J" + std::to_string(k) + "\"\ndip_deg = " + number(dip) +
+               "\ndip_direction_deg = " + number(direction) + "\nspacing = " + number(between(2, 3)) +
+               "\nspacing_law = \"" + law + "\"\nfisher = 500\n";
+    };
+    const std::string text =
+        "[material.rock]\ndensity = 2600.0\n[joint.default]\nfriction_deg = 30.0\nnormal_stiffness = 1e10\n"
+        "shear_stiffness = 5e9\n[rock_mass]\nregion = { profile = [" +
+        corner(-3, -2) + corner(foot + 7, -2) + corner(foot + 7, height) + corner(foot, height) +
+        corner(0, 0) + corner(-3, 0) +
+        "], y = [0, 5] }\nmin_thickness = 0.2\nseed = " + std::to_string(seed) +
+        "\nfixed = [{ boundary = \"-z\" }, { boundary = \"+x\" }]\n" +
+        set(0, between(20, 40), between(255, 285), "exponential") +
+        set(1, between(65, 85), between(70, 110), "uniform") +
+        set(2, between(75, 88), between(0, 15), "constant");
+    auto scenario = formats::parseScenario(text, "drawn.toml");
+    for (const Error& error : scenario.errors()) FAIL_CHECK(formats::format(error));
+    REQUIRE(scenario.ok());
+    return std::move(scenario->model);
+}
+
 }  // namespace
+
+// Friction divided by the factor of safety is the friction at which a slope fails, whatever it has. The way to it is the same to
+// the bit, so nothing that friction remembers can come between.
+TEST_SUITE("slow: physics") {
+    TEST_CASE("rock masses at random: the factor of safety is in proportion to the tangent of friction") {
+        int found = 0;
+        for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) {
+            CAPTURE(seed);
+            Model model = drawnSlope(seed);
+            std::optional<SearchResult> first;
+            for (const double friction : {28.0, 28.5, 36.0, 43.0}) {
+                CAPTURE(friction);
+                for (Joint& joint : model.joints)
+                    joint.friction = joint.residual_friction = radians(friction);
+                const SearchResult result = *safetyFactor(model);
+                if (!first) first = result;
+                CHECK((result.status == first->status));
+                CHECK(result.answer / std::tan(radians(friction)) ==
+                      doctest::Approx(first->answer / std::tan(radians(28.0))).epsilon(1e-9));
+                CHECK(result.state_hash == first->state_hash);
+                CHECK(result.fallen_at_start == first->fallen_at_start);
+                CHECK(result.moving_blocks == first->moving_blocks);
+            }
+            MESSAGE("seed " << seed << ", " << model.blocks.size() << " blocks, "
+                            << first->fallen_at_start.size()
+                            << " loose: " << std::string(toString(first->status)) << ", " << first->answer
+                            << " at 28 degrees");
+            found += first->status == SearchStatus::found ? 1 : 0;
+        }
+        CHECK(found >= 3);
+    }
+}
 
 TEST_SUITE("physics") {
     TEST_CASE("Goodman and Bray's slope: its factor grows with friction and does not change with stiffness") {

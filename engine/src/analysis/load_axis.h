@@ -13,8 +13,9 @@ namespace talus::analysis {
 /// The load that is searched over. Probes stand on a grid of cells no wider than the tolerance, so that the bracket
 /// found is one of these cells whatever way led to it.
 struct LoadAxis {
+    double unit = 1;  ///< of the answer's loads: those of the search times this
     double start = 0;
-    bool tenfold_at_start = false;   ///< at the start joints have ten times their strength
+    bool strongest_at_start = false;  ///< strength is divided by `strongestFactor` there
     std::int64_t stop = 0;           ///< [cells from the start]
     double cell = 0;                 ///< width of the bracket
     double imbalance_tolerance = 0;  ///< out-of-balance force over weight that a change by one cell is worth

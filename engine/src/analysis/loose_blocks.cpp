@@ -1,6 +1,7 @@
 #include "analysis/loose_blocks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <unordered_set>
 
@@ -29,7 +30,43 @@ bool renumber(Water& water, const std::vector<std::int32_t>& index) {
     return !water.walls.empty();
 }
 
+constexpr double kSteepest = 80 * M_PI / 180;  // friction that no joint of rock has [rad]
+constexpr double kTenfoldStrength = 0.1;
+
+/// Of those that have any; infinite: none has [rad].
+double leastFriction(const std::vector<Joint>& joints) {
+    double least = kInfinity;
+    for (const Joint& joint : joints)
+        for (const double friction : {joint.friction, joint.residual_friction})
+            if (friction > 0) least = std::min(least, friction);
+    return least;
+}
+
 }  // namespace
+
+bool haveFrictionOnly(const std::vector<Joint>& joints) {
+    return std::all_of(joints.begin(), joints.end(), [](const Joint& joint) {
+        return joint.law == StrengthLaw::coulomb && joint.cohesion == 0 && joint.residual_cohesion == 0 &&
+               joint.tensile_strength == 0;
+    });
+}
+
+double strongestFactor(const std::vector<Joint>& joints) {
+    const double least = leastFriction(joints);
+    return haveFrictionOnly(joints) && least < kInfinity ? std::tan(least) / std::tan(kSteepest)
+                                                         : kTenfoldStrength;
+}
+
+std::vector<Joint> strongest(std::vector<Joint> joints) {
+    const double least = leastFriction(joints);
+    const auto scale = [&](double& friction) {
+        friction = friction == least ? kSteepest
+                                     : std::atan(std::tan(friction) * std::tan(kSteepest) / std::tan(least));
+    };
+    if (least == kInfinity) return joints;
+    for (Joint& joint : joints) scale(joint.friction), scale(joint.residual_friction);
+    return joints;
+}
 
 std::vector<char> blocksNamed(const Model& model, const std::vector<std::string>& names) {
     const std::unordered_set<std::string> wanted(names.begin(), names.end());

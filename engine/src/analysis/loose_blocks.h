@@ -9,8 +9,16 @@
 
 namespace talus::analysis {
 
-/// Strength is divided by this for the question whether a block has any equilibrium at all.
-inline constexpr double kTenfoldStrength = 0.1;
+/// By what strength is divided for the question whether a block has any equilibrium at all: then the weakest joint that has
+/// friction has one of 80 degrees, and joints that have more than friction ten times their strength.
+double strongestFactor(const std::vector<Joint>& joints);
+
+/// Whether joints have Coulomb's friction and nothing else: then scaling it scales all strength.
+bool haveFrictionOnly(const std::vector<Joint>& joints);
+
+/// The joints at that factor, the same to the bit whatever share of that strength they have.
+/// \pre haveFrictionOnly
+std::vector<Joint> strongest(std::vector<Joint> joints);
 
 /// Of the free blocks' mass: when more than that would fall, it is the slope that fails and not a loose block.
 inline constexpr double kMostLoose = 0.2;

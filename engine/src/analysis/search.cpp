@@ -18,6 +18,34 @@ int halvings(double step, double tolerance) {
     return std::max(0, static_cast<int>(std::ceil(std::log2(step / tolerance) - 1e-9)));
 }
 
+/// Joints that have friction alone: in units of the factor at which the weakest has one of 80 degrees, and as many cells for
+/// any friction up to 48 degrees. So whatever share of that strength the model gives, the search goes the same way to the bit,
+/// and its answer is in proportion: another way may end in another frictional state, and more friction could give less safety.
+analysis::LoadAxis axisOfFriction(const Model& model) {
+    constexpr double kWidest = 0.2;
+    analysis::LoadAxis axis;
+    axis.unit = analysis::strongestFactor(model.joints);
+    axis.start = 1;
+    const int count = halvings(std::max(axis.unit, kWidest), model.analysis.factor_tolerance);
+    axis.cell = 1 / static_cast<double>(std::int64_t{1} << count);
+    axis.imbalance_tolerance = 0.1 * kWidest * axis.cell;
+    axis.apply = [joints = analysis::strongest(model.joints)](State& state, double factor) {
+        state.laws = jointLaws(joints, factor);
+    };
+    return axis;
+}
+
+analysis::LoadAxis axisOfStrength(const Model& model) {
+    analysis::LoadAxis axis;
+    axis.start = analysis::strongestFactor(model.joints);
+    axis.cell = axis.start /
+                static_cast<double>(std::int64_t{1} << halvings(axis.start, model.analysis.factor_tolerance));
+    // The driving force is at most the weight, so a change of F by a cell is worth at most that share of it.
+    axis.imbalance_tolerance = 0.1 * axis.cell;
+    axis.apply = [&model](State& state, double factor) { state.laws = jointLaws(model.joints, factor); };
+    return axis;
+}
+
 }  // namespace
 
 Result<SearchResult> criticalAngle(const Model& model, const Control& control, const QuasiStatic& settings) {
@@ -35,19 +63,18 @@ Result<SearchResult> criticalAngle(const Model& model, const Control& control, c
 }
 
 Result<SearchResult> safetyFactor(const Model& model, const Control& control, const QuasiStatic& settings) {
-    constexpr double kStart = analysis::kTenfoldStrength;  // then twice the factor until it fails
-    constexpr int kDoublings = 10;
-    analysis::LoadAxis axis;
-    axis.start = kStart;
-    axis.tenfold_at_start = true;
-    const std::int64_t cells = std::int64_t{1} << halvings(kStart, model.analysis.factor_tolerance);
-    axis.cell = kStart / static_cast<double>(cells);
-    axis.stop = ((std::int64_t{1} << kDoublings) - 1) * cells;
-    // The driving force is at most the weight, so a change of F by a cell is worth at most that share of it.
-    axis.imbalance_tolerance = 0.1 * axis.cell;
+    constexpr double kStop = 100;  // doubled from the start on until it fails or is beyond that
+    analysis::LoadAxis axis =
+        analysis::haveFrictionOnly(model.joints) ? axisOfFriction(model) : axisOfStrength(model);
+    axis.strongest_at_start = true;
+    const auto cells = static_cast<std::int64_t>(std::llround(axis.start / axis.cell));
+    const int doublings =
+        std::max(1, static_cast<int>(std::ceil(std::log2(kStop / (axis.unit * axis.start)))));
+    axis.stop = ((std::int64_t{1} << doublings) - 1) * cells;
     axis.next = [cells](std::int64_t cell) { return 2 * cell + cells; };
-    axis.apply = [&model](State& state, double factor) { state.laws = jointLaws(model.joints, factor); };
-    axis.say = [](double factor) { return analysis::formatted("factor %.4f", factor); };
+    axis.say = [unit = axis.unit](double factor) {
+        return analysis::formatted("factor %.4f", unit * factor);
+    };
     Result<SearchResult> result = analysis::searchOfTheRest(model, axis, control, settings);
     if (result) analysis::addGroups(model, axis, control, settings, *result);
     return result;

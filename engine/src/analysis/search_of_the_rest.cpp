@@ -67,6 +67,19 @@ void warnOfFreeBlocks(State& state) {
         }
 }
 
+/// From the search's loads to those of the answer.
+void putInUnits(double unit, SearchResult& result) {
+    if (unit == 1) return;
+    for (double* load : {&result.low, &result.high, &result.answer}) *load *= unit;
+    if (result.range) result.range = {unit * result.range->first, unit * result.range->second};
+    for (Probe& probe : result.probes) probe.load *= unit;
+    if (result.failing) {
+        auto failing = std::make_shared<FailingState>(*result.failing);
+        failing->load *= unit;
+        result.failing = std::move(failing);
+    }
+}
+
 /// Searches, and searches again without the blocks that fall at the start whatever the strength.
 class SearchOfTheRest {
  public:
@@ -90,8 +103,8 @@ class SearchOfTheRest {
             for (std::string& doubt : doubts(*built)) built->warnings.push_back(std::move(doubt));
             warnOfFreeBlocks(*built);
             Outcome outcome = searchConfirmed(*built, axis_, control_, settings_, parallel);
-            if (outcome.result.status == SearchStatus::unstable_at_start && !axis_.tenfold_at_start)
-                outcome.falling = fallingAtTenfoldStrength(*built, parallel, steps);
+            if (outcome.result.status == SearchStatus::unstable_at_start && !axis_.strongest_at_start)
+                outcome.falling = fallingAtStrongest(*built, parallel, steps);
             outcome.result.steps += steps;
             if (outcome.result.status != SearchStatus::unstable_at_start || !letGo(outcome.falling))
                 return withRange(*built, parallel, named(std::move(outcome.result)));
@@ -111,9 +124,8 @@ class SearchOfTheRest {
         return all ? keptByCaller(model_) : std::make_shared<const Model>(withoutBlocks(model_, gone_));
     }
 
-    std::vector<std::size_t> fallingAtTenfoldStrength(State strong, bool parallel,
-                                                      std::int64_t& steps) const {
-        strong.laws = jointLaws(model_.joints, kTenfoldStrength);
+    std::vector<std::size_t> fallingAtStrongest(State strong, bool parallel, std::int64_t& steps) const {
+        strong.laws = jointLaws(model_.joints, strongestFactor(model_.joints));
         Start start = loadStart(strong, axis_, control_, settings_, parallel);
         steps += start.steps;
         return std::move(start.falling);
@@ -166,6 +178,7 @@ Result<SearchResult> searchOfTheRest(const Model& model, const LoadAxis& axis, c
         const auto begin = std::chrono::steady_clock::now();
         Result<SearchResult> result = SearchOfTheRest(model, axis, control, settings, without).run();
         if (!result) return result;
+        putInUnits(axis.unit, *result);
         result->wall_seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
