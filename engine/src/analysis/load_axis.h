@@ -16,8 +16,10 @@ struct LoadAxis {
     double unit = 1;  ///< of the answer's loads: those of the search times this
     double start = 0;
     bool strongest_at_start = false;  ///< strength is divided by `strongestFactor` there
-    std::int64_t stop = 0;           ///< [cells from the start]
-    double cell = 0;                 ///< width of the bracket
+    std::int64_t stop = 0;            ///< [cells from the start]
+    double cell = 0;                  ///< width of the bracket
+    double overload =
+        8;  ///< how far beyond the failing load a failure is let go, so that it gathers speed in time [cells]
     double imbalance_tolerance = 0;  ///< out-of-balance force over weight that a change by one cell is worth
     std::function<std::int64_t(std::int64_t)> next;  ///< from a stable load to the next one up [cells]
     std::function<void(State&, double)> apply;

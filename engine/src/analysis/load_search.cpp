@@ -17,7 +17,6 @@
 namespace talus::analysis {
 namespace {
 
-constexpr double kOverload = 8.0;    // cells beyond the failing load at which the continuation runs
 constexpr int kMostReopenings = 12;  // times a failing motion may come to rest before the search gives up
 // A failure is a failure when blocks have been seen to go some share of their size (kSeenShare) and gather speed. At the
 // start, where no deflection at rest is known to compare with, more is asked for.
@@ -54,6 +53,7 @@ class Search {
         if (result_.confirmed || interrupted(probing_) || !restsAfterAll(probing_)) return false;
         result_.status = SearchStatus::undecided;
         probing_.has_stood = true;
+        probing_.first_stood = probing_.last_stable.blocks.position;
         return true;
     }
 
@@ -160,7 +160,7 @@ class Search {
     void continueToFailure() {
         // A few cells beyond the failing load, because at it the motion would start as slowly as the bracket is fine.
         const double failing_load = bracket_.high() ? axis_.load(*bracket_.high()) : axis_.start;
-        const double load = failing_load + kOverload * axis_.cell;
+        const double load = failing_load + axis_.overload * axis_.cell;
         State& moving = probing_.last_moving;
         axis_.apply(moving, load);
         std::shared_ptr<FailingState> failing;

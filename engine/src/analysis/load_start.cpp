@@ -69,6 +69,7 @@ Verdict loadGravityAndWater(Probing& p) {
     Verdict verdict = loadGravity(p);
     if (verdict == Verdict::stable && p.last_stable.geometry->model.hasWater()) verdict = loadWater(p);
     p.has_stood = verdict == Verdict::stable;
+    p.first_stood = p.last_stable.blocks.position;
     p.settlement = deflection(p);
     return verdict;
 }

@@ -28,7 +28,22 @@ void report(const Probing& p, const std::string& stage, double load, Verdict ver
         {stage, probes / (expected + kAfterwards), p.axis.say(load) + ", " + toString(verdict)});
 }
 
+/// How far beyond what may be said to be its place an assembly stands, 0 when it is there [m].
+double goneBy(const Probing& p, const State& state) {
+    if (!p.has_stood) return 0;
+    double farthest = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        farthest = std::max(farthest, (state.blocks.position.get(b) - p.first_stood.get(b)).norm());
+    const double most = std::max(kGoneShare * state.geometry->length_scale, kNear * p.settlement);
+    return farthest > most + tieReach(state) + p.reach ? farthest : 0;
+}
+
 Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, State& state) {
+    if (const double gone = goneBy(p, state); probe.verdict == Verdict::stable && gone > 0) {
+        probe.verdict = Verdict::failing;
+        probe.reason = "stands " + formatted("%.2g", gone) + " m from where it stood at the start";
+        p.stands_elsewhere = true;
+    }
     probe.load = load;
     p.steps += probe.steps;
     p.factors += probe.factors;

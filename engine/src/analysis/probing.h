@@ -16,6 +16,9 @@ namespace talus::analysis {
 inline constexpr std::int64_t kMostFactors = 600;
 /// A block that has gone this share of its size has left its place.
 inline constexpr double kSeenShare = 2e-4;
+/// So has one that went this share from where it stood at the start, whatever small steps from rest to rest it took: walls and
+/// columns that lean on each other find rest after rest as they open, each no farther than what they have come.
+inline constexpr double kGoneShare = 0.01;
 
 /// What probes start from and what they leave.
 struct Probing {
@@ -27,6 +30,7 @@ struct Probing {
     std::int64_t steps = 0, factors = 0;
     std::int64_t states_at_rest = 0;  ///< the search has been in
     bool has_stood = false;           ///< under weight and water
+    PositionArray first_stood{};      ///< where blocks were then
     double start_tilt = 0;            ///< [rad]
     double settlement = 0;            ///< under weight and water at the start [m]
     double reach = 0;                 ///< of the bolts at the beginning [m]

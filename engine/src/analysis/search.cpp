@@ -28,6 +28,7 @@ analysis::LoadAxis axisOfFriction(const Model& model) {
     axis.start = 1;
     const int count = halvings(std::max(axis.unit, kWidest), model.analysis.factor_tolerance);
     axis.cell = 1 / static_cast<double>(std::int64_t{1} << count);
+    axis.overload = 16;  // cells are half as wide for most friction
     axis.imbalance_tolerance = 0.1 * kWidest * axis.cell;
     axis.apply = [joints = analysis::strongest(model.joints)](State& state, double factor) {
         state.laws = jointLaws(joints, factor);
