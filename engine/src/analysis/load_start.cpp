@@ -69,7 +69,7 @@ Verdict loadGravityAndWater(Probing& p) {
     Verdict verdict = loadGravity(p);
     if (verdict == Verdict::stable && p.last_stable.geometry->model.hasWater()) verdict = loadWater(p);
     p.has_stood = verdict == Verdict::stable;
-    p.first_stood = p.last_stable.blocks.position;
+    if (p.has_stood) p.first_touches = touchesOf(p.last_stable);
     p.settlement = deflection(p);
     return verdict;
 }

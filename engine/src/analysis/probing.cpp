@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "forces/contact_forces.h"
 #include "forces/sum.h"
+#include "state/placed_shape.h"
 
 namespace talus::analysis {
 namespace {
@@ -28,12 +30,18 @@ void report(const Probing& p, const std::string& stage, double load, Verdict ver
         {stage, probes / (expected + kAfterwards), p.axis.say(load) + ", " + toString(verdict)});
 }
 
-/// How far beyond what may be said to be its place an assembly stands, 0 when it is there [m].
+Vec3 placeOf(const Blocks& blocks, std::int32_t block, const Vec3& own) {
+    const auto b = static_cast<std::size_t>(block);
+    return blocks.position.get(b) + blocks.orientation.matrix(b) * own;
+}
+
+/// How far neighbours have parted or slid since the assembly first stood, where that is too far to be in place; else 0 [m].
 double goneBy(const Probing& p, const State& state) {
-    if (!p.has_stood) return 0;
     double farthest = 0;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
-        farthest = std::max(farthest, (state.blocks.position.get(b) - p.first_stood.get(b)).norm());
+    for (const Touch& touch : p.first_touches)
+        farthest = std::max(farthest, (placeOf(state.blocks, touch.block_b, touch.at_b) -
+                                       placeOf(state.blocks, touch.block_a, touch.at_a))
+                                          .norm());
     const double most = std::max(kGoneShare * state.geometry->length_scale, kNear * p.settlement);
     return farthest > most + tieReach(state) + p.reach ? farthest : 0;
 }
@@ -41,7 +49,8 @@ double goneBy(const Probing& p, const State& state) {
 Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, State& state) {
     if (const double gone = goneBy(p, state); probe.verdict == Verdict::stable && gone > 0) {
         probe.verdict = Verdict::failing;
-        probe.reason = "stands " + formatted("%.2g", gone) + " m from where it stood at the start";
+        probe.reason =
+            "stands " + formatted("%.2g", gone) + " m beside where its neighbours stood at the start";
         p.stands_elsewhere = true;
     }
     probe.load = load;
@@ -115,6 +124,18 @@ Probing beginProbing(const State& state, const LoadAxis& axis, const Control& co
     p.reach = tieReach(state);
     p.implicit_first = p.reach > 0;
     return p;
+}
+
+std::vector<Touch> touchesOf(const State& state) {
+    std::vector<Touch> touches;
+    const Interfaces& f = state.interfaces;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        if (f.kind[i] != InterfaceKind::faces) continue;
+        const Vec3 place = relativePose(state, i).origin;
+        touches.push_back({f.block_a[i], f.block_b[i], toOwn(state.blocks, f.block_a[i], place),
+                           toOwn(state.blocks, f.block_b[i], place)});
+    }
+    return touches;
 }
 
 bool interrupted(const Probing& p) {
