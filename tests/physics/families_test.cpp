@@ -151,6 +151,23 @@ TEST_SUITE("slow: physics") {
         }
     }
 
+    // Joints of 1e12 Pa/m give a little, and a column of 40 blocks leans by more than one block's hundredth before it goes.
+    TEST_CASE("columns of many blocks topple at the angle of one piece") {
+        for (const int count : {10, 20, 40}) {
+            CAPTURE(count);
+            Model model = onFloor(38);
+            model.joints = {joint(38, 1e12)};
+            for (int k = 0; k < count; ++k)
+                addBox(model, "b" + std::to_string(k), {0, 0, 0.1 * k}, {0.2, kDepth, 0.1});
+            const SearchResult found = *criticalAngle(model);
+            const double exact = degrees(std::atan(2.0 / count));
+            MESSAGE(count << " blocks: " << degrees(found.answer) << ", one piece " << exact);
+            CHECK((found.status == SearchStatus::found));
+            CHECK(degrees(found.answer) <= exact + 0.01);
+            CHECK(degrees(found.answer) >= 0.99 * exact);
+        }
+    }
+
     // One column is no lean: it slides as a whole or on one of its beds, or topples about its lower edge.
     TEST_CASE("columns of one piece at random slide or topple at their closed angle") {
         for (unsigned seed = 1; seed <= kDraws; ++seed) {
