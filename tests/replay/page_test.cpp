@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "support/browser.h"
+#include "support/skip.h"
 #include "support/snapshots.h"
 #include "tools/program.h"
 
@@ -28,10 +29,8 @@ TEST_SUITE("slow: replay page") {
                 0);
         REQUIRE(runTalus({"replay", run, "-o", page}).exit_code == 0);
         const ScriptOutcome seen = runScript("replay/page.test.mjs", "'" + page + "' \"$CHROMIUM\"");
-        if (seen.is_skipped) {
-            MESSAGE("skipped: node, npm, chromium or playwright-core are not to be had here");
-            return;
-        }
+        if (seen.is_skipped)
+            return talus::test::skip("node, npm, chromium or playwright-core are not to be had here");
         INFO(seen.said);
         CHECK(seen.status == 0);
         CHECK(seen.said.find("9 passed, 0 failed") != std::string::npos);

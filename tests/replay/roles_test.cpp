@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "replay/page.h"
+#include "support/skip.h"
 #include "talus/motion_roles.h"
 #include "tools/program.h"
 
@@ -66,10 +67,7 @@ json inputOf(const std::vector<BlockWay>& ways, double smallest) {
 }  // namespace
 
 TEST_CASE("the page's roles are those of the one rule") {
-    if (std::system("node --version >/dev/null 2>&1") != 0) {
-        MESSAGE("skipped: node is not to be had here");
-        return;
-    }
+    if (std::system("node --version >/dev/null 2>&1") != 0) return test::skip("node is not to be had here");
     const TemporaryFolder folder;
     for (const unsigned seed : {1U, 2U, 3U}) {
         CAPTURE(seed);

@@ -11,7 +11,6 @@
 
 #include "contacts/neighbours.h"
 
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -124,10 +123,7 @@ void sortEntries(std::vector<Entry>& entries, bool parallel) {
         if (a.level != b.level) return a.level < b.level;
         return a.cell != b.cell ? a.cell < b.cell : a.box < b.box;
     };
-    if (parallel)
-        tbb::parallel_sort(entries.begin(), entries.end(), before);
-    else
-        std::sort(entries.begin(), entries.end(), before);
+    sortRange(entries, parallel, before);
 }
 
 Grids buildGrids(const std::vector<Box>& boxes, bool parallel) {

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "support/skip.h"
 #include "support/snapshots.h"
 #include "tools/program.h"
 
@@ -160,10 +161,8 @@ void checkFull(const json& v, const FullFrame& f) {
 
 TEST_CASE("@mcap/core reads a snapshot file by its index, and every value is equal") {
     const std::string node = nodeFolder();
-    if (node.empty()) {
-        MESSAGE("skipped: node, npm or the packages of tests/formats/snapshot/node are not to be had here");
-        return;
-    }
+    if (node.empty())
+        return test::skip("node, npm or the packages of tests/formats/snapshot/node are not to be had here");
     const TemporaryFolder folder;
     const Scenario scenario = *parseScenario(runScenarioText("0.03"), "run.toml");
     const Recorded run = record(scenario.model, 5);

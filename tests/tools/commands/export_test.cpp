@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "support/models.h"
+#include "support/skip.h"
 #include "support/snapshots.h"
 #include "talus/formats/export.h"
 #include "tools/program.h"
@@ -155,10 +156,8 @@ TEST_CASE("failure roles: a block that slides, one that topples, one that stays"
 }
 
 TEST_CASE("VTK reads the export") {
-    if (std::system("/usr/bin/python3 -c 'import vtk' >/dev/null 2>&1") != 0) {
-        MESSAGE("skipped: Debian's python3-vtk9 is not installed");
-        return;
-    }
+    if (std::system("/usr/bin/python3 -c 'import vtk' >/dev/null 2>&1") != 0)
+        return test::skip("Debian's python3-vtk9 is not installed");
     const TemporaryFolder folder;
     REQUIRE(runTalus({"export", file().path, "--vtk", folder / "out", "--quiet"}).exit_code == 0);
     const std::string command = std::string("/usr/bin/python3 '") + TALUS_SOURCE_DIR +

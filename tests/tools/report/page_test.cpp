@@ -7,6 +7,7 @@
 #include "batch/report.h"
 #include "reproduction/page.h"
 #include "support/browser.h"
+#include "support/skip.h"
 #include "tools/batch/samples.h"
 #include "tools/reproduction/samples.h"
 
@@ -95,10 +96,8 @@ TEST_SUITE("slow: report page") {
         add("batch", batch::batchReport(summary, provenance));
         const testing::ScriptOutcome seen =
             testing::runScript("tools/report/page.test.mjs", "\"$CHROMIUM\"" + pages);
-        if (seen.is_skipped) {
-            MESSAGE("skipped: node, npm, chromium or playwright-core are not to be had here");
-            return;
-        }
+        if (seen.is_skipped)
+            return test::skip("node, npm, chromium or playwright-core are not to be had here");
         INFO(seen.said);
         CHECK(seen.status == 0);
         CHECK(seen.said.find("6 passed, 0 failed") != std::string::npos);
