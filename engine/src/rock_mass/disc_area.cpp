@@ -15,6 +15,8 @@ namespace talus {
 
 namespace {
 
+constexpr double kRounding = 1e-10;  // of the radius squared: sectors that add up to nothing, but for this
+
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Of a sector of the unit circle from p to q.
@@ -61,7 +63,7 @@ double areaInside(const Fracture& disc, const TriangleSurface& region) {
         }
         sum += commonArea(down, up);
     }
-    return std::max(0.0, sum) * disc.radius * disc.radius;
+    return sum > kRounding ? sum * disc.radius * disc.radius : 0;
 }
 
 double fractureIntensity(const std::vector<Fracture>& discs, const TriangleSurface& region) {

@@ -163,6 +163,10 @@ TEST_CASE("fractures: P32 is reached within one per cent, whatever region, law a
                 REQUIRE(discs.ok());
                 CHECK(fractureIntensity(*discs, region) == doctest::Approx(target).epsilon(0.0101));
                 for (const Fracture& disc : *discs) CHECK(areaInside(disc, region) > 0);
+                Vec3 low = region.vertices[0], high = low;
+                for (const Vec3& v : region.vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
+                for (const Fracture& disc : *discs)  // it does reach into the region's box
+                    CHECK((disc.centre - disc.centre.cwiseMax(low).cwiseMin(high)).norm() < disc.radius);
             }
     // As dense beside the surface as in the middle: area in the inner cube of half the side.
     FractureSet wanted = set(RadiusLaw::constant, 1.5);
