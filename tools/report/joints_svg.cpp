@@ -17,8 +17,7 @@ constexpr double kNet = 240, kMargin = 44, kLegend = 380;  // radius of the net 
 constexpr double kPanel = 360, kPlotHeight = 300;          // of a distribution [px]
 constexpr double kDeg = 180 / std::numbers::pi;
 /// Colour-blind safe (Okabe and Ito), those that show on white.
-constexpr std::array<const char*, 7> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                              "#7a2f6b", "#b38600", "#1a1a1a"};
+constexpr std::size_t kColours = 7;
 constexpr std::string_view kStyle = R"css(
 .page{fill:#fff}
 .text{fill:#1a1a1a;font:13px system-ui,sans-serif}
@@ -86,7 +85,7 @@ std::string words(const Poles& poles) {
     return line;
 }
 
-std::string number(const char* kind, std::size_t set) { return kind + std::to_string(set % kColours.size()); }
+std::string number(const char* kind, std::size_t set) { return kind + std::to_string(set % kColours); }
 
 void drawNet(SvgWriter& svg, Spot middle) {
     const auto ring = [&](double share, const char* role) {
@@ -119,7 +118,8 @@ std::pair<double, double> decades(const std::vector<std::vector<double>>& curves
 
 /// Shares below a size, one step curve for each list of values.
 void drawShares(SvgWriter& svg, Spot corner, const std::string& caption, const std::string& quantity,
-                std::vector<std::vector<double>> curves, const std::vector<std::string>& names) {
+                std::vector<std::vector<double>> curves, const std::vector<std::string>& names,
+                const std::vector<std::size_t>& colours) {
     const auto [from, to] = decades(curves);
     const auto x = [&, from = from, to = to](double value) {
         return corner.x + kPanel * (std::log10(value) - from) / (to - from);
@@ -134,6 +134,12 @@ void drawShares(SvgWriter& svg, Spot corner, const std::string& caption, const s
     for (double d = from; d <= to; d += step) {
         const double at = std::pow(10, d);
         svg.line({x(at), y(0)}, {x(at), y(1)}, "grid");
+        for (const double between : {2 * at, 5 * at})
+            if (to - from < 2.5 && d < to) {
+                svg.line({x(between), y(0)}, {x(between), y(1)}, "grid");
+                svg.label({x(between), y(0) + 18}, text(between, std::max(0, static_cast<int>(-d))), "middle",
+                          "small");
+            }
         svg.label({x(at), y(0) + 18}, text(at, std::max(0, static_cast<int>(-d))), "middle", "small");
     }
     svg.box({corner.x, y(1)}, {corner.x + kPanel, y(0)}, "frame");
@@ -147,9 +153,9 @@ void drawShares(SvgWriter& svg, Spot corner, const std::string& caption, const s
             steps.push_back({x(values[k]), y(static_cast<double>(k) / count)});
             steps.push_back({x(values[k]), y(static_cast<double>(k + 1) / count)});
         }
-        svg.shape(steps, true, "curve " + number("curve", c));
+        svg.shape(steps, true, "curve " + number("curve", colours[c]));
         const double line = y(0) + 60 + 20 * static_cast<double>(c);
-        svg.line({corner.x, line - 4}, {corner.x + 22, line - 4}, "curve " + number("curve", c));
+        svg.line({corner.x, line - 4}, {corner.x + 22, line - 4}, "curve " + number("curve", colours[c]));
         svg.label({corner.x + 30, line}, names[c] + ": " + std::to_string(values.size()));
     }
 }
@@ -189,16 +195,23 @@ std::string sizesSvg(const std::vector<formats::RockJoint>& joints, const Model&
     SvgWriter svg;
     std::vector<std::vector<double>> radii;
     std::vector<std::string> names;
-    for (const Poles& poles : bySet(joints))
-        if (!poles.radii.empty()) radii.push_back(poles.radii), names.push_back(poles.set + ", discs");
+    std::vector<std::size_t> colours;  // those of the stereonet
+    const std::vector<Poles> sets = bySet(joints);
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        if (sets[s].radii.empty()) continue;
+        radii.push_back(sets[s].radii);
+        names.push_back(sets[s].set + ", discs");
+        colours.push_back(s);
+    }
     std::vector<double> volumes;
     for (const Block& block : model.blocks) volumes.push_back(massProperties(block.shape).volume);
     double left = kMargin + 20;
     if (!radii.empty()) {
-        drawShares(svg, {left, kMargin}, "Discs no larger than", "radius [m]", radii, names);
+        drawShares(svg, {left, kMargin}, "Discs no larger than", "radius [m]", radii, names, colours);
         left += kPanel + kMargin + 40;
     }
-    drawShares(svg, {left, kMargin}, "Blocks no larger than", "volume [m3]", {volumes}, {"blocks"});
+    drawShares(svg, {left, kMargin}, "Blocks no larger than", "volume [m3]", {volumes}, {"blocks"},
+               {kColours - 1});
     const double lines = static_cast<double>(std::max<std::size_t>(1, radii.size()));
     return svg.file(left + kPanel + kMargin, kMargin + kPlotHeight + 70 + 20 * lines, title,
                     "Cumulative distributions of sizes", kStyle);
