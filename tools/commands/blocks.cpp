@@ -11,6 +11,7 @@
 #include "cli/text.h"
 #include "commands/commands.h"
 #include "report/blocks_files.h"
+#include "report/joints_svg.h"
 
 namespace talus::tools {
 
@@ -18,7 +19,7 @@ namespace {
 
 struct BlocksOptions {
     Common common;
-    std::string scenario, output;
+    std::string scenario, output, stereonet, sizes, fractures;
     std::vector<double> view = {235, 25};  ///< [deg]
 };
 
@@ -90,8 +91,34 @@ std::string content(const BlocksOptions& options, const Model& model) {
         "--output", "found \"" + options.output + "\", allowed: a name that ends in .obj, .csv or .svg"});
 }
 
+/// Pictures and table of the joints that cut the blocks.
+void writeJoints(const BlocksOptions& options, const formats::Scenario& scenario) {
+    if (options.stereonet.empty() && options.sizes.empty() && options.fractures.empty()) return;
+    const auto joints = formats::rockJoints(scenario);
+    if (!joints) throw BadInput(joints.errors());
+    const auto want = [&](const std::string& file, const char* option, const char* ending) {
+        if (!file.ends_with(ending))
+            throw BadInput(Error{option, "found \"" + file + "\", allowed: a name that ends in " + ending});
+        if (joints->empty())
+            throw BadInput(Error{option, "found no rock mass in " + options.scenario +
+                                             ", allowed: a scenario with [rock_mass] and joints"});
+        return true;
+    };
+    if (!options.stereonet.empty() && want(options.stereonet, "--stereonet", ".svg"))
+        writeFile(options.stereonet, stereonetSvg(*joints, "Joints of " + options.scenario));
+    if (!options.sizes.empty() && want(options.sizes, "--sizes", ".svg"))
+        writeFile(options.sizes, sizesSvg(*joints, scenario.model, "Sizes in " + options.scenario));
+    if (options.fractures.empty() || !want(options.fractures, "--fractures", ".csv")) return;
+    std::vector<std::pair<std::string, Fracture>> discs;
+    for (const formats::RockJoint& joint : *joints)
+        if (joint.disc) discs.emplace_back(joint.set, *joint.disc);
+    writeFile(options.fractures,
+              provenanceComments(options.common, options.scenario) + formats::fracturesCsv(discs));
+}
+
 int blocks(const BlocksOptions& options) {
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    writeJoints(options, scenario);
     if (!options.output.empty()) writeFile(options.output, content(options, scenario.model));
     const Sizes sizes = sizesOf(scenario.model);
     if (!options.common.json) {
@@ -114,6 +141,10 @@ Command addBlocks(CLI::App& root) {
     app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
     app->add_option("-o,--output", options->output,
                     "What to write, by its ending: .obj a mesh, .csv a table of the blocks, .svg a picture");
+    app->add_option("--stereonet", options->stereonet,
+                    "Picture of the joints' poles, equal-area, lower hemisphere (.svg)");
+    app->add_option("--sizes", options->sizes, "Picture of how large the discs and the blocks are (.svg)");
+    app->add_option("--fractures", options->fractures, "Table of the discs of all fracture sets (.csv)");
     app->add_option("--view", options->view,
                     "Where the picture is taken from: azimuth clockwise from north (+y), elevation; degrees")
         ->expected(2)

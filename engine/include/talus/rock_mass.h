@@ -17,31 +17,9 @@
 #include "talus/model.h"
 #include "talus/polyhedron.h"
 #include "talus/result.h"
+#include "talus/surface.h"
 
 namespace talus {
-
-/// A surface of triangles, counter-clockwise seen from outside. Vertices are shared: two triangles meet in an edge when
-/// they use the same two indices.
-struct TriangleSurface {
-    std::vector<Vec3> vertices;  ///< [m]
-    std::vector<std::array<std::int32_t, 3>> triangles;
-};
-
-/// What keeps a surface from being the boundary of a region: empty, an index or a coordinate out of range, a triangle
-/// without area, an edge with one triangle (open) or more than two (non-manifold), neighbours that face opposite ways,
-/// a surface that faces inwards. Fields are "triangles[i]" (0-based) or "" for the whole. At most 20 faults are listed.
-std::vector<Error> checkSurface(const TriangleSurface& surface);
-
-/// The volume a closed surface encloses; negative when it faces inwards [m^3].
-double surfaceVolume(const TriangleSurface& surface);
-
-/// The surface of a box; as makeBox.
-Result<TriangleSurface> boxSurface(const Vec3& min, const Vec3& max);
-
-/// A slope profile, a simple polygon of (x, z) in either sense of rotation, extruded from y_min to y_max [m].
-/// Errors: fewer than three points, sides that cross or touch ("[i]" is the side behind point i), y_min >= y_max.
-Result<TriangleSurface> extrudeProfile(const std::vector<Eigen::Vector2d>& profile, double y_min,
-                                       double y_max);
 
 /// Unit normal of a plane of this dip and dip direction [rad], pointing upwards.
 Vec3 upwardNormal(double dip, double dip_direction);
@@ -80,6 +58,7 @@ struct SingleJoint {
     std::vector<Vec3> polygon;     ///< instead: its corners in order; they give point and orientation, too
     std::int32_t joint = 0;
     std::string field{};
+    bool of_network = false;  ///< one of many with this field: warnings tell of all together
 };
 
 struct RockMass {
@@ -128,6 +107,15 @@ struct CutRockMass {
 /// Errors: an open, non-manifold, inverted or self-crossing region; spacing not positive; a joint that is no plane or
 /// no convex polygon; more than `max_blocks` blocks, estimated before anything is cut or counted then; `stop`; slivers, if refused; volumes that do not add up to 1e-9.
 Result<CutRockMass> cutRockMass(const RockMass& description);
+
+/// A plane of the joints.
+struct CutPlane {
+    Vec3 normal;            ///< upwards
+    std::size_t joint = 0;  ///< index into the sets, then the singles
+};
+
+/// All planes that cut the region, in the order of cutting. Errors: those of the joints.
+Result<std::vector<CutPlane>> cuttingPlanes(const RockMass& description);
 
 /// Which blocks a user means.
 struct BlockSelection {

@@ -2,7 +2,6 @@
 // blocks.
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -10,6 +9,7 @@
 #include "rock_mass/cut_tree.h"
 #include "rock_mass/expected_blocks.h"
 #include "rock_mass/joints.h"
+#include "rock_mass/place_text.h"
 #include "rock_mass/region.h"
 #include "rock_mass/solid.h"
 #include "talus/rock_mass.h"
@@ -29,12 +29,8 @@ constexpr double kTimesExpected = 2.0;     // an estimate this many times what i
 constexpr double kBytesPerBlock = 3e3;     // of a model and its state
 constexpr double kSameLevel = 1e-7;        // of the extent: centroids this near in a coordinate are level
 
-std::string text(double value) {
-    char buffer[32];
-    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 4).ptr};
-}
-
-std::string text(const Vec3& p) { return "(" + text(p.x()) + ", " + text(p.y()) + ", " + text(p.z()) + ")"; }
+std::string text(double value) { return numberText(value, 4); }
+std::string text(const Vec3& p) { return placeText(p, 4); }
 
 const std::string& fieldOf(const RockMass& description, std::size_t joint) {
     const std::size_t sets = description.sets.size();
@@ -55,15 +51,10 @@ std::pair<Vec3, Vec3> boundsOf(const TriangleSurface& region) {
     return {min, max};
 }
 
-double extentOf(const TriangleSurface& region) {
-    const auto [min, max] = boundsOf(region);
-    return (max - min).maxCoeff();
-}
-
 double weldDistance(const TriangleSurface& region) {
     double farthest = 0;
     for (const Vec3& v : region.vertices) farthest = std::max(farthest, v.cwiseAbs().maxCoeff());
-    return std::max(kWeld * extentOf(region), kUlps * farthest);
+    return std::max(kWeld * surfaceExtent(region), kUlps * farthest);
 }
 
 /// What happened at one joint or joint set.
@@ -119,7 +110,8 @@ class Cutter {
     double minThickness() const {
         double spacing = kInfinity;
         for (const JointSet& set : description_.sets) spacing = std::min(spacing, set.spacing);
-        const double fallback = std::min(kThinSpacing * spacing, kThinExtent * extentOf(description_.region));
+        const double fallback =
+            std::min(kThinSpacing * spacing, kThinExtent * surfaceExtent(description_.region));
         return std::max(description_.min_thickness.value_or(fallback),
                         kThinWelds * weldDistance(description_.region));
     }
@@ -192,18 +184,46 @@ class Cutter {
     }
 
     void warnOfCuts() {
-        for (std::size_t joint = 0; joint < tallies_.size(); ++joint) {
-            const Tally& tally = tallies_[joint];
-            if (tally.left_out > 0)
-                result_.warnings.push_back(
-                    titleOf(description_, joint) + ": " + std::to_string(tally.left_out) +
-                    (tally.left_out == 1 ? " cut was" : " cuts were") +
-                    " left out, as a part would be thinner than " + text(result_.min_thickness) +
-                    " m; the first near " + text(tally.first_place) + ", " + text(tally.first_thickness) +
-                    " m thick");
-            else if (tally.cuts == 0)
-                result_.warnings.push_back(titleOf(description_, joint) + ": cuts no block");
+        for (std::size_t joint = 0; joint < tallies_.size();) {
+            // Discs of a network are told together.
+            std::size_t next = joint + 1, idle = 0;
+            Tally tally = tallies_[joint];
+            for (; next < tallies_.size() && isOfNetwork(next) &&
+                   fieldOf(description_, next) == fieldOf(description_, joint);
+                 ++next)
+                add(tallies_[next], tally);
+            for (std::size_t k = joint; k < next; ++k) idle += tallies_[k].cuts + tallies_[k].left_out == 0;
+            warnOf(titleOf(description_, joint), tally, idle, next - joint, isOfNetwork(joint));
+            joint = next;
         }
+    }
+
+    bool isOfNetwork(std::size_t joint) const {
+        const std::size_t sets = description_.sets.size();
+        return joint >= sets && description_.singles[joint - sets].of_network;
+    }
+
+    static void add(const Tally& other, Tally& sum) {
+        if (sum.left_out == 0)
+            sum.first_place = other.first_place, sum.first_thickness = other.first_thickness;
+        sum.cuts += other.cuts;
+        sum.left_out += other.left_out;
+    }
+
+    void warnOf(const std::string& title, const Tally& tally, std::size_t idle, std::size_t count,
+                bool discs) {
+        if (tally.left_out > 0)
+            result_.warnings.push_back(title + ": " + std::to_string(tally.left_out) +
+                                       (tally.left_out == 1 ? " cut was" : " cuts were") +
+                                       " left out, as a part would be thinner than " +
+                                       text(result_.min_thickness) + " m; the first near " +
+                                       text(tally.first_place) + ", " + text(tally.first_thickness) +
+                                       " m thick");
+        if (discs && idle > 0)
+            result_.warnings.push_back(title + ": " + std::to_string(idle) + " of " + std::to_string(count) +
+                                       " discs cut no block");
+        else if (idle > 0)
+            result_.warnings.push_back(title + ": cuts no block");
     }
 
     /// A solid where it will stand among the blocks.
@@ -214,7 +234,7 @@ class Cutter {
     };
 
     std::vector<Ranked> ranked(const CutTree& tree, const Knife& knife) const {
-        const double step = kSameLevel * extentOf(description_.region);
+        const double step = kSameLevel * surfaceExtent(description_.region);
         std::vector<Ranked> order;
         for (const Solid& solid : tree.solids()) {
             Vec3 centroid = Vec3::Zero();
@@ -279,6 +299,15 @@ class Cutter {
 }  // namespace
 
 Result<CutRockMass> cutRockMass(const RockMass& description) { return Cutter(description).run(); }
+
+Result<std::vector<CutPlane>> cuttingPlanes(const RockMass& description) {
+    if (auto errors = checkJoints(description); !errors.empty()) return errors;
+    const auto joints = jointPlanes(description, description.region.vertices);
+    if (!joints) return joints.errors();
+    std::vector<CutPlane> planes;
+    for (const JointPlane& joint : *joints) planes.push_back({joint.plane.normal, joint.joint});
+    return planes;
+}
 
 Result<Polyhedron> solidOf(const TriangleSurface& surface) {
     if (auto errors = checkSurface(surface); !errors.empty()) return errors;

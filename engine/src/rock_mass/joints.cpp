@@ -23,7 +23,6 @@ namespace {
 
 constexpr std::int64_t kMostPlanes = 1'000'000;  // of all sets
 constexpr double kEvenness = 1e-3;               // of its size: how far corners may lie off a polygon's plane
-constexpr double kPi = 3.14159265358979323846;
 
 /// Distance of a convex outline in the frame's plane from the frame's origin; 0 inside.
 double distanceFromOrigin(const Polygon& outline) {
@@ -77,17 +76,6 @@ std::optional<Error> polygonFault(const SingleJoint& joint) {
 
 Plane planeThrough(const Vec3& point, const Vec3& normal, std::size_t source, std::int64_t number) {
     return {normal, normal.dot(point), static_cast<std::int32_t>(source), static_cast<std::int32_t>(number)};
-}
-
-/// A direction scattered about `mean` (R. Fisher, 1953): cos of its angle from the mean has the density
-/// exp(k cos), all turns about the mean alike.
-Vec3 scattered(const Vec3& mean, double fisher, Random& random) {
-    const double u = random.uniform(), turn = 2 * kPi * random.uniform();
-    const double cosine = std::max(-1.0, 1 + std::log(1 - u * (1 - std::exp(-2 * fisher))) / fisher);
-    const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-    const Vec3 side = mean.unitOrthogonal();
-    const Vec3 normal = cosine * mean + sine * (std::cos(turn) * side + std::sin(turn) * mean.cross(side));
-    return normal.z() < 0 ? Vec3(-normal) : normal;
 }
 
 /// From plane `number` to the next along the normal [m].

@@ -1,8 +1,12 @@
 #pragma once
 // Random numbers that are the same on every machine, and for a plane of a joint set the same whatever the region.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+
+#include "talus/polyhedron.h"
 
 namespace talus::rock_mass {
 
@@ -30,5 +34,16 @@ class Random {
  private:
     std::uint64_t state_;
 };
+
+/// A direction scattered about `mean` (R. Fisher, 1953): cos of its angle from the mean has the density
+/// exp(k cos), all turns about the mean alike.
+inline Vec3 scattered(const Vec3& mean, double fisher, Random& random) {
+    const double u = random.uniform(), turn = 2 * std::numbers::pi * random.uniform();
+    const double cosine = std::max(-1.0, 1 + std::log(1 - u * (1 - std::exp(-2 * fisher))) / fisher);
+    const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+    const Vec3 side = mean.unitOrthogonal();
+    const Vec3 normal = cosine * mean + sine * (std::cos(turn) * side + std::sin(turn) * mean.cross(side));
+    return normal.z() < 0 ? Vec3(-normal) : normal;
+}
 
 }  // namespace talus::rock_mass

@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 
+#include "rock_mass/box_tree.h"
+
 namespace talus::rock_mass {
 
 namespace {
@@ -34,6 +36,11 @@ class Decomposer {
     Result<std::vector<Cell>> run() {
         Cell root = boxCell(min_, max_, planes_, vertices_);
         findPlanes();
+        std::vector<Box> boxes(facets_.size());
+        for (std::size_t t = 0; t < facets_.size(); ++t)
+            for (const Vec3& corner : facets_[t].corner) boxes[t].add(corner);
+        const BoxTree tree(boxes);
+        tree_ = &tree;
         if (stopped()) return interrupted();
         depth_ = std::max(16 * vertices_.weld(), 4 * deviation_);
         std::vector<std::size_t> reflex;
@@ -229,14 +236,15 @@ class Decomposer {
     /// triangles, so a ray through an edge or a vertex is counted once.
     bool isInside(const Vec3& point) const {
         bool inside = false;
-        for (std::size_t t = 0; t < facets_.size(); ++t) {
+        const Vec3 up(0, 0, extent_);
+        tree_->visit({point - up, point + up}, [&](std::size_t t) {
             const auto& corner = surface_.triangles[t];
             std::array<bool, 3> left;
             for (std::size_t i = 0; i < 3; ++i) left[i] = isLeft(corner[i], corner[(i + 1) % 3], point);
-            if (left[0] != left[1] || left[1] != left[2]) continue;
+            if (left[0] != left[1] || left[1] != left[2]) return;
             const Vec3 normal = areaVector(t);
             inside ^= normal.dot(facets_[t].corner[0] - point) * normal.z() > 0;
-        }
+        });
         return inside;
     }
 
@@ -254,6 +262,7 @@ class Decomposer {
     VertexTable& vertices_;
     const std::atomic<bool>* stop_;
     std::vector<Facet> facets_;
+    const BoxTree* tree_ = nullptr;  ///< of the facets
     std::vector<Cell> cells_;
     Vec3 min_, max_;
     double extent_ = 0, deviation_ = 0, depth_ = 0;

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <optional>
 
+#include "rock_mass/box_tree.h"
+
 namespace talus::rock_mass {
 
 namespace {
@@ -40,50 +42,51 @@ bool touch(const CellFace& a, const CellFace& b, const Knife& knife) {
     return common > 0 && common > kTouch * std::min(faceArea(a, knife.vertices), faceArea(b, knife.vertices));
 }
 
-/// Box around pieces [m].
-struct Bounds {
-    Vec3 min = Vec3::Constant(kInfinity), max = Vec3::Constant(-kInfinity);
-
-    void add(const Bounds& other) {
-        min = min.cwiseMin(other.min);
-        max = max.cwiseMax(other.max);
-    }
-    bool meets(const Bounds& other) const {
-        return (min.array() <= other.max.array()).all() && (other.min.array() <= max.array()).all();
-    }
-};
-
-Bounds boundsOf(const Cell& piece, const VertexTable& vertices) {
-    Bounds bounds;
+Box boundsOf(const Cell& piece, const VertexTable& vertices) {
+    Box bounds;
     for (const CellFace& face : piece.faces)
-        for (const std::int32_t v : face.outline) bounds.add({vertices[v], vertices[v]});
+        for (const std::int32_t v : face.outline) bounds.add(vertices[v]);
     return bounds;
 }
 
 Solid bounded(std::vector<Cell> pieces, const VertexTable& vertices) {
-    Bounds bounds;
+    Box bounds;
     for (const Cell& piece : pieces) bounds.add(boundsOf(piece, vertices));
     return {std::move(pieces), bounds.min, bounds.max};
 }
 
-/// Pieces parted inside the region only, and no longer in need of it, become one again.
+/// Pieces parted inside the region only, and no longer in need of it, become one again: each with the first behind it that it
+/// fits, and once grown with those it did not fit before.
 void mergePieces(std::vector<Cell>& pieces, const Knife& knife) {
-    std::vector<Bounds>
-        bounds;  // a face is shared by boxes that meet: thousands of pieces are mostly told apart by these
+    std::vector<Box> bounds;
     for (const Cell& piece : pieces) bounds.push_back(boundsOf(piece, knife.vertices));
+    const BoxTree tree(bounds);  // those behind a piece still have their own boxes when it is looked at
+    std::vector<bool> gone(pieces.size());
     Cell merged;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        for (std::size_t j = i + 1; j < pieces.size(); ++j) {
-            if (!bounds[i].meets(bounds[j]) ||
-                !merge(pieces[i], pieces[j], knife.planes, knife.vertices, merged))
-                continue;
-            pieces[i] = std::move(merged);
-            pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(j));
-            bounds[i].add(bounds[j]);
-            bounds.erase(bounds.begin() + static_cast<std::ptrdiff_t>(j));
-            merged = {};
-            j = i;  // the grown piece may fit those it did not fit before
+    std::vector<std::size_t> beside;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        Box grown = bounds[i];
+        for (bool again = !gone[i]; again;) {
+            again = false;
+            beside.clear();
+            tree.visit(grown, [&](std::size_t j) {
+                if (j > i && !gone[j]) beside.push_back(j);
+            });
+            std::sort(beside.begin(), beside.end());
+            for (const std::size_t j : beside) {
+                if (!merge(pieces[i], pieces[j], knife.planes, knife.vertices, merged)) continue;
+                pieces[i] = std::move(merged);
+                merged = {};
+                gone[j] = again = true;
+                grown.add(bounds[j]);
+                break;
+            }
         }
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (!gone[i] && kept++ != i) pieces[kept - 1] = std::move(pieces[i]);
+    pieces.resize(kept);
 }
 
 double thicknessOf(const Solid& solid, const Knife& knife) {

@@ -1,35 +1,51 @@
-// Closed surfaces of triangles: what is wrong with one, and the ones made from boxes and slope profiles.
+// What is wrong with a surface of triangles.
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <map>
-#include <numeric>
+#include <unordered_map>
 
-#include "talus/rock_mass.h"
+#include "rock_mass/place_text.h"
+#include "rock_mass/surface_faults.h"
 
 namespace talus {
+
+namespace rock_mass {
+
 namespace {
 
-using Point = Eigen::Vector2d;
-using Edge = std::pair<std::int32_t, std::int32_t>;
-
-constexpr std::size_t kMostFaults = 20;
 constexpr double kFlatArea = 1e-14;  // of the extent squared: a triangle of less has no direction
 
-std::string text(double value) {
-    char buffer[32];
-    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+/// An edge of a triangle, in its sense.
+struct Side {
+    std::int32_t from = 0, to = 0;
+    std::size_t triangle = 0;
+
+    std::int32_t low() const { return std::min(from, to); }
+    std::int32_t high() const { return std::max(from, to); }
+};
+
+/// All sides of all triangles, those of one edge together, in the order of their triangles.
+std::vector<Side> sidesByEdge(const TriangleSurface& surface) {
+    std::vector<Side> sides;
+    sides.reserve(3 * surface.triangles.size());
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i)
+            sides.push_back({surface.triangles[t][i], surface.triangles[t][(i + 1) % 3], t});
+    std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+        return std::pair(a.low(), a.high()) < std::pair(b.low(), b.high());
+    });
+    return sides;
 }
 
-std::string text(const Vec3& p) { return "(" + text(p.x()) + ", " + text(p.y()) + ", " + text(p.z()) + ")"; }
-
-std::string triangleField(std::size_t triangle) { return "triangles[" + std::to_string(triangle) + "]"; }
-
-double extentOf(const std::vector<Vec3>& points) {
-    Vec3 min = points[0], max = points[0];
-    for (const Vec3& p : points) min = min.cwiseMin(p), max = max.cwiseMax(p);
-    return (max - min).maxCoeff();
+/// Calls `use(first, last)` for the sides of each edge.
+template <class Use>
+void eachEdge(const std::vector<Side>& sides, const Use& use) {
+    for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
+        while (next < sides.size() && sides[next].low() == sides[i].low() &&
+               sides[next].high() == sides[i].high())
+            ++next;
+        use(i, next);
+    }
 }
 
 std::vector<Error> indexErrors(const TriangleSurface& surface) {
@@ -48,129 +64,95 @@ std::vector<Error> indexErrors(const TriangleSurface& surface) {
 
 std::vector<Error> flatErrors(const TriangleSurface& surface, double extent) {
     std::vector<Error> errors;
-    for (std::size_t t = 0; t < surface.triangles.size() && errors.size() < kMostFaults; ++t) {
-        const auto& [a, b, c] = surface.triangles[t];
-        const Vec3 &p = surface.vertices[static_cast<std::size_t>(a)],
-                   &q = surface.vertices[static_cast<std::size_t>(b)],
-                   &r = surface.vertices[static_cast<std::size_t>(c)];
-        if ((q - p).cross(r - p).norm() <= kFlatArea * extent * extent)
-            errors.push_back({triangleField(t), "found a triangle without area at " + text(p) +
+    for (std::size_t t = 0; t < surface.triangles.size() && errors.size() < kMostFaults; ++t)
+        if (areaVector(surface, t).norm() <= kFlatArea * extent * extent)
+            errors.push_back({triangleField(t), "found a triangle without area at " +
+                                                    placeText(cornerOf(surface, t, 0)) +
                                                     ", allowed: three corners that span a plane"});
-    }
     return errors;
 }
 
-/// The triangles along each directed edge.
-std::map<Edge, std::vector<std::size_t>> directedEdges(const TriangleSurface& surface) {
-    std::map<Edge, std::vector<std::size_t>> edges;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-        for (std::size_t i = 0; i < 3; ++i)
-            edges[{surface.triangles[t][i], surface.triangles[t][(i + 1) % 3]}].push_back(t);
-    return edges;
+std::string edgeText(const TriangleSurface& surface, const Side& side) {
+    return "the edge from " + placeText(surface.vertices[static_cast<std::size_t>(side.from)]) + " to " +
+           placeText(surface.vertices[static_cast<std::size_t>(side.to)]);
 }
 
-std::vector<Error> edgeErrors(const TriangleSurface& surface) {
+/// Of two triangles that face opposite ways the one that does so against more of its neighbours is told, and told once.
+std::vector<Error> oppositeErrors(const TriangleSurface& surface, const std::vector<Side>& sides) {
+    std::vector<std::size_t> at;
+    std::unordered_map<std::size_t, int> conflicts;
+    eachEdge(sides, [&](std::size_t i, std::size_t next) {
+        if (next - i != 2 || sides[i].from != sides[i + 1].from) return;
+        at.push_back(i);
+        ++conflicts[sides[i].triangle];
+        ++conflicts[sides[i + 1].triangle];
+    });
     std::vector<Error> errors;
-    const auto edges = directedEdges(surface);
-    for (const auto& [edge, along] : edges) {
-        if (errors.size() >= kMostFaults) break;
-        const auto twin = edges.find({edge.second, edge.first});
-        const std::size_t against = twin == edges.end() ? 0 : twin->second.size();
-        const std::string place = "the edge from " +
-                                  text(surface.vertices[static_cast<std::size_t>(edge.first)]) + " to " +
-                                  text(surface.vertices[static_cast<std::size_t>(edge.second)]);
-        const std::string others = along.size() > 1 ? " and " + triangleField(along[1]) : "";
-        if (along.size() + against == 1)
-            errors.push_back({triangleField(along[0]),
-                              "found an open surface: " + place + " has one triangle only, allowed: two"});
-        else if (along.size() + against == 2 && against == 0)
-            errors.push_back(
-                {triangleField(along[0]), "found triangles that face opposite ways along " + place + others +
-                                              ", allowed: corners counter-clockwise seen from outside"});
-        else if (along.size() + against > 2 && (against == 0 || edge.first < edge.second))
-            errors.push_back({triangleField(along[0]), "found a non-manifold surface: " + place + " has " +
-                                                           std::to_string(along.size() + against) +
-                                                           " triangles, allowed: two"});
+    std::vector<std::size_t> told;
+    const auto isTold = [&](std::size_t t) { return std::find(told.begin(), told.end(), t) != told.end(); };
+    for (const std::size_t i : at) {
+        const Side &a = sides[i], &b = sides[i + 1];
+        if (isTold(a.triangle) || isTold(b.triangle) || errors.size() >= kMostFaults) continue;
+        const bool first = conflicts[a.triangle] >= conflicts[b.triangle];
+        told.push_back((first ? a : b).triangle);
+        errors.push_back({triangleField(told.back()),
+                          "found triangles that face opposite ways along " + edgeText(surface, a) +
+                              ": this one and " + triangleField((first ? b : a).triangle) +
+                              ", allowed: corners counter-clockwise seen from outside"});
     }
     return errors;
 }
 
-double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-double doubleArea(const std::vector<Point>& polygon) {
-    double sum = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-        sum += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
-    return sum;
-}
-
-double turn(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
-
-bool isBetween(const Point& a, const Point& b, const Point& p) { return (p - a).dot(p - b) <= 0; }
-
-bool sidesMeet(const Point& a, const Point& b, const Point& c, const Point& d) {
-    const double c_side = turn(a, b, c), d_side = turn(a, b, d), a_side = turn(c, d, a),
-                 b_side = turn(c, d, b);
-    if (c_side == 0 && isBetween(a, b, c)) return true;
-    if (d_side == 0 && isBetween(a, b, d)) return true;
-    if (a_side == 0 && isBetween(c, d, a)) return true;
-    if (b_side == 0 && isBetween(c, d, b)) return true;
-    return (c_side > 0) != (d_side > 0) && (a_side > 0) != (b_side > 0) && c_side != 0 && d_side != 0 &&
-           a_side != 0 && b_side != 0;
-}
-
-std::vector<Error> profileErrors(const std::vector<Point>& p) {
-    const std::size_t n = p.size();
-    if (n < 3) return {{"", "found " + std::to_string(n) + " points, allowed: at least three"}};
-    const auto field = [](std::size_t i) { return "[" + std::to_string(i) + "]"; };
-    for (std::size_t i = 0; i < n; ++i) {
-        if (!p[i].allFinite()) return {{field(i), "coordinates must be finite"}};
-        if (p[i] == p[(i + 1) % n])
-            return {{field((i + 1) % n),
-                     "found the point of " + field(i) + " again, allowed: a point of its own"}};
-        const Point &a = p[i], &b = p[(i + 1) % n], &c = p[(i + 2) % n];
-        if (turn(a, b, c) == 0 && (c - b).dot(a - b) > 0)
-            return {{field((i + 1) % n),
-                     "found a profile that turns back on itself, allowed: sides that do not touch"}};
-    }
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = i + 2; j < n; ++j)
-            if ((j + 1) % n != i && sidesMeet(p[i], p[i + 1], p[j], p[(j + 1) % n]))
-                return {{field(j), "found a side that meets the one behind point " + field(i) +
-                                       ", allowed: sides that do not cross or touch"}};
-    return {};
-}
-
-bool isEar(const std::vector<Point>& p, const std::vector<std::int32_t>& left, std::size_t at) {
-    const std::size_t n = left.size();
-    const auto point = [&](std::size_t i) { return p[static_cast<std::size_t>(left[i % n])]; };
-    const Point a = point(at + n - 1), b = point(at), c = point(at + 1);
-    if (turn(a, b, c) <= 0) return false;
-    for (std::size_t i = at + 2; i < at + n - 1; ++i) {
-        const Point q = point(i);
-        if (turn(a, b, q) >= 0 && turn(b, c, q) >= 0 && turn(c, a, q) >= 0) return false;
-    }
-    return true;
-}
-
-/// Cuts off ears of a counter-clockwise simple polygon; corners on straight sides are used up last.
-std::vector<std::array<std::int32_t, 3>> triangulate(const std::vector<Point>& p) {
-    std::vector<std::int32_t> left(p.size());
-    std::iota(left.begin(), left.end(), 0);
-    std::vector<std::array<std::int32_t, 3>> triangles;
-    while (left.size() > 3) {
-        std::size_t at = 0;
-        while (at < left.size() && !isEar(p, left, at)) ++at;
-        if (at == left.size()) return {};
-        const std::size_t n = left.size();
-        triangles.push_back({left[(at + n - 1) % n], left[at], left[(at + 1) % n]});
-        left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
-    }
-    triangles.push_back({left[0], left[1], left[2]});
-    return triangles;
+std::vector<Error> edgeErrors(const TriangleSurface& surface, bool may_be_open) {
+    const std::vector<Side> sides = sidesByEdge(surface);
+    std::vector<Error> errors;
+    eachEdge(sides, [&](std::size_t i, std::size_t next) {
+        const std::size_t count = next - i;
+        if (errors.size() >= kMostFaults || count == 2 || (count == 1 && may_be_open)) return;
+        errors.push_back({triangleField(sides[i].triangle),
+                          count == 1 ? "found an open surface: " + edgeText(surface, sides[i]) +
+                                           " has one triangle only, allowed: two"
+                                     : "found a non-manifold surface: " + edgeText(surface, sides[i]) +
+                                           " has " + std::to_string(count) + " triangles, allowed: two"});
+    });
+    for (Error& error : oppositeErrors(surface, sides))
+        if (errors.size() < kMostFaults) errors.push_back(std::move(error));
+    return errors;
 }
 
 }  // namespace
+
+std::string triangleField(std::size_t triangle) { return "triangles[" + std::to_string(triangle) + "]"; }
+
+std::vector<OpenEdge> openEdges(const TriangleSurface& surface) {
+    const std::vector<Side> sides = sidesByEdge(surface);
+    std::vector<OpenEdge> open;
+    eachEdge(sides, [&](std::size_t i, std::size_t next) {
+        if (next - i == 1) open.push_back({sides[i].from, sides[i].to, sides[i].triangle});
+    });
+    std::stable_sort(open.begin(), open.end(),
+                     [](const OpenEdge& a, const OpenEdge& b) { return a.triangle < b.triangle; });
+    return open;
+}
+
+std::vector<Error> facetErrors(const TriangleSurface& surface, bool may_be_open) {
+    if (surface.triangles.empty())
+        return {{"", std::string("found no triangles, allowed: ") +
+                         (may_be_open ? "a terrain" : "a closed surface")}};
+    auto errors = indexErrors(surface);
+    if (errors.empty()) errors = flatErrors(surface, surfaceExtent(surface));
+    if (errors.empty()) errors = edgeErrors(surface, may_be_open);
+    return errors;
+}
+
+}  // namespace rock_mass
+
+double surfaceExtent(const TriangleSurface& surface) {
+    if (surface.vertices.empty()) return 0;
+    Vec3 min = surface.vertices[0], max = min;
+    for (const Vec3& p : surface.vertices) min = min.cwiseMin(p), max = max.cwiseMax(p);
+    return (max - min).maxCoeff();
+}
 
 double surfaceVolume(const TriangleSurface& surface) {
     if (surface.vertices.empty()) return 0;
@@ -184,54 +166,15 @@ double surfaceVolume(const TriangleSurface& surface) {
 }
 
 std::vector<Error> checkSurface(const TriangleSurface& surface) {
-    if (surface.triangles.empty()) return {{"", "found no triangles, allowed: a closed surface"}};
-    auto errors = indexErrors(surface);
-    if (!errors.empty()) return errors;
-    const double extent = extentOf(surface.vertices);
-    errors = flatErrors(surface, extent);
-    if (errors.empty()) errors = edgeErrors(surface);
+    auto errors = rock_mass::facetErrors(surface, false);
+    if (errors.empty()) errors = rock_mass::crossingErrors(surface);
     if (!errors.empty()) return errors;
     const double volume = surfaceVolume(surface);
     if (!(volume > 0))
-        return {{"", "found an inverted surface, which faces inwards (volume " + text(volume) +
+        return {{"", "found an inverted surface, which faces inwards (volume " +
+                         rock_mass::numberText(volume) +
                          " m3), allowed: triangles counter-clockwise seen from outside"}};
     return {};
-}
-
-Result<TriangleSurface> boxSurface(const Vec3& min, const Vec3& max) {
-    const auto box = makeBox(min, max);
-    if (!box) return box.errors();
-    TriangleSurface surface{box->vertices, {}};
-    for (const auto& face : box->faces)
-        for (std::size_t i = 2; i < face.size(); ++i)
-            surface.triangles.push_back({face[0], face[i - 1], face[i]});
-    return surface;
-}
-
-Result<TriangleSurface> extrudeProfile(const std::vector<Point>& profile, double y_min, double y_max) {
-    if (!(y_min < y_max) || !std::isfinite(y_max - y_min))
-        return Error{"y", "found " + text(y_min) + " to " + text(y_max) + ", allowed: the lesser first"};
-    if (auto errors = profileErrors(profile); !errors.empty()) return errors;
-    std::vector<Point> p = profile;
-    if (doubleArea(p) < 0) std::reverse(p.begin(), p.end());
-    const auto caps = triangulate(p);
-    if (caps.empty())
-        return Error{"", "found a profile too narrow for its extent, allowed: sides that do not touch"};
-    TriangleSurface surface;
-    for (const double y : {y_min, y_max})
-        for (const Point& q : p) surface.vertices.emplace_back(q.x(), y, q.y());
-    const auto n = static_cast<std::int32_t>(p.size());
-    // Counter-clockwise in (x, z) is seen from -y: the cap at y_min as it is, the other one reversed.
-    for (const auto& [a, b, c] : caps) {
-        surface.triangles.push_back({a, b, c});
-        surface.triangles.push_back({n + a, n + c, n + b});
-    }
-    for (std::int32_t i = 0; i < n; ++i) {
-        const std::int32_t j = (i + 1) % n;
-        surface.triangles.push_back({i, n + i, n + j});
-        surface.triangles.push_back({i, n + j, j});
-    }
-    return surface;
 }
 
 }  // namespace talus

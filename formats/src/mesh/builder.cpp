@@ -5,21 +5,21 @@
 namespace talus::formats::mesh {
 
 std::int32_t SurfaceBuilder::vertex(const Vec3& position) {
-    const Vec3 x = scale_ * position + Vec3::Zero();  // + 0 turns -0 into 0
-    const auto [place, is_new] =
-        vertices_.try_emplace({x.x(), x.y(), x.z()}, static_cast<std::int32_t>(surface_.vertices.size()));
-    if (is_new) surface_.vertices.push_back(x);
+    const Vec3 x = position + Vec3::Zero();  // + 0 turns -0 into 0
+    const auto [place, is_new] = vertices_.try_emplace(
+        {x.x(), x.y(), x.z()}, static_cast<std::int32_t>(file_.surface.vertices.size()));
+    if (is_new) file_.surface.vertices.push_back(x);
     return place->second;
 }
 
 void SurfaceBuilder::triangle(const std::array<std::int32_t, 3>& corners, int line) {
-    surface_.triangles.push_back(corners);
-    lines_.push_back(line);
+    file_.surface.triangles.push_back(corners);
+    file_.lines.push_back(line);
 }
 
 bool SurfaceBuilder::face(const std::vector<std::int32_t>& corners, int line) {
     const auto at = [&](std::size_t i) -> const Vec3& {
-        return surface_.vertices[static_cast<std::size_t>(corners[i])];
+        return file_.surface.vertices[static_cast<std::size_t>(corners[i])];
     };
     std::vector<Vec3> normals;  // of the triangles of its fan: they all face one way
     Vec3 sum = Vec3::Zero();
@@ -32,22 +32,6 @@ bool SurfaceBuilder::face(const std::vector<std::int32_t>& corners, int line) {
         return false;
     for (std::size_t i = 2; i < corners.size(); ++i) triangle({corners[0], corners[i - 1], corners[i]}, line);
     return true;
-}
-
-Result<TriangleSurface> SurfaceBuilder::finish() {
-    std::vector<Error> errors = checkSurface(surface_);
-    for (Error& error : errors) {
-        error.file = path_;
-        std::size_t triangle = 0;
-        const std::string_view field = error.field;
-        if (!field.starts_with("triangles[")) continue;
-        std::from_chars(field.data() + 10, field.data() + field.size(), triangle);
-        error.line = lines_[triangle];
-        error.field.clear();
-        error.message = "triangle " + std::to_string(triangle + 1) + ": " + error.message;
-    }
-    if (!errors.empty()) return errors;
-    return std::move(surface_);
 }
 
 bool Words::nextLine() {

@@ -11,30 +11,40 @@
 #include <vector>
 
 #include "talus/result.h"
-#include "talus/rock_mass.h"
+#include "talus/surface.h"
 
 namespace talus::formats::mesh {
 
+/// A surface as its file has it.
+struct FileSurface {
+    TriangleSurface surface;
+    std::vector<int> lines;         ///< of each triangle; 0 in a binary file
+    bool single_precision = false;  ///< coordinates of seven digits
+};
+
 class SurfaceBuilder {
  public:
-    SurfaceBuilder(std::string path, double scale) : path_(std::move(path)), scale_(scale) {}
+    explicit SurfaceBuilder(std::string path) : path_(std::move(path)) {}
 
     std::int32_t vertex(const Vec3& position);
     /// \param line  of the file, 0 in a binary one
     void triangle(const std::array<std::int32_t, 3>& corners, int line);
     /// A convex face with three or more corners. \return whether it is convex
     bool face(const std::vector<std::int32_t>& corners, int line);
+    void setSinglePrecision() { file_.single_precision = true; }
     Error fault(int line, std::string message) const { return {"", std::move(message), path_, line, 0}; }
-    /// Checks the surface; its faults name lines, or count triangles from 1.
-    Result<TriangleSurface> finish();
+    FileSurface finish() { return std::move(file_); }
 
  private:
     std::string path_;
-    double scale_;
-    TriangleSurface surface_;
-    std::vector<int> lines_;
+    FileSurface file_;
     std::map<std::array<double, 3>, std::int32_t> vertices_;
 };
+
+Result<FileSurface> readStl(const std::string& path);
+Result<FileSurface> readObj(const std::string& path);
+Result<FileSurface> readPly(const std::string& path);
+Result<FileSurface> readAsc(const std::string& path);
 
 /// The words of a text, line by line.
 class Words {

@@ -2,7 +2,6 @@
 // counted from 1, or backwards from -1.
 
 #include "mesh/builder.h"
-#include "talus/formats/mesh.h"
 #include "toml/file_text.h"
 #include "toml/wording.h"
 
@@ -10,6 +9,7 @@ namespace talus::formats {
 
 namespace {
 
+using mesh::FileSurface;
 using mesh::SurfaceBuilder;
 using mesh::Words;
 
@@ -17,7 +17,7 @@ class ObjReader {
  public:
     ObjReader(const std::string& text, SurfaceBuilder& builder) : words_(text), builder_(builder) {}
 
-    Result<TriangleSurface> read() {
+    Result<FileSurface> read() {
         while (words_.nextLine()) {
             const std::string_view word = words_.next();
             if (word == "v")
@@ -81,10 +81,10 @@ class ObjReader {
 
 }  // namespace
 
-Result<TriangleSurface> readObj(const std::string& path, double scale) {
+Result<FileSurface> mesh::readObj(const std::string& path) {
     const auto content = toml::readFileText(path);
     if (!content) return content.errors();
-    SurfaceBuilder builder(path, scale);
+    SurfaceBuilder builder(path);
     return ObjReader(*content, builder).read();
 }
 

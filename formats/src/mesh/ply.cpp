@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include "mesh/builder.h"
-#include "talus/formats/mesh.h"
 #include "toml/file_text.h"
 #include "toml/wording.h"
 
@@ -15,6 +14,7 @@ namespace talus::formats {
 
 namespace {
 
+using mesh::FileSurface;
 using mesh::SurfaceBuilder;
 using mesh::Words;
 
@@ -60,7 +60,7 @@ class PlyReader {
     PlyReader(const std::string& text, SurfaceBuilder& builder)
         : text_(text), words_(text), builder_(builder) {}
 
-    Result<TriangleSurface> read() {
+    Result<FileSurface> read() {
         if (auto fault = readHeader()) return *fault;
         for (const Element& element : elements_)
             for (std::size_t k = 0; k < element.count; ++k)
@@ -127,6 +127,8 @@ class PlyReader {
         if (!number) return fault("found the type " + toml::quoted(type) + ", allowed: char to double");
         property.number = *number;
         property.name = words_.next();
+        if (property.number == Number::float32 && property.name == "x" && encoding_ != Encoding::text)
+            builder_.setSinglePrecision();
         elements_.back().properties.push_back(std::move(property));
         return std::nullopt;
     }
@@ -211,20 +213,11 @@ class PlyReader {
 
 }  // namespace
 
-Result<TriangleSurface> readPly(const std::string& path, double scale) {
+Result<FileSurface> mesh::readPly(const std::string& path) {
     const auto content = toml::readFileText(path);
     if (!content) return content.errors();
-    SurfaceBuilder builder(path, scale);
+    SurfaceBuilder builder(path);
     return PlyReader(*content, builder).read();
-}
-
-Result<TriangleSurface> readMesh(const std::string& path, double scale) {
-    std::string end = path.substr(path.size() - std::min<std::size_t>(4, path.size()));
-    for (char& c : end) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    if (end == ".stl") return readStl(path, scale);
-    if (end == ".obj") return readObj(path, scale);
-    if (end == ".ply") return readPly(path, scale);
-    return Error{"", "found " + toml::quoted(path) + ", allowed: a file that ends in .stl, .obj or .ply"};
 }
 
 }  // namespace talus::formats

@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "mesh/builder.h"
-#include "talus/formats/mesh.h"
 #include "toml/file_text.h"
 #include "toml/wording.h"
 
@@ -13,6 +12,7 @@ namespace talus::formats {
 
 namespace {
 
+using mesh::FileSurface;
 using mesh::SurfaceBuilder;
 using mesh::Words;
 
@@ -24,7 +24,8 @@ std::uint32_t countOf(const std::string& bytes) {
     return count;
 }
 
-Result<TriangleSurface> readBinary(const std::string& bytes, SurfaceBuilder& builder) {
+Result<FileSurface> readBinary(const std::string& bytes, SurfaceBuilder& builder) {
+    builder.setSinglePrecision();
     for (std::size_t at = kHead; at < bytes.size(); at += kRecord) {
         std::array<float, 12> numbers;
         std::memcpy(numbers.data(), bytes.data() + at, sizeof numbers);
@@ -45,7 +46,7 @@ class TextReader {
  public:
     TextReader(const std::string& text, SurfaceBuilder& builder) : words_(text), builder_(builder) {}
 
-    Result<TriangleSurface> read() {
+    Result<FileSurface> read() {
         while (words_.nextLine()) {
             const std::string_view word = words_.next();
             if (word == "vertex") {
@@ -94,10 +95,10 @@ class TextReader {
 
 }  // namespace
 
-Result<TriangleSurface> readStl(const std::string& path, double scale) {
+Result<FileSurface> mesh::readStl(const std::string& path) {
     const auto content = toml::readFileText(path);
     if (!content) return content.errors();
-    SurfaceBuilder builder(path, scale);
+    SurfaceBuilder builder(path);
     const std::string& bytes = *content;
     const bool has_head = bytes.size() >= kHead;
     if (has_head && bytes.size() == kHead + kRecord * std::size_t{countOf(bytes)})

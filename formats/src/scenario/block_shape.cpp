@@ -74,13 +74,16 @@ Shape readParts(Report& report, TableReader& table) {
     return std::nullopt;
 }
 
-Shape readMesh(TableReader& table, const std::string& folder) {
-    const double scale = table.number("scale", kPositive).value_or(1);
+Shape readMesh(Report& report, TableReader& table, const std::string& folder) {
+    MeshOptions options;
+    options.scale = table.number("scale", kPositive).value_or(1);
     const auto file = table.text("mesh");
     if (!file) return std::nullopt;
-    const auto surface =
-        take(table, "mesh", talus::formats::readMesh(file->starts_with('/') ? *file : folder + *file, scale));
-    return surface ? take(table, "mesh", solidOf(*surface)) : std::nullopt;
+    const auto mesh = take(
+        table, "mesh", talus::formats::readMesh(file->starts_with('/') ? *file : folder + *file, options));
+    if (!mesh) return std::nullopt;
+    for (const std::string& note : mesh->notes) report.warn(table.fieldOf("mesh") + ": " + note);
+    return take(table, "mesh", solidOf(mesh->surface));
 }
 
 }  // namespace
@@ -102,7 +105,7 @@ std::optional<Polyhedron> readShape(Report& report, TableReader& table, const st
     }
     if (given[0] == "box") return readBox(table);
     if (given[0] == "vertices") return readHull(report, table);
-    return given[0] == "parts" ? readParts(report, table) : readMesh(table, folder);
+    return given[0] == "parts" ? readParts(report, table) : readMesh(report, table, folder);
 }
 
 }  // namespace talus::formats::scenario

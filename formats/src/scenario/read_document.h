@@ -1,10 +1,16 @@
 #pragma once
 // A scenario out of a parsed document, which may have been edited since.
 
+#include <string>
+#include <vector>
+
 #include "scenario/reading.h"
 #include "talus/formats/scenario.h"
 
 namespace talus::formats::scenario {
+
+/// The tables and keys at the top of a scenario.
+std::vector<std::string> scenarioSections();
 
 /// As parseScenario; `text` is what the result says it was read from. `questions` hear what is asked of the document.
 Result<Scenario> readDocument(const Document& document, std::string text, const std::string& path,

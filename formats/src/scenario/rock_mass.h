@@ -8,6 +8,7 @@
 #include "scenario/directory.h"
 #include "scenario/properties.h"
 #include "scenario/reading.h"
+#include "talus/fractures.h"
 #include "talus/model.h"
 #include "talus/rock_mass.h"
 
@@ -29,6 +30,13 @@ struct PointName {
     Vec3 point = Vec3::Zero();
 };
 
+/// One entry of fracture_set.
+struct FractureSetInput {
+    FractureSet drawn;  ///< from a file: name, strength and field only
+    bool is_file = false;
+    std::vector<Fracture> from_file{};
+};
+
 /// What the tables say.
 struct RockMassInput {
     RockMass description;
@@ -37,10 +45,12 @@ struct RockMassInput {
     std::string prefix;                                 ///< of its blocks' names
     std::vector<FixedEntry> fixed;
     std::vector<PointName> names;
+    std::vector<FractureSetInput> fracture_sets{};
     std::int32_t material = 0;
     double density = 0;      ///< of that material [kg/m^3]
     std::int32_t joint = 0;  ///< strength of faces no joint made
     std::optional<std::size_t> max_blocks{};
+    bool has_mesh = false;  ///< its region is one from a file
     Place place;
 };
 
@@ -55,11 +65,28 @@ struct RockMassBlocks {
 std::optional<RockMassInput> readRockMass(Report& report, TableReader& root, const Materials& materials,
                                           const Joints& joints, const std::string& folder);
 
+struct Region {
+    TriangleSurface surface;
+    bool is_mesh = false;
+};
+
 /// The surface that rock_mass.region means; nothing when that is reported. \param table  rock_mass
-std::optional<TriangleSurface> readRegion(Report& report, TableReader& table, const std::string& folder);
+std::optional<Region> readRegion(Report& report, TableReader& table, const std::string& folder);
+
+/// [joint.NAME] by the key `joint`, else by the joint's own name, else the default.
+std::int32_t readStrength(Report& report, TableReader& table, const std::string& name, const Joints& joints);
+
+void readFractureSets(Report& report, TableReader& root, const Joints& joints, const std::string& folder,
+                      RockMassInput& input);
+
+/// Draws the fracture sets; their discs become single joints. \pre the input has no faults
+void appendFractures(Report& report, RockMassInput& input);
 
 /// Cuts it, names its blocks and finds the fixed ones; faults are reported. \pre the input has no faults
 std::optional<RockMassBlocks> cutBlocks(Report& report, const RockMassInput& input);
+
+/// Which blocks of a rugged ground are too small to be meant, and what helps; nothing where there are none.
+std::optional<std::string> dustWarning(const RockMassBlocks& blocks);
 
 /// Appends the blocks. \pre the model has all its joints
 void appendRockMass(const RockMassInput& input, RockMassBlocks blocks, Model& model);

@@ -16,13 +16,6 @@ constexpr std::int64_t kMaxSeed = INT64_MAX;
 const std::vector<std::string> kSides = {"below", "above", "touching"};
 const std::vector<std::string> kBoundaries = {"-x", "+x", "-y", "+y", "-z", "+z"};
 
-/// [joint.NAME] by the key `joint`, else by the joint's own name, else the default.
-std::int32_t readStrength(Report& report, TableReader& table, const std::string& name, const Joints& joints) {
-    if (!table.has("joint"))
-        if (const auto own = joints.names.find(name)) return *own;
-    return readJoint(report, table, "joint", joints).value_or(0);
-}
-
 class RockMassReader {
  public:
     RockMassReader(Report& report, const Materials& materials, const Joints& joints,
@@ -39,6 +32,7 @@ class RockMassReader {
         readProperties(table);
         for (const FieldNode& entry : root.tables("joint_set")) readSet(entry);
         for (const FieldNode& entry : root.tables("single_joint")) readSingle(entry);
+        readFractureSets(report_, root, joints_, folder_, input_);
         for (const FieldNode& entry : table.tables("fixed")) readFixed(entry);
         readNames(table);
         return std::move(input_);
@@ -61,7 +55,10 @@ class RockMassReader {
     }
 
     void readBounds(TableReader& table) {
-        if (auto region = readRegion(report_, table, folder_)) input_.description.region = std::move(*region);
+        if (auto region = readRegion(report_, table, folder_)) {
+            input_.description.region = std::move(region->surface);
+            input_.has_mesh = region->is_mesh;
+        }
         const auto& vertices = input_.description.region.vertices;
         if (vertices.empty()) return;
         low_ = high_ = vertices[0];
@@ -262,11 +259,17 @@ class RockMassReader {
 
 }  // namespace
 
+std::int32_t readStrength(Report& report, TableReader& table, const std::string& name, const Joints& joints) {
+    if (!table.has("joint"))
+        if (const auto own = joints.names.find(name)) return *own;
+    return readJoint(report, table, "joint", joints).value_or(0);
+}
+
 std::optional<RockMassInput> readRockMass(Report& report, TableReader& root, const Materials& materials,
                                           const Joints& joints, const std::string& folder) {
     const auto node = root.find("rock_mass");
     if (!node) {
-        for (const char* key : {"joint_set", "single_joint"})
+        for (const char* key : {"joint_set", "single_joint", "fracture_set"})
             if (root.has(key) && !root.isMeant("rock_mass"))
                 root.error(key, "found " + std::string(key) +
                                     " without [rock_mass], allowed: together with a region to cut");

@@ -7,10 +7,10 @@ namespace talus::formats::scenario {
 namespace {
 
 constexpr std::size_t kMaxProfile = 1000;
-using Region = std::optional<TriangleSurface>;
+using Surface = std::optional<TriangleSurface>;
 
 /// Faults of a mesh file are told at the key that names it, with their own place in front.
-Region take(TableReader& region, const std::string& key, Result<TriangleSurface> surface) {
+Surface take(TableReader& region, const std::string& key, Result<TriangleSurface> surface) {
     if (surface) return std::move(*surface);
     for (Error error : surface.errors()) {
         error.field.clear();
@@ -19,7 +19,7 @@ Region take(TableReader& region, const std::string& key, Result<TriangleSurface>
     return std::nullopt;
 }
 
-Region readBox(TableReader& region) {
+Surface readBox(TableReader& region) {
     auto box = region.table("box", {"min", "max"});
     if (!box) return std::nullopt;
     box->require({"min", "max"});
@@ -46,7 +46,7 @@ std::optional<std::vector<Eigen::Vector2d>> readPoints(Report& report, TableRead
     return points;
 }
 
-Region readProfile(Report& report, TableReader& region) {
+Surface readProfile(Report& report, TableReader& region) {
     region.require({"y"});
     const auto y = region.numbers("y", kCoordinate, 2);
     const auto points = readPoints(report, region);
@@ -67,31 +67,63 @@ bool isWithinRange(const TriangleSurface& surface) {
     return true;
 }
 
-Region readMesh(TableReader& region, const std::string& key, const std::string& folder) {
-    const double scale = region.number("scale", kPositive).value_or(1);
+const std::vector<std::pair<std::string, MeshFormat>> kMeshKeys{{"mesh", MeshFormat::by_name},
+                                                                {"stl", MeshFormat::stl},
+                                                                {"obj", MeshFormat::obj},
+                                                                {"ply", MeshFormat::ply},
+                                                                {"asc", MeshFormat::asc}};
+/// Keys that say what to make of a mesh.
+const std::vector<std::string> kMeshOptions{"scale", "shift", "base", "tolerance", "simplify"};
+
+Surface readMeshFile(Report& report, TableReader& region, const std::string& key, MeshFormat kind,
+                     const std::string& folder) {
+    MeshOptions options;
+    options.format = kind;
+    options.farthest = kMaxLength;
+    options.scale = region.number("scale", kPositive).value_or(1);
+    options.shift = region.vector("shift", kAnyNumber);
+    options.base = region.number("base", kCoordinate);
+    options.tolerance = region.number("tolerance", kLength);
+    options.simplify = region.number("simplify", kLength);
     const auto file = region.text(key);
     if (!file) return std::nullopt;
-    const std::string path = file->starts_with('/') ? *file : folder + *file;
-    Region surface = take(region, key, key == "stl" ? readStl(path, scale) : readObj(path, scale));
-    if (!surface || isWithinRange(*surface)) return surface;
+    auto mesh = readMesh(file->starts_with('/') ? *file : folder + *file, options);
+    if (!mesh) {
+        for (Error error : mesh.errors()) {
+            const std::string at = error.field.empty() ? key : error.field;
+            error.field.clear();
+            region.error(at, error.file.empty() ? error.message : format(error));
+        }
+        return std::nullopt;
+    }
+    for (std::string& note : mesh->notes) report.warn(region.fieldOf(key) + ": " + std::move(note));
+    if (isWithinRange(mesh->surface)) return std::move(mesh->surface);
     region.error(key, "found coordinates beyond " + numberText(kMaxLength) +
-                          " m, allowed: at most that; another scale, or an origin nearer by");
+                          " m, allowed: at most that; another scale or shift");
     return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<TriangleSurface> readRegion(Report& report, TableReader& table, const std::string& folder) {
-    auto region = table.table("region", {"box", "profile", "y", "stl", "obj", "scale"});
-    if (!region || !region->requireOneOf({"box", "profile", "stl", "obj"})) return std::nullopt;
-    const bool is_mesh = region->has("stl") || region->has("obj");
+std::optional<Region> readRegion(Report& report, TableReader& table, const std::string& folder) {
+    std::vector<std::string> shapes{"box", "profile"}, keys{"box", "profile", "y"};
+    for (const auto& [key, kind] : kMeshKeys) shapes.push_back(key), keys.push_back(key);
+    keys.insert(keys.end(), kMeshOptions.begin(), kMeshOptions.end());
+    auto region = table.table("region", keys);
+    if (!region || !region->requireOneOf(shapes)) return std::nullopt;
     if (region->has("y") && !region->has("profile"))
         region->error("y", "found y without profile, allowed: only together with profile");
-    if (region->has("scale") && !is_mesh)
-        region->error("scale", "found scale without stl or obj, allowed: only together with a mesh");
-    if (region->has("box")) return readBox(*region);
-    if (region->has("profile")) return readProfile(report, *region);
-    return readMesh(*region, region->has("stl") ? "stl" : "obj", folder);
+    if (region->has("box") || region->has("profile"))
+        for (const std::string& key : region->present(kMeshOptions))
+            region->error(key, "found " + key + " without a mesh, allowed: only together with a mesh");
+    const auto made = [](Surface surface, bool is_mesh) {
+        return surface ? std::optional(Region{std::move(*surface), is_mesh}) : std::nullopt;
+    };
+    if (region->has("box")) return made(readBox(*region), false);
+    if (region->has("profile")) return made(readProfile(report, *region), false);
+    for (const auto& [key, kind] : kMeshKeys)
+        if (region->has(key)) return made(readMeshFile(report, *region, key, kind, folder), true);
+    return std::nullopt;
 }
 
 }  // namespace talus::formats::scenario

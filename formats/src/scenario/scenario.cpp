@@ -30,7 +30,7 @@ class ScenarioReader {
     ScenarioReader(Report& report, Node root, std::string folder, std::int64_t most_blocks,
                    const std::atomic<bool>* stop)
         : report_(report),
-          root_(report, root, "", sections()),
+          root_(report, root, "", scenarioSections()),
           folder_(std::move(folder)),
           most_blocks_(most_blocks),
           stop_(stop) {}
@@ -67,15 +67,6 @@ class ScenarioReader {
     }
 
  private:
-    static std::vector<std::string> sections() {
-        std::vector<std::string> all{"format",    "analysis",     "run",   "gravity",  "contact",
-                                     "material",  "joint",        "stack", "block",    "rock_mass",
-                                     "joint_set", "single_joint", "water", "interface"};
-        eachNumberSection([&](const char* section, const auto&, auto) { all.emplace_back(section); });
-        for (const ForceSection& section : forceSections()) all.emplace_back(section.name);
-        return all;
-    }
-
     void readBlocks() {
         std::int64_t count = 0;
         for (const FieldNode& entry : root_.tables("stack")) {
@@ -99,9 +90,12 @@ class ScenarioReader {
         if (!rock_) return;
         rock_->description.max_blocks = rock_->max_blocks.value_or(static_cast<std::size_t>(most_blocks_));
         rock_->description.stop = stop_;
+        if (report_.clean()) appendFractures(report_, *rock_);
         if (report_.clean()) rock_blocks_ = cutBlocks(report_, *rock_);
         if (!rock_blocks_) return directory.setIncomplete();
         warnings_ = rock_blocks_->cut.warnings;
+        if (rock_->has_mesh)
+            if (auto dust = dustWarning(*rock_blocks_)) warnings_.push_back(std::move(*dust));
         directory.add(report_, rock_blocks_->names, firstRockBlock(), rock_->place, "rock_mass.name");
     }
 
@@ -202,6 +196,15 @@ class ScenarioReader {
 
 }  // namespace
 }  // namespace scenario
+
+std::vector<std::string> scenario::scenarioSections() {
+    std::vector<std::string> all{"format",    "analysis",     "run",          "gravity", "contact",
+                                 "material",  "joint",        "stack",        "block",   "rock_mass",
+                                 "joint_set", "single_joint", "fracture_set", "water",   "interface"};
+    eachNumberSection([&](const char* section, const auto&, auto) { all.emplace_back(section); });
+    for (const ForceSection& section : forceSections()) all.emplace_back(section.name);
+    return all;
+}
 
 Result<Scenario> scenario::readDocument(const Document& document, std::string text, const std::string& path,
                                         std::int64_t most_blocks, const std::atomic<bool>* stop,

@@ -71,6 +71,19 @@ std::string binaryStl(const std::vector<Corners>& triangles) {
     return bytes;
 }
 
+Result<TriangleSurface> read(const std::string& path, MeshFormat format, double scale) {
+    auto mesh = readMesh(
+        path, {.format = format, .scale = scale, .shift = {}, .base = {}, .tolerance = {}, .simplify = {}});
+    if (!mesh) return mesh.errors();
+    return std::move(mesh->surface);
+}
+Result<TriangleSurface> readStl(const std::string& path, double scale = 1) {
+    return read(path, MeshFormat::stl, scale);
+}
+Result<TriangleSurface> readObj(const std::string& path, double scale = 1) {
+    return read(path, MeshFormat::obj, scale);
+}
+
 std::string fault(const Result<TriangleSurface>& surface) {
     REQUIRE_FALSE(surface.ok());
     return format(surface.errors()[0]);

@@ -157,7 +157,7 @@ TEST_CASE("blocks by hand: faults of parts and meshes are told where they are") 
     checkFault(bodyFault(kAngle + "scale = 2\n", 11, ".scale", "only together with a mesh"));
     checkFault(bodyFault("mesh = \"none.obj\"\n", 9, ".mesh", "none.obj: error: cannot be opened"));
     checkFault(
-        bodyFault("mesh = \"none.dxf\"\n", 9, ".mesh", "allowed: a file that ends in .stl, .obj or .ply"));
+        bodyFault("mesh = \"none.dxf\"\n", 9, ".mesh", "allowed: a file that ends in .stl, .obj, .ply or .asc"));
     const Folder folder;
     TriangleSurface open = angleSurface();
     open.triangles.pop_back();

@@ -124,7 +124,7 @@ TEST_CASE("rock mass: faults of the region") {
     const auto fault = [](const std::string& region, const std::string& field, const std::string& fragment) {
         checkFault(rockMass("", region), 8, "rock_mass.region" + field, fragment);
     };
-    fault("", ".box", "missing; one of these is required: box, profile, stl, obj");
+    fault("", ".box", "missing; one of these is required: box, profile, mesh, stl, obj, ply, asc");
     fault("box = { min = [0, 0, 0], max = [1, 1, 0] }", ".box", "min must be below max");
     fault("profile = [[0, 0], [1, 0], [0, 1]]", ".y", "missing");
     fault("profile = [[0, 0], [1, 0], [0, 1]], y = [1, 0]", ".y", "found 1 to 0, allowed: the lesser first");

@@ -1,27 +1,49 @@
 #pragma once
-// Closed surfaces from mesh files: STL (text and binary), Wavefront OBJ and PLY (text and binary).
+// Surfaces from mesh files (STL and PLY as text or binary, Wavefront OBJ) and height grids (ESRI ASCII): closed ones, or open
+// terrains that are given sides and a base.
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "talus/result.h"
-#include "talus/rock_mass.h"
+#include "talus/surface.h"
 
 namespace talus::formats {
 
-/// Reads an STL file; the program finds out itself whether it is text or binary. Corners with equal coordinates become
-/// one vertex, coordinates are taken as metres times `scale`.
-/// Errors: the file cannot be read, is cut short or malformed (with its line, if it is text), or the surface is not
-/// closed, manifold and facing outwards (checkSurface; with the line of the triangle, else its number in the message).
-Result<TriangleSurface> readStl(const std::string& path, double scale = 1.0);
+enum class MeshFormat : std::uint8_t {
+    by_name,  ///< .stl, .obj, .ply or .asc, in capitals or not
+    stl,
+    obj,
+    ply,
+    asc
+};
 
-/// The same for OBJ: `v` and `f` lines count, all others are passed over. Faces with more than three corners must be
-/// convex; vertices are shared by index, and those with equal coordinates become one.
-Result<TriangleSurface> readObj(const std::string& path, double scale = 1.0);
+/// What to make of a file's surface. Lengths in metres, after scaling.
+struct MeshOptions {
+    MeshFormat format = MeshFormat::by_name;
+    double scale = 1.0;  ///< from the file's unit to metres
+    /// Taken off all coordinates. Default: nothing, or for coordinates beyond `farthest` in plan, which leave too few digits,
+    /// their lower corner in plan in whole hundreds of metres
+    std::optional<Vec3> shift;
+    double farthest = 1e6;
+    std::optional<double> base;  ///< an open terrain is closed down to this elevation
+    /// What is repaired (repairSurface); default 1e-6 of the extent, the digits of an STL file
+    std::optional<double> tolerance;
+    std::optional<double> simplify;  ///< deviation that is allowed (simplifySurface)
+};
 
-/// The same for PLY: the properties x, y, z of its vertices and the corners of its faces count, which must be convex.
-Result<TriangleSurface> readPly(const std::string& path, double scale = 1.0);
+struct MeshSurface {
+    TriangleSurface surface;  ///< closed
+    Vec3 shift = Vec3::Zero();
+    std::vector<std::string> notes;  ///< what was repaired, shifted or simplified, for the user
+};
 
-/// One of these by the end of its name: .stl, .obj or .ply, in capitals or not.
-Result<TriangleSurface> readMesh(const std::string& path, double scale = 1.0);
+/// Reads a closed surface, or an open terrain and closes it. Vertices with equal coordinates are one; faces of OBJ and PLY with
+/// more than three corners must be convex; the grid's cells are divided along the diagonal whose ends differ less in height.
+/// Errors: the file cannot be read, is cut short or malformed (with its line, if it is text); what checkSurface or closeTerrain
+/// find ("base" where it is that), with the line of the triangle, or else its number from 1 in the message, and the place in
+/// the file's own coordinates taken to metres and shifted.
+Result<MeshSurface> readMesh(const std::string& path, const MeshOptions& options = {});
 
 }  // namespace talus::formats

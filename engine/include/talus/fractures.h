@@ -1,0 +1,62 @@
+#pragma once
+// Discrete fracture networks: discs drawn at random, and how much of them lies in a region.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "talus/result.h"
+#include "talus/surface.h"
+
+namespace talus {
+
+/// A disc.
+struct Fracture {
+    Vec3 centre = Vec3::Zero();  ///< [m]
+    double dip = 0;              ///< [rad]
+    double dip_direction = 0;    ///< clockwise from +y [rad]
+    double radius = 0;           ///< [m]
+};
+
+enum class RadiusLaw : std::uint8_t {
+    constant,   ///< `radius`
+    lognormal,  ///< mean `radius`, standard deviation `deviation`; none beyond `least` and `most`
+    power       ///< density r^-exponent from `least` to `most`
+};
+
+/// How discs are drawn: centres uniform in space, orientations by Fisher about the mean, radii by a law.
+struct FractureSet {
+    std::string name;
+    double dip = 0;                ///< mean [rad]
+    double dip_direction = 0;      ///< [rad]
+    std::optional<double> fisher;  ///< Fisher constant; none: all parallel
+    RadiusLaw law = RadiusLaw::constant;
+    double radius = 0;     ///< [m]
+    double deviation = 0;  ///< [m]
+    double exponent = 0;
+    double least = 0, most = 1e6;  ///< [m]
+    /// Area of discs inside the region over its volume that is wanted [1/m]; their centres lie as far outside as the discs
+    /// reach, so that there are as many near the region's surface as in its middle. Only discs that reach into it are kept.
+    std::optional<double> p32;
+    std::size_t count = 0;  ///< instead: so many with their centres inside the region
+    std::int32_t joint = 0;
+    std::string field{};  ///< "fracture_set[0]", for messages
+};
+
+/// Draws a set. The same seed, index of the set and region give the same discs. `p32` is reached within one per cent: a disc that
+/// would go farther beyond it is drawn again. Errors: numbers out of range; more than a million discs; a target that discs so
+/// large do not reach. \pre a sound surface
+Result<std::vector<Fracture>> drawFractures(const FractureSet& set, const TriangleSurface& region,
+                                            std::uint64_t seed, std::size_t index);
+
+/// Area of a disc inside a region [m^2], exactly.
+double areaInside(const Fracture& disc, const TriangleSurface& region);
+
+/// P32: area of discs inside a region over its volume [1/m].
+double fractureIntensity(const std::vector<Fracture>& discs, const TriangleSurface& region);
+
+/// Dip and dip direction of the plane with this normal [rad].
+std::pair<double, double> dipOf(const Vec3& normal);
+
+}  // namespace talus

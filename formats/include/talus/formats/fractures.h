@@ -1,0 +1,33 @@
+#pragma once
+// Fracture networks as CSV (a header, then one disc a row), and all joints of a scenario's rock mass.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "talus/formats/scenario.h"
+#include "talus/fractures.h"
+#include "talus/result.h"
+
+namespace talus::formats {
+
+/// Discs with the name of their set; columns x_m, y_m, z_m, dip_deg, dip_direction_deg, radius_m, set.
+std::string fracturesCsv(const std::vector<std::pair<std::string, Fracture>>& fractures);
+
+/// Reads such a file: columns in any order, with or without their unit, others passed over; lines that begin with # too.
+/// Errors: the file cannot be read; a column that is missing or twice there; a row of another length, or with something that is
+/// no number or out of range, with its line.
+Result<std::vector<Fracture>> readFractures(const std::string& path);
+
+/// A plane that cuts the rock mass.
+struct RockJoint {
+    std::string set;                 ///< what it is one of: the name, or else the field, of its table
+    Vec3 normal = Vec3::UnitZ();     ///< upwards
+    std::optional<Fracture> disc{};  ///< of a fracture set
+};
+
+/// All planes that cut the rock mass of a scenario, in the order of cutting; none without a rock mass.
+Result<std::vector<RockJoint>> rockJoints(const Scenario& scenario);
+
+}  // namespace talus::formats

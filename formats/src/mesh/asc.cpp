@@ -1,0 +1,156 @@
+// ESRI ASCII grid: a header (ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, NODATA_value), then the
+// heights row by row from north to south, each at the middle of its cell. (ARC/INFO's ASCIIGRID; GDAL writes dx and dy for
+// cells that are not square.)
+
+#include <algorithm>
+#include <map>
+
+#include "mesh/builder.h"
+#include "toml/file_text.h"
+#include "toml/wording.h"
+
+namespace talus::formats {
+
+namespace {
+
+using mesh::FileSurface;
+using mesh::SurfaceBuilder;
+using mesh::Words;
+
+constexpr double kMostCells = 1e8;
+
+class AscReader {
+ public:
+    AscReader(const std::string& text, SurfaceBuilder& builder) : words_(text), builder_(builder) {}
+
+    Result<FileSurface> read() {
+        if (auto fault = readHeader()) return *fault;
+        if (auto fault = readHeights()) return *fault;
+        addTriangles();
+        return builder_.finish();
+    }
+
+ private:
+    Error fault(std::string message) const { return builder_.fault(words_.line(), std::move(message)); }
+
+    /// Words of the header stand in any order and in capitals or not; the first line that begins with a number ends it.
+    std::optional<Error> readHeader() {
+        static const std::vector<std::string> kKnown{"ncols",     "nrows",       "xllcorner", "xllcenter",
+                                                     "yllcorner", "yllcenter",   "cellsize",  "dx",
+                                                     "dy",        "nodata_value"};
+        while (words_.nextLine()) {
+            word_ = words_.next();
+            if (word_.empty()) continue;
+            if (mesh::numberOf(word_)) return checkHeader();
+            std::string name(word_);
+            for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+            if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end())
+                return fault("found " + toml::quoted(name) + toml::suggestion(name, kKnown));
+            const std::string_view text = words_.next();
+            const auto value = mesh::numberOf(text);
+            if (!value)
+                return fault("found " + toml::quoted(text) + " behind " + name +
+                             ", allowed: a finite number");
+            header_[name] = *value;
+        }
+        return fault(
+            "found no heights, allowed: a header and then a row of heights for each row of the grid");
+    }
+
+    std::optional<Error> checkHeader() {
+        const auto has = [&](const char* name) { return header_.count(name) > 0; };
+        if (has("cellsize")) {
+            header_.try_emplace("dx", header_["cellsize"]);
+            header_.try_emplace("dy", header_["cellsize"]);
+        }
+        for (const char* name : {"ncols", "nrows", "dx", "dy"})
+            if (!has(name))
+                return fault(std::string("found no ") + (name[0] == 'd' ? "cellsize" : name) +
+                             " before the heights, allowed: ncols, nrows, xllcorner, yllcorner, cellsize");
+        for (const char* name : {"dx", "dy"})
+            if (!(header_[name] > 0)) return fault("found a cell of no size, allowed: greater than 0");
+        const double columns = header_["ncols"], rows = header_["nrows"];
+        if (!(columns >= 2 && rows >= 2 && columns * rows <= kMostCells && columns == std::floor(columns) &&
+              rows == std::floor(rows)))
+            return fault("found " + toml::numberText(columns) + " columns and " + toml::numberText(rows) +
+                         " rows, allowed: whole numbers of at least 2, and at most 1e8 heights");
+        for (const std::string axis : {"x", "y"})
+            if (!has((axis + "llcorner").c_str()) && !has((axis + "llcenter").c_str()))
+                return fault("found no " + axis + "llcorner before the heights, allowed: " + axis +
+                             "llcorner or " + axis + "llcenter");
+        columns_ = static_cast<std::size_t>(columns);
+        rows_ = static_cast<std::size_t>(rows);
+        return std::nullopt;
+    }
+
+    /// Of the middle of the south-western cell.
+    double corner(const std::string& axis, double size) {
+        const auto centre = header_.find(axis + "llcenter");
+        return centre != header_.end() ? centre->second : header_[axis + "llcorner"] + 0.5 * size;
+    }
+
+    std::optional<Error> readHeights() {
+        const double dx = header_["dx"], dy = header_["dy"], x = corner("x", dx), y = corner("y", dy);
+        const auto nodata = header_.find("nodata_value");
+        std::size_t count = 0;
+        vertices_.assign(rows_ * columns_, -1);
+        line_.assign(rows_, 0);
+        for (bool more = true; more; more = words_.nextLine(), word_ = more ? words_.next() : "")
+            for (; !word_.empty(); word_ = words_.next(), ++count) {
+                if (count == vertices_.size())
+                    return fault("found more heights than ncols times nrows, allowed: " +
+                                 std::to_string(vertices_.size()));
+                const auto z = mesh::numberOf(word_);
+                if (!z) return fault("found " + toml::quoted(word_) + ", allowed: finite heights");
+                const std::size_t row = count / columns_, column = count % columns_;
+                if (column == 0) line_[row] = words_.line();
+                if (nodata != header_.end() && *z == nodata->second) continue;
+                vertices_[count] = builder_.vertex({x + static_cast<double>(column) * dx,
+                                                    y + static_cast<double>(rows_ - 1 - row) * dy, *z});
+                heights_.push_back(*z);
+            }
+        if (count == vertices_.size()) return std::nullopt;
+        return fault("found " + std::to_string(count) + " heights, allowed: ncols times nrows, " +
+                     std::to_string(vertices_.size()));
+    }
+
+    /// From the south-west on: squares with all four heights; a square that lacks one is no part of the terrain.
+    void addTriangles() {
+        const auto height = [&](std::int32_t v) { return heights_[static_cast<std::size_t>(v)]; };
+        for (std::size_t row = rows_ - 1; row-- > 0;)
+            for (std::size_t column = 0; column + 1 < columns_; ++column) {
+                const std::size_t at = row * columns_ + column;
+                const std::int32_t nw = vertices_[at], ne = vertices_[at + 1], sw = vertices_[at + columns_],
+                                   se = vertices_[at + columns_ + 1];
+                if (std::min({nw, ne, sw, se}) < 0) continue;
+                const int line = line_[row];
+                if (std::abs(height(sw) - height(ne)) <= std::abs(height(se) - height(nw))) {
+                    builder_.triangle({sw, se, ne}, line);
+                    builder_.triangle({sw, ne, nw}, line);
+                } else {
+                    builder_.triangle({sw, se, nw}, line);
+                    builder_.triangle({se, ne, nw}, line);
+                }
+            }
+    }
+
+    Words words_;
+    SurfaceBuilder& builder_;
+    std::string_view word_;
+    std::map<std::string, double> header_;
+    std::size_t columns_ = 0, rows_ = 0;
+    std::vector<std::int32_t> vertices_;  ///< of each cell, row by row from the north; -1 without a height
+    std::vector<double> heights_;         ///< of each vertex
+    std::vector<int> line_;               ///< of each row
+};
+
+}  // namespace
+
+Result<FileSurface> mesh::readAsc(const std::string& path) {
+    const auto content = toml::readFileText(path);
+    if (!content) return content.errors();
+    SurfaceBuilder builder(path);
+    return AscReader(*content, builder).read();
+}
+
+}  // namespace talus::formats
