@@ -6,6 +6,7 @@
 
 #include "cli/files.h"
 #include "cli/json.h"
+#include "cli/outputs.h"
 #include "cli/provenance.h"
 #include "cli/scenario.h"
 #include "cli/text.h"
@@ -18,7 +19,8 @@ namespace {
 
 struct BlocksOptions {
     Common common;
-    std::string scenario, output;
+    ScenarioInput scenario;
+    std::string output;
     std::vector<double> view = {235, 25};  ///< [deg]
 };
 
@@ -80,17 +82,15 @@ Json json(const Model& model, const Sizes& sizes) {
 
 std::string content(const BlocksOptions& options, const Model& model) {
     const auto has = [&](const char* ending) { return options.output.ends_with(ending); };
-    const std::string comments = provenanceComments(options.common, options.scenario);
+    const std::string comments = provenanceComments(options.common, options.scenario.name());
     if (has(".obj")) return blocksObj(model, comments);
     if (has(".csv")) return blocksCsv(model, comments);
-    if (has(".svg"))
-        return blocksSvg(model, {radians(options.view[0]), radians(options.view[1])},
-                         "Blocks of " + options.scenario);
-    throw BadInput(Error{
-        "--output", "found \"" + options.output + "\", allowed: a name that ends in .obj, .csv or .svg"});
+    return blocksSvg(model, {radians(options.view[0]), radians(options.view[1])},
+                     "Blocks of " + options.scenario.name());
 }
 
 int blocks(const BlocksOptions& options) {
+    if (!options.output.empty()) requireEnding("--output", options.output, {".obj", ".csv", ".svg"});
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
     if (!options.output.empty()) writeFile(options.output, content(options, scenario.model));
     const Sizes sizes = sizesOf(scenario.model);
@@ -100,7 +100,7 @@ int blocks(const BlocksOptions& options) {
     }
     Json result = json(scenario.model, sizes);
     result["warnings"] = scenario.warnings;
-    result["provenance"] = provenance(options.common, options.scenario);
+    result["provenance"] = provenance(options.common, options.scenario.name());
     printJson(result);
     return kDone;
 }
@@ -111,7 +111,7 @@ Command addBlocks(CLI::App& root) {
     auto options = std::make_shared<BlocksOptions>();
     CLI::App* app = root.add_subcommand(
         "blocks", "Cut and count the blocks of a scenario; mesh, table or picture of them");
-    app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
+    addScenario(*app, options->scenario);
     app->add_option("-o,--output", options->output,
                     "What to write, by its ending: .obj a mesh, .csv a table of the blocks, .svg a picture");
     app->add_option("--view", options->view,

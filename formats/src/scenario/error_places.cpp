@@ -2,6 +2,8 @@
 
 #include <tuple>
 
+#include "scenario/changes.h"
+
 #include "talus/formats/scenario.h"
 
 namespace talus::formats {
@@ -27,7 +29,7 @@ std::vector<Error> placed(const Scenario& scenario, std::vector<Error> errors) {
             break;
         }
     }
-    return errors;
+    return scenario::ofChanges(scenario.changes, std::move(errors));
 }
 
 std::string format(const Error& error) {
