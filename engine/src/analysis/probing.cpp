@@ -20,14 +20,14 @@ constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
 constexpr double kNear = 1.5;
 constexpr double kSettlingDrag = 0.125;
 
-void report(const Probing& p, const std::string& stage, double load, Verdict verdict) {
+/// \param what  of the load: a verdict, or what is being done
+void report(const Probing& p, const std::string& stage, double load, const std::string& what) {
     if (!p.control.progress) return;
     // Longer than most, and never down to nothing: what comes after the last probe takes as long as some of them.
     constexpr double kAfterwards = 4.0;
     const double probes = static_cast<double>(p.probes.size());
     const double expected = std::max(6.0 + std::log2(static_cast<double>(p.axis.stop)) / 2, probes + 1);
-    p.control.progress(
-        {stage, probes / (expected + kAfterwards), p.axis.say(load) + ", " + toString(verdict)});
+    p.control.progress({stage, probes / (expected + kAfterwards), p.axis.say(load) + ", " + what});
 }
 
 Vec3 placeOf(const Blocks& blocks, std::int32_t block, const Vec3& own) {
@@ -57,7 +57,7 @@ Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, Sta
     p.steps += probe.steps;
     p.factors += probe.factors;
     p.probes.push_back(probe);
-    report(p, stage, load, probe.verdict);
+    report(p, stage, load, toString(probe.verdict));
     if (probe.verdict == Verdict::stable) ++p.states_at_rest;
     (probe.verdict == Verdict::stable ? p.last_stable : p.last_moving) = std::move(state);
     return probe.verdict;
@@ -65,6 +65,7 @@ Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, Sta
 
 Verdict probeExplicitly(Probing& p, const std::string& stage, double load, State state, QuasiStaticWork& work,
                         const Ramp& ramp) {
+    report(p, stage, load, "moving");
     return keep(p, stage, load, bringOn(state, work, ramp), state);
 }
 
@@ -101,6 +102,7 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
         doubtful ? kMostFactors : std::clamp(p.steps / kStepsPerFactor, kLeastFactors, kMostFactors);
     State state = p.last_stable;
     ramp(state, 1.0);
+    report(p, stage, load, "solving");
     Probe found = findRest(state, p.work, most_factors);
     const bool is_elsewhere = found.verdict == Verdict::stable && !isNear(p, found);
     if (is_elsewhere) {
