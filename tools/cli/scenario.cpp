@@ -1,6 +1,7 @@
 #include "cli/scenario.h"
 
 #include "cli/signals.h"
+#include "talus/formats/changes.h"
 
 namespace talus::tools {
 

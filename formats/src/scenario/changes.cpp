@@ -1,14 +1,17 @@
-#include "scenario/changes.h"
+#include "talus/formats/changes.h"
 
-#include <algorithm>
-
+#include "scenario/read_document.h"
 #include "toml/field_path.h"
+#include "toml/file_text.h"
 #include "toml/scalar_text.h"
 #include "toml/wording.h"
+#include "toml/write_document.h"
 
-namespace talus::formats::scenario {
+namespace talus::formats {
 
 namespace {
+
+using toml::Document;
 
 /// As the reader writes fields: joint."default".cohesion is joint.default.cohesion.
 std::string fieldName(const toml::FieldPath& path) {
@@ -32,8 +35,7 @@ bool isAbout(const Error& error, const std::string& changed) {
     return inside || (error.line == 0 && !error.field.empty() && (around || beside));
 }
 
-}  // namespace
-
+/// Puts the values into the document; faults of paths that lead nowhere.
 std::vector<Error> change(Document& document, const std::vector<FieldChange>& changes) {
     std::vector<Error> faults;
     for (const FieldChange& wish : changes) {
@@ -47,6 +49,7 @@ std::vector<Error> change(Document& document, const std::vector<FieldChange>& ch
     return faults;
 }
 
+/// Errors of changed fields are said of who changed them: the file has no such line.
 std::vector<Error> ofChanges(const std::vector<FieldChange>& changes, std::vector<Error> errors) {
     for (const FieldChange& wish : changes) {
         const auto path = toml::parseField(wish.field);
@@ -60,4 +63,22 @@ std::vector<Error> ofChanges(const std::vector<FieldChange>& changes, std::vecto
     return errors;
 }
 
-}  // namespace talus::formats::scenario
+}  // namespace
+
+Result<Scenario> readScenario(const std::string& path, const std::vector<FieldChange>& changes,
+                              const std::atomic<bool>* stop) {
+    const bool from_stdin = path == "-";
+    const std::string name = from_stdin ? "stdin" : path;
+    const auto text = from_stdin ? toml::readStandardInput(name) : toml::readFileText(path);
+    if (!text) return text.errors();
+    if (changes.empty()) return parseScenario(*text, name, kMostBlocks, stop);
+    auto document = Document::parse(*text, name);
+    if (!document) return document.errors();
+    if (auto faults = change(*document, changes); !faults.empty()) return faults;
+    auto scenario =
+        scenario::readDocument(*document, toml::writeDocument(*document), name, kMostBlocks, stop);
+    if (!scenario) return ofChanges(changes, scenario.errors());
+    return scenario;
+}
+
+}  // namespace talus::formats

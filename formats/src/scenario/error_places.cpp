@@ -2,8 +2,6 @@
 
 #include <tuple>
 
-#include "scenario/changes.h"
-
 #include "talus/formats/scenario.h"
 
 namespace talus::formats {
@@ -29,7 +27,7 @@ std::vector<Error> placed(const Scenario& scenario, std::vector<Error> errors) {
             break;
         }
     }
-    return scenario::ofChanges(scenario.changes, std::move(errors));
+    return errors;
 }
 
 std::string format(const Error& error) {

@@ -3,7 +3,6 @@
 
 #include "talus/formats/scenario.h"
 
-#include "scenario/changes.h"
 #include "scenario/directory.h"
 #include "scenario/fields.h"
 #include "scenario/force_sections.h"
@@ -17,7 +16,6 @@
 #include "scenario/water.h"
 #include "toml/document.h"
 #include "toml/file_text.h"
-#include "toml/write_document.h"
 
 namespace talus::formats {
 
@@ -229,24 +227,9 @@ Result<Scenario> parseScenario(const std::string& text, const std::string& path,
 }
 
 Result<Scenario> readScenario(const std::string& path, const std::atomic<bool>* stop) {
-    return readScenario(path, {}, stop);
-}
-
-Result<Scenario> readScenario(const std::string& path, const std::vector<FieldChange>& changes,
-                              const std::atomic<bool>* stop) {
-    const bool from_stdin = path == "-";
-    const std::string name = from_stdin ? "stdin" : path;
-    const auto text = from_stdin ? toml::readStandardInput(name) : toml::readFileText(path);
+    const auto text = toml::readFileText(path);
     if (!text) return text.errors();
-    if (changes.empty()) return parseScenario(*text, name, kMostBlocks, stop);
-    auto document = toml::Document::parse(*text, name);
-    if (!document) return document.errors();
-    if (auto faults = scenario::change(*document, changes); !faults.empty()) return faults;
-    auto scenario =
-        scenario::readDocument(*document, toml::writeDocument(*document), name, kMostBlocks, stop);
-    if (!scenario) return scenario::ofChanges(changes, scenario.errors());
-    scenario->changes = changes;
-    return scenario;
+    return parseScenario(*text, path, kMostBlocks, stop);
 }
 
 }  // namespace talus::formats

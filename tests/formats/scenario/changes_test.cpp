@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "support/properties.h"
-#include "talus/formats/scenario.h"
+#include "talus/formats/changes.h"
 
 using namespace talus;
 using namespace talus::formats;

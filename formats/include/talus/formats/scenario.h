@@ -41,13 +41,6 @@ struct JointOrigin {
     bool has_bed_levels = false;  ///< some stack compares bed levels with its friction
 };
 
-/// A field that is to have another value than its file gives.
-struct FieldChange {
-    std::string field;     ///< as a user writes it: water[0].depth
-    std::string value;     ///< an integer, a number, true or false, else text; in double quotes always text
-    std::string origin{};  ///< whose wish it is, for messages: "--set"
-};
-
 /// A read scenario: the model, the text it came from, and where each field stands in it.
 struct Scenario {
     Model model;
@@ -58,17 +51,11 @@ struct Scenario {
     std::vector<std::string> materials{};               ///< their names; blocks hold indices
     /// Numbers that look like slips; of cutting a rock mass: cuts left out, joints that cut nothing
     std::vector<std::string> warnings{};
-    std::vector<FieldChange> changes{};  ///< of what the file has; `text` has them already
 };
 
 /// Reads and checks a scenario file. All faults found are reported, not just the first. \param stop  set it to end the
 /// cutting of a rock mass early, with an error
 Result<Scenario> readScenario(const std::string& path, const std::atomic<bool>* stop = nullptr);
-
-/// The same with other values in some fields, which may be new; faults of those name their origin in place of the file. The
-/// path "-" is the standard input, called "stdin" in messages; files it names are looked for in the current folder.
-Result<Scenario> readScenario(const std::string& path, const std::vector<FieldChange>& changes,
-                              const std::atomic<bool>* stop = nullptr);
 
 /// Blocks of a model. Two million take about 1.6 GB before the engine adds its arrays.
 inline constexpr std::int64_t kMostBlocks = 2'000'000;
