@@ -135,6 +135,28 @@ class EdgeTeller {
         return found;
     }
 
+    /// An edge's ends and, between them, corners of the block's other faces that lie on it: there what is beside it changes.
+    std::vector<Vec3> stops(std::size_t f, const Vec3& a, const Vec3& b) const {
+        const Vec3 along = b - a;
+        const double thin = 1e-7 * finder_.size();
+        std::vector<double> shares{0, 1};
+        for (std::size_t g = 0; g < normals_.size(); ++g) {
+            if (g == f || shape_.isInner(g)) continue;
+            for (const std::int32_t v : shape_.faces[g]) {
+                const Vec3& corner = shape_.vertices[static_cast<std::size_t>(v)];
+                const double share = (corner - a).dot(along) / along.squaredNorm();
+                if (share * along.norm() < thin || (1 - share) * along.norm() < thin) continue;
+                if ((corner - a - share * along).norm() < thin) shares.push_back(share);
+            }
+        }
+        std::sort(shares.begin(), shares.end());
+        std::vector<Vec3> points;
+        for (std::size_t k = 0; k < shares.size(); ++k)
+            if (k == 0 || (shares[k] - shares[k - 1]) * along.norm() > thin)
+                points.push_back(a + shares[k] * along);
+        return points;
+    }
+
  private:
     const Vec3& corner(std::size_t g) const {
         return shape_.vertices[static_cast<std::size_t>(shape_.faces[g].front())];
@@ -152,8 +174,11 @@ PaintedPolygon polygonOf(const Polyhedron& shape, std::size_t f, const EdgeTelle
     for (std::size_t k = 0; k < outline.size(); ++k) {
         const Vec3& a = shape.vertices[static_cast<std::size_t>(outline[k])];
         const Vec3& b = shape.vertices[static_cast<std::size_t>(outline[(k + 1) % outline.size()])];
-        polygon.corners.push_back(camera.seen(a));
-        polygon.sides.push_back(edges.side(f, a, b));
+        const std::vector<Vec3> stops = edges.stops(f, a, b);
+        for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+            polygon.corners.push_back(camera.seen(stops[i]));
+            polygon.sides.push_back(edges.side(f, stops[i], stops[i + 1]));
+        }
     }
     return polygon;
 }
