@@ -18,10 +18,11 @@ namespace {
 
 constexpr double kWidth = 900, kMargin = 20, kFoot = 56;  // [px]
 constexpr std::size_t kFewBlocks = 40;                    // free ones, whose names have room
+constexpr double kLeastLine = 0.7;                        // [px] shorter is a speck
 constexpr double kLetter = 6.2, kLine = 12;               // of names [px]
 constexpr std::string_view kStyle = R"css(
 .page{fill:#fff}
-.block{stroke-width:.6;stroke-linejoin:round}
+.block{stroke-width:.9;stroke-linejoin:round}
 .crease{stroke:#3b342b;stroke-width:.35;stroke-opacity:.35;fill:none}
 .rim{stroke:#3b342b;stroke-width:.8;fill:none;stroke-linecap:round}
 .joint{stroke:#1e1a15;stroke-width:1.3;fill:none;stroke-linecap:round}
@@ -88,9 +89,11 @@ void drawPolygon(const Model& model, const VisibleFace& face, const PaintedPolyg
     const std::vector<Spot> spots = sheet.spots(polygon.corners);
     // Of its own colour around, so that no gap shows between two pieces.
     svg.shape(spots, false, "block", block.name, colour(block.motion, face.block, face.normal, camera), true);
-    for (std::size_t k = 0; k < spots.size(); ++k)
-        if (polygon.sides[k] != Side::none)
-            svg.line(spots[k], spots[(k + 1) % spots.size()], roleOf(polygon.sides[k]));
+    for (std::size_t k = 0; k < spots.size(); ++k) {
+        const Spot &from = spots[k], &to = spots[(k + 1) % spots.size()];
+        if (polygon.sides[k] != Side::none && std::hypot(to.x - from.x, to.y - from.y) > kLeastLine)
+            svg.line(from, to, roleOf(polygon.sides[k]));
+    }
 }
 
 // --- names -----------------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@ namespace talus::tools {
 
 namespace {
 
+constexpr double kInset = 0.002;  // of the way to the middle: points of a face that are looked at
 constexpr double kFlat = 1e-4;    // of a normal: faces that differ by less lie in one plane
 constexpr double kCrease = 0.9;   // cosine: edges that turn less are no rims
 constexpr double kBeside = 0.02;  // of an edge: how far beside it what lies there is looked at
@@ -78,20 +79,21 @@ class BlockFinder {
     std::unordered_map<std::int64_t, std::vector<std::size_t>> blocks_;
 };
 
-/// Whether other blocks lie against the whole face, as far as its middle, its corners and the middles of its
-/// sides tell.
+/// Whether other blocks lie against the whole face, as far as its middle, its corners and points of its sides tell. What is
+/// hidden without being found here is painted over.
 bool isCovered(const BlockFinder& finder, const Polyhedron& shape, std::size_t f, const Vec3& normal,
                const Vec3& centroid) {
     const Vec3 off = 1e-5 * finder.size() * normal;
     if (!finder.isInside(centroid + off)) return false;
     const auto& outline = shape.faces[f];
     const auto covered = [&](const Vec3& rim) {
-        return finder.isInside(rim + 0.05 * (centroid - rim) + off);
+        return finder.isInside(rim + kInset * (centroid - rim) + off);
     };
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Vec3& a = shape.vertices[static_cast<std::size_t>(outline[i])];
         const Vec3& b = shape.vertices[static_cast<std::size_t>(outline[(i + 1) % outline.size()])];
-        if (!covered(a) || !covered(0.5 * (a + b))) return false;
+        for (const double share : {0.0, 0.25, 0.5, 0.75})
+            if (!covered(a + share * (b - a))) return false;
     }
     return true;
 }
