@@ -1,5 +1,7 @@
 // The talus command line: finds the subcommand, runs it, and turns every failure into a message and an exit code.
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -8,9 +10,11 @@
 #include <numeric>
 
 #include "cli/failures.h"
+#include "cli/help.h"
 #include "cli/json.h"
 #include "cli/provenance.h"
 #include "cli/signals.h"
+#include "cli/terminal.h"
 #include "commands/commands.h"
 #include "talus/build_info.h"
 #include "talus/formats/scenario.h"
@@ -108,15 +112,13 @@ std::vector<std::string> withHelpAsOption(int argc, char** argv) {
 int runTool(int argc, char** argv, bool json) {
     CLI::App root("Talus: rigid-block discrete elements for jointed rock slopes with water in their fissures",
                   "talus");
+    root.formatter(std::make_shared<HelpFormatter>(columnsOf(STDOUT_FILENO, 100)));
     root.set_version_flag("-V,--version", versionText(), "Version, git hash and compiler");
     root.require_subcommand(1);
     root.footer(
         "Example:\n  talus critical-angle bench/paper/fissure-1.toml\n\n'talus help COMMAND' explains a "
-        "command. Exit codes: 0 done, 1 internal error, 2 bad input or usage,\n3 undecided or runs of a "
-        "batch failed, 4 the "
-        "file "
-        "system "
-        "refused, 130 interrupted.");
+        "command. Exit codes: 0 done, 1 internal error, 2 bad input or usage, 3 undecided or runs of a batch "
+        "failed, 4 the file system refused, 130 interrupted.");
     const std::vector<Command> commands = addCommands(root);
     std::vector<std::string> words = withHelpAsOption(argc, argv);
     const bool names_unknown = !words.empty() && words[0][0] != '-' &&

@@ -19,20 +19,40 @@ std::string slopeText() {
            "block = [0.2, 0.1, 0.1]\n[[water]]\nfissure = 5\ndepth = 0.35\n";
 }
 
+/// Two rocks that are thrown on a slope far larger than they are.
+std::string rockfallText() {
+    return "[run]\nduration_s = 1.6\nframe_interval_s = 0.02\n[damping]\ncontact = 1e-5\n[material.granite]\n"
+           "density = 2700.0\n[joint.default]\nnormal_stiffness = 1e8\nshear_stiffness = 1e8\n"
+           "friction_deg = 30\n[[block]]\nname = \"slope\"\nfixed = true\nvertices = [[0, 0, 0], [40, 0, 0], "
+           "[0, 30, 0], [40, 30, 0], [40, 0, 30], [40, 30, 30]]\n[[block]]\nname = \"rock\"\nbox = { min = "
+           "[30, "
+           "15, 24], max = [31, 16, 25] }\n[[block]]\nname = \"second\"\nbox = { min = [26, 12, 21], max = "
+           "[26.8, 12.9, 22] }\n";
+}
+
+/// What a script finds in the page of a scenario's run.
+void look(const std::string& script, const std::string& scenario, const std::string& word, int tests) {
+    const TemporaryFolder folder;
+    const std::string run = folder / "slope.mcap", page = folder / "slope.html";
+    REQUIRE(runTalus({"run", folder.write("slope.toml", scenario), "-o", run, "--quiet"}).exit_code == 0);
+    REQUIRE(runTalus({"replay", run, "-o", page}).exit_code == 0);
+    const ScriptOutcome seen = runScript(script, "'" + page + "' \"$CHROMIUM\" " + word);
+    if (seen.is_skipped)
+        return talus::test::skip("node, npm, chromium or playwright-core are not to be had here");
+    INFO(seen.said);
+    CHECK(seen.status == 0);
+    CHECK(seen.said.find(std::to_string(tests) + " passed, 0 failed") != std::string::npos);
+}
+
 }  // namespace
 
 TEST_SUITE("slow: replay page") {
     TEST_CASE("the page plays, seeks, picks and tells why in headless Chromium") {
-        const TemporaryFolder folder;
-        const std::string run = folder / "slope.mcap", page = folder / "slope.html";
-        REQUIRE(runTalus({"run", folder.write("slope.toml", slopeText()), "-o", run, "--quiet"}).exit_code ==
-                0);
-        REQUIRE(runTalus({"replay", run, "-o", page}).exit_code == 0);
-        const ScriptOutcome seen = runScript("replay/page.test.mjs", "'" + page + "' \"$CHROMIUM\"");
-        if (seen.is_skipped)
-            return talus::test::skip("node, npm, chromium or playwright-core are not to be had here");
-        INFO(seen.said);
-        CHECK(seen.status == 0);
-        CHECK(seen.said.find("9 passed, 0 failed") != std::string::npos);
+        look("replay/page.test.mjs", slopeText(), "", 9);
+    }
+
+    TEST_CASE("the page opens on what moves, cuts sections, shows ways, saves pictures and films") {
+        SUBCASE("a slope of blocks") { look("replay/views.test.mjs", slopeText(), "toppling", 5); }
+        SUBCASE("a rockfall") { look("replay/views.test.mjs", rockfallText(), "falling", 5); }
     }
 }

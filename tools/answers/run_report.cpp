@@ -76,7 +76,7 @@ Json runJson(const RunOptions& options, const formats::Scenario& scenario, const
     json["output"] = options.output.empty() ? Json(nullptr) : Json(options.output);
     json["snapshots"] = recorder.facts();
     json["resumed"] = options.resume.empty() ? Json(nullptr) : Json(options.resume);
-    json["provenance"] = provenance(options.common, options.scenario);
+    json["provenance"] = provenance(options.common, options.scenario.name());
     return json;
 }
 

@@ -243,7 +243,8 @@ Json list(const std::vector<T>& items, F&& json_of) {
 int exitCode(const SearchReport& report) {
     if (wasInterrupted(report.result)) return kInterrupted;
     if (report.kept && report.kept->exit_code != kDone) return report.kept->exit_code;
-    return report.result.status == SearchStatus::undecided ? kUndecided : kDone;
+    const bool sure = report.result.status != SearchStatus::undecided && !report.result.groups_undecided;
+    return sure ? kDone : kUndecided;
 }
 
 Json searchJson(const SearchReport& report) {

@@ -14,6 +14,7 @@ constexpr std::size_t kFewValues = 30;   // of a column: drawn as a curve of mea
 constexpr std::size_t kMostDots = 2000;  // in one plot; more is a blot and a large file
 constexpr std::size_t kMostSteps = 400;  // of a curve over the runs
 constexpr std::size_t kMostCorrelations = 20;
+constexpr std::size_t kFewestForMean = 5;
 
 std::vector<double> finite(const std::vector<double>& values) {
     std::vector<double> kept;
@@ -147,6 +148,29 @@ Plot plotConvergence(const Summary& summary, std::size_t threshold) {
         band.add({n, interval.low, interval.high});
     }
     plot.series = {std::move(band), std::move(share)};
+    return plot;
+}
+
+Plot plotMeanConvergence(const Summary& summary) {
+    Plot plot{
+        "convergence-mean", "Mean of the " + summary.info.answerTitle() + ", with the number of runs",
+        "The mean of the first runs, in the order in which they were drawn, and its confidence interval.",
+        PlotAxis{"runs with an answer"}, PlotAxis{summary.info.answerTitle()}};
+    Series mean{"line", "theory", "mean", {}};
+    Series band{"band", "band", confidenceText(summary), {}};
+    std::vector<double> answers;
+    const std::size_t stride = 1 + summary.all.moments.count / kMostSteps;
+    for (const Observation& seen : summary.observations) {
+        if (!std::isfinite(seen.answer)) continue;
+        answers.push_back(seen.answer);
+        const std::size_t count = answers.size();
+        // The interval of the first few is so wide that it would hide the rest.
+        if (count < kFewestForMean || (count % stride != 0 && count != summary.all.moments.count)) continue;
+        const Moments moments = momentsOf(answers, summary.info.confidence);
+        mean.add({static_cast<double>(count), moments.mean});
+        band.add({static_cast<double>(count), moments.mean_interval.low, moments.mean_interval.high});
+    }
+    plot.series = {std::move(band), std::move(mean)};
     return plot;
 }
 

@@ -18,6 +18,9 @@ Plot plotDistribution(const Summary& summary);
 /// How the probability of failure at a threshold settles with the number of runs, in the order of their samples.
 Plot plotConvergence(const Summary& summary, std::size_t threshold);
 
+/// How the mean answer settles likewise, with Student's interval.
+Plot plotMeanConvergence(const Summary& summary);
+
 /// What was drawn for one column that varies.
 Plot plotInput(const Summary& summary, std::size_t value);
 

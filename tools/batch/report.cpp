@@ -145,7 +145,9 @@ Json convergence(const Summary& summary) {
         for (std::size_t t = 0; t < summary.info.thresholds.size(); ++t)
             if (summary.all.failure[t].count >= kFewestForShape)
                 blocks.push_back(toJson(plotConvergence(summary, t)));
-    return section("convergence", "Convergence", "How the probability settles", std::move(blocks));
+    if (summary.info.samples > 1 && summary.all.moments.count > kFewestForShape)
+        blocks.push_back(toJson(plotMeanConvergence(summary)));
+    return section("convergence", "Convergence", "How the answer settles", std::move(blocks));
 }
 
 Json inputs(const Summary& summary) {

@@ -2,7 +2,21 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/scenario.h"
+
 namespace talus::tools {
+
+void addScenario(CLI::App& app, ScenarioInput& input, bool required) {
+    CLI::Option* scenario =
+        app.add_option("SCENARIO", input.path, "Scenario file (TOML); - reads the standard input")
+            ->required(required);
+    app.add_option("--set", input.sets,
+                   "Another value for a field of the scenario, for instance joint.default.friction_deg=30; "
+                   "may be given several times")
+        ->type_name("FIELD=VALUE")
+        ->allow_extra_args(false)
+        ->needs(scenario);
+}
 
 void addCommon(CLI::App& app, Common& common, bool computes) {
     app.add_flag("--json", common.json, "Print the result as one JSON object on stdout");

@@ -13,11 +13,16 @@ class App;
 
 namespace talus::tools {
 
+struct ScenarioInput;
+
 /// A subcommand: its options, and what it does once they are parsed; `execute` returns an exit code.
 struct Command {
     CLI::App* app = nullptr;
     std::function<int()> execute;
 };
+
+/// Adds SCENARIO and --set to a subcommand that reads a scenario.
+void addScenario(CLI::App& app, ScenarioInput& input, bool required = true);
 
 /// Adds --json, --quiet and (where it computes) --threads to a subcommand.
 void addCommon(CLI::App& app, Common& common, bool computes = true);

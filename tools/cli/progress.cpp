@@ -1,85 +1,154 @@
 // Progress and notes on stderr.
 
-#include <sys/ioctl.h>
+#include "cli/progress.h"
+
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <utility>
 
-#include "cli/progress.h"
 #include "cli/signals.h"
+#include "cli/terminal.h"
 
 namespace talus::tools {
 
 namespace {
 
-constexpr double kBarInterval = 0.1;   // [s]
-constexpr double kLineInterval = 5.0;  // [s]
-constexpr int kBarWidth = 24;
+using std::chrono::duration;
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kBarInterval = 0.1, kLineInterval = 5.0;  // between two reports that are shown [s]
+constexpr double kBarTick = 1.0, kLineTick = 60.0;         // ... and at the latest, without any [s]
+constexpr std::size_t kBarWidth = 24, kLeastDetail = 12;
+constexpr double kLeastSeconds = 2.0, kLeastFraction = 0.02;  // seen, before a time is told
 
 std::string clockText(double seconds) {
     const auto whole = static_cast<long>(std::lround(seconds));
-    const std::string rest = std::to_string(whole % 60);
-    return std::to_string(whole / 60) + ":" + (rest.size() < 2 ? "0" : "") + rest;
+    const auto two = [](long value) { return (value < 10 ? "0" : "") + std::to_string(value); };
+    if (whole < 3600) return std::to_string(whole / 60) + ":" + two(whole % 60);
+    return std::to_string(whole / 3600) + ":" + two(whole / 60 % 60) + ":" + two(whole % 60);
 }
 
-/// " 1:05 elapsed, about 2:10 left"; the second part once the fraction says something.
-std::string times(double fraction, double elapsed) {
-    const std::string spent = clockText(elapsed) + " elapsed";
-    if (!(fraction > 0.01) || elapsed < 1) return spent;
-    return spent + ", about " + clockText(elapsed * (1 - fraction) / fraction) + " left";
-}
-
-std::size_t terminalWidth() {
-    winsize size{};
-    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+std::string times(double elapsed, double left) {
+    return clockText(elapsed) + " elapsed" +
+           (std::isfinite(left) ? ", about " + clockText(left) + " left" : "");
 }
 
 std::string percentage(double fraction) { return std::to_string(static_cast<int>(100 * fraction)) + "%"; }
 
+std::string bar(double fraction) {
+    const auto filled = static_cast<std::size_t>(std::lround(fraction * static_cast<double>(kBarWidth)));
+    return "[" + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + "] ";
+}
+
+std::string cut(const std::string& text, std::size_t room) { return text.substr(0, room); }
+
+/// Lines of a log have no width.
+std::string logLine(const Progress& progress, double elapsed, double left) {
+    return percentage(progress.fraction) + " " + progress.stage + ", " + times(elapsed, left) +
+           (progress.detail.empty() ? "" : ": ") + progress.detail;
+}
+
 }  // namespace
 
-ProgressPrinter::ProgressPrinter(const Common& common)
-    : quiet_(common.quiet),
+std::optional<double> TimeLeft::after(double seconds, double fraction) {
+    constexpr std::size_t kMostSeen = 128;
+    if (!seen_.empty() && fraction < seen_.back().fraction) seen_.clear();
+    seen_.push_back({seconds, fraction});
+    if (seen_.size() > kMostSeen) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < seen_.size(); i += 2) seen_[kept++] = seen_[i];
+        seen_.resize(kept);
+        seen_.push_back({seconds, fraction});
+    }
+    const double middle = 0.5 * (seen_.front().seconds + seconds);
+    const auto from =
+        std::find_if(seen_.rbegin(), seen_.rend(), [&](const Seen& seen) { return seen.seconds <= middle; });
+    const double gone = fraction - from->fraction;
+    if (seconds - seen_.front().seconds < kLeastSeconds ||
+        !(fraction - seen_.front().fraction > kLeastFraction) || !(gone > 0))
+        return std::nullopt;
+    return (1 - fraction) / gone * (seconds - from->seconds);
+}
+
+std::string progressLine(const Progress& progress, double elapsed, double left, std::size_t columns) {
+    const std::string numbers = percentage(progress.fraction) + " " + progress.stage;
+    const std::string clocks = "  " + times(elapsed, left);
+    const std::string plain = numbers + clocks;
+    if (plain.size() > columns) return cut(percentage(progress.fraction) + clocks, columns);
+    const std::size_t room = columns - plain.size();
+    const bool has_bar = room >= kBarWidth + 3;
+    const std::size_t for_detail = has_bar ? room - (kBarWidth + 3) : room;
+    const std::string detail = for_detail < kLeastDetail + 2 || progress.detail.empty()
+                                   ? ""
+                                   : "  " + cut(progress.detail, for_detail - 2);
+    return (has_bar ? bar(progress.fraction) : "") + plain + detail;
+}
+
+ProgressPrinter::ProgressPrinter(const Common& common, Fraction fraction)
+    : fraction_(fraction),
+      quiet_(common.quiet),
       terminal_(isatty(STDERR_FILENO) != 0),
+      left_(kUnknown),
       start_(Clock::now()),
-      last_(start_),
-      interval_(terminal_ ? kBarInterval : kLineInterval) {}
+      last_(start_) {}
 
 void ProgressPrinter::show(const Progress& progress) {
     if (quiet_) return;
     const auto now = Clock::now();
-    const bool due = std::chrono::duration<double>(now - last_).count() >= interval_;
+    const std::lock_guard lock(mutex_);
+    const bool new_stage = progress.stage != latest_.stage;
+    const bool news = new_stage || progress.detail != latest_.detail;
+    latest_ = progress;
+    latest_.fraction = std::isfinite(latest_.fraction) ? std::clamp(latest_.fraction, 0.0, 1.0) : 0.0;
+    if (new_stage) time_left_.forget();
+    const double since = duration<double>(now - last_).count();
     // A terminal shows every new stage at once; lines in a log only appear now and then.
-    if (!due && !(terminal_ && progress.stage != stage_)) return;
-    stage_ = progress.stage;
-    last_ = now;
-    Progress shown = progress;
-    shown.fraction = std::isfinite(shown.fraction) ? std::clamp(shown.fraction, 0.0, 1.0) : 0.0;
-    const double elapsed = std::chrono::duration<double>(now - start_).count();
-    terminal_ ? showBar(shown, elapsed) : showLine(shown, elapsed);
+    if (since < (terminal_ ? kBarInterval : kLineInterval) && !(terminal_ && new_stage)) return;
+    const double elapsed = duration<double>(now - start_).count();
+    left_ = fraction_ == Fraction::of_time ? time_left_.after(elapsed, latest_.fraction).value_or(kUnknown)
+                                           : kUnknown;
+    if (news || terminal_) print(now);
+    if (!clock_.joinable() && !ended_) clock_ = std::thread([this] { tick(); });
 }
 
-void ProgressPrinter::showBar(const Progress& progress, double elapsed) {
-    const int filled = static_cast<int>(std::lround(progress.fraction * kBarWidth));
-    std::string line = "[" + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + "] " +
-                       percentage(progress.fraction) + " " + progress.stage + "  " +
-                       times(progress.fraction, elapsed) + "  " + progress.detail;
-    line.resize(std::min(line.size(), terminalWidth() - 1));
+/// What is told is a second old at most, in a log a minute.
+void ProgressPrinter::tick() {
+    const duration<double> interval(terminal_ ? kBarTick : kLineTick);
+    std::unique_lock lock(mutex_);
+    while (!wake_.wait_for(lock, interval, [this] { return ended_; })) {
+        const auto now = Clock::now();
+        const duration<double> since = now - last_;
+        if (since < interval) continue;
+        if (std::isfinite(left_)) left_ = std::max(0.0, left_ - since.count());
+        print(now);
+    }
+}
+
+void ProgressPrinter::print(Clock::time_point now) {
+    last_ = now;
+    const double elapsed = duration<double>(now - start_).count();
+    if (!terminal_) {
+        std::fprintf(stderr, "%s\n", logLine(latest_, elapsed, left_).c_str());
+        return;
+    }
+    const std::string line = progressLine(latest_, elapsed, left_, columnsOf(STDERR_FILENO, 80) - 1);
     std::fprintf(stderr, "\r\x1b[2K%s", line.c_str());
     std::fflush(stderr);
     bar_shown_ = true;
 }
 
-void ProgressPrinter::showLine(const Progress& progress, double elapsed) {
-    std::fprintf(stderr, "%s %s, %s%s%s\n", percentage(progress.fraction).c_str(), progress.stage.c_str(),
-                 times(progress.fraction, elapsed).c_str(), progress.detail.empty() ? "" : ": ",
-                 progress.detail.c_str());
-}
-
 void ProgressPrinter::finish() {
-    if (std::exchange(bar_shown_, false)) std::fputs("\r\x1b[2K", stderr);
+    {
+        const std::lock_guard lock(mutex_);
+        ended_ = true;
+        if (std::exchange(bar_shown_, false)) std::fputs("\r\x1b[2K", stderr);
+    }
+    wake_.notify_all();
+    if (clock_.joinable()) clock_.join();
 }
 
 std::function<void(const Progress&)> ProgressPrinter::callback() {

@@ -2,18 +2,47 @@
 // Progress on stderr.
 
 #include <chrono>
+#include <condition_variable>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "cli/common.h"
 #include "talus/analysis.h"
 
 namespace talus::tools {
 
-/// A bar when stderr is a terminal, plain lines now and then when it is not, nothing with --quiet.
+/// What the fraction of a progress is of: of time, so that it tells what is left, or of steps that take as long as they take,
+/// such as the probes of a search.
+enum class Fraction : std::uint8_t { of_time, of_steps };
+
+/// How long a stage still takes whose fraction grows with time: by its speed over the later half of what has been seen, so
+/// that what became slower or faster on the way counts. Nothing before that says something.
+class TimeLeft {
+ public:
+    /// \param seconds  since anything; must not fall
+    std::optional<double> after(double seconds, double fraction);
+    void forget() { seen_.clear(); }
+
+ private:
+    struct Seen {
+        double seconds, fraction;
+    };
+    std::vector<Seen> seen_;
+};
+
+/// "[####......] 12% run  0:14 elapsed, about 1:40 left  t = 0.1 s", in no more columns than there are: first the detail
+/// is cut, then the bar goes, then the stage. `left` is NaN when nobody knows.
+std::string progressLine(const Progress& progress, double elapsed, double left, std::size_t columns);
+
+/// A bar when stderr is a terminal, plain lines now and then when it is not, nothing with --quiet. The clock goes on while
+/// nothing is reported.
 class ProgressPrinter {
  public:
-    explicit ProgressPrinter(const Common& common);
+    explicit ProgressPrinter(const Common& common, Fraction fraction = Fraction::of_steps);
     ~ProgressPrinter() { finish(); }
     ProgressPrinter(const ProgressPrinter&) = delete;
     ProgressPrinter& operator=(const ProgressPrinter&) = delete;
@@ -26,13 +55,18 @@ class ProgressPrinter {
 
  private:
     using Clock = std::chrono::steady_clock;
-    void showBar(const Progress& progress, double elapsed);
-    void showLine(const Progress& progress, double elapsed);
+    void tick();
+    void print(Clock::time_point now);  ///< \pre mutex_ is held
 
-    bool quiet_ = false, terminal_ = false, bar_shown_ = false;
-    std::string stage_;
+    Fraction fraction_ = Fraction::of_steps;
+    bool quiet_ = false, terminal_ = false, bar_shown_ = false, ended_ = false;
+    Progress latest_{};
+    double left_ = 0;  ///< [s], NaN when not known
+    TimeLeft time_left_;
     Clock::time_point start_, last_;
-    double interval_ = 0;  ///< between two outputs [s]
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    std::thread clock_;
 };
 
 /// Progress, stop flag and threads, as the engine takes them.

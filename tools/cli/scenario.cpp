@@ -1,18 +1,42 @@
 #include "cli/scenario.h"
 
 #include "cli/signals.h"
+#include "talus/formats/changes.h"
 
 namespace talus::tools {
 
-formats::Scenario loadScenario(const std::string& path) {
-    auto scenario = formats::readScenario(path, &stopRequested());
-    if (!scenario && stopRequested()) throw Interrupted("interrupted while " + path + " was read");
-    return valueOf(std::move(scenario));
+namespace {
+
+constexpr const char* kSet = "--set";
+
+/// The first equals sign that is not inside a quoted key.
+std::size_t equalsSign(const std::string& set) {
+    bool quoted = false;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set[i] == '"') quoted = !quoted;
+        if (set[i] == '=' && !quoted) return i;
+    }
+    return std::string::npos;
 }
 
-formats::Scenario loadScenario(const std::string& path, const Common& common) {
-    formats::Scenario scenario = loadScenario(path);
-    for (const std::string& warning : scenario.warnings) note(common, "warning: " + path + ": " + warning);
+formats::FieldChange changeOf(const std::string& set) {
+    const std::size_t equals = equalsSign(set);
+    if (equals == std::string::npos || equals == 0 || equals + 1 == set.size())
+        throw BadInput(Error{
+            kSet, "found \"" + set + "\", allowed: FIELD=VALUE, such as joint.default.friction_deg=30"});
+    return {set.substr(0, equals), set.substr(equals + 1), kSet};
+}
+
+}  // namespace
+
+formats::Scenario loadScenario(const ScenarioInput& input, const Common& common) {
+    std::vector<formats::FieldChange> changes;
+    for (const std::string& set : input.sets) changes.push_back(changeOf(set));
+    auto read = formats::readScenario(input.path, changes, &stopRequested());
+    if (!read && stopRequested()) throw Interrupted("interrupted while " + input.name() + " was read");
+    formats::Scenario scenario = valueOf(std::move(read));
+    for (const std::string& warning : scenario.warnings)
+        note(common, "warning: " + input.name() + ": " + warning);
     return scenario;
 }
 

@@ -3,12 +3,21 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cli/common.h"
 #include "cli/failures.h"
 #include "talus/formats/scenario.h"
 
 namespace talus::tools {
+
+/// Which scenario a command is about, as its command line says (addScenario in cli/command.h).
+struct ScenarioInput {
+    std::string path;               ///< "-": the standard input
+    std::vector<std::string> sets{};  ///< of --set: "FIELD=VALUE"
+
+    std::string name() const { return path == "-" ? "stdin" : path; }  ///< in messages and results
+};
 
 /// The value of a result of the engine, whose errors know fields but not the places in the scenario file; or BadInput.
 template <class T>
@@ -17,8 +26,7 @@ T valueOf(Result<T> result, const formats::Scenario& scenario) {
     return std::move(*result);
 }
 
-/// Reads a scenario file; throws BadInput. The second tells its warnings on stderr, too.
-formats::Scenario loadScenario(const std::string& path);
-formats::Scenario loadScenario(const std::string& path, const Common& common);
+/// Reads a scenario; throws BadInput. Its warnings go to stderr.
+formats::Scenario loadScenario(const ScenarioInput& input, const Common& common);
 
 }  // namespace talus::tools

@@ -103,7 +103,7 @@ int runBatch(const BatchOptions& options) {
         job.help(sweep, describe(sweep), stopRequested());
         return kDone;  // what there is to say, process 0 says
     }
-    ProgressPrinter printer(options.common);
+    ProgressPrinter printer(options.common, Fraction::of_time);
     const BatchRequest request{
         .common = options.common,
         .sweep = options.sweep,

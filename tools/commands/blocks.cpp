@@ -6,6 +6,7 @@
 
 #include "cli/files.h"
 #include "cli/json.h"
+#include "cli/outputs.h"
 #include "cli/provenance.h"
 #include "cli/scenario.h"
 #include "cli/text.h"
@@ -19,7 +20,8 @@ namespace {
 
 struct BlocksOptions {
     Common common;
-    std::string scenario, output, stereonet, sizes, fractures;
+    ScenarioInput scenario;
+    std::string output, stereonet, sizes, fractures;
     std::vector<double> view = {235, 25};  ///< [deg]
 };
 
@@ -81,14 +83,11 @@ Json json(const Model& model, const Sizes& sizes) {
 
 std::string content(const BlocksOptions& options, const Model& model) {
     const auto has = [&](const char* ending) { return options.output.ends_with(ending); };
-    const std::string comments = provenanceComments(options.common, options.scenario);
+    const std::string comments = provenanceComments(options.common, options.scenario.name());
     if (has(".obj")) return blocksObj(model, comments);
     if (has(".csv")) return blocksCsv(model, comments);
-    if (has(".svg"))
-        return blocksSvg(model, {radians(options.view[0]), radians(options.view[1])},
-                         "Blocks of " + options.scenario);
-    throw BadInput(Error{
-        "--output", "found \"" + options.output + "\", allowed: a name that ends in .obj, .csv or .svg"});
+    return blocksSvg(model, {radians(options.view[0]), radians(options.view[1])},
+                     "Blocks of " + options.scenario.name());
 }
 
 /// Pictures and table of the joints that cut the blocks.
@@ -97,26 +96,26 @@ void writeJoints(const BlocksOptions& options, const formats::Scenario& scenario
     const auto joints = formats::rockJoints(scenario);
     if (!joints) throw BadInput(joints.errors());
     const auto want = [&](const std::string& file, const char* option, const char* ending) {
-        if (!file.ends_with(ending))
-            throw BadInput(Error{option, "found \"" + file + "\", allowed: a name that ends in " + ending});
+        requireEnding(option, file, {ending});
         if (joints->empty())
-            throw BadInput(Error{option, "found no rock mass in " + options.scenario +
+            throw BadInput(Error{option, "found no rock mass in " + options.scenario.name() +
                                              ", allowed: a scenario with [rock_mass] and joints"});
         return true;
     };
     if (!options.stereonet.empty() && want(options.stereonet, "--stereonet", ".svg"))
-        writeFile(options.stereonet, stereonetSvg(*joints, "Joints of " + options.scenario));
+        writeFile(options.stereonet, stereonetSvg(*joints, "Joints of " + options.scenario.name()));
     if (!options.sizes.empty() && want(options.sizes, "--sizes", ".svg"))
-        writeFile(options.sizes, sizesSvg(*joints, scenario.model, "Sizes in " + options.scenario));
+        writeFile(options.sizes, sizesSvg(*joints, scenario.model, "Sizes in " + options.scenario.name()));
     if (options.fractures.empty() || !want(options.fractures, "--fractures", ".csv")) return;
     std::vector<std::pair<std::string, Fracture>> discs;
     for (const formats::RockJoint& joint : *joints)
         if (joint.disc) discs.emplace_back(joint.set, *joint.disc);
     writeFile(options.fractures,
-              provenanceComments(options.common, options.scenario) + formats::fracturesCsv(discs));
+              provenanceComments(options.common, options.scenario.name()) + formats::fracturesCsv(discs));
 }
 
 int blocks(const BlocksOptions& options) {
+    if (!options.output.empty()) requireEnding("--output", options.output, {".obj", ".csv", ".svg"});
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
     writeJoints(options, scenario);
     if (!options.output.empty()) writeFile(options.output, content(options, scenario.model));
@@ -127,7 +126,7 @@ int blocks(const BlocksOptions& options) {
     }
     Json result = json(scenario.model, sizes);
     result["warnings"] = scenario.warnings;
-    result["provenance"] = provenance(options.common, options.scenario);
+    result["provenance"] = provenance(options.common, options.scenario.name());
     printJson(result);
     return kDone;
 }
@@ -138,7 +137,7 @@ Command addBlocks(CLI::App& root) {
     auto options = std::make_shared<BlocksOptions>();
     CLI::App* app = root.add_subcommand(
         "blocks", "Cut and count the blocks of a scenario; mesh, table or picture of them");
-    app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
+    addScenario(*app, options->scenario);
     app->add_option("-o,--output", options->output,
                     "What to write, by its ending: .obj a mesh, .csv a table of the blocks, .svg a picture");
     app->add_option("--stereonet", options->stereonet,

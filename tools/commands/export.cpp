@@ -122,10 +122,13 @@ int exportSnapshot(const ExportOptions& options) {
         throw BadInput(
             Error{"", "say what to export: --vtk DIR, --csv FILE, --gltf FILE, --stl FRAME or --ply FRAME"});
     if (!options.gltf.empty()) requireEnding("--gltf", options.gltf, {".glb"});
+    if (!options.csv.empty()) requireEnding("--csv", options.csv, {".csv"});
+    if (!options.output.empty())
+        requireEnding("--output", options.output, {options.stl.empty() ? ".ply" : ".stl"});
     formats::SnapshotReader reader = openSnapshot(options.file);
     for (const std::string& fault : reader.faults())
         note(options.common, "note: " + options.file + ": " + fault);
-    ProgressPrinter progress(options.common);
+    ProgressPrinter progress(options.common, Fraction::of_time);
     Json json = {{"frames", reader.frames().size()}};
     if (!options.vtk.empty()) json["vtk"] = exportVtk(reader, options, progress);
     if (!options.csv.empty() && !stopped()) json["csv"] = exportCsv(reader, options);

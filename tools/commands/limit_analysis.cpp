@@ -19,7 +19,7 @@ namespace {
 
 struct LimitOptions {
     Common common;
-    std::string scenario;
+    ScenarioInput scenario;
     const VariedQuantity* load = nullptr;
     std::size_t max_points = LimitSettings{}.max_contact_points;
 };
@@ -54,7 +54,7 @@ std::string movingText(const LimitResult& result) {
 
 std::string toText(const LimitOptions& options, const LimitResult& result) {
     const std::string kind = result.plane_section ? "plane section" : "in space";
-    return row("scenario", options.scenario) + row(options.load->limit, answerText(options, result)) +
+    return row("scenario", options.scenario.name()) + row(options.load->limit, answerText(options, result)) +
            (result.moving_blocks.empty() ? "" : row("moving blocks", movingText(result))) +
            row("programme", kind + ", " + std::to_string(result.contact_points) + " contact points, " +
                                 std::to_string(result.rows) + " equations, " +
@@ -79,7 +79,7 @@ int analyse(const LimitOptions& options) {
         scenario);
     progress.finish();
     if (options.common.json)
-        printJson(limitJson(*options.load, result, options.common, options.scenario));
+        printJson(limitJson(*options.load, result, options.common, options.scenario.name()));
     else
         printText(toText(options, result));
     return exitCode(result.status);
@@ -91,7 +91,7 @@ Command addLimitAnalysis(CLI::App& root) {
     auto options = std::make_shared<LimitOptions>();
     CLI::App* app = root.add_subcommand(
         "limit-analysis", "A ceiling for the other answers: the limit of the associated rigid-block problem");
-    app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
+    addScenario(*app, options->scenario);
     std::vector<std::string> names;
     std::string meanings;
     for (const VariedQuantity& quantity : variedQuantities()) {

@@ -40,7 +40,7 @@ PaperResults computeAll(const PaperOptions& options, std::vector<PaperCase> case
     results.table_points = options.points;
     results.provenance = provenance(options.common, "");
     results.provenance_comments = provenanceComments(options.common, "");
-    ProgressPrinter printer(options.common);
+    ProgressPrinter printer(options.common, Fraction::of_time);
     const auto begin = std::chrono::steady_clock::now();
     results.runs = runCases(
         std::move(cases),

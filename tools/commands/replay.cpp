@@ -6,6 +6,7 @@
 #include "cli/failures.h"
 #include "cli/files.h"
 #include "cli/json.h"
+#include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/text.h"
 #include "commands/commands.h"
@@ -85,7 +86,7 @@ int verify(formats::SnapshotReader& reader, const ReplayOptions& options) {
         note(options.common, "warning: the file was written by another build (" +
                                  reader.header().build.version + ", " + reader.header().build.git_hash +
                                  ", " + reader.header().build.compiler + "): its bits are not promised here");
-    ProgressPrinter progress(options.common);
+    ProgressPrinter progress(options.common, Fraction::of_time);
     const Verification found = verifyRun(reader, options.common, progress.callback());
     progress.finish();
     if (options.common.json) {
@@ -114,6 +115,7 @@ int verify(formats::SnapshotReader& reader, const ReplayOptions& options) {
 
 int replay(ReplayOptions& options) {
     options.choice.contacts = !options.without_contacts;
+    if (!options.output.empty()) requireEnding("--output", options.output, {".html", ".htm"});
     formats::SnapshotReader reader = openSnapshot(options.file);
     for (const std::string& fault : reader.faults())
         note(options.common, "note: " + options.file + ": " + fault);

@@ -35,7 +35,7 @@ const char* describe(InitialState start) {
 
 std::string toText(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
                    const RunRecorder& recorder) {
-    std::string lines = (options.resume.empty() ? options.scenario : options.resume) + ": " +
+    std::string lines = (options.resume.empty() ? options.scenario.name() : options.resume) + ": " +
                         (result.interrupted ? "interrupted after " : "") + text(result.simulated_seconds, 6) +
                         " s simulated in " + std::to_string(result.steps) + " steps of " +
                         text(result.time_step * 1e6, 4) + " us, " + text(result.wall_seconds, 2) + " s\n" +
@@ -58,14 +58,14 @@ std::string toText(const RunOptions& options, const formats::Scenario& scenario,
 }
 
 int runScenario(const RunOptions& options) {
-    if (options.scenario.empty() == options.resume.empty())
+    if (options.scenario.path.empty() == options.resume.empty())
         throw BadInput(Error{"SCENARIO", "give either a scenario or --resume FILE, which brings its own"});
     std::optional<Resumed> resumed;
     if (!options.resume.empty()) resumed.emplace(readResumed(options));
     const formats::Scenario scenario =
         resumed ? resumed->scenario : loadScenario(options.scenario, options.common);
     RunRecorder recorder(options, scenario, resumed ? &*resumed : nullptr);
-    ProgressPrinter progress(options.common);
+    ProgressPrinter progress(options.common, Fraction::of_time);
     const RunResult result = runRecorded(scenario, resumed ? &resumed->from : nullptr, recorder,
                                          controlOf(options.common, progress));
     progress.finish();
@@ -82,7 +82,7 @@ int runScenario(const RunOptions& options) {
 Command addRun(CLI::App& root) {
     auto options = std::make_shared<RunOptions>();
     CLI::App* app = root.add_subcommand("run", "Time history of a scenario");
-    app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)");
+    addScenario(*app, options->scenario, false);
     app->add_option(
         "-o,--output", options->output,
         "FILE.mcap for snapshots (talus inspect, replay, export); FILE.csv for a table of energies and the "

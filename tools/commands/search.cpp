@@ -17,7 +17,7 @@ namespace {
 
 struct SearchOptions {
     Common common;
-    std::string scenario;
+    ScenarioInput scenario;
     bool verbose = false;
     SearchRequest request;
 };
@@ -47,7 +47,7 @@ std::string footerOf(const LoadSearch& search) {
 Command addSearch(CLI::App& root, const LoadSearch& search) {
     auto options = std::make_shared<SearchOptions>();
     CLI::App* app = root.add_subcommand(search.name, search.about);
-    app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
+    addScenario(*app, options->scenario);
     app->add_flag("--verbose", options->verbose, "Also print every probe and every block's motion");
     if (search.follows_groups)
         app->add_option(

@@ -16,8 +16,9 @@ namespace talus::tools {
 
 namespace {
 
-int ofScenario(const Common& common, const std::string& path) {
-    const formats::Scenario scenario = loadScenario(path);
+int ofScenario(const Common& common, const ScenarioInput& input) {
+    const formats::Scenario scenario = loadScenario(input, common);
+    const std::string path = input.name();
     const auto prediction = theory::predict(scenario.model);
     if (common.json) {
         printJson({{"applies", prediction.has_value()},
@@ -41,9 +42,9 @@ int ofScenario(const Common& common, const std::string& path) {
 
 Command addTheory(CLI::App& root) {
     auto common = std::make_shared<Common>();
-    auto scenario = std::make_shared<std::string>();
+    auto scenario = std::make_shared<ScenarioInput>();
     CLI::App* app = root.add_subcommand("theory", "The closed formulas, by numbers or for a scenario");
-    app->add_option("SCENARIO", *scenario, "Scenario file (TOML): the prediction for it");
+    addScenario(*app, *scenario, false);
     addCommon(*app, *common, false);
     app->footer(
         "Example:\n  talus theory slope.toml\n  talus theory sliding --length 0.4 --height 0.5 --water-depth "
@@ -56,7 +57,7 @@ Command addTheory(CLI::App& root) {
     return {app, [common, scenario, formulas, app] {
                 for (const Command& formula : formulas)
                     if (formula.app->parsed()) return formula.execute();
-                if (scenario->empty())
+                if (scenario->path.empty())
                     throw BadInput(Error{"SCENARIO", "missing; name a scenario file or a formula (" +
                                                          app->get_name() + " --help lists them)"});
                 return ofScenario(*common, *scenario);

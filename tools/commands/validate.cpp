@@ -17,7 +17,7 @@ namespace {
 
 struct ValidateOptions {
     Common common;
-    std::string scenario;
+    ScenarioInput scenario;
 };
 
 std::size_t count(const Model& model, Motion motion) {
@@ -54,17 +54,17 @@ int validate(const ValidateOptions& options) {
     const std::vector<Error> errors = checkModel(scenario.model, options.common.threads, &doubts);
     if (!errors.empty()) throw BadInput(formats::placed(scenario, errors));
     for (std::string& doubt : doubts) {
-        note(options.common, "warning: " + options.scenario + ": " + doubt);
+        note(options.common, "warning: " + options.scenario.name() + ": " + doubt);
         scenario.warnings.push_back(std::move(doubt));
     }
     if (!options.common.json) {
-        printText(summary(options.scenario, scenario.model));
+        printText(summary(options.scenario.name(), scenario.model));
         return kDone;
     }
     Json json{{"ok", true}, {"errors", Json::array()}};
     json.update(counts(scenario.model));
     json["warnings"] = scenario.warnings;
-    json["provenance"] = provenance(options.common, options.scenario);
+    json["provenance"] = provenance(options.common, options.scenario.name());
     printJson(json);
     return kDone;
 }
@@ -74,7 +74,7 @@ int validate(const ValidateOptions& options) {
 Command addValidate(CLI::App& root) {
     auto options = std::make_shared<ValidateOptions>();
     CLI::App* app = root.add_subcommand("validate", "Read and check a scenario, compute nothing");
-    app->add_option("SCENARIO", options->scenario, "Scenario file (TOML)")->required();
+    addScenario(*app, options->scenario);
     addCommon(*app, options->common);
     app->footer(
         "Example:\n  talus validate slope.toml\n\nFaults are printed as FILE:LINE:COLUMN: error: FIELD: what "

@@ -44,7 +44,7 @@ std::vector<VerificationRow> wantedRows(const VerificationOptions& options) {
 
 Manual compute(const VerificationOptions& options) {
     const std::vector<VerificationRow> rows = wantedRows(options);
-    ProgressPrinter printer(options.common);
+    ProgressPrinter printer(options.common, Fraction::of_time);
     const auto begin = std::chrono::steady_clock::now();
     Manual manual{.rows = verify(rows, threadsUsed(options.common), stopRequested(), printer.callback()),
                   .quick = options.quick,

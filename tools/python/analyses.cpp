@@ -80,7 +80,7 @@ std::string timeHistory(const formats::Scenario* scenario, const std::string& ou
     std::string json;
     compute(manner, [&](Computing& computing) {
         const RunOptions options{.common = commonOf(manner),
-                                 .scenario = scenario != nullptr ? scenario->path : "",
+                                 .scenario = {scenario != nullptr ? scenario->path : "", {}},
                                  .output = output,
                                  .resume = resume,
                                  .force = force,

@@ -103,7 +103,7 @@ FailureKeeper::FailureKeeper(const KeepRunOptions& options, const Common& common
     if (!options.file.ends_with(".mcap"))
         throw BadInput(Error{"--keep-run", "found \"" + options.file + "\", allowed: a file named *.mcap"});
     run_options_ = {.common = common,
-                    .scenario = scenario.path,
+                    .scenario = {scenario.path, {}},
                     .output = options.file,
                     .resume = "",
                     .force = options.force,

@@ -8,6 +8,7 @@
 
 #include "cli/common.h"
 #include "cli/json_fwd.h"
+#include "cli/scenario.h"
 #include "cli/signals.h"
 #include "talus/formats/history.h"
 #include "talus/formats/scenario.h"
@@ -18,7 +19,8 @@ namespace talus::tools {
 
 struct RunOptions {
     Common common;
-    std::string scenario, output, resume;
+    ScenarioInput scenario;
+    std::string output, resume;
     bool force = false;
     int frames_per_full = 10;
     const char* output_option = "--output";       ///< what it is called in messages

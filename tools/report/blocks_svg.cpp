@@ -1,152 +1,46 @@
-// A picture of the blocks. Only faces that look at the reader and that no other block covers are drawn, the farther
-// ones first.
+// A picture of the blocks: what can be seen of them, the farther faces first, with what explains it.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <unordered_map>
+#include <optional>
+#include <set>
 
 #include "report/blocks_files.h"
 #include "report/svg.h"
 #include "report/svg_writer.h"
+#include "report/visible_faces.h"
+#include "report/wet_outlines.h"
 
 namespace talus::tools {
 
 namespace {
 
-constexpr double kWidth = 900, kMargin = 20;  // [px]
+constexpr double kWidth = 900, kMargin = 20, kFoot = 56;  // [px]
+constexpr std::size_t kFewBlocks = 40;                    // free ones, whose names have room
+constexpr double kLeastLine = 0.7;                        // [px] shorter is a speck
+constexpr double kLetter = 6.2, kLine = 12;               // of names [px]
 constexpr std::string_view kStyle = R"css(
 .page{fill:#fff}
-.block{stroke:#3b342b;stroke-width:.7;stroke-linejoin:round}
-.bar{stroke:#1a1a1a}
+.block{stroke-width:.9;stroke-linejoin:round}
+.crease{stroke:#3b342b;stroke-width:.35;stroke-opacity:.35;fill:none}
+.rim{stroke:#3b342b;stroke-width:.8;fill:none;stroke-linecap:round}
+.joint{stroke:#1e1a15;stroke-width:1.3;fill:none;stroke-linecap:round}
+.water{fill:#1c7ed6;fill-opacity:.3;stroke:#1c7ed6;stroke-width:.8}
+.table{fill:none;stroke:#1c7ed6;stroke-width:1.6;stroke-dasharray:7 3}
+.bar{stroke:#1a1a1a;fill:none}
+.needle{fill:#1a1a1a}
+.swatch{stroke:#3b342b;stroke-width:.7}
 .text{fill:#1a1a1a;font:13px system-ui,sans-serif}
+.name{fill:#1a1a1a;font:11px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-opacity:.7;stroke-width:2.5px}
 )css";
 
-/// Right, up and towards the reader.
-struct Camera {
-    Vec3 right, up, towards;
-
-    explicit Camera(const View& view)
-        : right(-std::cos(view.azimuth), std::sin(view.azimuth), 0),
-          towards(std::sin(view.azimuth) * std::cos(view.elevation),
-                  std::cos(view.azimuth) * std::cos(view.elevation), std::sin(view.elevation)) {
-        up = towards.cross(right);
-    }
-};
-
-struct Bounds {
-    Vec3 min = Vec3::Constant(kInfinity), max = Vec3::Constant(-kInfinity);
-
-    void add(const Vec3& point) {
-        min = min.cwiseMin(point);
-        max = max.cwiseMax(point);
-    }
-};
-
-/// Looks up the block at a point, by a grid over the blocks' bounds.
-class BlockFinder {
- public:
-    explicit BlockFinder(const Model& model) : model_(model) {
-        for (const Block& block : model.blocks) {
-            bounds_.emplace_back();
-            for (const Vec3& v : block.shape.vertices) bounds_.back().add(v);
-            all_.add(bounds_.back().min);
-            all_.add(bounds_.back().max);
-        }
-        const double volume = (all_.max - all_.min).prod();
-        cell_ = std::cbrt(volume / static_cast<double>(model.blocks.size()));
-        for (std::size_t b = 0; b < bounds_.size(); ++b) {
-            const auto low = cellOf(bounds_[b].min), high = cellOf(bounds_[b].max);
-            for (auto x = low[0]; x <= high[0]; ++x)
-                for (auto y = low[1]; y <= high[1]; ++y)
-                    for (auto z = low[2]; z <= high[2]; ++z) blocks_[key(x, y, z)].push_back(b);
-        }
-    }
-
-    double size() const { return (all_.max - all_.min).norm(); }
-
-    bool isInside(const Vec3& point) const {
-        const auto [x, y, z] = cellOf(point);
-        const auto found = blocks_.find(key(x, y, z));
-        if (found == blocks_.end()) return false;
-        return std::any_of(found->second.begin(), found->second.end(),
-                           [&](std::size_t b) { return contains(b, point); });
-    }
-
- private:
-    std::array<std::int64_t, 3> cellOf(const Vec3& point) const {
-        std::array<std::int64_t, 3> cell;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto axis = static_cast<Eigen::Index>(i);
-            cell[i] = static_cast<std::int64_t>(std::floor((point[axis] - all_.min[axis]) / cell_));
-        }
-        return cell;
-    }
-    static std::int64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
-        return x + (y + (z << 21)) * (std::int64_t{1} << 21);
-    }
-
-    bool contains(std::size_t b, const Vec3& point) const {
-        if ((point.array() < bounds_[b].min.array()).any() || (point.array() > bounds_[b].max.array()).any())
-            return false;
-        return talus::contains(model_.blocks[b].shape, point);
-    }
-
-    const Model& model_;
-    std::vector<Bounds> bounds_;
-    Bounds all_;
-    double cell_ = 1;
-    std::unordered_map<std::int64_t, std::vector<std::size_t>> blocks_;
-};
-
-struct VisibleFace {
-    std::size_t block = 0, face = 0;
-    double depth = 0;  ///< towards the reader [m]
-    Vec3 normal = Vec3::Zero();
-};
-
-/// Whether other blocks lie against the whole face, as far as its middle, its corners and the middles of its
-/// sides tell.
-bool isCovered(const BlockFinder& finder, const Polyhedron& shape, std::size_t f, const Vec3& normal,
-               const Vec3& centroid) {
-    const Vec3 off = 1e-5 * finder.size() * normal;
-    if (!finder.isInside(centroid + off)) return false;
-    const auto& outline = shape.faces[f];
-    const auto covered = [&](const Vec3& rim) {
-        return finder.isInside(rim + 0.05 * (centroid - rim) + off);
-    };
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vec3& a = shape.vertices[static_cast<std::size_t>(outline[i])];
-        const Vec3& b = shape.vertices[static_cast<std::size_t>(outline[(i + 1) % outline.size()])];
-        if (!covered(a) || !covered(0.5 * (a + b))) return false;
-    }
-    return true;
-}
-
-std::vector<VisibleFace> visibleFaces(const Model& model, const Camera& camera) {
-    const BlockFinder finder(model);
-    std::vector<VisibleFace> visible;
-    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-        const Polyhedron& shape = model.blocks[b].shape;
-        for (std::size_t f = 0; f < shape.faces.size(); ++f) {
-            if (shape.isInner(f)) continue;
-            const Vec3 normal = shape.faceNormal(f), centroid = shape.faceCentroid(f);
-            if (normal.dot(camera.towards) <= 1e-9 || isCovered(finder, shape, f, normal, centroid)) continue;
-            visible.push_back({b, f, camera.towards.dot(centroid), normal});
-        }
-    }
-    std::stable_sort(visible.begin(), visible.end(),
-                     [](const VisibleFace& a, const VisibleFace& b) { return a.depth < b.depth; });
-    return visible;
-}
-
 /// Lambert shading under a light from the upper left; each block a little different, so that joints show.
-std::string colour(const Block& block, std::size_t index, const Vec3& normal, const Camera& camera) {
+std::string colour(Motion motion, std::size_t index, const Vec3& normal, const Camera& camera) {
     const Vec3 light = (0.9 * camera.towards + 0.8 * Vec3::UnitZ() - 0.7 * camera.right).normalized();
     const double tint = 0.94 + 0.12 * static_cast<double>((index * 2654435761u >> 8) % 16) / 15;
     const double shade = tint * (0.62 + 0.38 * std::max(0.0, normal.dot(light)));
-    const Vec3 rock = block.motion == Motion::free ? Vec3(222, 203, 170) : Vec3(176, 180, 186);
+    const Vec3 rock = motion == Motion::free ? Vec3(222, 203, 170) : Vec3(176, 180, 186);
     char text[8];
     const auto level = [&](double value) {
         return static_cast<unsigned>(std::clamp(shade * value, 0.0, 255.0));
@@ -155,6 +49,102 @@ std::string colour(const Block& block, std::size_t index, const Vec3& normal, co
     return text;
 }
 
+/// From the picture's metres to pixels.
+class Sheet {
+ public:
+    explicit Sheet(const Model& model, const Camera& camera) {
+        for (const Block& block : model.blocks)
+            for (const Vec3& v : block.shape.vertices) add(camera.seen(v));
+        scale_ = (kWidth - 2 * kMargin) / std::max(high_.x() - low_.x(), 1e-12);
+    }
+    Spot spot(const Vec3& seen) const {
+        return {kMargin + scale_ * (seen.x() - low_.x()), kMargin + scale_ * (high_.y() - seen.y())};
+    }
+    std::vector<Spot> spots(const std::vector<Vec3>& seen) const {
+        std::vector<Spot> list;
+        for (const Vec3& point : seen) list.push_back(spot(point));
+        return list;
+    }
+    double scale() const { return scale_; }
+    double metresAcross() const { return high_.x() - low_.x(); }
+    double foot() const { return scale_ * (high_.y() - low_.y()) + 2 * kMargin; }
+
+ private:
+    void add(const Vec3& seen) {
+        low_ = low_.cwiseMin(seen);
+        high_ = high_.cwiseMax(seen);
+    }
+
+    Vec3 low_ = Vec3::Constant(kInfinity), high_ = Vec3::Constant(-kInfinity);
+    double scale_ = 1;
+};
+
+const char* roleOf(Side side) {
+    return side == Side::joint ? "joint" : side == Side::rim ? "rim" : side == Side::crease ? "crease" : "";
+}
+
+void drawPolygon(const Model& model, const VisibleFace& face, const PaintedPolygon& polygon,
+                 const Camera& camera, const Sheet& sheet, SvgWriter& svg) {
+    const Block& block = model.blocks[face.block];
+    const std::vector<Spot> spots = sheet.spots(polygon.corners);
+    // Of its own colour around, so that no gap shows between two pieces.
+    svg.shape(spots, false, "block", block.name, colour(block.motion, face.block, face.normal, camera), true);
+    for (std::size_t k = 0; k < spots.size(); ++k) {
+        const Spot &from = spots[k], &to = spots[(k + 1) % spots.size()];
+        if (polygon.sides[k] != Side::none && std::hypot(to.x - from.x, to.y - from.y) > kLeastLine)
+            svg.line(from, to, roleOf(polygon.sides[k]));
+    }
+}
+
+// --- names -----------------------------------------------------------------------------------------------------------
+
+bool isIn(const PaintedPolygon& polygon, const Vec3& point) {
+    const auto& corners = polygon.corners;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Vec3 &a = corners[k], &b = corners[(k + 1) % corners.size()];
+        if ((b.x() - a.x()) * (point.y() - a.y()) - (b.y() - a.y()) * (point.x() - a.x()) < 0) return false;
+    }
+    return true;
+}
+
+/// Where a name of this many letters stands on a piece of a block that nothing painted later covers.
+std::optional<Vec3> placeOfName(const std::vector<PaintedPolygon>& painted, std::size_t at,
+                                std::size_t letters, double scale) {
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& corner : painted[at].corners) middle += corner;
+    middle /= static_cast<double>(painted[at].corners.size());
+    const double half = 0.5 * kLetter * static_cast<double>(letters) / scale, high = 0.5 * kLine / scale;
+    for (const double x : {-half, 0.0, half})
+        for (const double y : {-high, high}) {
+            const Vec3 point = middle + Vec3(x, y, 0);
+            if (!isIn(painted[at], point)) return std::nullopt;
+            for (std::size_t k = at + 1; k < painted.size(); ++k)
+                if (isIn(painted[k], point)) return std::nullopt;
+        }
+    return middle;
+}
+
+/// Of blocks that have room for theirs, where there are few.
+void drawNames(const Model& model, const VisibleFaces& visible, const std::vector<PaintedPolygon>& painted,
+               const Sheet& sheet, SvgWriter& svg) {
+    const auto free = std::count_if(model.blocks.begin(), model.blocks.end(),
+                                    [](const Block& block) { return block.motion == Motion::free; });
+    if (static_cast<std::size_t>(free) > kFewBlocks) return;
+    std::set<std::size_t> named;
+    for (std::size_t k = painted.size(); k-- > 0;) {  // the nearest first
+        const std::size_t block = visible.faces[painted[k].source].block;
+        const std::string& name = model.blocks[block].name;
+        if (named.contains(block)) continue;
+        if (const auto place = placeOfName(painted, k, name.size(), sheet.scale())) {
+            const Spot spot = sheet.spot(*place);
+            svg.label({spot.x, spot.y + 4}, name, "middle", "name");
+            named.insert(block);
+        }
+    }
+}
+
+// --- what explains it ------------------------------------------------------------------------------------------------
+
 /// Millimetres to kilometres, without trailing noise.
 std::string lengthText(double metres) {
     char text[32];
@@ -162,33 +152,92 @@ std::string lengthText(double metres) {
     return text;
 }
 
+void drawScale(const Sheet& sheet, double base, SvgWriter& svg) {
+    const double bar = niceStep(sheet.metresAcross(), 6), end = kMargin + sheet.scale() * bar;
+    svg.line({kMargin, base}, {end, base}, "bar");
+    for (const double x : {kMargin, end}) svg.line({x, base - 4}, {x, base + 4}, "bar");
+    svg.label({end + 8, base + 4}, lengthText(bar));
+}
+
+/// The ring of the horizon as it is seen, with north; in plan a circle.
+void drawCompass(const Camera& camera, Spot middle, SvgWriter& svg) {
+    constexpr double kRadius = 20;
+    const auto at = [&](double bearing, double size) {
+        const Vec3 seen = camera.seen({std::sin(bearing), std::cos(bearing), 0});
+        return Spot{middle.x + size * seen.x(), middle.y - size * seen.y()};
+    };
+    std::vector<Spot> ring;
+    for (int k = 0; k <= 48; ++k) ring.push_back(at(k * M_PI / 24, kRadius));
+    svg.shape(ring, true, "bar");
+    svg.shape({at(0, kRadius), at(M_PI * 0.9, 0.45 * kRadius), middle, at(-M_PI * 0.9, 0.45 * kRadius)},
+              false, "needle", "north");
+    const Spot letter = at(0, kRadius + 9);
+    svg.label({letter.x, letter.y + 4}, "N", "middle");
+}
+
+struct LegendEntry {
+    std::string role, words, fill;
+    bool line = false;
+};
+
+std::vector<LegendEntry> legendOf(const Model& model, const VisibleFaces& visible, bool wet,
+                                  const Camera& camera) {
+    const auto any = [&](Motion motion) {
+        return std::any_of(visible.faces.begin(), visible.faces.end(), [&](const VisibleFace& face) {
+            return model.blocks[face.block].motion == motion;
+        });
+    };
+    const bool joints =
+        std::any_of(visible.polygons.begin(), visible.polygons.end(), [](const auto& polygon) {
+            return std::find(polygon.sides.begin(), polygon.sides.end(), Side::joint) != polygon.sides.end();
+        });
+    std::vector<LegendEntry> entries;
+    const Vec3 lit = camera.towards;
+    if (any(Motion::free)) entries.push_back({"swatch", "free", colour(Motion::free, 0, lit, camera)});
+    if (any(Motion::fixed)) entries.push_back({"swatch", "fixed", colour(Motion::fixed, 0, lit, camera)});
+    if (any(Motion::driven)) entries.push_back({"swatch", "driven", colour(Motion::driven, 0, lit, camera)});
+    if (joints) entries.push_back({"joint", "joint", "", true});
+    if (wet) entries.push_back({"water", "water, seen through the rock", ""});
+    if (model.phreatic) entries.push_back({"table", "water table", "", true});
+    return entries;
+}
+
+void drawLegend(const std::vector<LegendEntry>& entries, double base, SvgWriter& svg) {
+    double x = kMargin;
+    for (const LegendEntry& entry : entries) {
+        if (entry.line)
+            svg.line({x, base - 4}, {x + 22, base - 4}, entry.role);
+        else
+            svg.shape({{x, base - 10}, {x + 14, base - 10}, {x + 14, base + 1}, {x, base + 1}}, false,
+                      entry.role, "", entry.fill);
+        svg.label({x + (entry.line ? 28 : 20), base}, entry.words);
+        x += (entry.line ? 28 : 20) + 7.2 * static_cast<double>(entry.words.size()) + 22;
+    }
+}
+
 }  // namespace
 
 std::string blocksSvg(const Model& model, const View& view, std::string_view title) {
     const Camera camera(view);
-    Bounds flat;
-    for (const Block& block : model.blocks)
-        for (const Vec3& v : block.shape.vertices) flat.add({camera.right.dot(v), camera.up.dot(v), 0});
-    const double scale = (kWidth - 2 * kMargin) / std::max(flat.max.x() - flat.min.x(), 1e-12);
-    const double height = scale * (flat.max.y() - flat.min.y()) + 2 * kMargin + 30;
-    const auto pixel = [&](const Vec3& x) {
-        return Spot{kMargin + scale * (camera.right.dot(x) - flat.min.x()),
-                    kMargin + scale * (flat.max.y() - camera.up.dot(x))};
-    };
+    const Sheet sheet(model, camera);
+    const VisibleFaces visible = visibleFaces(model, camera);
+    const std::vector<PaintedPolygon> painted = paintOrder(visible.polygons);
     SvgWriter svg;
-    for (const VisibleFace& visible : visibleFaces(model, camera)) {
-        const Block& block = model.blocks[visible.block];
-        std::vector<Spot> outline;
-        for (const std::int32_t v : block.shape.faces[visible.face])
-            outline.push_back(pixel(block.shape.vertices[static_cast<std::size_t>(v)]));
-        svg.shape(outline, false, "block", block.name, colour(block, visible.block, visible.normal, camera));
-    }
-    const double bar = niceStep(flat.max.x() - flat.min.x(), 6), base = height - 14;
-    const double end = kMargin + scale * bar;
-    svg.line({kMargin, base}, {end, base}, "bar");
-    for (const double x : {kMargin, end}) svg.line({x, base - 4}, {x, base + 4}, "bar");
-    svg.label({end + 8, base + 4}, lengthText(bar));
-    return svg.file(kWidth, height, title, "", kStyle);
+    for (const PaintedPolygon& polygon : painted)
+        drawPolygon(model, visible.faces[polygon.source], polygon, camera, sheet, svg);
+    const std::vector<std::vector<Vec3>> wet = wetOutlines(model);
+    const auto seen = [&](std::vector<Vec3> points) {
+        for (Vec3& point : points) point = camera.seen(point);
+        return sheet.spots(points);
+    };
+    for (const auto& outline : wet) svg.shape(seen(outline), false, "water");
+    for (const auto& line : waterTable(model)) svg.shape(seen(line), true, "table");
+    drawNames(model, visible, painted, sheet, svg);
+    const double foot = sheet.foot();
+    drawScale(sheet, foot + 10, svg);
+    drawLegend(legendOf(model, visible, !wet.empty(), camera), foot + 40, svg);
+    drawCompass(camera, {kWidth - kMargin - 30, foot + 14}, svg);
+    return svg.file(kWidth, foot + kFoot, title, "", kStyle);
 }
 
 }  // namespace talus::tools

@@ -37,11 +37,13 @@ std::string escaped(std::string_view text) {
 }  // namespace
 
 void SvgWriter::shape(const std::vector<Spot>& spots, bool open, const std::string& role,
-                      const std::string& tip, const std::string& fill) {
+                      const std::string& tip, const std::string& fill, bool outlined) {
     std::string list;
     for (const Spot& spot : spots) list += (list.empty() ? "" : " ") + px(spot.x) + "," + px(spot.y);
     element(open ? "polyline" : "polygon",
-            (fill.empty() ? "" : "fill=\"" + fill + "\" ") + "points=\"" + list + '"', role, tip);
+            (fill.empty() ? "" : "fill=\"" + fill + "\" ") + (outlined ? "stroke=\"" + fill + "\" " : "") +
+                "points=\"" + list + '"',
+            role, tip);
 }
 
 void SvgWriter::symbol(const std::string& kind, Spot at, double r, const std::string& role,

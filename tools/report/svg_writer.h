@@ -12,9 +12,9 @@ namespace talus::tools {
 /// Places are pixels, y downwards.
 class SvgWriter {
  public:
-    /// A polygon, or a line. \param role its class; \param fill a colour of its own; \param tip shown over it
+    /// A polygon, or a line. \param role its class; \param fill a colour of its own; `outlined`: also around it; \param tip shown over it
     void shape(const std::vector<Spot>& spots, bool open, const std::string& role,
-               const std::string& tip = "", const std::string& fill = "");
+               const std::string& tip = "", const std::string& fill = "", bool outlined = false);
     void line(Spot from, Spot to, const std::string& role) { shape({from, to}, true, role); }
     void box(Spot a, Spot b, const std::string& role, const std::string& tip = "") {
         shape({a, {b.x, a.y}, b, {a.x, b.y}}, false, role, tip);

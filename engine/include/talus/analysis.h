@@ -102,6 +102,7 @@ struct SearchResult {
     std::optional<std::pair<double, double>> range;
     std::string range_reason;        ///< why there is a range, or none
     std::vector<BlockGroup> groups;  ///< of `safetyFactor`: who goes at which factor; the first is the answer
+    bool groups_undecided = false;   ///< the search for the next group ended so
     std::vector<Supports> supports;  ///< as the failure is let go, or at the last load that stands
     double continuation_seconds = 0;  ///< simulated time of the continuation with true inertia [s]
     bool confirmed = false;           ///< the continuation bore the failure out

@@ -12,6 +12,7 @@ namespace talus::analysis {
 namespace {
 
 constexpr std::int64_t kNoDifference = 2;  // [cells] answers as near as that are the same
+constexpr double kShareBeforeRange = 0.9;  // of the progress of the whole
 constexpr double kFarEnough = 0.5;         // of the answer: no farther is looked
 
 /// Loads that are brought on afresh, on the search's own cells.
@@ -85,6 +86,8 @@ void addHistoryRange(const State& built, const LoadAxis& axis, const Control& co
                               " another loading history is tried without being asked for";
         return;
     }
+    if (control.progress)
+        control.progress({"another loading history", kShareBeforeRange, axis.say(result.answer)});
     Control quiet = control;
     quiet.progress = {};
     Afresh afresh(built, axis, quiet, settings, parallel);

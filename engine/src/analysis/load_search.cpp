@@ -53,7 +53,6 @@ class Search {
         if (result_.confirmed || interrupted(probing_) || !restsAfterAll(probing_)) return false;
         result_.status = SearchStatus::undecided;
         probing_.has_stood = true;
-        probing_.first_touches = touchesOf(probing_.last_stable);
         return true;
     }
 

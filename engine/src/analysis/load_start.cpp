@@ -69,7 +69,6 @@ Verdict loadGravityAndWater(Probing& p) {
     Verdict verdict = loadGravity(p);
     if (verdict == Verdict::stable && p.last_stable.geometry->model.hasWater()) verdict = loadWater(p);
     p.has_stood = verdict == Verdict::stable;
-    if (p.has_stood) p.first_touches = touchesOf(p.last_stable);
     p.settlement = deflection(p);
     return verdict;
 }

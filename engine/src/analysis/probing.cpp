@@ -4,9 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "forces/contact_forces.h"
 #include "forces/sum.h"
-#include "state/placed_shape.h"
 
 namespace talus::analysis {
 namespace {
@@ -20,44 +18,22 @@ constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
 constexpr double kNear = 1.5;
 constexpr double kSettlingDrag = 0.125;
 
-void report(const Probing& p, const std::string& stage, double load, Verdict verdict) {
+/// \param what  of the load: a verdict, or what is being done
+void report(const Probing& p, const std::string& stage, double load, const std::string& what) {
     if (!p.control.progress) return;
     // Longer than most, and never down to nothing: what comes after the last probe takes as long as some of them.
     constexpr double kAfterwards = 4.0;
     const double probes = static_cast<double>(p.probes.size());
     const double expected = std::max(6.0 + std::log2(static_cast<double>(p.axis.stop)) / 2, probes + 1);
-    p.control.progress(
-        {stage, probes / (expected + kAfterwards), p.axis.say(load) + ", " + toString(verdict)});
-}
-
-Vec3 placeOf(const Blocks& blocks, std::int32_t block, const Vec3& own) {
-    const auto b = static_cast<std::size_t>(block);
-    return blocks.position.get(b) + blocks.orientation.matrix(b) * own;
-}
-
-/// How far neighbours have parted or slid since the assembly first stood, where that is too far to be in place; else 0 [m].
-double goneBy(const Probing& p, const State& state) {
-    double farthest = 0;
-    for (const Touch& touch : p.first_touches)
-        farthest = std::max(farthest, (placeOf(state.blocks, touch.block_b, touch.at_b) -
-                                       placeOf(state.blocks, touch.block_a, touch.at_a))
-                                          .norm());
-    const double most = std::max(kGoneShare * state.geometry->length_scale, kNear * p.settlement);
-    return farthest > most + tieReach(state) + p.reach ? farthest : 0;
+    p.control.progress({stage, probes / (expected + kAfterwards), p.axis.say(load) + ", " + what});
 }
 
 Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, State& state) {
-    if (const double gone = goneBy(p, state); probe.verdict == Verdict::stable && gone > 0) {
-        probe.verdict = Verdict::failing;
-        probe.reason =
-            "stands " + formatted("%.2g", gone) + " m beside where its neighbours stood at the start";
-        p.stands_elsewhere = true;
-    }
     probe.load = load;
     p.steps += probe.steps;
     p.factors += probe.factors;
     p.probes.push_back(probe);
-    report(p, stage, load, probe.verdict);
+    report(p, stage, load, toString(probe.verdict));
     if (probe.verdict == Verdict::stable) ++p.states_at_rest;
     (probe.verdict == Verdict::stable ? p.last_stable : p.last_moving) = std::move(state);
     return probe.verdict;
@@ -65,6 +41,7 @@ Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, Sta
 
 Verdict probeExplicitly(Probing& p, const std::string& stage, double load, State state, QuasiStaticWork& work,
                         const Ramp& ramp) {
+    report(p, stage, load, "moving");
     return keep(p, stage, load, bringOn(state, work, ramp), state);
 }
 
@@ -101,6 +78,7 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
         doubtful ? kMostFactors : std::clamp(p.steps / kStepsPerFactor, kLeastFactors, kMostFactors);
     State state = p.last_stable;
     ramp(state, 1.0);
+    report(p, stage, load, "solving");
     Probe found = findRest(state, p.work, most_factors);
     const bool is_elsewhere = found.verdict == Verdict::stable && !isNear(p, found);
     if (is_elsewhere) {
@@ -124,18 +102,6 @@ Probing beginProbing(const State& state, const LoadAxis& axis, const Control& co
     p.reach = tieReach(state);
     p.implicit_first = p.reach > 0;
     return p;
-}
-
-std::vector<Touch> touchesOf(const State& state) {
-    std::vector<Touch> touches;
-    const Interfaces& f = state.interfaces;
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        if (f.kind[i] != InterfaceKind::faces) continue;
-        const Vec3 place = relativePose(state, i).origin;
-        touches.push_back({f.block_a[i], f.block_b[i], toOwn(state.blocks, f.block_a[i], place),
-                           toOwn(state.blocks, f.block_b[i], place)});
-    }
-    return touches;
 }
 
 bool interrupted(const Probing& p) {

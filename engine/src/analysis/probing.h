@@ -16,17 +16,6 @@ namespace talus::analysis {
 inline constexpr std::int64_t kMostFactors = 600;
 /// A block that has gone this share of its size has left its place.
 inline constexpr double kSeenShare = 2e-4;
-/// So has one that parted from a neighbour or slid along it by this share since the assembly first stood, in however small
-/// steps: walls and columns that lean on each other find rest after rest as they open, each no farther than what they have come.
-inline constexpr double kGoneShare = 0.003;
-
-/// Where two neighbours touch, in the frame of each [m].
-struct Touch {
-    std::int32_t block_a = 0, block_b = 0;
-    Vec3 at_a = Vec3::Zero(), at_b = Vec3::Zero();
-};
-/// At the middle of each joint.
-std::vector<Touch> touchesOf(const State& state);
 
 /// What probes start from and what they leave.
 struct Probing {
@@ -36,12 +25,11 @@ struct Probing {
     QuasiStaticWork work;
     std::vector<Probe> probes{};
     std::int64_t steps = 0, factors = 0;
-    std::int64_t states_at_rest = 0;     ///< the search has been in
-    bool has_stood = false;              ///< under weight and water
-    std::vector<Touch> first_touches{};  ///< of neighbours then
-    double start_tilt = 0;               ///< [rad]
-    double settlement = 0;               ///< under weight and water at the start [m]
-    double reach = 0;                    ///< of the bolts at the beginning [m]
+    std::int64_t states_at_rest = 0;  ///< the search has been in
+    bool has_stood = false;           ///< under weight and water
+    double start_tilt = 0;            ///< [rad]
+    double settlement = 0;            ///< under weight and water at the start [m]
+    double reach = 0;                 ///< of the bolts at the beginning [m]
     /// explicit steps have not been enough, or will not be: bolts take hold over ways that they are slow to go
     bool implicit_first = false;
     bool stands_elsewhere = false;  ///< an equilibrium was found at the failing load, but not near

@@ -6,6 +6,7 @@
 
 #include "analysis/failure_mode.h"
 #include "analysis/initial_state.h"
+#include "analysis/load_axis.h"
 #include "analysis/plausible.h"
 #include "analysis/threads.h"
 #include "build/build.h"
@@ -307,11 +308,24 @@ class TimeHistory {
             result.displacements.push_back(reportOn(state_, b).displacement);
         result.interrupted = interrupted_;
         result.warnings = state_.warnings;
-        if (state_.shear_lost > 0)
-            result.warnings.push_back(
-                "shear force that found no closed contact when patches were clipped again: " +
-                std::to_string(state_.shear_lost) + " N in all");
+        if (state_.shear_lost > 0) result.warnings.push_back(ofLostShear());
         return result;
+    }
+
+    std::string ofLostShear() const {
+        double mass = 0;
+        for (std::size_t b = 0; b < state_.blocks.size(); ++b)
+            if (state_.blocks.motion[b] == Motion::free) mass += 1 / state_.blocks.inverse_mass[b];
+        const double weight = mass * state_.geometry->model.gravity.magnitude;
+        const std::string share = weight > 0
+                                      ? analysis::formatted(", %.2g times the weight of all free blocks",
+                                                            state_.shear_lost / weight)
+                                      : "";
+        return "joints came apart while they still carried shear: " +
+               analysis::formatted("%.3g", state_.shear_lost) + " N, added up over the whole run" + share +
+               ". Where blocks fall or bounce that is as it should be; where they should stand or slide it "
+               "is "
+               "friction lost to rattling: run again with damping.contact (1e-5 s, say) and compare";
     }
 
     State state_;

@@ -206,6 +206,9 @@ void addGroups(const Model& model, const LoadAxis& axis, const Control& control,
         BlockGroup& last = result.groups.back();
         last.blocks.insert(last.blocks.end(), next->fallen_at_start.begin(), next->fallen_at_start.end());
         std::sort(last.blocks.begin(), last.blocks.end());
+        result.groups_undecided = next->status == SearchStatus::undecided;
+        if (result.groups_undecided)
+            result.warnings.push_back("the search for the blocks that go after those is undecided");
         if (!claimsFailure(*next) || next->moving_blocks.empty()) return;
         const double factor = next->status == SearchStatus::found ? next->answer : last.factor;
         result.groups.push_back({std::max(factor, last.factor), next->moving_blocks});

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "files/csv_line.h"
 #include "toml/file_text.h"
 
 namespace talus::formats::scenario {
@@ -24,19 +25,13 @@ struct Record {
     std::vector<Vec3> value;
 };
 
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string_view> cellsOf(std::string_view line) {
+std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
     std::vector<std::string_view> cells;
     for (;;) {
-        const auto comma = line.find(',');
-        cells.push_back(trimmed(line.substr(0, comma)));
-        if (comma == std::string_view::npos) return cells;
-        line.remove_prefix(comma + 1);
+        const auto end = line.find(separator);
+        cells.push_back(withoutBlanks(line.substr(0, end)));
+        if (end == std::string_view::npos) return cells;
+        line.remove_prefix(end + 1);
     }
 }
 
@@ -51,7 +46,10 @@ std::optional<double> numberOf(std::string_view text) {
 /// Reads a file's lines; the first fault ends it.
 class RecordReader {
  public:
-    explicit RecordReader(std::string_view text) : text_(text) {}
+    explicit RecordReader(std::string_view text) : text_(text) {
+        if (text_.starts_with("\xef\xbb\xbf"))
+            text_.remove_prefix(3);  // spreadsheets write a byte order mark
+    }
 
     /// Empty, and `fault` says why.
     std::optional<Record> read(std::string& fault) {
@@ -67,7 +65,7 @@ class RecordReader {
     bool next() {
         while (!text_.empty()) {
             const auto end = text_.find('\n');
-            line_ = trimmed(text_.substr(0, end));
+            line_ = withoutBlanks(text_.substr(0, end));
             text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
             ++number_;
             if (!line_.empty() && line_.front() != '#') return true;
@@ -79,8 +77,9 @@ class RecordReader {
 
     void readHeader() {
         has_header_ = true;
+        separator_ = separatorOf(line_);
         bool accelerations = false;
-        for (const std::string_view cell : cellsOf(line_)) {
+        for (const std::string_view cell : cellsOf(line_, separator_)) {
             const auto among = [&](const auto& names) {
                 return static_cast<int>(std::find(names.begin(), names.end(), cell) - names.begin());
             };
@@ -99,13 +98,17 @@ class RecordReader {
     }
 
     void readRow() {
-        const std::vector<std::string_view> cells = cellsOf(line_);
+        const std::vector<std::string_view> cells = cellsOf(line_, separator_);
+        if (cells.size() == 1)
+            if (const std::string wrong = cellFault(line_, separator_); !wrong.empty()) return refuse(wrong);
         if (cells.size() != column_.size())
             return refuse("found " + std::to_string(cells.size()) +
                           " values, allowed: " + std::to_string(column_.size()) + ", one for each column");
         double time = 0;
         Vec3 value = Vec3::Zero();
         for (std::size_t k = 0; k < cells.size(); ++k) {
+            if (const std::string wrong = cellFault(cells[k], separator_); !wrong.empty())
+                return refuse(wrong);
             const auto number = numberOf(cells[k]);
             if (!number)
                 return refuse(cells[k].empty()
@@ -128,6 +131,7 @@ class RecordReader {
     std::string_view text_, line_{};
     int number_ = 0;
     bool has_header_ = false;
+    char separator_ = ',';
     std::vector<int> column_{};
     Record record_{};
     std::string fault_{};

@@ -1,41 +1,13 @@
 #include "sweep/case_table.h"
 
-#include <charconv>
-#include <optional>
+#include "files/csv_line.h"
+#include "toml/scalar_text.h"
 
 namespace talus::formats::sweep {
 
 namespace {
 
 using Cell = CaseTable::Cell;
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-template <class T>
-std::optional<T> readWhole(std::string_view text) {
-    T value{};
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
-SweepValue valueOf(std::string_view text) {
-    if (text == "true" || text == "false") return text == "true";
-    if (text.starts_with('+')) text.remove_prefix(1);
-    if (const auto integer = readWhole<std::int64_t>(text)) return *integer;
-    if (const auto real = readWhole<double>(text)) return *real;
-    return std::string(text);
-}
-
-char separatorOf(std::string_view header) {
-    for (const char candidate : {'\t', ';'})
-        if (header.find(candidate) != std::string_view::npos) return candidate;
-    return ',';
-}
 
 struct Line {
     std::string_view text;
@@ -47,7 +19,7 @@ std::vector<Line> linesOf(std::string_view text) {
     std::vector<Line> lines;
     for (int number = 1; !text.empty(); ++number) {
         const auto length = std::min(text.find('\n'), text.size());
-        const std::string_view line = trimmed(text.substr(0, length));
+        const std::string_view line = withoutBlanks(text.substr(0, length));
         if (!line.empty() && !line.starts_with('#')) lines.push_back({text.substr(0, length), number});
         text.remove_prefix(std::min(length + 1, text.size()));
     }
@@ -87,7 +59,7 @@ class CaseReader {
         was_quoted = at < line.text.size() && line.text[at] == '"';
         if (!was_quoted) {
             const auto end = std::min(line.text.find(separator_, at), line.text.size());
-            const std::string text(trimmed(line.text.substr(at, end - at)));
+            const std::string text(withoutBlanks(line.text.substr(at, end - at)));
             at = end;
             return text;
         }
@@ -117,8 +89,10 @@ class CaseReader {
             bool was_quoted = false;
             std::string text = cellText(line, at, was_quoted);
             if (text.empty()) fault(line.number, column, "found an empty cell, allowed: a value");
-            row.push_back(
-                {as_text || was_quoted ? SweepValue(std::move(text)) : valueOf(text), line.number, column});
+            if (std::string wrong = was_quoted ? "" : cellFault(text, separator_); !wrong.empty())
+                fault(line.number, column, std::move(wrong));
+            row.push_back({as_text || was_quoted ? SweepValue(std::move(text)) : toml::scalarOf(text),
+                           line.number, column});
         }
         return row;
     }

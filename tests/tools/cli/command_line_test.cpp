@@ -22,6 +22,110 @@ TEST_CASE("help of the program and of every command has an example") {
     CHECK(root.out.find("Example") != std::string::npos);
 }
 
+TEST_CASE("help of every command fits the terminal") {
+    const std::vector<std::string> commands{"",
+                                            "critical-angle",
+                                            "safety-factor",
+                                            "critical-acceleration",
+                                            "run",
+                                            "replay",
+                                            "inspect",
+                                            "export",
+                                            "batch",
+                                            "sample",
+                                            "merge",
+                                            "validate",
+                                            "blocks",
+                                            "theory",
+                                            "paper",
+                                            "limit-analysis",
+                                            "verification",
+                                            "schema"};
+    for (const std::size_t columns : {50, 80, 120}) {
+        setenv("COLUMNS", std::to_string(columns).c_str(), 1);
+        for (const std::string& command : commands) {
+            CAPTURE(command);
+            CAPTURE(columns);
+            const Outcome help = command.empty() ? runTalus({"--help"}) : runTalus({command, "--help"});
+            REQUIRE(help.exit_code == 0);
+            std::istringstream lines(help.out);
+            for (std::string line; std::getline(lines, line);) {
+                const auto first = line.find_first_not_of(' ');
+                const bool one_word =
+                    first == std::string::npos || line.find(' ', first) == std::string::npos;
+                INFO(line);
+                CHECK((line.size() <= columns || one_word));
+            }
+        }
+    }
+    unsetenv("COLUMNS");
+}
+
+TEST_CASE("--set goes with every command that reads a scenario, and the standard input with it") {
+    const TemporaryFolder folder;
+    const std::string slope = folder.write(
+        "slope.toml",
+        "[run]\nduration_s = 0.001\n[material.granite]\ndensity = 2700.0\n[joint.default]\nnormal_stiffness "
+        "= "
+        "1e10\nshear_stiffness = 1e10\nfriction_deg = 30.0\n[[stack]]\ncolumns = 1\nrows = 1\nslices = "
+        "1\nblock = [0.2, 0.1, 0.1]\n");
+    for (const std::vector<std::string>& command :
+         std::vector<std::vector<std::string>>{{"critical-angle"},
+                                               {"safety-factor"},
+                                               {"critical-acceleration"},
+                                               {"limit-analysis", "--for", "tilt"},
+                                               {"run"},
+                                               {"validate"},
+                                               {"blocks"},
+                                               {"theory"}}) {
+        CAPTURE(command.front());
+        std::vector<std::string> arguments = command;
+        arguments.insert(arguments.end(), {"--set", "joint.default.friction_deg=95", slope, "--json"});
+        const Outcome outcome = runTalus(arguments);
+        CHECK(outcome.exit_code == 2);
+        CHECK(outcome.json().at("errors").at(0).at("file") == "--set");
+        CHECK(outcome.json()["errors"][0].at("field") == "joint.default.friction_deg");
+    }
+    const auto angle = [&](const std::string& friction) {
+        return runTalus({"theory", slope, "--set", "joint.default.friction_deg=" + friction, "--json"})
+            .json()
+            .at("theory_deg")
+            .get<double>();
+    };
+    CHECK(angle("20") == doctest::Approx(20));
+    CHECK(angle("25.5") == doctest::Approx(25.5));
+    const std::string out = folder / "out";
+    CHECK(std::system(("cat '" + slope + "' | '" + TALUS_PROGRAM +
+                       "' theory - --set stack[0].columns=2 --json > '" + out + "'")
+                          .c_str()) == 0);
+    CHECK(nlohmann::json::parse(contentOf(out)).at("theory_deg").get<double>() == doctest::Approx(30));
+    CHECK(std::system(
+              ("echo 'oops' | '" + std::string(TALUS_PROGRAM) + "' validate - 2> '" + out + "'").c_str()) !=
+          0);
+    CHECK(contentOf(out).starts_with("stdin:1:"));
+    CHECK(runTalus({"validate", slope, "--set", "gravity.tilt_deg"}).exit_code == 2);
+    CHECK(runTalus({"run", "--resume", "run.mcap", "--set", "gravity.tilt_deg=3"}).exit_code == 2);
+}
+
+TEST_CASE("files are written under names that say what is in them") {
+    const TemporaryFolder folder;
+    const std::string none = folder / "none";
+    const std::vector<std::vector<std::string>> wrong{{"replay", none, "-o", "page.pdf"},
+                                                      {"export", none, "--csv", "table.xlsx"},
+                                                      {"export", none, "--stl", "last", "-o", "slope.ply"},
+                                                      {"export", none, "--ply", "last", "-o", "slope.stl"},
+                                                      {"export", none, "--gltf", "run.gltf"},
+                                                      {"sample", none, "0", "-o", "run.txt"},
+                                                      {"blocks", none, "-o", "slope.png"}};
+    for (const auto& arguments : wrong) {
+        CAPTURE(arguments.back());
+        const Outcome outcome = runTalus(arguments);
+        CHECK(outcome.exit_code == 2);
+        CHECK(outcome.err.find("allowed: a name that ends in") != std::string::npos);
+        CHECK_FALSE(std::filesystem::exists(arguments.back()));
+    }
+}
+
 TEST_CASE("version names the build") {
     const Outcome outcome = runTalus({"--version"});
     CHECK(outcome.exit_code == 0);

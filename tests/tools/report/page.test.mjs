@@ -33,6 +33,14 @@ function inspect() {
     if (marks < rows) faults.push(`${plot.id}: ${marks} marks for ${rows} values`);
   }
   for (const box of document.querySelectorAll(".scroll")) if (getComputedStyle(box).overflowX !== "auto") faults.push("a table does not scroll in its box");
+  for (const drawn of document.querySelectorAll(".plot svg[role=img]")) {
+    const edge = drawn.getBoundingClientRect();
+    for (const text of drawn.querySelectorAll("text")) {
+      const box = text.getBoundingClientRect();
+      if (box.width > 0 && (box.left < edge.left - 1 || box.right > edge.right + 1))
+        faults.push(`${drawn.closest("figure").id}: "${text.textContent}" reaches over the edge of its plot`);
+    }
+  }
   const drawings = blocks.filter(({ type }) => type === "drawings").flatMap(({ items }) => items);
   const shapes = drawings.reduce((sum, drawing) => sum + drawing.shapes.length, 0);
   return {

@@ -2,12 +2,15 @@
 
 import { add, get, norm, poseOf, radiiOf, sub, turn } from "./data/poses.js";
 import { prepareFull } from "./data/contacts.js";
+import { headingOf, motionText, movingBlocks, sphereAround } from "./data/moving.js";
 import { overallMode, rolesAt, setOffTime } from "./data/roles.js";
 import { Player } from "./player.js";
 import { ArrowsView } from "./view/arrows.js";
 import { BlocksView } from "./view/blocks.js";
 import { MotionTextures } from "./view/motion.js";
+import { PathsView } from "./view/paths.js";
 import { pickBlock, pickInterface } from "./view/pick.js";
+import { isCut, planeOf } from "./view/section.js";
 import { JointsView, WaterView } from "./view/sheets.js";
 import { SupportsView, PhreaticView } from "./view/supports.js";
 import { Stage } from "./view/stage.js";
@@ -24,12 +27,15 @@ export class Replay {
     this.frames = file.frames;
     this.radius = radiiOf(this.header);
     this.look = { colouring: "displacement", ownScale: false, water: true, forces: false, joints: false, edges: true,
-      exaggeration: 1, opacity: 1, arrowSize: 1 };
+      fixed: true, paths: false, section: { axis: "", share: 0.5, flipped: false }, exaggeration: 1, opacity: 1, arrowSize: 1 };
     this.selected = { block: -1, interface: -1 };
     this.hovered = -1;
     this.fullIndex = -1, (this.full = null);
     this.valuesOf = { frame: [], values: [] };
-    this.mode = overallMode(this.header, rolesAt(this.header, this.frames.at(-1), this.radius));
+    const roles = rolesAt(this.header, this.frames.at(-1), this.radius);
+    this.mode = overallMode(this.header, roles);
+    this.moving = movingBlocks(roles);
+    this.motionText = motionText(this.header, this.frames, this.mode, this.moving);
     this.player = new Player(this.frames, () => this.invalidate("time"));
     this.buildScene();
     this.controls = new Controls(this);
@@ -50,7 +56,9 @@ export class Replay {
     this.arrows = new ArrowsView(this.header, this.motion, this.blockSize);
     this.supports = new SupportsView(this.header, this.motion, this.blockSize);
     this.phreatic = new PhreaticView(this.header, this.motion);
-    this.stage.model.add(this.blocks.object, this.joints.object, this.water.object, this.supports.object, this.phreatic.object);
+    this.paths = new PathsView(this.header, this.frames, this.motion, this.moving.length ? this.moving : free);
+    this.stage.model.add(this.blocks.object, this.joints.object, this.water.object, this.supports.object, this.phreatic.object,
+      this.paths.object);
     this.stage.over.add(this.arrows.object);
     this.ranges = this.wholeRanges();
   }
@@ -99,8 +107,21 @@ export class Replay {
   home(view) {
     this.view = view;
     this.stage.setTilt(this.frames[0].tilt);
-    const { centre, radius } = this.extent();
-    this.stage.look(view, centre, radius);
+    const { centre, radius } = this.focus();
+    this.stage.look(view, centre, radius, headingOf(this.header, this.frames.at(-1), this.moving) ?? undefined);
+  }
+
+  /** What is put in view: all of the model, or what moves, with as much again around it, where that is much smaller. */
+  focus() {
+    const all = this.extent();
+    if (this.moving.length === 0 || this.view === "top") return all;
+    const moving = sphereAround(this.header, this.frames, this.radius, this.moving);
+    return 2 * moving.radius < all.radius * 0.8 ? { centre: moving.centre, radius: 2 * moving.radius } : all;
+  }
+
+  /** Whether a block is drawn. */
+  shows(block) {
+    return this.look.fixed || this.header.motion[block] !== 1;
   }
 
   invalidate(what) {
@@ -125,6 +146,7 @@ export class Replay {
     const shape = ["all", "time", "look", "selection", "full"].some((what) => dirty.has(what));
     if (shape) this.updateScene(dirty);
     this.stage.render();
+    this.controls.film?.take();
     this.controls.update(dirty);
     this.pictures = (this.pictures ?? 0) + 1;
   }
@@ -140,12 +162,22 @@ export class Replay {
     if (newFrame) this.uploadFrames(a, b);
     const uniforms = this.blocks.uniforms;
     uniforms.selected.value = this.selected.block, (uniforms.hovered.value = this.hovered);
+    uniforms.hideFixed.value = !this.look.fixed;
+    this.updateSection();
+    this.paths.object.visible = this.look.paths;
+    this.paths.show(now.index + (now.share > 0 ? 1 : 0));
     this.blocks.setOpacity(this.rockOpacity());
     this.blocks.edges.visible = this.look.edges;
     uniforms.ink.value.set(...this.controls.edgeInk(this.rockOpacity()));
     this.refreshFull();
     if (newFrame || dirty.has("full") || dirty.has("selection")) this.updateLayers(a);
     this.shownFrame = a;
+  }
+
+  updateSection() {
+    this.plane = planeOf(this.header, this.look.section, (b) => this.shows(b));
+    this.motion.uniforms.cut.value.set(...(this.plane ? [...this.plane.normal, this.plane.at] : [0, 0, 0, 1]));
+    this.blocks.setCut(this.plane !== null);
   }
 
   /** Failure role of every block by its motion up to the frame shown. */
@@ -232,12 +264,17 @@ export class Replay {
       const i = pickInterface(this.header, this.full, this.now, times, origin, direction, this.selected.interface);
       if (i >= 0) return this.selectInterface(i);
     }
-    this.select(pickBlock(this.header, this.radius, this.now, times, origin, direction));
+    this.select(this.blockAlong(origin, direction));
+  }
+
+  blockAlong(origin, direction) {
+    return pickBlock(this.header, this.radius, this.now, this.look.exaggeration, origin, direction, (b) => this.shows(b),
+      (point) => isCut(this.plane, point));
   }
 
   hover(x, y) {
     const { origin, direction } = this.stage.rayAt(x, y);
-    this.hovered = pickBlock(this.header, this.radius, this.now, this.look.exaggeration, origin, direction);
+    this.hovered = this.blockAlong(origin, direction);
     this.blocks.uniforms.hovered.value = this.hovered;
     this.invalidate("camera");
     return this.hovered;
@@ -249,10 +286,19 @@ export class Replay {
     return this.stage.screenOf(poseOf(this.header, this.now, index, this.look.exaggeration).position);
   }
 
+  /** A point that moves with a block, where it is drawn in the model frame. */
+  placeOf(block, offset) {
+    const pose = poseOf(this.header, this.now, block, this.look.exaggeration);
+    return add(pose.position, turn(pose.turn, offset));
+  }
+
   /** Canvas point of a point that moves with a block. */
   screenOfPoint(block, offset) {
-    const pose = poseOf(this.header, this.now, block, this.look.exaggeration);
-    return this.stage.screenOf(add(pose.position, turn(pose.turn, offset)));
+    return this.stage.screenOf(this.placeOf(block, offset));
+  }
+
+  isCutAway(block, offset) {
+    return isCut(this.plane ?? null, this.placeOf(block, offset));
   }
 
   setOffOf(block) {

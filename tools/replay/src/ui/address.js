@@ -5,10 +5,12 @@ export function readAddress(replay, hash) {
   const { look, player } = replay;
   const colour = asked.get("colour");
   if (["displacement", "velocity", "rotation", "role"].includes(colour)) look.colouring = colour;
-  for (const layer of ["water", "forces", "joints", "edges"])
+  for (const layer of ["water", "forces", "joints", "edges", "fixed", "paths"])
     if (asked.has(layer)) look[layer] = !["0", "no"].includes(asked.get(layer));
   const times = Number(asked.get("exaggerate"));
   if (times >= 1) look.exaggeration = Math.min(times, 1e4);
+  const [axis, share] = (asked.get("section") ?? "").split(":"); // section=y:0.5
+  if (["x", "y", "z"].includes(axis)) Object.assign(look.section, { axis, share: Math.min(1, Math.max(0, Number(share ?? 0.5))) || 0 });
   if (["iso", "front", "toe", "top"].includes(asked.get("view"))) replay.home(asked.get("view"));
   if (asked.get("t") === "end") player.seek(player.last);
   else if (asked.has("t") && Number.isFinite(Number(asked.get("t")))) player.seek(Number(asked.get("t")));

@@ -3,13 +3,16 @@
 import { speeds } from "../player.js";
 import { angle, quantity, ratio } from "../units.js";
 import { Curve, valueAt } from "./curves.js";
+import { Recorder } from "./recorder.js";
+import { compassSvg, scaleBar, scaleSvg, viewText } from "./scale.js";
+import { planeText } from "../view/section.js";
 import { axesSvg, legendHtml } from "./legend.js";
 import { blockText, interfaceText, runText } from "./selection.js";
 import { readAddress } from "./address.js";
 
 const element = (id) => document.getElementById(id);
 const colourKeys = { 1: "displacement", 2: "velocity", 3: "rotation", 4: "role" };
-const layerKeys = { w: "water", f: "forces", j: "joints", e: "edges" };
+const layerKeys = { w: "water", f: "forces", j: "joints", e: "edges", b: "fixed", y: "paths" };
 const viewKeys = { o: "iso", s: "front", t: "toe", p: "top" };
 const kClickPixels = 5; // farther is a drag
 const kPanelPerSecond = 8; // rewrites of the panel's text while playing
@@ -22,6 +25,7 @@ export class Controls {
     this.describeRun();
     this.connectTransport();
     this.connectPanel();
+    this.film = new Recorder(replay, element("picture"), element("film"));
     this.connectPointer();
     this.makeCurves();
     addEventListener("keydown", (event) => this.onKey(event));
@@ -43,11 +47,11 @@ export class Controls {
   }
 
   describeRun() {
-    const { header, file, mode, frames } = this.replay;
+    const { header, file, frames } = this.replay;
     const name = header.scenarioPath.split("/").at(-1) || "run";
     document.title = `${name} – Talus replay`;
     element("title").textContent = name;
-    const motion = mode === "none" ? "no failure" : mode === "mixed" ? "sliding and toppling" : mode;
+    const motion = this.replay.motionText;
     element("facts").textContent = `${header.names.length} blocks · tilt ${angle(frames[0].tilt, 4)} · ` +
       `${quantity(frames.at(-1).time, "s")} · ${motion}` + (file.end?.get("ended") === "finished" ? "" : " · run not finished");
     element("run").innerHTML = runText(file, motion);
@@ -82,6 +86,9 @@ export class Controls {
     for (const layer of Object.values(layerKeys)) change(layer, (target) => (look[layer] = target.checked));
     change("exaggeration", (target) => (look.exaggeration = 10 ** Number(target.value)));
     change("opacity", (target) => (look.opacity = Number(target.value)));
+    change("section", (target) => (look.section.axis = target.value));
+    change("section-share", (target) => (look.section.share = Number(target.value)));
+    change("section-flip", (target) => (look.section.flipped = target.checked));
     change("arrow-size", (target) => (look.arrowSize = 10 ** Number(target.value)));
     for (const button of document.querySelectorAll("[data-view]"))
       button.addEventListener("click", () => this.replay.home(button.dataset.view));
@@ -205,6 +212,7 @@ export class Controls {
       h: () => this.help(),
       Escape: () => replay.select(-1),
       l: () => press("loop"),
+      c: () => this.nextSection(),
       r: () => replay.home(replay.view),
       "+": () => this.exaggerate(look.exaggeration * 10 ** 0.25),
       "=": () => this.exaggerate(look.exaggeration * 10 ** 0.25),
@@ -219,6 +227,12 @@ export class Controls {
     return false;
   }
 
+  nextSection() {
+    const { section } = this.replay.look, axes = ["", "x", "y", "z"];
+    section.axis = axes[(axes.indexOf(section.axis) + 1) % axes.length];
+    this.replay.invalidate("look");
+  }
+
   exaggerate(times) {
     this.replay.look.exaggeration = Math.min(1e4, Math.max(1, times));
     this.replay.invalidate("look");
@@ -231,7 +245,10 @@ export class Controls {
       this.updateLook();
       this.updateSelection(dirty);
     }
-    element("axes").innerHTML = axesSvg(replay.stage.axes(replay.now.a.tilt));
+    const axes = replay.stage.axes(replay.now.a.tilt);
+    element("axes").innerHTML = compassSvg(replay.stage.compass()) + axesSvg(axes);
+    element("view-text").textContent = viewText(replay.stage.direction());
+    element("scale").innerHTML = scaleSvg(scaleBar(replay.stage.metresPerPixel()));
     this.updateLabels(look.water);
     element("play").classList.toggle("playing", player.playing);
     element("play").setAttribute("aria-label", player.playing ? "Pause" : "Play");
@@ -261,13 +278,20 @@ export class Controls {
     element("scale-row").hidden = look.colouring === "role";
     element("exaggeration").value = Math.log10(look.exaggeration);
     element("exaggeration-value").textContent = `× ${Number(look.exaggeration.toPrecision(3))}`;
-    element("opacity-value").textContent = `${Math.round(replay.rockOpacity() * 100)} %`;
+    element("opacity").value = look.opacity;
+    const percent = (share) => `${Math.round(share * 100)} %`, drawn = replay.rockOpacity();
+    element("opacity-value").textContent =
+      percent(look.opacity) + (drawn < look.opacity ? `, ${percent(drawn)} with ${look.joints ? "joints" : "forces"}` : "");
+    element("section").value = look.section.axis, (element("section-share").value = look.section.share);
+    element("section-flip").checked = look.section.flipped;
+    element("section-share").disabled = element("section-flip").disabled = !replay.plane;
+    element("section-value").textContent = replay.plane ? planeText(replay.plane, look.section.axis, (at) => quantity(at, "m", 3)) : "none";
     const arrows = look.forces || replay.selected.block >= 0;
     element("arrow-row").hidden = !arrows;
     element("arrow-size-value").textContent = `× ${Number(look.arrowSize.toPrecision(2))}`;
     const html = legendHtml({
       colouring: look.colouring, range: replay.range, ownScale: look.ownScale, roles: look.colouring === "role" ? replay.roles : [], joints: look.joints,
-      forces: arrows, reference: replay.arrows.reference, arrowPixels: this.arrowPixels(), fullTime: replay.full?.time ?? null,
+      forces: arrows, reference: replay.arrows.reference, arrowPixels: this.arrowPixels(), fullTime: replay.full?.time ?? null, time: replay.player.time,
       exaggeration: look.exaggeration, selected: replay.selected.block >= 0,
       supports: replay.supports.supports.length > 0,
     });
@@ -277,10 +301,8 @@ export class Controls {
   /** Length of the legend's arrow at the middle of the view. */
   arrowPixels() {
     const { stage, arrows } = this.replay;
-    const distance = stage.camera.position.distanceTo(stage.controls.target);
     const metres = arrows.reference * arrows.uniforms.metresPerNewton.value;
-    const view = 2 * distance * Math.tan((stage.camera.fov * Math.PI) / 360);
-    return Math.min(160, Math.max(14, Math.round((metres / view) * element("stage").clientHeight)));
+    return Math.min(160, Math.max(14, Math.round(metres / stage.metresPerPixel())));
   }
 
   updateSelection(dirty) {
@@ -298,7 +320,7 @@ export class Controls {
   updateLabels(shown) {
     const labels = shown ? this.replay.water.labels : [];
     const html = labels.map((label) => {
-      const at = this.replay.screenOfPoint(label.block, label.offset);
+      const at = this.replay.isCutAway(label.block, label.offset) ? null : this.replay.screenOfPoint(label.block, label.offset);
       return at ? `<span style="left:${at.x.toFixed(0)}px;top:${at.y.toFixed(0)}px">${label.text}</span>` : "";
     }).join("");
     if (html !== this.labelsShown) element("labels").innerHTML = this.labelsShown = html;

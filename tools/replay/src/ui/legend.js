@@ -9,7 +9,11 @@ const item = (colour, text) => `<li><i style="background:${colour}"></i>${text}<
 const unitOf = (kind) => (value) =>
   kind === "rotation" ? `${Number(degrees(value).toPrecision(3))}°` : quantity(value, kind === "velocity" ? "m/s" : "m", 3);
 
-export function legendHtml({ colouring, range, ownScale, roles, joints, forces, reference, arrowPixels, fullTime, exaggeration, selected, supports }) {
+/** The colours' meaning in words, for pictures. */
+export const colourCaption = ({ colouring }, range) =>
+  colouring === "role" ? { items: [], scale: null } : { title: titles[colouring], most: unitOf(colouring)(range[1]), scale: "heat" };
+
+export function legendHtml({ colouring, range, ownScale, roles, joints, forces, reference, arrowPixels, fullTime, time, exaggeration, selected, supports }) {
   const parts = [];
   if (colouring === "role") {
     const present = [...new Set(roles)].sort();
@@ -19,7 +23,9 @@ export function legendHtml({ colouring, range, ownScale, roles, joints, forces, 
     parts.push(`${titles[colouring]}${ownScale ? " (scale of this frame)" : ""}<div class="bar" style="background:${gradientOf("heat")}"></div>` +
       `<div class="ends"><span>0</span><span>${text(range[1] / 2)}</span><span>${text(range[1])}</span></div>`);
   }
-  const at = fullTime === null ? "" : ` at t = ${quantity(fullTime, "s")}`;
+  const is_past = fullTime !== null && time - fullTime > 1e-9;
+  const at = fullTime === null ? ": not known before the first full state"
+    : ` at t = ${quantity(fullTime, "s")}${is_past ? " (the last known)" : ""}`;
   if (joints)
     parts.push(`Joints${at}: friction used<div class="bar" style="background:${gradientOf("used")}"></div>` +
       `<div class="ends"><span>0</span><span>½</span><span>all: slips</span></div><ul>${item(openJoint + "55", "open")}</ul>`);
@@ -41,7 +47,7 @@ export function axesSvg(axes) {
   return Object.entries(axes)
     .sort(([, a], [, b]) => a[2] - b[2])
     .map(([name, [x, y]]) => {
-      const length = name === "g" ? 34 : 28;
+      const length = name === "g" ? 27 : 22;
       const [u, v] = [x * length, -y * length];
       const dash = name === "g" ? ' stroke-dasharray="3 2"' : "";
       return `<g stroke="${colours[name]}" fill="${colours[name]}"><path d="M0 0L${u.toFixed(1)} ${v.toFixed(1)}" stroke-width="2"${dash}/>` +

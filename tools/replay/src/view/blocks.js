@@ -79,6 +79,7 @@ export class BlocksView {
       opacity: { value: 1 },
       selected: { value: -1 },
       hovered: { value: -1 },
+      hideFixed: { value: false },
       ink: { value: new THREE.Vector4(0.1, 0.12, 0.15, 0.5) },
     };
     this.faceMaterial = new THREE.ShaderMaterial({
@@ -94,6 +95,12 @@ export class BlocksView {
     this.edges.renderOrder = 1;
     this.object = new THREE.Group().add(this.faces, this.edges);
     for (const part of [this.faces, this.edges]) part.frustumCulled = false; // the shader moves them
+  }
+
+  /** With a section both sides of faces are drawn. */
+  setCut(is_cut) {
+    const side = is_cut ? THREE.DoubleSide : THREE.FrontSide;
+    if (this.faceMaterial.side !== side) (this.faceMaterial.side = side), (this.faceMaterial.needsUpdate = true);
   }
 
   setOpacity(opacity) {

@@ -25,7 +25,7 @@ function along(stops, x) {
 }
 export const heat = (x) => along(kHeat, x);
 export const used = (x) => along(kUsed, x);
-export const gradientOf = (scale) => `linear-gradient(90deg,${(scale === "used" ? kUsed : kHeat).join(",")})`;
+export const gradientOf = (scale) => `linear-gradient(90deg,${gradientStops(scale).join(",")})`;
 
 export function heatTexture() {
   const data = new Uint8Array(256 * 4);
@@ -35,3 +35,4 @@ export function heatTexture() {
   texture.needsUpdate = true;
   return texture;
 }
+export const gradientStops = (scale) => (scale === "used" ? kUsed : kHeat);

@@ -1,6 +1,7 @@
 // The motion textures: what the shaders know of two neighbouring frames.
 
 import * as THREE from "three";
+import { cutUniforms } from "./section.js";
 import { kBlocksPerRow, kTexelsPerBlock } from "./shaders.js";
 
 const floatTexture = (data, width, height) => {
@@ -23,6 +24,7 @@ export class MotionTextures {
       centroids: { value: floatTexture(centroids, kBlocksPerRow, rows) },
       share: { value: 0 },
       exaggeration: { value: 1 },
+      ...cutUniforms(),
     };
   }
 

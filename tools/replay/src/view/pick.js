@@ -27,10 +27,11 @@ function rayNearSphere(origin, direction, centre, radius) {
   return along > -radius && norm(sub(to, scale(direction, along))) <= radius;
 }
 
-/** Index of the first block along the ray (unit direction, model frame), or -1. */
-export function pickBlock(header, radius, frames, times, origin, direction) {
+/** Index of the first block along the ray (unit direction, model frame), or -1. `seen(block)` and `isCut(point)` say what is not drawn. */
+export function pickBlock(header, radius, frames, times, origin, direction, seen = () => true, isCut = () => false) {
   let best = -1, nearest = Infinity;
   for (let b = 0; b < header.names.length; ++b) {
+    if (!seen(b)) continue;
     const pose = poseOf(header, frames, b, times);
     if (!rayNearSphere(origin, direction, pose.position, radius[b])) continue;
     for (let f = header.faceBegin[b]; f < header.faceBegin[b + 1]; ++f) {
@@ -40,7 +41,7 @@ export function pickBlock(header, radius, frames, times, origin, direction) {
         corners.push(add(pose.position, turn(pose.turn, offset)));
       }
       const t = rayToPolygon(origin, direction, corners);
-      if (t < nearest) (nearest = t), (best = b);
+      if (t < nearest && !isCut(add(origin, scale(direction, t)))) (nearest = t), (best = b);
     }
   }
   return best;

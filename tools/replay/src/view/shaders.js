@@ -5,6 +5,11 @@
 export const kTexelsPerBlock = 4;
 export const kBlocksPerRow = 512;
 
+/** Cut away is what lies in front of the section plane. */
+export const cutDeclaration = `uniform vec4 cut;
+in vec3 vPlace;`;
+export const cutDiscard = "if (dot(cut.xyz, vPlace) > cut.w) discard;";
+
 /** `placed(offset, block)`: where a point is that lay at centroid + offset at the start. */
 export const poseShader = `
 uniform highp sampler2D motions;
@@ -42,6 +47,7 @@ in float block;
 in vec3 faceNormal;
 out vec3 vNormal;
 out float vValue;
+out vec3 vPlace;
 flat out int vKind;
 flat out int vBlock;
 void main() {
@@ -50,7 +56,8 @@ void main() {
   vKind = int(motionTexel(b, 1).w + 0.5);
   vValue = mix(motionTexel(b, 0).w, motionTexel(b, 2).w, share);
   vNormal = normalMatrix * turned(turnOf(b), faceNormal);
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(placed(position, b), 1.0);
+  vPlace = placed(position, b);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(vPlace, 1.0);
 }`;
 
 export const blockFragment = `
@@ -64,12 +71,16 @@ uniform vec3 accent;
 uniform float opacity;
 uniform int selected;
 uniform int hovered;
+uniform bool hideFixed;
+${cutDeclaration}
 in vec3 vNormal;
 in float vValue;
 flat in int vKind;
 flat in int vBlock;
 out vec4 colour;
 void main() {
+  if (hideFixed && vKind == 1) discard;
+  ${cutDiscard}
   vec3 base;
   if (categories) base = categoryColours[int(vValue + 0.5)];
   else if (vKind > 0) base = heldColour;
@@ -81,6 +92,8 @@ void main() {
   vec3 n = normalize(vNormal);
   float light = 0.62 + 0.30 * max(dot(n, normalize(vec3(-0.35, 0.85, 0.4))), 0.0) + 0.14 * max(n.z, 0.0);
   vec3 lit = base * light;
+  // The inside of a block is seen only where the section cuts it open: one flat tone there looks solid.
+  if (!gl_FrontFacing) lit = base * 0.72;
   if (vBlock == selected) lit = mix(lit, accent, 0.45);
   else if (vBlock == hovered) lit = mix(lit, vec3(1.0), 0.22);
   colour = vec4(lit, vBlock == selected ? max(opacity, 0.55) : opacity);
@@ -88,11 +101,15 @@ void main() {
 
 export const edgeVertex = `${poseShader}
 in float block;
+out vec3 vPlace;
 flat out int vBlock;
+flat out int vKind;
 void main() {
   int b = int(block + 0.5);
   vBlock = b;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(placed(position, b), 1.0);
+  vKind = int(motionTexel(b, 1).w + 0.5);
+  vPlace = placed(position, b);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(vPlace, 1.0);
 }`;
 
 export const edgeFragment = `
@@ -100,26 +117,36 @@ precision highp float;
 uniform vec4 ink;
 uniform vec3 accent;
 uniform int selected;
+uniform bool hideFixed;
+${cutDeclaration}
 flat in int vBlock;
+flat in int vKind;
 out vec4 colour;
-void main() { colour = vBlock == selected ? vec4(accent, 1.0) : ink; }`;
+void main() {
+  if (hideFixed && vKind == 1) discard;
+  ${cutDiscard}
+  colour = vBlock == selected ? vec4(accent, 1.0) : ink;
+}`;
 
 /** Flat polygons fixed to blocks (water, joints): a colour of their own per vertex. */
 export const sheetVertex = `${poseShader}
 in float block;
 in vec4 tint;
 out vec4 vTint;
+out vec3 vPlace;
 void main() {
   vTint = tint;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(placed(position, int(block + 0.5)), 1.0);
+  vPlace = placed(position, int(block + 0.5));
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(vPlace, 1.0);
 }`;
 
 export const sheetFragment = `
 precision highp float;
 uniform float strength;
+${cutDeclaration}
 in vec4 vTint;
 out vec4 colour;
-void main() { colour = vec4(vTint.rgb, vTint.a * strength); }`;
+void main() { ${cutDiscard} colour = vec4(vTint.rgb, vTint.a * strength); }`;
 
 /** One arrow an instance: its tip (or its tail, where pushing is 0) at a point of a block, along a force. */
 export const arrowVertex = `${poseShader}

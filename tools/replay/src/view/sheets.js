@@ -22,7 +22,7 @@ export class Sheets {
     this.object = new THREE.Group();
     const parts = [
       new THREE.Mesh(this.geometry, material(1, THREE.LessEqualDepth)),
-      new THREE.Mesh(this.geometry, material(0.42, THREE.GreaterDepth)),
+      new THREE.Mesh(this.geometry, material(0.35, THREE.GreaterDepth)),
       new THREE.LineSegments(this.lines, material(1, null)),
     ];
     parts.forEach((part, k) => {
@@ -106,7 +106,7 @@ export class WaterView extends Sheets {
     if (part.length < 3) return;
     const deepest = Math.max(...values);
     const colour = rgb(waterColour);
-    const tints = values.map((depth) => [...colour, 0.45 + 0.4 * (deepest > 0 ? depth / deepest : 0)]);
+    const tints = values.map((depth) => [...colour, 0.2 + 0.3 * (deepest > 0 ? depth / deepest : 0)]);
     putPolygon(triangles, block, part, tints);
     const line = [0.02, 0.22, 0.5, 1];
     const edge = surface.length === 2 ? surface : [];

@@ -35,13 +35,17 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Looks at a sphere (centre in the model frame) from one of the named views. */
-  look(view, centre, radius) {
+  /**
+   * Looks at a sphere (centre in the model frame) from one of the named views; the oblique one is turned so that what goes
+   * in the direction `heading` (from east towards north, in radians) comes towards the reader as a slope's toe does.
+   */
+  look(view, centre, radius, heading = Math.PI) {
     const middle = new THREE.Vector3(...centre).applyMatrix4(this.model.matrixWorld);
     const angle = (Math.PI / 180) * this.camera.fov;
     const narrow = Math.min(angle, 2 * Math.atan(Math.tan(angle / 2) * this.camera.aspect));
     const distance = radius / Math.sin(narrow / 2);
-    this.camera.position.copy(middle).addScaledVector(new THREE.Vector3(...views[view]).normalize(), distance);
+    this.camera.position.copy(middle).addScaledVector(new THREE.Vector3(...views[view]).normalize()
+      .applyAxisAngle(new THREE.Vector3(0, 0, 1), view === "iso" ? heading - Math.PI : 0), distance);
     this.camera.near = distance / 100, (this.camera.far = distance * 100);
     this.camera.updateProjectionMatrix();
     this.controls.target.copy(middle);
@@ -71,6 +75,24 @@ export class Stage {
     const size = this.renderer.getSize(new THREE.Vector2());
     const at = new THREE.Vector3(...point).applyMatrix4(this.model.matrixWorld).project(this.camera);
     return at.z > 1 ? null : { x: ((at.x + 1) / 2) * size.x, y: ((1 - at.y) / 2) * size.y };
+  }
+
+  /** Size of a CSS pixel at the middle of the view [m]. */
+  metresPerPixel() {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    const height = this.renderer.getSize(new THREE.Vector2()).y;
+    return (2 * distance * Math.tan((this.camera.fov * Math.PI) / 360)) / Math.max(1, height);
+  }
+
+  /** Where the camera looks to: east, north, up, as gravity has them. */
+  direction() {
+    return this.camera.getWorldDirection(new THREE.Vector3()).toArray();
+  }
+
+  /** Level directions to the north and to the east on the screen (right, up, towards). */
+  compass() {
+    const seen = (v) => new THREE.Vector3(...v).transformDirection(this.camera.matrixWorldInverse).toArray();
+    return { north: seen([0, 1, 0]), east: seen([1, 0, 0]) };
   }
 
   /** Directions of the model's axes and of gravity on the screen (right, up). */

@@ -113,15 +113,17 @@ function scaleOf(axis, pixels) {
   return { domain: [-0.5, categories.length - 0.5], label: null, ticks, tickFormat: (k) => categories[k], tickSize: 0 };
 }
 
-function drawn(plot, width) {
+/** `spare`: room on the left and the right for labels that turned out longer. */
+function drawn(plot, width, spare) {
   const rows = plot.y.categories;
   const named = rows ? Math.max(...rows.map((name) => name.length)) * 7.2 + 16 : 0;
   const above = rows && plot.y.first_on_top && named > 0.4 * width; // the names then stand over their bars
-  const marginLeft = rows && !above ? Math.max(40, Math.min(named, 0.5 * width)) : above ? 16 : 46;
+  const marginLeft = spare.left + (rows && !above ? Math.max(40, Math.min(named, 0.5 * width)) : above ? 16 : 46);
   const height = rows ? Math.min(rows.length * (above ? 46 : 30), 620) + 66 : Math.round(Math.max(290, Math.min(460, 0.6 * width)));
   const titleLines = Math.ceil((plot.x.title.length * 8.2) / width);
-  const margins = { marginLeft, marginRight: 14, marginTop: plot.y.title ? 34 : 8, marginBottom: 32 + 16 * titleLines };
-  const frame = { width: width - marginLeft - 14, squeeze: Math.min(1, width / 640), above };
+  const marginRight = 14 + spare.right;
+  const margins = { marginLeft, marginRight, marginTop: plot.y.title ? 34 : 8, marginBottom: 32 + 16 * titleLines };
+  const frame = { width: width - marginLeft - marginRight, squeeze: Math.min(1, width / 640), above };
   const y = scaleOf({ ...plot.y, upright: true }, height - 80);
   if (rows && plot.y.first_on_top) y.reverse = true; // the first on top
   return Plot.plot({
@@ -198,20 +200,37 @@ function numbers(plot) {
   return box;
 }
 
+/** How far texts reach over the left and right edges of a drawing [px]. */
+function beyond(made) {
+  const edge = made.getBoundingClientRect(), spare = { left: 0, right: 0 };
+  for (const text of made.querySelectorAll("text")) {
+    const box = text.getBoundingClientRect();
+    if (box.width === 0) continue;
+    spare.left = Math.max(spare.left, Math.ceil(edge.left - box.left));
+    spare.right = Math.max(spare.right, Math.ceil(box.right - edge.right));
+  }
+  return spare;
+}
+
 /** A plot that is as wide as its place, and drawn again when that changes. */
 export function plotFigure(plot) {
   const place = html("div", { class: "drawn" });
   const figure = html("figure", { class: "plot", id: plot.id },
     html("h3", {}, words(plot.title)), plot.description ? html("p", {}, words(plot.description)) : null, legend(plot), place, numbers(plot));
   let width = 0;
+  const put = (spare) => {
+    const made = drawn(plot, width, spare);
+    made.setAttribute("role", "img");
+    made.setAttribute("aria-label", `${plot.title}. ${plot.description ?? ""}`);
+    place.replaceChildren(made);
+    return made;
+  };
   const draw = () => {
     const room = Math.floor(Math.min(832, place.getBoundingClientRect().width || 720));
     if (Math.abs(room - width) < 2) return;
     width = room;
-    const made = drawn(plot, width);
-    made.setAttribute("role", "img");
-    made.setAttribute("aria-label", `${plot.title}. ${plot.description ?? ""}`);
-    place.replaceChildren(made);
+    const spare = beyond(put({ left: 0, right: 0 }));
+    if (spare.left > 0 || spare.right > 0) put(spare);
   };
   return { figure, draw, place };
 }

@@ -1,0 +1,25 @@
+#pragma once
+// Scenario files read with other values in some of their fields.
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "talus/formats/scenario.h"
+
+namespace talus::formats {
+
+/// A field that is to have another value than its file gives; it may be one that the file leaves out.
+struct FieldChange {
+    std::string field;     ///< as a user writes it: water[0].depth
+    std::string value;     ///< an integer, a number, true or false, else text; in double quotes always text
+    std::string origin{};  ///< whose wish it is, for messages: "--set"
+};
+
+/// As readScenario without changes, but that faults of changed fields name their origin in place of the file. The text of the
+/// scenario has the values in it. The path "-" is the standard input, called "stdin" in messages; files it names are looked
+/// for in the current folder.
+Result<Scenario> readScenario(const std::string& path, const std::vector<FieldChange>& changes,
+                              const std::atomic<bool>* stop = nullptr);
+
+}  // namespace talus::formats

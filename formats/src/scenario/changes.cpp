@@ -1,0 +1,84 @@
+#include "talus/formats/changes.h"
+
+#include "scenario/read_document.h"
+#include "toml/field_path.h"
+#include "toml/file_text.h"
+#include "toml/scalar_text.h"
+#include "toml/wording.h"
+#include "toml/write_document.h"
+
+namespace talus::formats {
+
+namespace {
+
+using toml::Document;
+
+/// As the reader writes fields: joint."default".cohesion is joint.default.cohesion.
+std::string fieldName(const toml::FieldPath& path) {
+    std::string name;
+    for (const toml::PathPart& part : path)
+        name = std::holds_alternative<std::string>(part)
+                   ? toml::joinField(name, std::get<std::string>(part))
+                   : toml::elementField(name, std::get<std::size_t>(part));
+    return name;
+}
+
+std::string enclosingTable(const std::string& field) { return field.substr(0, field.rfind('.')); }
+
+/// Whether an error is about what was changed: the field itself, part of it, or, where the file has no such table, what is
+/// missing in the one that it made.
+bool isAbout(const Error& error, const std::string& changed) {
+    const bool inside = error.field.starts_with(changed) &&
+                        (error.field.size() == changed.size() || error.field[changed.size()] == '[');
+    const bool around = changed.starts_with(error.field + ".");
+    const bool beside = enclosingTable(error.field) == enclosingTable(changed);
+    return inside || (error.line == 0 && !error.field.empty() && (around || beside));
+}
+
+/// Puts the values into the document; faults of paths that lead nowhere.
+std::vector<Error> change(Document& document, const std::vector<FieldChange>& changes) {
+    std::vector<Error> faults;
+    for (const FieldChange& wish : changes) {
+        const auto path = toml::parseField(wish.field);
+        const auto fault =
+            path ? document.set(*path, toml::scalarOf(wish.value))
+                 : "is not the path of a field, allowed: one such as joint.default.friction_deg "
+                   "or water[0].depth";
+        if (fault) faults.push_back({wish.field, *fault, wish.origin});
+    }
+    return faults;
+}
+
+/// Errors of changed fields are said of who changed them: the file has no such line.
+std::vector<Error> ofChanges(const std::vector<FieldChange>& changes, std::vector<Error> errors) {
+    for (const FieldChange& wish : changes) {
+        const auto path = toml::parseField(wish.field);
+        if (!path) continue;
+        for (Error& error : errors)
+            if (isAbout(error, fieldName(*path))) {
+                error.file = wish.origin;
+                error.line = error.column = 0;
+            }
+    }
+    return errors;
+}
+
+}  // namespace
+
+Result<Scenario> readScenario(const std::string& path, const std::vector<FieldChange>& changes,
+                              const std::atomic<bool>* stop) {
+    const bool from_stdin = path == "-";
+    const std::string name = from_stdin ? "stdin" : path;
+    const auto text = from_stdin ? toml::readStandardInput(name) : toml::readFileText(path);
+    if (!text) return text.errors();
+    if (changes.empty()) return parseScenario(*text, name, kMostBlocks, stop);
+    auto document = Document::parse(*text, name);
+    if (!document) return document.errors();
+    if (auto faults = change(*document, changes); !faults.empty()) return faults;
+    auto scenario =
+        scenario::readDocument(*document, toml::writeDocument(*document), name, kMostBlocks, stop);
+    if (!scenario) return ofChanges(changes, scenario.errors());
+    return scenario;
+}
+
+}  // namespace talus::formats

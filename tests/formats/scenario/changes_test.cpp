@@ -1,0 +1,100 @@
+// Fields that are given other values than the file has: talus::formats::readScenario with changes, `--set` in commands.
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/properties.h"
+#include "talus/formats/changes.h"
+
+using namespace talus;
+using namespace talus::formats;
+
+namespace {
+
+constexpr const char* kText =
+    "[material.granite]\ndensity = 2700.0\n[joint.default]\nnormal_stiffness = 1e10\nshear_stiffness = 1e10\n"
+    "friction_deg = 30.0\n[[stack]]\ncolumns = 3\nrows = 2\nslices = 1\nblock = [0.2, 0.1, 0.1]\n[[water]]\n"
+    "fissure = 1\ndepth = 0.1\n";
+
+/// A scenario file of this text for as long as this lives.
+class ScenarioFile {
+ public:
+    ScenarioFile() : path_(std::filesystem::temp_directory_path() / "talus-changes-test.toml") {
+        std::ofstream(path_) << kText;
+    }
+    ~ScenarioFile() { std::filesystem::remove(path_); }
+    std::string path() const { return path_.string(); }
+
+ private:
+    std::filesystem::path path_;
+};
+
+Result<Scenario> changed(const std::string& field, const std::string& value) {
+    const ScenarioFile file;
+    return readScenario(file.path(), {{field, value, "--set"}});
+}
+
+/// The first fault as people read it.
+std::string fault(const std::string& field, const std::string& value) {
+    const auto scenario = changed(field, value);
+    REQUIRE_FALSE(scenario.ok());
+    return format(scenario.errors().front());
+}
+
+}  // namespace
+
+TEST_SUITE("scenario changes") {
+    TEST_CASE("a changed field has its value, in the model and in the text that is kept") {
+        const auto scenario = changed("joint.default.friction_deg", "25");
+        REQUIRE(scenario.ok());
+        CHECK(scenario->model.joints[0].friction == doctest::Approx(25.0 * 3.14159265358979 / 180));
+        const auto again = parseScenario(scenario->text, "kept.toml");
+        REQUIRE(again.ok());
+        CHECK(again->model.joints[0].friction == scenario->model.joints[0].friction);
+    }
+
+    TEST_CASE("elements of arrays, fields and tables that the file leaves out, texts and booleans") {
+        CHECK(changed("stack[0].columns", "5")->model.blocks.size() == 11);
+        CHECK(changed("stack[0].block[2]", "0.2")->model.blocks.size() == 7);
+        CHECK(changed("gravity.tilt_deg", "10")->model.gravity.tilt == doctest::Approx(0.174532925));
+        CHECK(changed("contact.points", "corner")->model.points.kind == PointRule::Kind::corner);
+        CHECK_FALSE(changed("analysis.time_scaling", "false")->model.analysis.time_scaling);
+        CHECK(changed("material.\"granite\".density", "2500")->model.blocks[1].density == 2500);
+    }
+
+    TEST_CASE("any friction angle that is allowed arrives to the bit") {
+        test::checkProperty("value of --set", 100, [] {
+            const double value = *test::numberIn(0, 80);
+            const auto scenario = changed("joint.default.friction_deg", std::to_string(value));
+            RC_ASSERT(scenario.ok());
+            const auto written = parseScenario(scenario->text, "written.toml");
+            RC_ASSERT(written.ok());
+            RC_ASSERT(written->model.joints[0].friction == scenario->model.joints[0].friction);
+        });
+    }
+
+    TEST_CASE("faults name who asked and the field, not a line of the file") {
+        CHECK(fault("joint.default.friction_deg", "100")
+                  .starts_with("--set: error: joint.default.friction_deg: found"));
+        CHECK(fault("joint.default.friction_deg", "steep")
+                  .starts_with("--set: error: joint.default.friction_deg: "));
+        CHECK(fault("joint.default.frction_deg", "30").find("friction_deg") != std::string::npos);
+        CHECK(
+            fault("joint.default.frction_deg", "30").starts_with("--set: error: joint.default.frction_deg"));
+        CHECK(fault("joint.other.friction_deg", "30").starts_with("--set: error: joint.other"));
+        CHECK(fault("water[4].depth", "1").starts_with("--set: error: water[4].depth: there is no"));
+        CHECK(fault("water[", "1").starts_with("--set: error: water["));
+        CHECK(fault("watr.depth", "1").starts_with("--set: error: watr"));
+    }
+
+    TEST_CASE("faults of other fields keep their line") {
+        const ScenarioFile file;
+        std::ofstream(file.path(), std::ios::app) << "depht = 3\n";
+        const auto scenario = readScenario(file.path(), {{"gravity.tilt_deg", "3", "--set"}});
+        REQUIRE_FALSE(scenario.ok());
+        CHECK(scenario.errors().front().file == file.path());
+        CHECK(scenario.errors().front().line == 15);
+    }
+}

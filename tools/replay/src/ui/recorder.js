@@ -1,0 +1,72 @@
+// The buttons that save a picture and record a film, and what they write on it.
+
+import { angle, quantity } from "../units.js";
+import { roleNames } from "../data/roles.js";
+import { roleColours } from "../view/colours.js";
+import { canFilm, compose, Film, savePicture } from "./film.js";
+import { colourCaption } from "./legend.js";
+import { scaleBar } from "./scale.js";
+
+export class Recorder {
+  constructor(replay, picture_button, film_button) {
+    this.replay = replay;
+    this.canvas = document.createElement("canvas");
+    this.button = film_button;
+    picture_button.addEventListener("click", () => this.picture());
+    film_button.addEventListener("click", () => this.toggle());
+    film_button.disabled = !canFilm();
+    if (film_button.disabled) film_button.title = "This browser records no films";
+  }
+
+  name() {
+    return (this.replay.header.scenarioPath.split("/").at(-1) || "run").replace(/\.toml$/, "");
+  }
+
+  /** The picture as it has just been rendered, and what explains it. */
+  compose() {
+    const { replay } = this, { look, stage, player } = replay;
+    const roles = look.colouring === "role";
+    const present = roles ? [...new Set(replay.roles)].sort() : [];
+    compose(this.canvas, stage.renderer.domElement, {
+      dark: replay.controls.dark(), ratio: stage.renderer.getPixelRatio(), title: this.name(),
+      lines: [`t = ${quantity(player.time, "s")}, tilt ${angle(replay.now.a.tilt, 4)}, ${replay.motionText}`,
+        ...(look.joints && replay.full ? [`joints at t = ${quantity(replay.full.time, "s")}: green little, yellow half, red all of the friction used, grey open`] : []),
+        ...(look.exaggeration !== 1 ? [`displacement drawn × ${Number(look.exaggeration.toPrecision(3))}`] : [])],
+      colours: roles ? { ...colourCaption(look, replay.range), items: present.map((role) => [roleColours[role], roleNames[role]]) }
+        : colourCaption(look, replay.range),
+      scale: scaleBar(stage.metresPerPixel()),
+    });
+  }
+
+  async picture() {
+    this.replay.stage.render(); // what is on the screen may be read only right after it was drawn
+    this.compose();
+    return savePicture(this.canvas, `${this.name()}-${this.replay.player.time.toPrecision(4)}s`);
+  }
+
+  toggle() {
+    this.film ? this.end() : this.begin();
+  }
+
+  begin() {
+    this.replay.stage.render();
+    this.compose();
+    this.film = new Film(this.canvas, this.name());
+    this.button.textContent = "Stop recording", this.button.classList.add("recording");
+    this.replay.player.play();
+  }
+
+  /** After every picture drawn; the film ends with the run. */
+  take() {
+    if (!this.film) return;
+    this.compose();
+    if (!this.replay.player.playing) this.end();
+  }
+
+  end() {
+    const film = this.film;
+    this.film = null;
+    this.button.textContent = "Record film", this.button.classList.remove("recording");
+    this.saved = new Promise((resolve) => setTimeout(() => resolve(film.finish()), 200)); // the last picture, too
+  }
+}
