@@ -22,7 +22,7 @@ constexpr int kMostReopenings = 12;  // times a failing motion may come to rest 
 // start, where no deflection at rest is known to compare with, more is asked for.
 constexpr double kSeenAtStart = 0.01;
 // Steps of the continuation: as many as the probes took, but a number that shows something, and not without bound.
-constexpr std::int64_t kLeastSteps = 40'000, kMostSteps = 400'000, kMostStepsAtStart = 100'000;
+constexpr std::int64_t kLeastSteps = 120'000, kMostSteps = 400'000, kMostStepsAtStart = 100'000;
 
 class Search {
  public:
