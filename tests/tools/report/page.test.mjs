@@ -82,7 +82,7 @@ for (const path of paths) {
     deepEqual(found.outside, []);
     if (width === 390 && (await page.locator(".plot details").count()) > 0) {
       await page.locator(".plot details summary").first().click();
-      await page.locator(".plot details").first().locator("table").waitFor(); // drawn when the page hears of the click
+      await page.locator(".plot details").first().locator("table").first().waitFor(); // drawn when the page hears of the click
       await page.locator(".plot details summary").first().click();
     }
     if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/${basename(path)}-${width}.png`, fullPage: true });
