@@ -13,7 +13,7 @@ namespace talus::tools {
 
 /// Which scenario a command is about, as its command line says (addScenario in cli/command.h).
 struct ScenarioInput {
-    std::string path;               ///< "-": the standard input
+    std::string path;                 ///< "-": the standard input
     std::vector<std::string> sets{};  ///< of --set: "FIELD=VALUE"
 
     std::string name() const { return path == "-" ? "stdin" : path; }  ///< in messages and results

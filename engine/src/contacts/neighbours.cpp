@@ -11,7 +11,6 @@
 
 #include "contacts/neighbours.h"
 
-
 #include <algorithm>
 #include <array>
 #include <cmath>
