@@ -65,9 +65,11 @@ TEST_SUITE("paint order") {
     TEST_CASE(
         "triangles at random, which also go through each other: the nearest is painted last, and all of each "
         "is painted") {
-        for (const auto& [count, size] : {std::pair{12, 1.5}, std::pair{150, 0.4}}) {
+        for (const auto& many : {std::pair{12, 1.5}, std::pair{150, 0.4}}) {
+            const auto count = many.first;
+            const auto size = many.second;
             CAPTURE(count);
-            test::checkProperty("order of triangles", 20, [count = count, size = size] {
+            test::checkProperty("order of triangles", 20, [count, size] {
                 std::vector<PaintedPolygon> drawn;
                 std::vector<double> area;
                 for (int k = 0; k < count; ++k) {
