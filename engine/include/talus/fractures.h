@@ -1,6 +1,7 @@
 #pragma once
 // Discrete fracture networks: discs drawn at random, and how much of them lies in a region.
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -45,10 +46,11 @@ struct FractureSet {
 };
 
 /// Draws a set. The same seed, index of the set and region give the same discs. `p32` is reached within one per cent: a disc that
-/// would go farther beyond it is drawn again. Errors: numbers out of range; more than a million discs; a target that discs so
-/// large do not reach. \pre a sound surface
+/// would go farther beyond it is drawn again. Errors: numbers out of range; more than a million discs, before any is drawn; a
+/// target that discs so large do not reach; a region that fills next to nothing of its box; `stop`. \pre a sound surface
 Result<std::vector<Fracture>> drawFractures(const FractureSet& set, const TriangleSurface& region,
-                                            std::uint64_t seed, std::size_t index);
+                                            std::uint64_t seed, std::size_t index,
+                                            const std::atomic<bool>* stop = nullptr);
 
 /// Area of a disc inside a region [m^2], exactly.
 double areaInside(const Fracture& disc, const TriangleSurface& region);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "geometry/face_frame.h"
 #include "rock_mass/surface_faults.h"
@@ -46,7 +47,9 @@ std::pair<double, double> dipOf(const Vec3& normal) {
 double areaInside(const Fracture& disc, const TriangleSurface& region) {
     const Vec3 normal = upwardNormal(disc.dip, disc.dip_direction);
     const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
-    double sum = 0;
+    double sum = 0, enclosed = 0;  // enclosed: by the lines alone, about a point on them
+    bool whole = true;             // no line leaves the circle
+    std::optional<Vec2> origin;
     for (std::size_t t = 0; t < region.triangles.size(); ++t) {
         std::array<double, 3> height;
         for (std::size_t i = 0; i < 3; ++i)
@@ -62,7 +65,12 @@ double areaInside(const Fracture& disc, const TriangleSurface& region) {
             (height[j] >= 0 ? up : down) = Vec2(e1.dot(x), e2.dot(x)) / disc.radius;
         }
         sum += commonArea(down, up);
+        if (!origin) origin = down;
+        enclosed += 0.5 * cross(down - *origin, up - *origin);
+        whole = whole && down.squaredNorm() <= 1 && up.squaredNorm() <= 1;
     }
+    // Of a disc far larger than the region the sectors are all rounding.
+    if (whole) return std::max(enclosed, 0.0) * disc.radius * disc.radius;
     return sum > kRounding ? sum * disc.radius * disc.radius : 0;
 }
 

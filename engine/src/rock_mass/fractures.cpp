@@ -1,11 +1,13 @@
 // Discs drawn at random.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "rock_mass/box_tree.h"
 #include "rock_mass/place_text.h"
+#include "rock_mass/radius_law.h"
 #include "rock_mass/random.h"
 #include "rock_mass/surface_faults.h"
 #include "talus/fractures.h"
@@ -18,8 +20,8 @@ namespace {
 using namespace rock_mass;
 
 constexpr std::size_t kMostFractures = 1'000'000;
-constexpr std::size_t kMostTries =
-    100 * kMostFractures;            // for centres inside a region that fills little of its box
+// Tries per disc that lies in the region, and the first ones: a region that fills less of its box has none to speak of.
+constexpr std::size_t kMostTries = 1000, kFirstTries = 100'000;
 constexpr int kMostMisses = 20'000;  // discs drawn again, one after the other
 constexpr double kReached = 0.01;    // of the target
 constexpr double kPi = std::numbers::pi;
@@ -39,6 +41,10 @@ std::vector<Error> numberErrors(const FractureSet& set) {
          "the lesser first, of a power law greater than 0");
     want(!power || std::isfinite(set.exponent), ".radius_exponent", numberText(set.exponent),
          "a finite number");
+    want(
+        set.law != RadiusLaw::lognormal || !(set.radius > 0 && set.deviation > 0) || radiusMoment(set, 0) > 0,
+        ".radius_min", numberText(set.least) + " to " + numberText(set.most),
+        "a range in which the law has radii");
     want(!set.fisher || *set.fisher > 0, ".fisher", numberText(set.fisher.value_or(0)), "greater than 0");
     want(!set.p32 || *set.p32 > 0, ".p32", numberText(set.p32.value_or(0)), "greater than 0");
     want(set.p32 || (set.count > 0 && set.count <= kMostFractures), ".count", std::to_string(set.count),
@@ -48,8 +54,9 @@ std::vector<Error> numberErrors(const FractureSet& set) {
 
 class Drawing {
  public:
-    Drawing(const FractureSet& set, const TriangleSurface& region, std::uint64_t seed, std::size_t index)
-        : set_(set), region_(region), random_(seed, kStream + index, 0) {
+    Drawing(const FractureSet& set, const TriangleSurface& region, std::uint64_t seed, std::size_t index,
+            const std::atomic<bool>* stop)
+        : set_(set), region_(region), random_(seed, kStream + index, 0), stop_(stop) {
         for (const Vec3& v : region.vertices) box_.add(v);
         mean_ = upwardNormal(set.dip, set.dip_direction);
     }
@@ -65,19 +72,27 @@ class Drawing {
     Result<std::vector<Fracture>> toCount() {
         std::vector<Fracture> discs;
         for (std::size_t tries = 0; discs.size() < set_.count; ++tries) {
-            if (tries > kMostTries) return Error{set_.field, "found a region too thin to draw centres in"};
-            Fracture disc = draw(0);
+            if (stopped()) return interrupted();
+            if (isHopeless(tries, discs.size()))
+                return Error{set_.field, "found a region too thin to draw centres in"};
+            const Fracture disc = drawnOf(drawnRadius(set_, 0, random_.uniform()), 0);
             if (isInside(disc.centre)) discs.push_back(disc);
         }
         return discs;
     }
 
     Result<std::vector<Fracture>> toIntensity() {
-        const double wanted = *set_.p32 * surfaceVolume(region_), margin = reach();
+        const double wanted = *set_.p32 * surfaceVolume(region_);
+        const Places places = fewestPlaces();
+        if (!(expectedDiscs(places) <= kMostFractures)) return tooMany();
         std::vector<Fracture> discs;
         double area = 0;
-        for (int misses = 0; area < (1 - kReached) * wanted;) {
-            const Fracture disc = draw(margin);
+        int misses = 0;
+        for (std::size_t tries = 0; area < (1 - kReached) * wanted; ++tries) {
+            if (stopped()) return interrupted();
+            if (isHopeless(tries, discs.size()))
+                return Error{set_.field, "found a region too thin for discs to meet it"};
+            const Fracture disc = drawNear(places);
             const double more = areaInside(disc, region_);
             if (more > 0 && area + more <= (1 + kReached) * wanted) {
                 area += more;
@@ -89,58 +104,95 @@ class Drawing {
                                  numberText(area / surfaceVolume(region_)) +
                                  " and then far more, allowed: smaller discs, or a count"};
             }
-            if (discs.size() > kMostFractures)
-                return Error{set_.field + ".p32",
-                             "found " + numberText(*set_.p32) +
-                                 ", which takes more than a million discs, allowed: fewer, "
-                                 "or larger ones"};
+            if (discs.size() > kMostFractures) return tooMany();
         }
         return discs;
     }
 
-    /// How far from its centre a disc may reach: all but one of ten thousand of a law without end [m].
-    double reach() const {
-        if (set_.law == RadiusLaw::constant) return set_.radius;
-        if (set_.law == RadiusLaw::power) return set_.most;
-        const auto [mu, sigma] = logMoments();
-        return std::min(set_.most, std::exp(mu + 3.72 * sigma));
+    Error tooMany() const {
+        return {set_.field + ".p32", "found " + numberText(*set_.p32) +
+                                         ", which takes more than a million discs, allowed: fewer, or larger "
+                                         "ones"};
     }
 
-    /// Mean and deviation of the logarithm of a lognormal radius.
-    std::pair<double, double> logMoments() const {
-        const double ratio = set_.deviation / set_.radius, variance = std::log1p(ratio * ratio);
-        return {std::log(set_.radius) - 0.5 * variance, std::sqrt(variance)};
+    bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+    Error interrupted() const { return {set_.field, "interrupted while discs were drawn"}; }
+
+    static bool isHopeless(std::size_t tries, std::size_t found) {
+        return tries > kFirstTries + kMostTries * found;
     }
 
-    double drawRadius() {
-        if (set_.law == RadiusLaw::constant) return set_.radius;
-        if (set_.law == RadiusLaw::power) {
-            const double u = random_.uniform(), k = 1 - set_.exponent;
-            if (std::abs(k) < 1e-12) return set_.least * std::pow(set_.most / set_.least, u);
-            const double low = std::pow(set_.least, k), high = std::pow(set_.most, k);
-            return std::pow(low + u * (high - low), 1 / k);
-        }
-        const auto [mu, sigma] = logMoments();
-        double radius = 0;
-        for (int tries = 0; tries < 10'000; ++tries) {  // Box and Muller (1958)
-            const double u = 1 - random_.uniform(), turn = 2 * kPi * random_.uniform();
-            radius = std::exp(mu + sigma * std::sqrt(-2 * std::log(u)) * std::cos(turn));
-            if (radius >= set_.least && radius <= set_.most) return radius;
-        }
-        return std::clamp(radius, set_.least, set_.most);
+    /// Where centres of discs that may reach into the region are, per unit of their density in space [m^3]: those drawn by the
+    /// law times r^k, each with the ones before it.
+    struct Places {
+        std::array<double, 4> up_to_power{};
+        bool slab = false;  // about the sphere around the region, or else about its box
+    };
+
+    Places placesOf(std::array<double, 4> volume, bool slab) const {
+        for (std::size_t k = 0; k < volume.size(); ++k)
+            volume[k] = volume[k] * radiusMoment(set_, static_cast<int>(k)) + (k > 0 ? volume[k - 1] : 0);
+        return {volume, slab};
     }
 
-    Fracture draw(double margin) {
+    /// A disc of radius r has its centre within r of the box, or within the radius R of the sphere from its own plane and r + R in
+    /// it: (a + 2r)(b + 2r)(c + 2r), or 2 pi R (r + R)^2. Few of the discs of the first kind reach a region much smaller than they
+    /// are, few of the second a long one much larger than they.
+    Places fewestPlaces() const {
+        const Vec3 side = box_.max - box_.min;
+        const double faces = side.x() * side.y() + side.y() * side.z() + side.z() * side.x();
+        const double around = 0.5 * side.norm();
+        const Places box = placesOf({side.prod(), 2 * faces, 4 * side.sum(), 8}, false);
+        const Places slab =
+            placesOf({2 * kPi * std::pow(around, 3), 4 * kPi * around * around, 2 * kPi * around, 0}, true);
+        return slab.up_to_power.back() < box.up_to_power.back() ? slab : box;
+    }
+
+    /// For the intensity that is wanted: n discs per volume have an area of n pi E[r^2] in it.
+    double expectedDiscs(const Places& places) const {
+        return *set_.p32 / (kPi * radiusMoment(set_, 2)) * places.up_to_power.back();
+    }
+
+    Fracture drawNear(const Places& places) {
+        const double chosen = random_.uniform() * places.up_to_power.back();
+        int power = 0;
+        while (power < 3 && chosen >= places.up_to_power[static_cast<std::size_t>(power)]) ++power;
+        const double radius = drawnRadius(set_, power, random_.uniform());
+        return places.slab ? drawnAbout(radius) : drawnOf(radius, radius);
+    }
+
+    /// With its centre no farther from the box than a margin, along each axis [m].
+    Fracture drawnOf(double radius, double margin) {
         Fracture disc;
         for (int axis = 0; axis < 3; ++axis)
             disc.centre[axis] =
                 box_.min[axis] - margin + random_.uniform() * (box_.max[axis] - box_.min[axis] + 2 * margin);
-        disc.radius = drawRadius();
+        disc.radius = radius;
+        turn(disc);
+        return disc;
+    }
+
+    /// With its plane through the sphere around the region.
+    Fracture drawnAbout(double radius) {
+        Fracture disc;
+        disc.radius = radius;
+        const double around = 0.5 * (box_.max - box_.min).norm();
+        const Vec3 normal = turn(disc), strike = normal.unitOrthogonal(), dip = normal.cross(strike);
+        const double distance = (radius + around) * std::sqrt(random_.uniform());
+        const double angle = 2 * kPi * random_.uniform();
+        disc.centre = 0.5 * (box_.min + box_.max) + around * (2 * random_.uniform() - 1) * normal +
+                      distance * (std::cos(angle) * strike + std::sin(angle) * dip);
+        return disc;
+    }
+
+    /// Gives it the set's orientation; returns its normal.
+    Vec3 turn(Fracture& disc) {
         disc.dip = set_.dip;
         disc.dip_direction = set_.dip_direction;
-        if (set_.fisher)
-            std::tie(disc.dip, disc.dip_direction) = dipOf(scattered(mean_, *set_.fisher, random_));
-        return disc;
+        if (!set_.fisher) return mean_;
+        const Vec3 normal = scattered(mean_, *set_.fisher, random_);
+        std::tie(disc.dip, disc.dip_direction) = dipOf(normal);
+        return normal;
     }
 
     /// By the triangles above it; a point above an edge or a vertex is drawn with probability 0.
@@ -162,6 +214,7 @@ class Drawing {
     const FractureSet& set_;
     const TriangleSurface& region_;
     Random random_;
+    const std::atomic<bool>* stop_;
     Box box_;
     Vec3 mean_;
 };
@@ -169,8 +222,9 @@ class Drawing {
 }  // namespace
 
 Result<std::vector<Fracture>> drawFractures(const FractureSet& set, const TriangleSurface& region,
-                                            std::uint64_t seed, std::size_t index) {
-    return Drawing(set, region, seed, index).run();
+                                            std::uint64_t seed, std::size_t index,
+                                            const std::atomic<bool>* stop) {
+    return Drawing(set, region, seed, index, stop).run();
 }
 
 }  // namespace talus

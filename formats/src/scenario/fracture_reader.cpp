@@ -96,7 +96,7 @@ void appendFractures(Report& report, RockMassInput& input) {
     for (std::size_t i = 0; i < input.fracture_sets.size(); ++i) {
         FractureSetInput& set = input.fracture_sets[i];
         auto discs = set.is_file ? Result<std::vector<Fracture>>(std::move(set.from_file))
-                                 : drawFractures(set.drawn, rock.region, rock.seed, i);
+                                 : drawFractures(set.drawn, rock.region, rock.seed, i, rock.stop);
         if (!discs) {
             for (const Error& error : discs.errors())
                 report.add(report.placeOf(error.field).value_or(input.place), error.field, error.message);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "rock_mass/radius_law.h"
 #include "support/properties.h"
 #include "support/terrains.h"
 
@@ -168,6 +169,16 @@ TEST_CASE("fractures: P32 is reached within one per cent, whatever region, law a
                 for (const Fracture& disc : *discs)  // it does reach into the region's box
                     CHECK((disc.centre - disc.centre.cwiseMax(low).cwiseMin(high)).norm() < disc.radius);
             }
+    // Discs far larger than a region, compact or long, are planes through it.
+    for (const TriangleSurface& region : {box(10), *boxSurface(Vec3::Zero(), Vec3(60, 2, 1))})
+        for (const double large : {1e2, 1e4, 1e7}) {
+            FractureSet wanted = set(RadiusLaw::constant, large);
+            wanted.p32 = 40;
+            const auto discs = drawFractures(wanted, region, 11, 0);
+            CAPTURE(large);
+            if (!discs) FAIL(discs.errors()[0].message);
+            CHECK(fractureIntensity(*discs, region) == doctest::Approx(40).epsilon(0.0101));
+        }
     // As dense beside the surface as in the middle: area in the inner cube of half the side.
     FractureSet wanted = set(RadiusLaw::constant, 1.5);
     wanted.p32 = 3;
@@ -188,6 +199,62 @@ TEST_CASE("fractures: a seed gives the same discs, another one others; centres b
         CHECK(isInAngle(a[k].centre));
         CHECK(a[k].centre != c[k].centre);
         CHECK(a[k].centre != d[k].centre);
+    }
+}
+
+TEST_CASE("fractures: moments of radii are those of the law, by summing over what it draws") {
+    for (const RadiusLaw law : {RadiusLaw::constant, RadiusLaw::lognormal, RadiusLaw::power})
+        for (const double exponent : {0.5, 1.0, 2.0, 3.7}) {
+            FractureSet one = set(law, 1.5);
+            one.exponent = exponent;
+            for (int k = 0; k < 4; ++k)
+                for (int power = 0; power < 3; ++power) {  // E[r^(k + power)] / E[r^power]
+                    CAPTURE(static_cast<int>(law));
+                    CAPTURE(exponent);
+                    CAPTURE(k);
+                    CAPTURE(power);
+                    const int n = 20'000;
+                    double sum = 0;
+                    for (int i = 0; i < n; ++i)
+                        sum += std::pow(rock_mass::drawnRadius(one, power, (i + 0.5) / n), k);
+                    CHECK(sum / n == doctest::Approx(rock_mass::radiusMoment(one, k + power) /
+                                                     rock_mass::radiusMoment(one, power))
+                                         .epsilon(2e-4));
+                }
+        }
+}
+
+TEST_CASE("fractures: whatever the law, a target is reached or refused, and drawing may be stopped") {
+    int reached = 0;
+    for (const double least : {1e-9, 1e-3, 0.5})
+        for (const double most : {0.6, 30.0, 1e6})
+            for (const double shape : {0.1, 1.0, 3.0, 9.0, 100.0})
+                for (const RadiusLaw law : {RadiusLaw::lognormal, RadiusLaw::power}) {
+                    CAPTURE(least);
+                    CAPTURE(most);
+                    CAPTURE(shape);
+                    CAPTURE(static_cast<int>(law));
+                    FractureSet wide = set(law, 1.5);
+                    wide.least = least;
+                    wide.most = most;
+                    wide.exponent = shape;
+                    wide.deviation = shape * shape * shape;
+                    wide.p32 = 0.4;
+                    const auto discs = drawFractures(wide, angle(), 3, 0);
+                    if (discs.ok())
+                        CHECK(fractureIntensity(*discs, angle()) == doctest::Approx(0.4).epsilon(0.0101));
+                    else
+                        CHECK(discs.errors()[0].field.starts_with("fracture_set[0]"));
+                    reached += discs.ok() ? 1 : 0;
+                }
+    CHECK(reached > 40);
+    const std::atomic<bool> stop{true};
+    for (const bool by_count : {false, true}) {
+        FractureSet endless = set(RadiusLaw::power);
+        if (!by_count) endless.p32 = 0.4;
+        const auto discs = drawFractures(endless, angle(), 3, 0, &stop);
+        REQUIRE_FALSE(discs.ok());
+        CHECK(discs.errors()[0].message.find("interrupted") != std::string::npos);
     }
 }
 
