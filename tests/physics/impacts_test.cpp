@@ -38,12 +38,13 @@ struct Most {
     }
 };
 
-/// Seeds from `first`, as many as asked for.
-void checkImpacts(unsigned first, unsigned count) {
+/// Seeds from `first`, as many as asked for. \param restitution  of all joints
+void checkImpacts(unsigned first, unsigned count, Rocks rocks = Rocks::convex, double restitution = 1) {
     Most most;
     for (unsigned seed = first; seed < first + count; ++seed) {
         CAPTURE(seed);
-        const RandomImpact impact = randomImpact(seed);
+        RandomImpact impact = randomImpact(seed, rocks);
+        for (Joint& joint : impact.model.joints) joint.restitution_normal = restitution;
         Result<State> state = buildState(keptByCaller(impact.model), false);
         if (!state) continue;  // drawn into each other
         setSpin(*state, impact.spin);
@@ -67,6 +68,13 @@ void checkImpacts(unsigned first, unsigned count) {
 
 TEST_SUITE("physics") {
     TEST_CASE("random impacts of rocks gain no energy and keep their momenta") { checkImpacts(1, 60); }
+    TEST_CASE("random impacts of bodies gain no energy and keep their momenta") {
+        checkImpacts(1, 40, Rocks::bodies);
+    }
+    TEST_CASE("random impacts with restitution gain no energy and keep their momenta") {
+        checkImpacts(1, 20, Rocks::convex, 0.5);
+        checkImpacts(1, 20, Rocks::bodies, 0.0);
+    }
 
     TEST_CASE(
         "what is taken back of an impact is what the steps gave: they alone give, and less as they shorten") {
@@ -110,5 +118,8 @@ TEST_SUITE("physics") {
 TEST_SUITE("slow: physics") {
     TEST_CASE("a thousand random impacts of rocks gain no energy and keep their momenta") {
         checkImpacts(1, 1000);
+    }
+    TEST_CASE("a thousand random impacts of bodies gain no energy and keep their momenta") {
+        checkImpacts(1, 1000, Rocks::bodies);
     }
 }

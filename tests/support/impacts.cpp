@@ -40,6 +40,36 @@ Block randomRock(std::mt19937_64& random, const std::string& name, const Vec3& c
     return hullBlock(name, points);
 }
 
+/// Cubes of a lattice, each on a face of an earlier one, all sheared and stretched alike.
+Block randomBody(std::mt19937_64& random, const std::string& name, const Vec3& centre, double size) {
+    const int count = 2 + static_cast<int>(4 * share(random));
+    std::vector<Vec3> cells{Vec3::Zero()};
+    while (static_cast<int>(cells.size()) < count) {
+        Vec3 next = cells[static_cast<std::size_t>(share(random) * static_cast<double>(cells.size()))];
+        next[static_cast<Eigen::Index>(3 * share(random))] += share(random) < 0.5 ? -1 : 1;
+        if (std::find(cells.begin(), cells.end(), next) == cells.end()) cells.push_back(next);
+    }
+    Mat3 shear;
+    for (Eigen::Index k = 0; k < 3; ++k)
+        shear.col(k) = (0.7 + 0.6 * share(random)) * (Vec3::Unit(k) + 0.25 * direction(random));
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& cell : cells) middle += cell / count;
+    double reach = 0;
+    for (const Vec3& cell : cells) reach = std::max(reach, (shear * (cell - middle)).norm() + 1.3);
+    std::vector<Polyhedron> parts;
+    for (const Vec3& cell : cells) {
+        Polyhedron part = *makeBox(cell - middle - Vec3::Constant(0.5), cell - middle + Vec3::Constant(0.5));
+        for (Vec3& v : part.vertices) v = centre + size / reach * (shear * v);
+        parts.push_back(std::move(part));
+    }
+    Block block = hullBlock(name, parts[0].vertices);
+    Result<Polyhedron> shape = joinParts(parts);
+    REQUIRE(shape.ok());
+    block.shape = *shape;
+    block.face_joint.assign(block.shape.faces.size(), 0);
+    return block;
+}
+
 /// Momentum and angular momentum of the free blocks, and what they are to be compared with.
 struct Momenta {
     Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
@@ -125,8 +155,9 @@ Model rockOverSlope(double stiffness, double contact_damping, double friction_de
     return model;
 }
 
-RandomImpact randomImpact(unsigned seed) {
+RandomImpact randomImpact(unsigned seed, Rocks rocks) {
     std::mt19937_64 random(seed);
+    const auto rock = rocks == Rocks::convex ? randomRock : randomBody;
     RandomImpact impact;
     Model& model = impact.model;
     const double stiffness = std::pow(10.0, 8 + 3 * share(random));
@@ -137,12 +168,12 @@ RandomImpact randomImpact(unsigned seed) {
     const double speed = 2 + 8 * share(random), y = share(random) - 0.5, z = share(random) - 0.5;
     if (impact.two_free) {
         model.gravity.magnitude = 0;
-        model.blocks.push_back(randomRock(random, "one", {0, 0, 0}, 0.5));
-        model.blocks.push_back(randomRock(random, "two", {1.6, 0.4 * y, 0.4 * z}, 0.3 + 0.4 * share(random)));
+        model.blocks.push_back(rock(random, "one", {0, 0, 0}, 0.5));
+        model.blocks.push_back(rock(random, "two", {1.6, 0.4 * y, 0.4 * z}, 0.3 + 0.4 * share(random)));
         model.blocks[1].velocity = {-speed, 0.5 * z, 0.5 * y};
     } else {
         model.blocks.push_back(box("floor", {-5, -5, -1}, {5, 5, 0}, 2700, Motion::fixed));
-        model.blocks.push_back(randomRock(random, "one", {0, 0, 1}, 0.5));
+        model.blocks.push_back(rock(random, "one", {0, 0, 1}, 0.5));
         model.blocks[1].velocity = {4 * y, 4 * z, -speed};
     }
     for (const Block& block : model.blocks) {

@@ -14,6 +14,9 @@ Block hullBlock(const std::string& name, const std::vector<Vec3>& points, Motion
 /// A rock of eight points of some 1 m over a slope of 40 degrees that ends in a valley.
 Model rockOverSlope(double stiffness, double contact_damping, double friction_deg);
 
+/// What flies: hulls of random points, or bodies of two to five parallelepipeds grown face by face.
+enum class Rocks : bool { convex, bodies };
+
 /// A rock that flies onto a floor under gravity, or two that fly into each other: random hulls and spins on joints of
 /// 1e8 to 1e11 Pa/m, half of them without friction, half of them without dashpots.
 struct RandomImpact {
@@ -21,7 +24,7 @@ struct RandomImpact {
     std::vector<Vec3> spin;  ///< of each block at the start [rad/s]
     bool two_free = false;
 };
-RandomImpact randomImpact(unsigned seed);
+RandomImpact randomImpact(unsigned seed, Rocks rocks = Rocks::convex);
 
 /// Gives blocks a spin.
 void setSpin(State& state, const std::vector<Vec3>& spin);

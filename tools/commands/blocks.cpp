@@ -54,7 +54,7 @@ std::string line(const std::string& name, const std::string& value) {
     return name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') + value + "\n";
 }
 
-std::string summary(const Model& model, const Sizes& sizes) {
+std::string summary(const Model& model, const Sizes& sizes, const formats::FiniteCuts& cuts) {
     const auto short_text = [](double value) {
         char buffer[32];
         std::snprintf(buffer, sizeof buffer, "%.4g", value);
@@ -67,10 +67,15 @@ std::string summary(const Model& model, const Sizes& sizes) {
     return line("blocks",
                 std::to_string(model.blocks.size()) + " (" + std::to_string(fixedCount(model)) + " fixed)") +
            line("volume", short_text(sizes.total) + " m3") +
-           line("block volumes", range(sizes.volume, "m3")) + line("thickness", range(sizes.thickness, "m"));
+           line("block volumes", range(sizes.volume, "m3")) + line("thickness", range(sizes.thickness, "m")) +
+           (cuts.interfaces == 0
+                ? ""
+                : line("finite joints", short_text(cuts.beyond) + " of " + short_text(cuts.area) +
+                                            " m2 of their cuts beyond them, " +
+                                            (cuts.are_bridges ? "intact rock" : "with their strength")));
 }
 
-Json json(const Model& model, const Sizes& sizes) {
+Json json(const Model& model, const Sizes& sizes, const formats::FiniteCuts& cuts) {
     const auto range = [](const std::vector<double>& v) {
         return Json{{"least", number(v.front())}, {"median", number(median(v))}, {"most", number(v.back())}};
     };
@@ -78,7 +83,12 @@ Json json(const Model& model, const Sizes& sizes) {
             {"fixed_blocks", fixedCount(model)},
             {"volume_m3", number(sizes.total)},
             {"block_volume_m3", range(sizes.volume)},
-            {"thickness_m", range(sizes.thickness)}};
+            {"thickness_m", range(sizes.thickness)},
+            {"finite_cuts",
+             {{"interfaces", cuts.interfaces},
+              {"bridged_interfaces", cuts.are_bridges ? cuts.bridged : 0},
+              {"area_m2", number(cuts.area)},
+              {"beyond_joints_m2", number(cuts.beyond)}}}};
 }
 
 std::string content(const BlocksOptions& options, const Model& model) {
@@ -121,10 +131,10 @@ int blocks(const BlocksOptions& options) {
     if (!options.output.empty()) writeFile(options.output, content(options, scenario.model));
     const Sizes sizes = sizesOf(scenario.model);
     if (!options.common.json) {
-        printText(summary(scenario.model, sizes));
+        printText(summary(scenario.model, sizes, scenario.finite_cuts));
         return kDone;
     }
-    Json result = json(scenario.model, sizes);
+    Json result = json(scenario.model, sizes, scenario.finite_cuts);
     result["warnings"] = scenario.warnings;
     result["provenance"] = provenance(options.common, options.scenario.name());
     printJson(result);

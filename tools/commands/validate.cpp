@@ -37,7 +37,7 @@ Json counts(const Model& model) {
             {"watched_blocks", model.run.watch.size()}};
 }
 
-std::string summary(const std::string& path, const Model& model) {
+std::string summary(const std::string& path, const Model& model, const ModelCheck& found) {
     const auto item = [](std::size_t n, const char* one) {
         return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
     };
@@ -45,24 +45,29 @@ std::string summary(const std::string& path, const Model& model) {
            std::to_string(count(model, Motion::free)) + " free, " +
            std::to_string(count(model, Motion::fixed)) + " fixed, " +
            std::to_string(count(model, Motion::driven)) + " driven), " + item(model.joints.size(), "joint") +
-           ", " + item(model.waters.size(), "water") + "\n";
+           ", " + item(model.waters.size(), "water") + "; " + item(found.interfaces, "interface") + " with " +
+           item(found.contact_points, "contact point") + ", " +
+           item(found.idle_interfaces, "idle interface") + "\n";
 }
 
 int validate(const ValidateOptions& options) {
     formats::Scenario scenario = loadScenario(options.scenario, options.common);
-    std::vector<std::string> doubts;
-    const std::vector<Error> errors = checkModel(scenario.model, options.common.threads, &doubts);
+    ModelCheck found;
+    const std::vector<Error> errors = checkModel(scenario.model, options.common.threads, &found);
     if (!errors.empty()) throw BadInput(formats::placed(scenario, errors));
-    for (std::string& doubt : doubts) {
+    for (std::string& doubt : found.warnings) {
         note(options.common, "warning: " + options.scenario.name() + ": " + doubt);
         scenario.warnings.push_back(std::move(doubt));
     }
     if (!options.common.json) {
-        printText(summary(options.scenario.name(), scenario.model));
+        printText(summary(options.scenario.name(), scenario.model, found));
         return kDone;
     }
     Json json{{"ok", true}, {"errors", Json::array()}};
     json.update(counts(scenario.model));
+    json["interfaces"] = found.interfaces;
+    json["contact_points"] = found.contact_points;
+    json["idle_interfaces"] = found.idle_interfaces;
     json["warnings"] = scenario.warnings;
     json["provenance"] = provenance(options.common, options.scenario.name());
     printJson(json);

@@ -26,8 +26,8 @@ struct JointProperty {
     LawSet required_by{};              ///< of these it has to be given; else it is as Joint{} has it
     double Joint::*same_as = nullptr;  ///< ... or as this property, unless it is given
     LawSet reduced_in{};               ///< of these the factor of safety divides it, an angle by its tangent
-    std::string_view in_law;           ///< what the law and snapshots call it; "" where a curve is made of it
-    std::string_view what;             ///< for people
+    std::string_view in_law;  ///< what the law and snapshots call it; "" where they do not have it as it is
+    std::string_view what;    ///< for people
 
     /// The law takes an angle's tangent.
     constexpr bool isAngle() const { return unit == "deg"; }
@@ -124,6 +124,12 @@ inline constexpr std::array kJointProperties{
                   .allowed = detail::kFrictionDeg,
                   .in_law = "tan_dilation",
                   .what = "opening per slip, as an angle"},
+    JointProperty{.key = "restitution_normal",
+                  .value = &Joint::restitution_normal,
+                  .unit = "",
+                  .allowed = {0, 1},
+                  .in_law = "",
+                  .what = "share of the normal speed that an impact gives back, in a run"},
     JointProperty{.key = "jrc",
                   .value = &Joint::jrc,
                   .unit = "",
@@ -195,18 +201,23 @@ constexpr const JointProperty& propertyOf(double Joint::*value) {
     return kJointProperties[jointProperty(value)];
 }
 
+/// Whether strength reduction divides it.
+inline bool isReduced(const Joint& joint, const JointProperty& property) {
+    return property.reduced_in.has(joint.law) ||
+           (joint.tension_reduced && property.value == &Joint::tensile_strength);
+}
+
 /// What the contact law takes of a property: the tangent of an angle, anything else as it is; over `factor` where strength
 /// reduction divides it.
 inline double lawValue(const Joint& joint, const JointProperty& property, double factor = 1) {
     const double value = joint.*property.value;
-    return (property.isAngle() ? std::tan(value) : value) /
-           (property.reduced_in.has(joint.law) ? factor : 1.0);
+    return (property.isAngle() ? std::tan(value) : value) / (isReduced(joint, property) ? factor : 1.0);
 }
 
 /// A joint with its strengths over `factor`.
 inline Joint reduced(Joint joint, double factor) {
     for (const JointProperty& property : kJointProperties)
-        if (property.reduced_in.has(joint.law))
+        if (isReduced(joint, property))
             joint.*property.value = property.isAngle() ? std::atan(lawValue(joint, property, factor))
                                                        : lawValue(joint, property, factor);
     return joint;

@@ -40,6 +40,7 @@ struct PairJoint {
     /// an error if the two blocks share no interface at the start (written by hand)
     bool must_touch = false;
     std::string field{};
+    std::int32_t face_a = -1, face_b = -1;  ///< of these two faces only; -1: wherever the blocks touch
 };
 
 /// One wall that bounds a fissure: a face of a block.
@@ -169,6 +170,8 @@ struct Damping {
     double rotation = 0;  ///< c_I = rotation * I [1/s]
     double contact = 0;   ///< c_k = contact * k of the contact point [s]
     double local = 0;     ///< share of the out-of-balance force that opposes the motion, 0..1
+    /// contact points have the restitution of their joints; a state that is built does where a joint has one below 1
+    bool restitution = false;
 };
 
 struct AnalysisSettings {
@@ -177,6 +180,7 @@ struct AnalysisSettings {
     double tolerance = 1.7453292519943296e-4;  ///< width of the bracket [rad]
     double factor_tolerance = 0.001;           ///< width of the bracket of a factor of safety
     double acceleration_tolerance = 1e-4;      ///< width of the bracket of a seismic coefficient
+    bool reduce_tensile_strength = false;      ///< all joints are Joint::tension_reduced
     bool time_scaling = true;                  ///< inertia scaling in quasi-static work
 };
 

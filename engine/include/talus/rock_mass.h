@@ -108,6 +108,18 @@ struct CutRockMass {
 /// no convex polygon; more than `max_blocks` blocks, estimated before anything is cut or counted then; `stop`; slivers, if refused; volumes that do not add up to 1e-9.
 Result<CutRockMass> cutRockMass(const RockMass& description);
 
+/// Two faces that the plane of a finite joint parted, and how much of what they share lies beyond the joint, in intact rock.
+struct JointCut {
+    std::int32_t block_a = 0, face_a = 0;
+    std::int32_t block_b = 0, face_b = 0;
+    std::size_t joint = 0;  ///< index into the sets, then the singles
+    double area = 0;        ///< that they share [m^2]
+    double beyond = 0;      ///< share of it, 0..1
+};
+
+/// All of them, joint by joint. \pre `mass` was cut from the description
+std::vector<JointCut> finiteCuts(const CutRockMass& mass, const RockMass& description);
+
 /// A plane of the joints.
 struct CutPlane {
     Vec3 normal;            ///< upwards

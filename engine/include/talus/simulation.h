@@ -144,10 +144,17 @@ class Simulation {
     std::unique_ptr<History> history_;
 };
 
+/// What a model looks like to the engine, before anything moves.
+struct ModelCheck {
+    std::vector<std::string> warnings;  ///< what is allowed but hardly meant
+    std::size_t interfaces = 0;         ///< of faces, edges or vertices that touch
+    std::size_t contact_points = 0;     ///< of these
+    std::size_t idle_interfaces = 0;  ///< kept ready where vertices and edges may meet before the next search
+};
+
 /// Checks what needs geometry: blocks that overlap, water on faces that are not there, pairs that do not touch.
-/// Empty when the model can be built. \param warnings  if given, takes what is allowed but hardly meant
-std::vector<Error> checkModel(const Model& model, int threads = 1,
-                              std::vector<std::string>* warnings = nullptr);
+/// Empty when the model can be built. \param found  if given, takes what was found on the way
+std::vector<Error> checkModel(const Model& model, int threads = 1, ModelCheck* found = nullptr);
 
 /// Two blocks that share at least one interface at the start, and the joint between them.
 struct TouchingPair {

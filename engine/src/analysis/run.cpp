@@ -451,11 +451,15 @@ const char* toString(InitialState start) {
     return "unstressed";
 }
 
-std::vector<Error> checkModel(const Model& model, int threads, std::vector<std::string>* warnings) {
+std::vector<Error> checkModel(const Model& model, int threads, ModelCheck* found) {
     return analysis::inArena(threads, [&]() {
         const Result<State> built = buildState(keptByCaller(model), threads != 1);
         if (!built) return built.errors();
-        if (warnings) *warnings = analysis::doubts(*built);
+        if (found) {
+            const ContactCount contacts = countContacts(built->interfaces);
+            *found = {analysis::doubts(*built), contacts.interfaces, contacts.points,
+                      built->interfaces.size() - contacts.interfaces};
+        }
         return analysis::implausible(*built);
     });
 }

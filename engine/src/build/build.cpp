@@ -130,6 +130,8 @@ Result<State> buildState(std::shared_ptr<const Model> description, bool parallel
     state.load.tilt = model.gravity.tilt;
     state.load.horizontal = model.seismic.horizontal;
     state.damping = model.damping;
+    state.damping.restitution = std::any_of(model.joints.begin(), model.joints.end(),
+                                            [](const Joint& joint) { return joint.restitution_normal < 1; });
     state.drained.assign(model.waters.size(), 0);
 
     errors = findInterfaces(state, true, parallel);

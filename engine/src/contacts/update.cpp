@@ -64,8 +64,10 @@ bool movedTooFar(const State& state, double margin) {
 /// has not slid yet, so it would stick, and its dashpot would be felt to stop the whole slide at once.
 void updateSpringForces(State& state, bool parallel) {
     const double damping = std::exchange(state.damping.contact, 0.0);
+    const bool restitution = std::exchange(state.damping.restitution, false);
     updateForces(state, parallel);
     state.damping.contact = damping;
+    state.damping.restitution = restitution;
 }
 
 #ifndef NDEBUG

@@ -61,6 +61,7 @@ ContactView contactView(State& state) {
             .beyond_caches = isBeyondCaches(state),
             .release = state.release,
             .contact_damping = state.damping.contact,
+            .restitution = state.damping.restitution,
             .places = placesOf(state.geometry->model.points.kind)};
 }
 
@@ -97,7 +98,8 @@ RelativePose relativePose(const State& state, std::size_t i) {
 
 void updateContacts(State& state, Range groups) {
     assert(groups.begin <= groups.end && groups.end <= state.interfaces.groups.size());
-    assert(state.damping.contact == 0 || state.blocks.angular_velocity.size() == state.blocks.size());
+    assert((state.damping.contact == 0 && !state.damping.restitution) ||
+           state.blocks.angular_velocity.size() == state.blocks.size());
     simd::buildFor(state.instructions, updateContactsScalar, updateContactsAvx2, updateContactsAvx512)(
         contactView(state), groups.begin, groups.end);
 }

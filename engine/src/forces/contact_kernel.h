@@ -181,6 +181,20 @@ struct PointLoop {
         total.shear_2 = total.shear_2 - c * along_2;
     }
 
+    /// Restitution e: a contact point that parts pushes back e^2 of its spring's force, so that an impact gives back e^2 of the
+    /// energy that it stored, whatever mass, speed, stiffness and shape (O. R. Walton and R. L. Braun, 1986, have it in the
+    /// stiffness of unloading). Up to kPartingSpeed the loss grows with the speed, so that what lies still feels none. The
+    /// friction of one that slips falls with the normal force.
+    TALUS_KERNEL void unload(V xi, V eta, contact::ForceOf<V>& total) const {
+        using simd::larger, simd::select, simd::smaller;
+        constexpr double kPartingSpeed = 1e-3;  // [m/s]
+        const V parting = larger(affine(velocity.normal, xi, eta), V{}) * (1 / kPartingSpeed);
+        const V left = V{} + 1.0 - law.unloading_loss * smaller(parting, V{} + 1.0);
+        total.normal = select(total.normal > V{}, left * total.normal, total.normal);
+        total.shear_1 = select(total.slips, left * total.shear_1, total.shear_1);
+        total.shear_2 = select(total.slips, left * total.shear_2, total.shear_2);
+    }
+
     TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot) {
         double* row = view.memory + slot * (Remembers ? kMemoryQuantities : kSlideQuantities);
         contact::MemoryOf<V> memory;
@@ -201,9 +215,13 @@ struct PointLoop {
         }
         if constexpr (Arms) {
             const V z = affine(height, xi, eta);
-            if constexpr (Damped) addDashpot(xi + slide_1, eta + slide_2, z, area, memory.bond, force);
+            if constexpr (Damped) {
+                unload(xi + slide_1, eta + slide_2, force);
+                addDashpot(xi + slide_1, eta + slide_2, z, area, memory.bond, force);
+            }
             sum.raise(z, force.shear_1, force.shear_2);
         } else if constexpr (Damped) {
+            unload(xi, eta, force);
             addDashpot(xi, eta, V{}, area, memory.bond, force);
         }
         sum.add(xi + slide_1, eta + slide_2, force.shear_1, force.shear_2, force.normal);
@@ -265,7 +283,7 @@ TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index
     const RelativePoseOf<V> pose =
         relativePoseOf(frames, members.gatherPose(view.position, view.orientation, view.block_a),
                        members.gatherPose(view.position, view.orientation, view.block_b));
-    const contact::JointParameters<V> law =
+    contact::JointParameters<V> law =
         gatherLaw<Curved>(members, view, std::make_index_sequence<contact::kLawParameterCount>{});
     RelativeVelocity<V> velocity;
     V damping_normal{}, damping_shear{};
@@ -275,6 +293,8 @@ TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index
                                     gather(members, view.velocity, view.block_b),
                                     gather(members, view.angular_velocity, view.block_b));
         const contact::StiffnessOf<V> stiffness = contact::stiffnessOf(law);
+        law.unloading_loss =
+            members.gather(view.laws, &contact::JointParameters<double>::unloading_loss, view.joint);
         damping_normal = view.contact_damping * stiffness.normal;
         damping_shear = view.contact_damping * stiffness.shear;
     }
@@ -332,7 +352,7 @@ void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
 
 template <class V, PointPlaces Places, bool Curved, bool Arms>
 void updateGroups(const ContactView& view, std::size_t begin, std::size_t end) {
-    const bool damped = view.contact_damping > 0, remembers = view.remembers;
+    const bool damped = view.contact_damping > 0 || view.restitution, remembers = view.remembers;
     if (damped && remembers) return updateGroups<V, Places, true, true, Curved, Arms>(view, begin, end);
     if (damped) return updateGroups<V, Places, true, false, Curved, Arms>(view, begin, end);
     if (remembers) return updateGroups<V, Places, false, true, Curved, Arms>(view, begin, end);

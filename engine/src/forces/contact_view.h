@@ -18,7 +18,7 @@ enum class PointPlaces : std::uint8_t { vertex, corner, stored };
 struct ContactView {
     // read, per block
     const double *position, *orientation;     ///< four numbers a block (state/pose_arrays.h)
-    ConstVectors velocity, angular_velocity;  ///< with contact damping only
+    ConstVectors velocity, angular_velocity;  ///< with contact damping or restitution only
     // read, per interface
     const InterfaceGroup* groups;
     const std::int32_t *block_a, *block_b, *joint;
@@ -41,6 +41,7 @@ struct ContactView {
     bool beyond_caches;
     double release;
     double contact_damping;
+    bool restitution;  ///< whether contact points lose force as they part
     PointPlaces places;
 };
 

@@ -196,7 +196,7 @@ void restoreLaws(const FrameLaws& frame, const std::vector<Joint>& joints,
             for (std::size_t joint = 0; joint < laws.size(); ++joint)
                 laws[joint].*parameter.value = (*values)[joint];
     for (std::size_t joint = 0; joint < laws.size(); ++joint) laws[joint].bonded = frame.bonded[joint] != 0;
-    for (std::size_t joint = 0; joint < laws.size(); ++joint) setCurve(joints[joint], laws[joint]);
+    for (std::size_t joint = 0; joint < laws.size(); ++joint) setRest(joints[joint], laws[joint]);
 }
 
 Error misfitError(const std::string& field) {

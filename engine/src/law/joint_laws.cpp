@@ -24,13 +24,14 @@ contact::JointLaw lawOf(const Joint& joint, double factor) {
     for (const JointProperty& property : kJointProperties)
         if (!property.in_law.empty()) law.*parameterOf(property) = lawValue(joint, property, factor);
     law.bonded = joint.cohesion > 0 || joint.tensile_strength > 0;
-    setCurve(joint, law);
+    setRest(joint, law);
     return law;
 }
 
 }  // namespace
 
-void setCurve(const Joint& joint, contact::JointLaw& law) {
+void setRest(const Joint& joint, contact::JointLaw& law) {
+    law.unloading_loss = 1 - joint.restitution_normal * joint.restitution_normal;
     law.setCurve(contact::strengthCurve(joint, law.strength_factor));
 }
 

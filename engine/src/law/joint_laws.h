@@ -9,8 +9,8 @@
 
 namespace talus {
 
-/// The curve of its strength, for the strength_factor that the law has.
-void setCurve(const Joint& joint, contact::JointLaw& law);
+/// What frames do not keep: its restitution, and the curve of its strength for the strength_factor that the law has.
+void setRest(const Joint& joint, contact::JointLaw& law);
 
 /// The joints' laws with their strengths over `factor`.
 std::vector<contact::JointLaw> jointLaws(const std::vector<Joint>& joints, double factor = 1.0);

@@ -25,6 +25,7 @@ struct JointParameters {
     V residual_cohesion{};      ///< C_r [Pa]
     V tan_dilation{};           ///< tan(psi)
     V strength_factor{};        ///< that the curve was made with
+    V unloading_loss{};         ///< 1 - e^2: of the normal force while a contact point parts
     simd::MaskOf<V> bonded{};   ///< C > 0 or sigma_t > 0: opening breaks it for good
     simd::MaskOf<V> curved{};   ///< the strength is the curve's, not Coulomb's
     simd::TablesOf<V> curve{};  ///< shear strength over normal stress [Pa] (strength_curve.h)
@@ -48,7 +49,7 @@ struct LawParameter {
     V JointParameters<V>::*value;
 };
 
-/// All of them but what follows from the others.
+/// All of them but what follows from the others or from the joint alone.
 template <class V>
 inline constexpr std::array kLawParameters{
     LawParameter<V>{"normal_stiffness", &JointParameters<V>::normal_stiffness},

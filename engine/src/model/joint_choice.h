@@ -8,7 +8,7 @@
 
 namespace talus {
 
-/// The joint of a pair of blocks written by hand, else of the two faces' joints the one with less friction, the one declared
+/// The joint of a pair of blocks or of two of their faces, else of the two faces' joints the one with less friction, the one declared
 /// first on ties. Borrows the model.
 class JointChoice {
  public:
@@ -20,7 +20,7 @@ class JointChoice {
 
  private:
     const Model& model_;
-    std::vector<PairJoint> pairs_;  ///< sorted by pair of blocks; of several for one pair the first counts
+    std::vector<PairJoint> pairs_;  ///< sorted by pair of blocks; of several that fit the first counts
 };
 
 }  // namespace talus

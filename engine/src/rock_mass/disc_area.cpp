@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "geometry/face_frame.h"
+#include "rock_mass/circle.h"
 #include "rock_mass/surface_faults.h"
 #include "talus/fractures.h"
 #include "talus/rock_mass.h"
@@ -16,24 +17,9 @@ namespace talus {
 
 namespace {
 
+using namespace rock_mass;
+
 constexpr double kRounding = 1e-10;  // of the radius squared: sectors that add up to nothing, but for this
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Of a sector of the unit circle from p to q.
-double sector(const Vec2& p, const Vec2& q) { return 0.5 * std::atan2(cross(p, q), p.dot(q)); }
-
-/// Of the unit circle about the origin and the triangle (origin, p, q), signed.
-double commonArea(const Vec2& p, const Vec2& q) {
-    const Vec2 d = q - p;
-    const double a = d.squaredNorm(), b = p.dot(d), c = p.squaredNorm() - 1, root = b * b - a * c;
-    if (a == 0) return 0;
-    if (root <= 0) return sector(p, q);
-    const double in = (-b - std::sqrt(root)) / a, out = (-b + std::sqrt(root)) / a;
-    if (in >= 1 || out <= 0) return sector(p, q);
-    const Vec2 from = p + std::max(in, 0.0) * d, to = p + std::min(out, 1.0) * d;
-    return (in > 0 ? sector(p, from) : 0) + 0.5 * cross(from, to) + (out < 1 ? sector(to, q) : 0);
-}
 
 }  // namespace
 
@@ -52,15 +38,14 @@ double areaInside(const Fracture& disc, const TriangleSurface& region) {
     std::optional<Vec2> origin;
     for (std::size_t t = 0; t < region.triangles.size(); ++t) {
         std::array<double, 3> height;
-        for (std::size_t i = 0; i < 3; ++i)
-            height[i] = normal.dot(rock_mass::cornerOf(region, t, i) - disc.centre);
+        for (std::size_t i = 0; i < 3; ++i) height[i] = normal.dot(cornerOf(region, t, i) - disc.centre);
         const bool above = height[0] >= 0;
         if ((height[1] >= 0) == above && (height[2] >= 0) == above) continue;
         Vec2 up = Vec2::Zero(), down = Vec2::Zero();  // where its outline goes through the plane
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3;
             if ((height[i] >= 0) == (height[j] >= 0)) continue;
-            const Vec3 &p = rock_mass::cornerOf(region, t, i), &q = rock_mass::cornerOf(region, t, j);
+            const Vec3 &p = cornerOf(region, t, i), &q = cornerOf(region, t, j);
             const Vec3 x = p + height[i] / (height[i] - height[j]) * (q - p) - disc.centre;
             (height[j] >= 0 ? up : down) = Vec2(e1.dot(x), e2.dot(x)) / disc.radius;
         }

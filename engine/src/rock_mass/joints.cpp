@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "rock_mass/circle.h"
 #include "rock_mass/random.h"
 
 namespace talus {
@@ -212,17 +213,25 @@ JointPlane singlePlane(const SingleJoint& joint, std::size_t source) {
 
 }  // namespace
 
-bool Reach::covers(const std::vector<Vec3>& outline, double weld) const {
+Polygon Reach::flat(const std::vector<Vec3>& outline) const {
     Polygon flat;
     for (const Vec3& corner : outline) flat.push(frame.toPlane(corner));
     double doubled = 0;
-    for (std::size_t i = 0; i < flat.size(); ++i)
-        doubled += flat[i].x() * flat.next(i).y() - flat[i].y() * flat.next(i).x();
-    if (doubled < 0) {
-        Polygon turned;
-        for (std::size_t i = flat.size(); i-- > 0;) turned.push(flat[i]);
-        flat = turned;
-    }
+    for (std::size_t i = 0; i < flat.size(); ++i) doubled += cross(flat[i], flat.next(i));
+    if (doubled >= 0) return flat;
+    Polygon turned;
+    for (std::size_t i = flat.size(); i-- > 0;) turned.push(flat[i]);
+    return turned;
+}
+
+double Reach::coveredArea(const Polygon& outline) const {
+    if (radius > 0) return areaInCircle(outline, radius);
+    const Polygon common = intersect(outline, polygon);
+    return common.empty() ? 0 : area(common);
+}
+
+bool Reach::covers(const std::vector<Vec3>& outline, double weld) const {
+    const Polygon flat = this->flat(outline);
     if (radius > 0) return distanceFromOrigin(flat) < radius - weld;
     const Polygon common = intersect(flat, polygon);
     return !common.empty() && area(common) > weld * extent(common);

@@ -20,6 +20,10 @@ struct Reach {
 
     /// Whether it covers part of an outline in its plane.
     bool covers(const std::vector<Vec3>& outline, double weld) const;
+    /// Of an outline in the frame's plane, counter-clockwise [m^2].
+    double coveredArea(const Polygon& outline) const;
+    /// Projected onto its plane, counter-clockwise there.
+    Polygon flat(const std::vector<Vec3>& outline) const;
 };
 
 struct JointPlane {

@@ -72,7 +72,7 @@ void checkInterface(const State& state, std::size_t i, PointSum& all, Findings& 
         kSame * (wrench.force.norm() * reach + wrench.moment_a.norm() + wrench.moment_b.norm());
     findings.expect((wrench.moment_a + wrench.moment_b + (x_b - x_a).cross(wrench.force)).norm() <= balance,
                     "interface", i, "its wrenches on the two blocks are not opposite");
-    if (state.damping.contact > 0 || sum.dilates) return;
+    if (state.damping.contact > 0 || state.damping.restitution || sum.dilates) return;
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
     const double stiffness = contact::largestStiffness(law) * f.area[i];
     const double rounding = kSame * sum.magnitude + kPlace * stiffness * length;

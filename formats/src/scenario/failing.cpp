@@ -40,6 +40,7 @@ class Editor {
         document_.erase({"run", "time_step_s"});
         for (const char* key : {"mass", "rotation", "local"}) document_.erase({"damping", key});
         set({"damping", "contact"}, load.contact_damping);
+        eraseRestitution();
         stop(
             "water", "levels", [](const Water& water) { return water.level.front().value; },
             scenario_.model.waters);
@@ -53,6 +54,18 @@ class Editor {
  private:
     void set(const Path& path, double value) {
         if (const auto wrong = document_.set(path, value); wrong && !fault_) fault_ = Error{"", *wrong};
+    }
+
+    /// A search has none.
+    void eraseRestitution() {
+        const std::string key(propertyOf(&Joint::restitution_normal).key);
+        const Node root = document_.root();
+        std::vector<Path> places;
+        if (const auto joints = root.find("joint"))
+            for (const Entry& joint : joints->entries()) places.push_back({"joint", joint.key, key});
+        eachTable(root, "interface",
+                  [&](const Node&, const Path& path) { places.push_back(below(path, key)); });
+        for (const Path& place : places) document_.erase(place);
     }
 
     void setVaried(const FailingLoad& load) {
@@ -86,7 +99,7 @@ class Editor {
     /// What is not given and not zero either is written out.
     void divideStrengths(const Node& table, const Path& path, StrengthLaw law, double factor) {
         for (const JointProperty& property : kJointProperties) {
-            if (!property.reduced_in.has(law)) continue;
+            if (!isReduced(jointOf(law), property)) continue;
             const bool of_joint = path.front() == PathPart(std::string("joint"));
             if (of_joint && !table.find(property.key) && property.same_as == nullptr &&
                 Joint{}.*property.value != 0)
@@ -95,6 +108,13 @@ class Editor {
             else
                 divide(table, path, property, law, std::string(property.key), factor);
         }
+    }
+
+    Joint jointOf(StrengthLaw law) const {
+        Joint joint;
+        joint.law = law;
+        joint.tension_reduced = scenario_.model.analysis.reduce_tensile_strength;
+        return joint;
     }
 
     /// Of a joint's table. The scenario has been read, so that there is no other law.
@@ -119,8 +139,7 @@ class Editor {
         if (!node) return;
         std::vector<std::pair<Path, double>> values;  // writing replaces the nodes that are read here
         eachNumber(*node, below(path, key), [&](const Path& place, double value) {
-            Joint joint;
-            joint.law = law;
+            Joint joint = jointOf(law);
             joint.*property.value = value * property.toSi();
             values.emplace_back(place, reduced(joint, factor).*property.value / property.toSi());
         });
@@ -167,6 +186,7 @@ Model failingModel(Model model, const FailingLoad& load) {
     model.run.time_step.reset();
     model.damping = {};
     model.damping.contact = load.contact_damping;
+    for (Joint& joint : model.joints) joint.restitution_normal = 1;
     for (Water& water : model.waters)
         for (LevelPoint& point : water.level) point.value = water.level.front().value;
     for (AppliedLoad& load : model.loads)

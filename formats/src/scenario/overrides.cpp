@@ -34,7 +34,8 @@ void settle(Scenario& scenario, std::size_t base) {
     }
 }
 
-/// Not the friction that bed levels are compared with, which decides whether they are joints of their own.
+/// Not the friction that bed levels are compared with, which decides whether they are joints of their own; nor a joint that
+/// others are mixed of.
 std::optional<Target> jointTarget(const Scenario& scenario, const JointField& field) {
     const auto p = jointProperty(field.key);
     const auto& joints = scenario.model.joints;
@@ -45,7 +46,8 @@ std::optional<Target> jointTarget(const Scenario& scenario, const JointField& fi
     const auto j = static_cast<std::size_t>(joint - joints.begin());
     if (!kJointProperties[*p].laws.has(joint->law)) return std::nullopt;
     const bool is_friction = kJointProperties[*p].value == &Joint::friction;
-    if (origins[j].kind != JointOrigin::Kind::file || (is_friction && origins[j].has_bed_levels))
+    if (origins[j].kind != JointOrigin::Kind::file || (is_friction && origins[j].has_bed_levels) ||
+        origins[j].is_mixed)
         return std::nullopt;
     const JointProperty& property = kJointProperties[*p];
     return Target{property.allowed, [j, p = *p](Scenario& changed, double value) {

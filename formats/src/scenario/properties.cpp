@@ -1,5 +1,7 @@
 #include "scenario/properties.h"
 
+#include <cmath>
+
 #include "scenario/fields.h"
 
 namespace talus::formats::scenario {
@@ -7,6 +9,7 @@ namespace talus::formats::scenario {
 namespace {
 
 constexpr const char* kDefaultJoint = "default";
+constexpr long kBridgeSteps = 1000;  // shares of intact rock that are told apart
 constexpr const char *kLaw = "law", *kShearStrength = "shear_strength";
 
 std::vector<std::string> keysOfLaw(StrengthLaw law) {
@@ -156,6 +159,27 @@ std::int32_t Joints::withFriction(std::int32_t base, double friction_deg) {
     JointProperties given;
     given.set(jointProperty(&Joint::friction));
     return derive(base, JointOrigin::Kind::bed_level, given, std::move(joint));
+}
+
+std::int32_t Joints::withBridge(std::int32_t base, std::int32_t rock, double share) {
+    const long steps = std::lround(share * kBridgeSteps);
+    const auto index = static_cast<std::size_t>(base), other = static_cast<std::size_t>(rock);
+    if (steps == 0 || base == rock) return base;
+    if (steps == kBridgeSteps) return rock;
+    const auto [place, is_new] =
+        bridges_.try_emplace({base, steps}, static_cast<std::int32_t>(joints_.size()));
+    if (!is_new) return place->second;
+    origins_[index].is_mixed = origins_[other].is_mixed = true;
+    const double part = static_cast<double>(steps) / kBridgeSteps;
+    Joint joint;
+    joint.name = joints_[index].name + "@" + numberText(part) + joints_[other].name;
+    for (const JointProperty& property : kJointProperties) {
+        const double own = joints_[index].*property.value, of_rock = joints_[other].*property.value;
+        joint.*property.value = property.isAngle()
+                                    ? std::atan((1 - part) * std::tan(own) + part * std::tan(of_rock))
+                                    : (1 - part) * own + part * of_rock;
+    }
+    return derive(base, JointOrigin::Kind::bridge, JointProperties{}.set(), std::move(joint));
 }
 
 std::int32_t Joints::withOverrides(std::int32_t base, TableReader& table, const std::string& field) {

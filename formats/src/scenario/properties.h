@@ -54,6 +54,10 @@ class Joints {
     /// is the same angle. The residual angle follows unless the file gave one.
     std::int32_t withFriction(std::int32_t base, double friction_deg);
 
+    /// What two faces have between them of which a share is intact rock, to a thousandth: friction (by its tangent), cohesion,
+    /// tensile strength and stiffness in proportion to the areas (J. E. Jennings, 1970). \pre both follow Coulomb's law
+    std::int32_t withBridge(std::int32_t base, std::int32_t rock, double share);
+
     /// The joint like `base` but for the properties given in `table`, for one interface; `base` itself when there are
     /// none. `field` names the new joint.
     std::int32_t withOverrides(std::int32_t base, TableReader& table, const std::string& field);
@@ -64,6 +68,7 @@ class Joints {
     std::vector<Joint> joints_;
     std::vector<JointOrigin> origins_;
     std::map<std::pair<std::int32_t, double>, std::int32_t> bed_levels_;
+    std::map<std::pair<std::int32_t, long>, std::int32_t> bridges_;
 };
 
 /// Keys of a joint's properties.

@@ -49,6 +49,8 @@ struct RockMassInput {
     std::int32_t material = 0;
     double density = 0;      ///< of that material [kg/m^3]
     std::int32_t joint = 0;  ///< strength of faces no joint made
+    std::optional<std::int32_t>
+        bridge{};  ///< of the rock between finite joints; none: their strength goes on
     std::optional<std::size_t> max_blocks{};
     bool has_mesh = false;  ///< its region is one from a file
     Place place;
@@ -59,6 +61,7 @@ struct RockMassBlocks {
     CutRockMass cut;
     std::vector<std::string> names;
     std::vector<bool> fixed;
+    std::vector<JointCut> finite_cuts{};
 };
 
 /// Nothing when the scenario has no rock mass. \param folder  of the scenario, where mesh files are looked for
@@ -88,11 +91,17 @@ std::optional<RockMassBlocks> cutBlocks(Report& report, const RockMassInput& inp
 /// Which blocks of a rugged ground are too small to be meant, and what helps; nothing where there are none.
 std::optional<std::string> dustWarning(const RockMassBlocks& blocks);
 
-/// Appends the blocks. \pre the model has all its joints
-void appendRockMass(const RockMassInput& input, RockMassBlocks blocks, Model& model);
+FiniteCuts summaryOf(const RockMassInput& input, const std::vector<JointCut>& cuts);
 
-/// All faces a joint made, or one plane of a joint set. \param first  index of the rock mass's first block
-std::vector<WetFace> jointWalls(const CutRockMass& cut, std::size_t joint, std::optional<std::int64_t> plane,
-                                std::int32_t first);
+/// That cuts go on beyond their joints, and what helps; nothing where they do not, or are bridged.
+std::optional<std::string> bridgeNote(const FiniteCuts& cuts);
+
+/// Appends the blocks, and what lies between those that a finite joint parts in part.
+void appendRockMass(const RockMassInput& input, RockMassBlocks blocks, Joints& joints, Model& model);
+
+/// All faces a joint made, or one plane of a joint set; not those wholly in a bridge. \param first  index of the rock mass's
+/// first block
+std::vector<WetFace> jointWalls(const RockMassInput& input, const RockMassBlocks& blocks, std::size_t joint,
+                                std::optional<std::int64_t> plane, std::int32_t first);
 
 }  // namespace talus::formats::scenario

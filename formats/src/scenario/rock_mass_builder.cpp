@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstdio>
+#include <map>
 #include <unordered_map>
 
 #include "scenario/rock_mass.h"
@@ -8,6 +10,7 @@ namespace talus::formats::scenario {
 namespace {
 
 constexpr double kOnPlane = 1e-6;  // of the region's extent: how near to a plane counts as in it
+constexpr double kTold = 0.01;     // of the cuts of finite joints: what lies beyond the joints is told of
 
 double extentOf(const TriangleSurface& region) {
     Vec3 min = region.vertices[0], max = min;
@@ -27,6 +30,7 @@ class BlockMaker {
             return std::nullopt;
         }
         blocks_.cut = std::move(*cut);
+        blocks_.finite_cuts = finiteCuts(blocks_.cut, input_.description);
         nameBlocks();
         blocks_.fixed.assign(blocks_.cut.blocks.size(), false);
         for (const FixedEntry& entry : input_.fixed) fix(entry);
@@ -88,21 +92,64 @@ class BlockMaker {
     RockMassBlocks blocks_;
 };
 
-/// Strength of a face by the joint that made it.
-std::int32_t strengthOf(const RockMassInput& input, const FaceOrigin& origin) {
-    if (origin.joint < 0) return input.joint;
-    const auto joint = static_cast<std::size_t>(origin.joint);
+std::string shortText(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+std::int32_t strengthOf(const RockMassInput& input, std::size_t joint) {
     const auto& sets = input.description.sets;
     return joint < sets.size() ? sets[joint].joint : input.description.singles[joint - sets.size()].joint;
 }
 
+/// Strength of a face by the joint that made it.
+std::int32_t strengthOf(const RockMassInput& input, const FaceOrigin& origin) {
+    return origin.joint < 0 ? input.joint : strengthOf(input, static_cast<std::size_t>(origin.joint));
+}
+
+/// Faces with nothing but intact rock on the other side, sorted.
+std::vector<std::pair<std::int32_t, std::int32_t>> facesInBridges(const std::vector<JointCut>& cuts) {
+    std::map<std::pair<std::int32_t, std::int32_t>, bool> whole;
+    for (const JointCut& cut : cuts)
+        for (const auto& face : {std::pair(cut.block_a, cut.face_a), std::pair(cut.block_b, cut.face_b)}) {
+            const auto [place, is_new] = whole.emplace(face, cut.beyond == 1);
+            place->second = place->second && cut.beyond == 1;
+        }
+    std::vector<std::pair<std::int32_t, std::int32_t>> faces;
+    for (const auto& [face, is_whole] : whole)
+        if (is_whole) faces.push_back(face);
+    return faces;
+}
+
 }  // namespace
+
+FiniteCuts summaryOf(const RockMassInput& input, const std::vector<JointCut>& cuts) {
+    FiniteCuts all;
+    all.are_bridges = input.bridge.has_value();
+    for (const JointCut& cut : cuts) {
+        ++all.interfaces;
+        all.bridged += cut.beyond > 0 ? 1 : 0;
+        all.area += cut.area;
+        all.beyond += cut.beyond * cut.area;
+    }
+    return all;
+}
+
+std::optional<std::string> bridgeNote(const FiniteCuts& cuts) {
+    if (cuts.are_bridges || !(cuts.beyond > kTold * cuts.area)) return std::nullopt;
+    return "finite joints cut their blocks from side to side: " + shortText(cuts.beyond) + " of " +
+           shortText(cuts.area) +
+           " m2 of these cuts lie beyond the joints and have their strength; with rock_mass.bridge = "
+           "\"NAME\" that part has the strength of the joint NAME, for intact rock";
+}
 
 std::optional<RockMassBlocks> cutBlocks(Report& report, const RockMassInput& input) {
     return BlockMaker(report, input).make();
 }
 
-void appendRockMass(const RockMassInput& input, RockMassBlocks blocks, Model& model) {
+void appendRockMass(const RockMassInput& input, RockMassBlocks blocks, Joints& joints, Model& model) {
+    const auto first = static_cast<std::int32_t>(model.blocks.size());
     for (std::size_t b = 0; b < blocks.cut.blocks.size(); ++b) {
         CutBlock& cut = blocks.cut.blocks[b];
         Block block;
@@ -115,18 +162,30 @@ void appendRockMass(const RockMassInput& input, RockMassBlocks blocks, Model& mo
         for (const FaceOrigin& origin : cut.origin) block.face_joint.push_back(strengthOf(input, origin));
         model.blocks.push_back(std::move(block));
     }
+    if (!input.bridge) return;
+    for (const JointCut& cut : blocks.finite_cuts) {
+        const std::int32_t own = strengthOf(input, cut.joint);
+        const std::int32_t joint = joints.withBridge(own, *input.bridge, cut.beyond);
+        if (joint != own)
+            model.pair_joints.push_back({first + cut.block_a, first + cut.block_b, joint, false,
+                                         input.description.field + ".bridge", cut.face_a, cut.face_b});
+    }
 }
 
-std::vector<WetFace> jointWalls(const CutRockMass& cut, std::size_t joint, std::optional<std::int64_t> plane,
-                                std::int32_t first) {
+std::vector<WetFace> jointWalls(const RockMassInput& input, const RockMassBlocks& blocks, std::size_t joint,
+                                std::optional<std::int64_t> plane, std::int32_t first) {
     std::vector<WetFace> walls;
+    const auto dry = input.bridge ? facesInBridges(blocks.finite_cuts)
+                                  : std::vector<std::pair<std::int32_t, std::int32_t>>{};
+    const CutRockMass& cut = blocks.cut;
     for (std::size_t b = 0; b < cut.blocks.size(); ++b)
         for (std::size_t f = 0; f < cut.blocks[b].origin.size(); ++f) {
             const FaceOrigin& origin = cut.blocks[b].origin[f];
+            const std::pair face(static_cast<std::int32_t>(b), static_cast<std::int32_t>(f));
             if (origin.joint != static_cast<std::int32_t>(joint) || (plane && origin.plane != *plane) ||
-                cut.blocks[b].shape.isInner(f))
+                cut.blocks[b].shape.isInner(f) || std::binary_search(dry.begin(), dry.end(), face))
                 continue;
-            walls.push_back({first + static_cast<std::int32_t>(b), static_cast<std::int32_t>(f)});
+            walls.push_back({first + face.first, face.second});
         }
     return walls;
 }

@@ -23,8 +23,9 @@ class RockMassReader {
         : report_(report), materials_(materials), joints_(joints), folder_(folder) {}
 
     RockMassInput read(TableReader& root) {
-        TableReader table = *root.table("rock_mass", {"name", "region", "material", "joint", "min_thickness",
-                                                      "slivers", "seed", "fixed", "names", "max_blocks"});
+        TableReader table =
+            *root.table("rock_mass", {"name", "region", "material", "joint", "min_thickness", "slivers",
+                                      "seed", "fixed", "names", "max_blocks", "bridge"});
         table.require({"region"});
         input_.place = table.place();
         input_.description.field = table.field();
@@ -33,6 +34,7 @@ class RockMassReader {
         for (const FieldNode& entry : root.tables("joint_set")) readSet(entry);
         for (const FieldNode& entry : root.tables("single_joint")) readSingle(entry);
         readFractureSets(report_, root, joints_, folder_, input_);
+        readBridge(table);
         for (const FieldNode& entry : table.tables("fixed")) readFixed(entry);
         readNames(table);
         return std::move(input_);
@@ -143,6 +145,25 @@ class RockMassReader {
                 corners.push_back(*corner);
         }
         return corners;
+    }
+
+    /// Where a joint ends within a face, rock and joint are mixed by their areas: only Coulomb's law is in proportion to them.
+    void readBridge(TableReader& table) {
+        if (!table.has("bridge")) return;
+        input_.bridge = readJoint(report_, table, "bridge", joints_);
+        if (!input_.bridge) return;
+        std::vector<std::int32_t> mixed{*input_.bridge};
+        for (const SingleJoint& joint : input_.description.singles)
+            if (joint.radius || !joint.polygon.empty()) mixed.push_back(joint.joint);
+        for (const FractureSetInput& set : input_.fracture_sets) mixed.push_back(set.drawn.joint);
+        for (const std::int32_t joint : mixed) {
+            const auto index = static_cast<std::size_t>(joint);
+            if (index >= joints_.all().size() || joints_.all()[index].law == StrengthLaw::coulomb) continue;
+            return table.error("bridge",
+                               "found the joint " + quoted(joints_.all()[index].name) + " of law " +
+                                   quoted(toString(joints_.all()[index].law)) +
+                                   ", allowed with bridges: finite joints and rock of law \"coulomb\"");
+        }
     }
 
     // --- which blocks -------------------------------------------------------------------------------------------

@@ -61,6 +61,7 @@ class ScenarioReader {
         scenario.model = std::move(model_);
         scenario.joint_origins = joints_.origins();
         scenario.materials = materials_.names.all();
+        scenario.finite_cuts = finite_cuts_;
         scenario.warnings = report_.takeWarnings();
         for (std::string& warning : warnings_) scenario.warnings.push_back(std::move(warning));
         return scenario;
@@ -94,6 +95,8 @@ class ScenarioReader {
         if (report_.clean()) rock_blocks_ = cutBlocks(report_, *rock_);
         if (!rock_blocks_) return directory.setIncomplete();
         warnings_ = rock_blocks_->cut.warnings;
+        finite_cuts_ = summaryOf(*rock_, rock_blocks_->finite_cuts);
+        if (auto note = bridgeNote(finite_cuts_)) warnings_.push_back(std::move(*note));
         if (rock_->has_mesh)
             if (auto dust = dustWarning(*rock_blocks_)) warnings_.push_back(std::move(*dust));
         directory.add(report_, rock_blocks_->names, firstRockBlock(), rock_->place, "rock_mass.name");
@@ -110,8 +113,8 @@ class ScenarioReader {
         std::vector<std::vector<WetFace>> walls(waters.size());
         for (std::size_t i = 0; i < waters.size(); ++i)
             if (waters[i].where == WaterEntry::Where::rock_joint)
-                walls[i] =
-                    jointWalls(rock_blocks_->cut, waters[i].rock_joint, waters[i].plane, firstRockBlock());
+                walls[i] = jointWalls(*rock_, *rock_blocks_, waters[i].rock_joint, waters[i].plane,
+                                      firstRockBlock());
         return walls;
     }
 
@@ -169,8 +172,9 @@ class ScenarioReader {
         model_.blocks.reserve(static_cast<std::size_t>(count));
         for (const Stack& stack : stacks_) appendStack(report_, stack, materials_, joints_, model_);
         for (PlacedBlock& placed : placed_) model_.blocks.push_back(std::move(placed.block));
+        if (rock_) appendRockMass(*rock_, std::move(*rock_blocks_), joints_, model_);
         model_.joints = joints_.all();
-        if (rock_) appendRockMass(*rock_, std::move(*rock_blocks_), model_);
+        for (Joint& joint : model_.joints) joint.tension_reduced = model_.analysis.reduce_tensile_strength;
         if (stacks_.size() == 1 && placed_.empty() && !rock_) model_.stack = shapeOf(stacks_[0]);
     }
 
@@ -191,6 +195,7 @@ class ScenarioReader {
     const std::atomic<bool>* stop_;
     std::optional<RockMassInput> rock_;
     std::optional<RockMassBlocks> rock_blocks_;
+    FiniteCuts finite_cuts_;
     std::vector<std::string> warnings_;
 };
 

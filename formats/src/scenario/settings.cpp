@@ -50,8 +50,9 @@ void checkSearchRange(TableReader& table, double start_deg, double stop_deg) {
 void readAnalysis(TableReader& root, Model& model, double tilt_deg) {
     AnalysisSettings& settings = model.analysis;
     settings.stop = defaultStopDeg(tilt_deg) * kRadPerDeg;
-    auto table = root.table("analysis", {"start_deg", "stop_deg", "tolerance_deg", "factor_tolerance",
-                                         "acceleration_tolerance", "time_scaling"});
+    auto table =
+        root.table("analysis", {"start_deg", "stop_deg", "tolerance_deg", "factor_tolerance",
+                                "acceleration_tolerance", "time_scaling", "reduce_tensile_strength"});
     if (!table) return;
     const auto start_deg = table->number("start_deg", kTiltDeg);
     const auto stop_deg = table->number("stop_deg", kTiltDeg);
@@ -66,6 +67,8 @@ void readAnalysis(TableReader& root, Model& model, double tilt_deg) {
         table->number("factor_tolerance", kFactorTolerance).value_or(settings.factor_tolerance);
     settings.acceleration_tolerance = table->number("acceleration_tolerance", kAccelerationTolerance)
                                           .value_or(settings.acceleration_tolerance);
+    settings.reduce_tensile_strength =
+        table->boolean("reduce_tensile_strength").value_or(settings.reduce_tensile_strength);
     settings.time_scaling = table->boolean("time_scaling").value_or(settings.time_scaling);
 }
 

@@ -33,12 +33,21 @@ struct JointOrigin {
     enum class Kind : std::uint8_t {
         file,       ///< [joint.NAME]
         interface,  ///< an [[interface]] with properties of its own
-        bed_level   ///< a level of a stack's bed_friction_deg
+        bed_level,  ///< a level of a stack's bed_friction_deg
+        bridge      ///< between two faces that a finite joint parts in part
     };
     Kind kind = Kind::file;
     std::int32_t base = 0;  ///< the file's joint it is made from; itself for one of the file
     JointProperties given{};
     bool has_bed_levels = false;  ///< some stack compares bed levels with its friction
+    bool is_mixed = false;        ///< some joint of a bridge is made of it and another one
+};
+
+/// How far the cuts of finite joints go beyond the joints.
+struct FiniteCuts {
+    std::size_t interfaces = 0, bridged = 0;  ///< of faces they parted; of these with intact rock between
+    double area = 0, beyond = 0;              ///< of all; of that beyond the joints [m^2]
+    bool are_bridges = false;                 ///< that part has the strength of rock_mass.bridge
 };
 
 /// A read scenario: the model, the text it came from, and where each field stands in it.
@@ -49,6 +58,7 @@ struct Scenario {
     std::map<std::string, std::pair<int, int>> places;  ///< "stack[0].columns" -> (line, column), 1-based
     std::vector<JointOrigin> joint_origins{};           ///< per joint of the model
     std::vector<std::string> materials{};               ///< their names; blocks hold indices
+    FiniteCuts finite_cuts{};
     /// Numbers that look like slips; of cutting a rock mass: cuts left out, joints that cut nothing
     std::vector<std::string> warnings{};
 };

@@ -1,0 +1,120 @@
+// Rock bridges against limit equilibrium: a block on one joint that ends under it.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "support/models.h"
+#include "talus/analysis.h"
+#include "talus/formats/overrides.h"
+#include "talus/formats/scenario.h"
+
+using namespace talus;
+using namespace talus::test;
+
+namespace {
+
+std::string number(double value) { return std::to_string(value); }
+
+/// A bench 10 m long and high, two deep, and a joint that dips out of its face from 1 m above the toe, as far as `end` [m] from the
+/// face. Joint and rock keep their cohesion once they slip.
+std::string bench(double dip_deg, double end, double joint_cohesion, double rock_cohesion,
+                  const std::string& more = "") {
+    const auto strength = [](const char* name, double friction_deg, double cohesion) {
+        return "[joint." + std::string(name) +
+               "]\nnormal_stiffness = 1e11\nshear_stiffness = 1e10\nfriction_deg = " + number(friction_deg) +
+               "\ncohesion = " + number(cohesion) + "\nresidual_cohesion = " + number(cohesion) + "\n";
+    };
+    const double top = 1 + end * std::tan(radians(dip_deg));
+    const auto corner = [](double x, double y, double z) {
+        return "[" + number(x) + ", " + number(y) + ", " + number(z) + "]";
+    };
+    return "[material.rock]\ndensity = 2600.0\n" + strength("default", 30, joint_cohesion) +
+           strength("intact", 45, rock_cohesion) +
+           "[rock_mass]\nregion = { profile = [[0, 0], [10, 0], [10, 10], [0, 10]], y = [0, 2] }\n"
+           "fixed = [{ boundary = \"-z\" }]\n" +
+           more + "[[single_joint]]\nname = \"J\"\npolygon = [" + corner(0, 0, 1) + ", " +
+           corner(end, 0, top) + ", " + corner(end, 2, top) + ", " + corner(0, 2, 1) + "]\n";
+}
+
+/// J. E. Jennings (1970): friction and cohesion in proportion to the areas of joint and rock.
+double factorOf(double dip_deg, double end, double joint_cohesion, double rock_cohesion) {
+    const double dip = radians(dip_deg), rock = 1 - end / 10, area = 2 * 10 / std::cos(dip);
+    const double volume = 2 * 10 * (9 - 5 * std::tan(dip)), weight = 2600 * 9.81 * volume;
+    const double tangent = (1 - rock) * std::tan(radians(30)) + rock * std::tan(radians(45));
+    const double cohesion = (1 - rock) * joint_cohesion + rock * rock_cohesion;
+    return (cohesion * area + weight * std::cos(dip) * tangent) / (weight * std::sin(dip));
+}
+
+}  // namespace
+
+TEST_CASE("bridges: a block on a joint that ends under it has Jennings's factor of safety") {
+    for (const double dip : {35.0, 40.0})
+        for (const double end : {2.0, 6.5, 9.0})
+            for (const double rock : {20e3, 60e3}) {
+                CAPTURE(dip);
+                CAPTURE(end);
+                CAPTURE(rock);
+                const auto scenario =
+                    formats::parseScenario(bench(dip, end, 5e3, rock, "bridge = \"intact\"\n"), "bench.toml");
+                REQUIRE(scenario.ok());
+                CHECK(scenario->finite_cuts.bridged == 1);
+                const SearchResult result = *safetyFactor(scenario->model);
+                CHECK((result.status == SearchStatus::found));
+                CHECK(result.answer == doctest::Approx(factorOf(dip, end, 5e3, rock)).epsilon(2e-3));
+            }
+}
+
+TEST_CASE("bridges: without rock the joint's strength goes on, and that is said") {
+    const auto scenario = formats::parseScenario(bench(40, 5, 5e3, 60e3), "bench.toml");
+    REQUIRE(scenario.ok());
+    REQUIRE(scenario->warnings.size() == 1);
+    CHECK(scenario->warnings[0].find("13.1 of 26.1 m2") != std::string::npos);
+    CHECK(scenario->warnings[0].find("rock_mass.bridge") != std::string::npos);
+    CHECK(scenario->model.pair_joints.empty());
+    CHECK(safetyFactor(scenario->model)->answer ==
+          doctest::Approx(factorOf(40, 10, 5e3, 60e3)).epsilon(2e-3));
+    CHECK(formats::parseScenario(bench(40, 10, 5e3, 60e3), "bench.toml")->warnings.empty());
+}
+
+TEST_CASE("bridges: what a bridge is mixed of follows a change of either by reading again") {
+    const std::string text = bench(40, 5, 5e3, 60e3, "bridge = \"intact\"\n");
+    const auto scenario = formats::parseScenario(text, "bench.toml");
+    REQUIRE(scenario.ok());
+    const Joint& mixed = scenario->model.joints.back();
+    CHECK(mixed.name == "default@0.5intact");
+    CHECK(mixed.cohesion == doctest::Approx(32.5e3));
+    CHECK(std::tan(mixed.friction) ==
+          doctest::Approx(0.5 * (std::tan(radians(30)) + std::tan(radians(45)))).epsilon(1e-12));
+    CHECK_FALSE(formats::canOverride(*scenario, "joint.default.friction_deg"));
+    CHECK_FALSE(formats::canOverride(*scenario, "joint.intact.cohesion"));
+}
+
+TEST_CASE("bridges: water in a joint does not stand in the rock beyond it") {
+    // A cross joint parts the block above: the upper of the two has nothing but rock below it.
+    const std::string cross =
+        "[[single_joint]]\ndip_deg = 90\ndip_direction_deg = 90\npoint = [4, 0, 0]\n"
+        "[[water]]\njoint = \"J\"\nelevation = 9\n";
+    const auto walls = [&](const std::string& bridge) {
+        const auto scenario = formats::parseScenario(bench(40, 3, 0, 60e3, bridge) + cross, "bench.toml");
+        REQUIRE(scenario.ok());
+        return scenario->model.waters[0].walls.size();
+    };
+    CHECK(walls("") > walls("bridge = \"intact\"\n"));
+}
+
+TEST_CASE("bridges: only Coulomb's law is mixed, only joints that are there") {
+    const auto refused = [](const std::string& text, const std::string& what) {
+        const auto scenario = formats::parseScenario(text, "bench.toml");
+        REQUIRE_FALSE(scenario.ok());
+        CHECK(scenario.errors()[0].field == "rock_mass.bridge");
+        CHECK(scenario.errors()[0].message.find(what) != std::string::npos);
+    };
+    refused(bench(40, 5, 0, 0, "bridge = \"intakt\"\n"), "intact");
+    std::string curved = bench(40, 5, 0, 0, "bridge = \"curved\"\n");
+    curved +=
+        "[joint.curved]\nlaw = \"power\"\na = 1.0\nb = 0.9\nnormal_stiffness = 1e10\nshear_stiffness = "
+        "1e10\n";
+    refused(curved, "\"power\"");
+}
