@@ -101,12 +101,27 @@ TEST_SUITE("physics") {
         CHECK(ceiling->upper > found.low);
     }
 
+    TEST_CASE("Goodman and Bray's slope held by a force on its toe block: 1.2308 and 1.0000, within 1 %") {
+        for (const auto& [name, factor] : {std::pair{"goodman-bray-slice-38.6598-held", 1.2308},
+                                           {"goodman-bray-slice-33.0239-held", 1.0}}) {
+            const SearchResult found = factorOf(verification(name));
+            MESSAGE(name, ": factor of safety ", found.answer, ", published ", factor);
+            CHECK(found.answer == doctest::Approx(factor).epsilon(0.01));
+            CHECK((found.mode == FailureMode::toppling));
+        }
+    }
+
+    TEST_CASE("a slope 60 m high with a crack of 14 m and 5 m of water in it: 1.0935") {
+        const SearchResult found = factorOf(verification("hoek-bray-60m"));
+        MESSAGE("factor of safety ", found.answer);
+        CHECK(found.answer == doctest::Approx(1.0935).epsilon(0.001));
+    }
+
     TEST_CASE(
         "pull on a grouted cable: shear lag's stiffness, then what yields; with a short bond what its grout "
         "holds") {
         for (const bool is_short : {false, true}) {
-            Model model = verification("pull-out-cable");
-            if (is_short) model.bolts[0].end.z() = -2;
+            const Model model = verification(is_short ? "pull-out-cable-short" : "pull-out-cable");
             const double lambda = std::sqrt(112e6 / (181e-6 * 98.6e9)), bond = is_short ? 2.0 : 17.7;
             const double stiffness = std::sqrt(112e6 * 181e-6 * 98.6e9) * std::tanh(lambda * bond);
             std::vector<HistoryRecord> records;

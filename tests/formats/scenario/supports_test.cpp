@@ -104,7 +104,7 @@ TEST_SUITE("scenario") {
             parseScenario(kBlocks + pattern("box = { min = [-1, 0, 4], max = [1, 4, 8] }\n"), "slope.toml");
         REQUIRE(scenario.ok());
         REQUIRE(scenario->model.bolts.size() == 4);
-        CHECK(scenario->model.bolt_patterns.empty());
+        CHECK(scenario->model.bolt_patterns.size() == 1);  // kept, so that others can be placed instead
         CHECK(scenario->model.bolts[3].name == "P-4");
         CHECK(scenario->model.bolts[0].head.x() == 0);
         CHECK(scenario->model.bolts[0].head.z() == doctest::Approx(5));
@@ -121,6 +121,26 @@ TEST_SUITE("scenario") {
         CHECK(motion.time == std::vector<double>{0, 0.5, 2.5});
         CHECK(motion.acceleration[1] == Vec3(8, 0, 6));
         CHECK(scenario->model.run.duration == 2.5);
+    }
+
+    TEST_CASE("a record may stand in the scenario itself") {
+        const std::string section = "[ground_motion]\nscale = 0.5\nacceleration = ";
+        const auto scenario =
+            parseScenario(kBlocks + section + "[[0.0, 4.0, 0.0, 1.0], [0.5, 2.0, 0.0, 0.0]]\n", "slope.toml");
+        REQUIRE(scenario.ok());
+        const GroundMotion& motion = scenario->model.ground_motion;
+        CHECK(motion.time == std::vector<double>{0, 0.5});
+        CHECK(motion.acceleration[0] == Vec3(2, 0, 0.5));
+        CHECK(scenario->model.run.duration == 0.5);
+        starts(refused(section + "[[0.0, 4.0, 0.0, 1.0], [0.5, 2.0, 0.0, 0.0], [0.5, 1.0, 0.0, 0.0]]\n"),
+               "ground_motion.acceleration[2]: found the time 0.5 s after 0.5 s");
+        starts(refused(section + "[[-1.0, 4.0, 0.0, 1.0], [0.5, 2.0, 0.0, 0.0]]\n"),
+               "ground_motion.acceleration[0]: found the time -1 s, allowed: at least 0");
+        starts(refused(section + "[[0.0, 4.0], [0.5, 2.0]]\n"), "ground_motion.acceleration[0]: ");
+        starts(refused(section + "[[0.0, 4.0, 0.0, 0.0]]\n"),
+               "ground_motion.acceleration: found fewer than two");
+        starts(refused(section + "[[0.0, 4.0, 0.0, 0.0], [0.5, 2.0, 0.0, 0.0]]\nfile = \"r.csv\"\n"),
+               "ground_motion.acceleration: found file, acceleration together");
     }
 
     TEST_CASE("velocities become accelerations that are constant between them") {
