@@ -399,6 +399,28 @@ Plane failure of a slope 60 m high (E. Hoek and J. W. Bray, Rock slope engineeri
           f'between = ["slide", "base"]\nhead = [{depth}, 0.0]\n')
 
 
+def daylighting():
+    crack, foot = 10.928203230, 7.652010281
+    corners = [(0, 0, 0), (0, 1, 0), (crack, 1, foot), (crack, 0, foot)]
+    head, rest = body("hoek-bray-crack-2m").split("[rock_mass]\n")
+    region = rest[:rest.index("names = ")]
+    write("hoek-bray-crack-2m-daylight", """
+Plane failure with a tension crack as hoek-bray-crack-2m.toml, the water of the plane given with its joint, which ends at the
+crack: full there, falling to nothing in a straight line to where it daylights at the toe. Limit equilibrium: factor of safety
+1.363.
+  talus safety-factor bench/verification/hoek-bray-crack-2m-daylight.toml""",
+          head + "[rock_mass]\n" + region +
+          "names = { slide = [6.0, 0.5, 6.0], base = [6.0, 0.5, -2.0], back = [15.0, 0.5, 6.0] }\n"
+          'fixed = [{ name = "base" }, { name = "back" }]\n',
+          f'[[single_joint]]\nname = "crack"\npoint = {point(crack, 0, 0)}\ndip_deg = 90\ndip_direction_deg = 270\n',
+          '[[single_joint]]                # in front of the crack\nname = "plane"\npolygon = [' +
+          ", ".join(point(*p) for p in corners) + "]\n",
+          f'[[water]]                       # thrust in the crack\njoint = "crack"\nelevation = {number(foot + 2)}\n'
+          f"base = {number(foot)}\n",
+          '[[water]]                       # uplift on the plane, at its upper and its lower end\njoint = "plane"\n'
+          "head = [2.0, 0.0]\n")
+
+
 def short_cable():
     write("pull-out-cable-short", """
 Pull on a grouted cable as pull-out-cable.toml, bonded over 2 m only. Initial stiffness sqrt(E A k_b) tanh(L sqrt(k_b / (E A)))
@@ -443,5 +465,5 @@ of intersection. Wedge formula of limit equilibrium: factor of safety {factor:g}
 
 if __name__ == "__main__":
     for figure in (columns, arches, brick_walls, goodman_bray, goodman_bray_held, alejano_alonso, barla_table, slabs,
-                   bilinear_slab, parallel_slabs, plane_blocks, large_slopes, wedge, high_slope, short_cable, earthquakes):
+                   bilinear_slab, parallel_slabs, plane_blocks, large_slopes, wedge, high_slope, daylighting, short_cable, earthquakes):
         figure()

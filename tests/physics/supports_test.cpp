@@ -111,6 +111,25 @@ TEST_SUITE("physics") {
         }
     }
 
+    TEST_CASE(
+        "water that falls to nothing where its joint daylights: Hoek and Bray's 1.363, by the joint's "
+        "heads") {
+        const SearchResult by_pair = factorOf(verification("hoek-bray-crack-2m"));
+        const SearchResult by_joint = factorOf(verification("hoek-bray-crack-2m-daylight"));
+        MESSAGE("factor of safety ", by_joint.answer, ", exact 1.3636");
+        CHECK(by_joint.answer == doctest::Approx(1.3636).epsilon(0.001));
+        CHECK(by_joint.answer == doctest::Approx(by_pair.answer).epsilon(1e-3));
+        // With the whole head at the toe as well, uplift is twice that: half of the difference is the drop's.
+        Model full = verification("hoek-bray-crack-2m-daylight");
+        full.waters[1].head = {2.0, 2.0};
+        const double dip = radians(35), area = 7.652010281 / std::sin(dip), unit = 9810, weight = 1241.7e3;
+        const double thrust = 0.5 * unit * 4, uplift = 2 * unit * area;
+        const double exact = (25e3 * area + (weight * std::cos(dip) - uplift - thrust * std::sin(dip)) *
+                                                std::tan(radians(37))) /
+                             (weight * std::sin(dip) + thrust * std::cos(dip));
+        CHECK(factorOf(full).answer == doctest::Approx(exact).epsilon(0.001));
+    }
+
     TEST_CASE("a slope 60 m high with a crack of 14 m and 5 m of water in it: 1.0935") {
         const SearchResult found = factorOf(verification("hoek-bray-60m"));
         MESSAGE("factor of safety ", found.answer);
