@@ -1,6 +1,7 @@
 #include "answers/support_design.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -84,9 +85,9 @@ class Design {
 
     // --- one trial -------------------------------------------------------------------------------------------------
 
-    /// \param amount  share of the yield force, or factor on the spacing; 0: without these bolts
-    SupportTrial trialOf(const Model& model, double amount) {
-        SupportTrial trial{.amount = amount, .bolts = countIn(model)};
+    /// \param amount  share of the yield force, or factor on the spacing along; 0: without these bolts
+    SupportTrial trialOf(const Model& model, double amount, double up = 0) {
+        SupportTrial trial{.amount = amount, .up = up, .bolts = countIn(model)};
         Control control = control_;
         if (control.progress)
             control.progress = [&](Progress progress) {
@@ -120,19 +121,19 @@ class Design {
         return trialOf(model, share);
     }
 
-    Model spaced(double ratio) const {
+    Model spaced(double along, double up) const {
         Model model = scenario_.model;
         for (BoltPattern& pattern : model.bolt_patterns)
             if (fields_.contains(pattern.like.field)) {
-                pattern.spacing_along = ratio * design_.spacing_along;
-                pattern.spacing_up = ratio * design_.spacing_up;
+                pattern.spacing_along = along * design_.spacing_along;
+                pattern.spacing_up = up * design_.spacing_up;
             }
         if (std::vector<Error> errors = placeBoltPatterns(model); !errors.empty())
             throw BadInput(formats::placed(scenario_, std::move(errors)));
         return model;
     }
 
-    SupportTrial withSpacing(double ratio) { return trialOf(spaced(ratio), ratio); }
+    SupportTrial withSpacing(double along, double up) { return trialOf(spaced(along, up), along, up); }
 
     bool isEnough(const SupportTrial& trial) const { return trial.factor >= question_.factor; }
 
@@ -186,7 +187,7 @@ class Design {
 
     /// Spacings that hold more, or fewer, bolts step by step, until the factor lies between the last two.
     bool bracketSpacing() {
-        SupportTrial at = withSpacing(1);
+        SupportTrial at = withSpacing(1, 1);
         if (!isSure(at)) return false;
         take(at);
         const bool too_many = isEnough(at);
@@ -194,7 +195,7 @@ class Design {
         while (isEnough(at) == too_many) {
             const double next = at.amount * (too_many ? kStep : 1 / kStep);
             if (next < kTightest || next > kWidest || (too_many && at.bolts <= 1)) return false;
-            at = withSpacing(next);
+            at = withSpacing(next, next);
             if (!isSure(at)) return false;
             take(at);
         }
@@ -207,7 +208,7 @@ class Design {
         std::vector<double> others;
         for (int k = 1; k < kLooks; ++k) {
             const double ratio = low * std::pow(high / low, static_cast<double>(k) / kLooks);
-            const std::size_t bolts = countIn(spaced(ratio));
+            const std::size_t bolts = countIn(spaced(ratio, ratio));
             if (bolts < design_.enough->bolts && bolts > design_.too_little->bolts) others.push_back(ratio);
         }
         if (others.empty()) return std::nullopt;
@@ -217,11 +218,28 @@ class Design {
     void findNumber() {
         if (!needsSome() || !bracketSpacing()) return;
         while (const auto between = spacingBetween()) {
-            const SupportTrial trial = withSpacing(*between);
+            const SupportTrial trial = withSpacing(*between, *between);
             if (!isSure(trial)) return;
             take(trial);
         }
-        design_.status = Status::found;
+        design_.status = Status::undecided;  // until the last of these is decided
+        if (widenOneWay()) design_.status = Status::found;
+    }
+
+    /// One direction as wide as is too little, the other as narrow as is enough: the fewer bolts first. False when undecided.
+    bool widenOneWay() {
+        const SupportTrial narrow = *design_.enough, wide = *design_.too_little;
+        std::array<std::pair<double, double>, 2> mixed{{{narrow.amount, wide.up}, {wide.amount, narrow.up}}};
+        const auto bolts = [&](const auto& way) { return countIn(spaced(way.first, way.second)); };
+        if (bolts(mixed[1]) < bolts(mixed[0])) std::swap(mixed[0], mixed[1]);
+        for (const auto& way : mixed) {
+            if (bolts(way) <= wide.bolts || bolts(way) >= design_.enough->bolts) continue;
+            const SupportTrial trial = withSpacing(way.first, way.second);
+            if (!isSure(trial)) return false;
+            take(trial);
+            if (isEnough(trial)) break;
+        }
+        return true;
     }
 
     // --- what to write into the scenario ---------------------------------------------------------------------------
@@ -230,8 +248,9 @@ class Design {
         const double amount = design_.enough->amount;
         if (amount == 0) return;
         if (question_.by == DesignedBy::number) {
-            design_.sets = {*fields_.begin() + ".spacing[0]=" + exact(amount * design_.spacing_along),
-                            *fields_.begin() + ".spacing[1]=" + exact(amount * design_.spacing_up)};
+            design_.sets = {
+                *fields_.begin() + ".spacing[0]=" + exact(amount * design_.spacing_along),
+                *fields_.begin() + ".spacing[1]=" + exact(design_.enough->up * design_.spacing_up)};
             return;
         }
         std::set<std::string> told;
@@ -265,7 +284,7 @@ class Amount {
                   {"status", talus::toString(trial.status)}};
         if (number_ && trial.amount > 0)
             json["spacing_m"] = {number(trial.amount * design_.spacing_along),
-                                 number(trial.amount * design_.spacing_up)};
+                                 number(trial.up * design_.spacing_up)};
         if (number_) return json;
         json["share_of_yield_force"] = number(trial.amount);
         json["pretension_n"] =
@@ -278,7 +297,7 @@ class Amount {
         const std::string bolts = std::to_string(trial.bolts) + (trial.bolts == 1 ? " bolt" : " bolts");
         if (number_)
             return bolts + ", " + tools::text(trial.amount * design_.spacing_along, 3) + " x " +
-                   tools::text(trial.amount * design_.spacing_up, 3) + " m apart";
+                   tools::text(trial.up * design_.spacing_up, 3) + " m apart";
         const std::string share = tools::text(100 * trial.amount, 2) + " % of the yield force";
         if (design_.yield_force == 0) return bolts + " with " + share;
         return bolts + " of " + tools::text(trial.amount * design_.yield_force / 1000, 2) + " kN, " + share;

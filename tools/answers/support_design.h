@@ -14,7 +14,7 @@ namespace talus::tools {
 
 enum class DesignedBy : std::uint8_t {
     pretension,  ///< each bolt pulls with one share of its yield force from the start, and with no more
-    number       ///< the spacing of a pattern, along and up alike
+    number       ///< the spacing of a pattern, along and up alike; in the end one of the two
 };
 
 struct SupportQuestion {
@@ -26,7 +26,8 @@ struct SupportQuestion {
 
 /// The factor of safety with one amount of support.
 struct SupportTrial {
-    double amount = 0;      ///< share of the yield force, or factor on the pattern's spacing
+    double amount = 0;      ///< share of the yield force, or factor on the pattern's spacing along
+    double up = 0;          ///< factor on the pattern's spacing up
     std::size_t bolts = 0;  ///< that are asked about
     SearchStatus status = SearchStatus::undecided;
     double factor =

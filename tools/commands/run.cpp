@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 
 #include "answers/run_report.h"
@@ -37,6 +38,21 @@ const char* describe(InitialState start) {
     return "starts unstressed: weight and water come all at once\n";
 }
 
+/// Which water runs out, and when: in rock masses also without being asked.
+std::string drainsText(const Model& model) {
+    std::string lines;
+    const auto add = [&](const std::string& field, double aperture) {
+        char figure[32];
+        std::snprintf(figure, sizeof figure, "%.4g", aperture);
+        if (aperture < kInfinity)
+            lines +=
+                field + ": runs out of joints that open wider than " + figure + " m (drains_at_aperture)\n";
+    };
+    for (const Water& water : model.waters) add(water.field, water.drains_at_aperture);
+    if (model.phreatic) add(model.phreatic->field, model.phreatic->drains_at_aperture);
+    return lines;
+}
+
 std::string toText(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
                    const RunRecorder& recorder) {
     std::string lines = (options.resume.empty() ? options.scenario.name() : options.resume) + ": " +
@@ -48,6 +64,7 @@ std::string toText(const RunOptions& options, const formats::Scenario& scenario,
                         "kinetic energy " + text(result.kinetic_energy, 9) + " J, state hash " +
                         hashText(result.state_hash) + "\n";
     if (options.resume.empty()) lines += describe(result.start);
+    lines += drainsText(scenario.model);
     for (const BlockReport& block : result.watch)
         lines += block.name + ": at " + triple(block.position, 6) + " m, velocity " +
                  triple(block.velocity, 6) + " m/s, moved " + text(block.displacement.norm(), 9) +

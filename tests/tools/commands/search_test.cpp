@@ -192,6 +192,8 @@ TEST_CASE(
     CHECK_FALSE(
         warns(with({"safety-factor", path, "--set", "water[0].elevation=1.0"}), "are pushed by water"));
     CHECK_FALSE(warns(with({"run", path}), "never drains"));  // at a millimetre, as rock does
+    CHECK(runTalus({"run", path, "--quiet"})
+              .out.find("water[0]: runs out of joints that open wider than 0.001 m") != std::string::npos);
     const std::string undrained = folder.write(
         "box.toml",
         blockScenario(

@@ -82,6 +82,7 @@ TEST_CASE("support: the number of bolts of a pattern") {
         MESSAGE("factor ", factor, ": ", bolts, " bolts, with ", fewer, " too few; exactly ", exact);
         CHECK(bolts >= exact - 0.02);
         CHECK(fewer <= exact + 0.02);
+        CHECK(bolts == (factor == 0.7 ? 4 : factor == 0.8 ? 6 : 16));  // of rows times columns, at most 4 x 4
         for (const auto& trial : found["trials"]) {
             const double n = trial["bolts"];
             CHECK(trial["safety_factor"].get<double>() ==
