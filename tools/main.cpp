@@ -76,8 +76,9 @@ std::string unknownCommand(const std::string& word, const std::vector<Command>& 
 std::vector<Command> addCommands(CLI::App& root) {
     std::vector<Command> commands{addPaper(root)};
     for (const LoadSearch& search : loadSearches()) commands.push_back(addSearch(root, search));
-    for (const auto add : {addRun, addReplay, addInspect, addExport, addBatch, addSample, addMerge,
-                           addValidate, addBlocks, addTheory, addLimitAnalysis, addVerification, addSchema})
+    for (const auto add :
+         {addRun, addReplay, addInspect, addExport, addBatch, addSample, addMerge, addValidate, addBlocks,
+          addTheory, addLimitAnalysis, addSupport, addVerification, addSchema})
         commands.push_back(add(root));
     return commands;
 }

@@ -163,6 +163,21 @@ published distinct-element runs, friction angle {friction:g} degrees. Factor of 
               "[gravity]\ntilt_deg = 30.0\n", material(25), joint("default", friction), *parts)
 
 
+def goodman_bray_held():
+    """The same slope with a force on its toe block that holds it: H. Hoek and J. W. Bray's cable of 2013 kN/m."""
+    force = 2013e3
+    for friction, factor, udec in ((38.6598, 1.2308, 1.22), (33.0239, 1.0000, 0.99)):
+        name = f"goodman-bray-slice-{friction:g}-held"
+        text = body("goodman-bray-slice-38.6598").replace("friction_deg = 38.6598", f"friction_deg = {friction:g}")
+        write(name, f"""
+Toppling slope of 16 blocks as goodman-bray-slice-38.6598.toml with a friction angle of {friction:g} degrees, its toe block held by a
+level force of 2013 kN per metre of slope at its upper outer corner. Factor of safety with limiting friction on every side
+{factor:.4f}; UDEC {udec}; to be met within 1 %, or the range is stated.
+  talus safety-factor bench/verification/{name}.toml""",
+              text, f'[[load]]\nblock = "n1"\npoint = [0.0, 0.5, 4.0]\n'
+              f"force = {point(force * math.cos(rad(30)), 0, -force * math.sin(rad(30)))}   # level, into the slope\n")
+
+
 def alejano_alonso():
     """Columns above a base joint, numbered from the toe; the base is two fixed convex pieces."""
     toe, top = (20.0, 10.0), (2.9393, 19.85)
@@ -358,6 +373,62 @@ forces alone across the line of intersection; so joints are soft in shear here, 
           below("plane_a", [toe, end, corner_a], a[0]), below("plane_b", [toe, end, corner_b], b[0]))
 
 
+# --- plane failure -------------------------------------------------------------------------------------------------------
+
+def high_slope():
+    height, crack, depth = 60.0, 14.0, 5.0
+    crest, foot = height / math.tan(rad(60)), (height - crack) / math.tan(rad(35))
+    profile = [(0, -10), (foot + 30, -10), (foot + 30, height), (crest, height), (0, 0)]
+    corners = [(foot, 0, height - crack), (foot, 1, height - crack), (foot, 1, height), (foot, 0, height)]
+    strength = "friction_deg = 37.0\ncohesion = 25e3\nresidual_cohesion = 25e3   # as limit equilibrium has it"
+    write("hoek-bray-60m", f"""
+Plane failure of a slope 60 m high (E. Hoek and J. W. Bray, Rock slope engineering): face 60 degrees, plane 35 degrees, a crack
+14 m deep with 5 m of water, cohesion 25 kPa, friction angle 37 degrees, 26 kN/m3. A slice 1 m thick. Limit equilibrium,
+[C A + (W cos p - U - V sin p) tan phi] / (W sin p + V cos p): factor of safety 1.0935, to be met within 1 %.
+  talus safety-factor bench/verification/hoek-bray-60m.toml""",
+          material(26),
+          f"[joint.plane]\nnormal_stiffness = 1e+10\nshear_stiffness = 1e+10\n{strength}\n",
+          "[joint.default]                 # the crack\nnormal_stiffness = 1e+10\nshear_stiffness = 1e+10\nfriction_deg = 0.0\n",
+          "[rock_mass]\nregion = { y = [0.0, 1.0], profile = [" + ", ".join(point(*p) for p in profile) + "] }\n"
+          "names = { slide = [30.0, 0.5, 30.0], base = [50.0, 0.5, 0.0], back = [80.0, 0.5, 58.0] }\n"
+          'fixed = [{ name = "base" }, { name = "back" }]\n',
+          '[[single_joint]]\nname = "plane"\npoint = [0.0, 0.0, 0.0]\ndip_deg = 35\ndip_direction_deg = 270\n',
+          '[[single_joint]]\nname = "crack"\npolygon = [' + ", ".join(point(*p) for p in corners) + "]\n",
+          f'[[water]]                       # thrust in the crack\njoint = "crack"\ndepth = {depth}\n',
+          "[[water]]                       # uplift on the plane: full head at the crack, none at the toe\n"
+          f'between = ["slide", "base"]\nhead = [{depth}, 0.0]\n')
+
+
+def daylighting():
+    crack, foot = 10.928203230, 7.652010281
+    corners = [(0, 0, 0), (0, 1, 0), (crack, 1, foot), (crack, 0, foot)]
+    head, rest = body("hoek-bray-crack-2m").split("[rock_mass]\n")
+    region = rest[:rest.index("names = ")]
+    write("hoek-bray-crack-2m-daylight", """
+Plane failure with a tension crack as hoek-bray-crack-2m.toml, the water of the plane given with its joint, which ends at the
+crack: full there, falling to nothing in a straight line to where it daylights at the toe. Limit equilibrium: factor of safety
+1.363.
+  talus safety-factor bench/verification/hoek-bray-crack-2m-daylight.toml""",
+          head + "[rock_mass]\n" + region +
+          "names = { slide = [6.0, 0.5, 6.0], base = [6.0, 0.5, -2.0], back = [15.0, 0.5, 6.0] }\n"
+          'fixed = [{ name = "base" }, { name = "back" }]\n',
+          f'[[single_joint]]\nname = "crack"\npoint = {point(crack, 0, 0)}\ndip_deg = 90\ndip_direction_deg = 270\n',
+          '[[single_joint]]                # in front of the crack\nname = "plane"\npolygon = [' +
+          ", ".join(point(*p) for p in corners) + "]\n",
+          f'[[water]]                       # thrust in the crack\njoint = "crack"\nelevation = {number(foot + 2)}\n'
+          f"base = {number(foot)}\n",
+          '[[water]]                       # uplift on the plane, at its upper and its lower end\njoint = "plane"\n'
+          "head = [2.0, 0.0]\n")
+
+
+def short_cable():
+    write("pull-out-cable-short", """
+Pull on a grouted cable as pull-out-cable.toml, bonded over 2 m only. Initial stiffness sqrt(E A k_b) tanh(L sqrt(k_b / (E A)))
+= 44.7 MN/m, to be met within 1 %; then the grout gives way at 2 m x 0.175 MN/m = 0.35 MN.
+  talus run bench/verification/pull-out-cable-short.toml -o pull.csv""",
+          body("pull-out-cable").replace("end = [0.0, 0.0, -17.7]", "end = [0.0, 0.0, -2.0]"))
+
+
 # --- earthquakes ---------------------------------------------------------------------------------------------------------
 
 def body(name):
@@ -393,6 +464,6 @@ of intersection. Wedge formula of limit equilibrium: factor of safety {factor:g}
 
 
 if __name__ == "__main__":
-    for figure in (columns, arches, brick_walls, goodman_bray, alejano_alonso, barla_table, slabs, bilinear_slab,
-                   parallel_slabs, plane_blocks, large_slopes, wedge, earthquakes):
+    for figure in (columns, arches, brick_walls, goodman_bray, goodman_bray_held, alejano_alonso, barla_table, slabs,
+                   bilinear_slab, parallel_slabs, plane_blocks, large_slopes, wedge, high_slope, daylighting, short_cable, earthquakes):
         figure()

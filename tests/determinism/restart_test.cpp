@@ -129,6 +129,29 @@ TEST_SUITE("determinism") {
         }
     }
 
+    TEST_CASE(
+        "restart: a water table, heads of a joint and of two blocks in one slope that runs dry as it opens") {
+        Model model = scenarioModel(
+            "[run]\nduration_s = 0.4\nframe_interval_s = 0.01\nstart = \"unstressed\"\n[damping]\ncontact = "
+            "1e-5\n"
+            "[material.rock]\ndensity = 2650.0\n"
+            "[joint.default]\nnormal_stiffness = 1e8\nshear_stiffness = 1e8\nfriction_deg = 20.0\n"
+            "[rock_mass]\nregion = { profile = [[0, -3], [20, -3], [20, 12], [6.9, 12], [0, 0]], y = [0, 2] "
+            "}\n"
+            "names = { upper = [9.0, 1.0, 11.0], base = [15.0, 1.0, -1.0] }\nfixed = [{ name = \"base\" }]\n"
+            "[[single_joint]]\nname = \"plane\"\npoint = [0.0, 0.0, 0.0]\ndip_deg = 35\ndip_direction_deg = "
+            "270\n"
+            "[[joint_set]]\nname = \"cross\"\ndip_deg = 80\ndip_direction_deg = 90\nspacing = 4.0\n"
+            "[[water]]\nsurface = [[0.0, 0.5], [10.0, 6.0], [20.0, 8.0]]\n"
+            "[[water]]\njoint = \"cross\"\nplane = 2\nhead = [0.5, 1.5]\n");
+        const Recorded whole = record(model, 5);
+        REQUIRE(whole.result.ok());
+        const ForceArray& drained = whole.fulls.back().memory.at(0);
+        CHECK(std::count(drained.values.begin(), drained.values.end(), 1) > 0);
+        CHECK(std::count(drained.values.begin(), drained.values.end(), 0) > 0);
+        checkRestarts(model, 5);
+    }
+
     TEST_CASE("restart: blocks that fly, hit and turn") {
         Model model = floorModel(30, 1e7);
         addBox(model, "falling", {0, 0, 0.02}, {0.3, 0.3, 0.3});

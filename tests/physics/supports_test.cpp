@@ -101,12 +101,46 @@ TEST_SUITE("physics") {
         CHECK(ceiling->upper > found.low);
     }
 
+    TEST_CASE("Goodman and Bray's slope held by a force on its toe block: 1.2308 and 1.0000, within 1 %") {
+        for (const auto& [name, factor] : {std::pair{"goodman-bray-slice-38.6598-held", 1.2308},
+                                           {"goodman-bray-slice-33.0239-held", 1.0}}) {
+            const SearchResult found = factorOf(verification(name));
+            MESSAGE(name, ": factor of safety ", found.answer, ", published ", factor);
+            CHECK(found.answer == doctest::Approx(factor).epsilon(0.01));
+            CHECK((found.mode == FailureMode::toppling));
+        }
+    }
+
+    TEST_CASE(
+        "water that falls to nothing where its joint daylights: Hoek and Bray's 1.363, by the joint's "
+        "heads") {
+        const SearchResult by_pair = factorOf(verification("hoek-bray-crack-2m"));
+        const SearchResult by_joint = factorOf(verification("hoek-bray-crack-2m-daylight"));
+        MESSAGE("factor of safety ", by_joint.answer, ", exact 1.3636");
+        CHECK(by_joint.answer == doctest::Approx(1.3636).epsilon(0.001));
+        CHECK(by_joint.answer == doctest::Approx(by_pair.answer).epsilon(1e-3));
+        // With the whole head at the toe as well, uplift is twice that: half of the difference is the drop's.
+        Model full = verification("hoek-bray-crack-2m-daylight");
+        full.waters[1].head = {2.0, 2.0};
+        const double dip = radians(35), area = 7.652010281 / std::sin(dip), unit = 9810, weight = 1241.7e3;
+        const double thrust = 0.5 * unit * 4, uplift = 2 * unit * area;
+        const double exact = (25e3 * area + (weight * std::cos(dip) - uplift - thrust * std::sin(dip)) *
+                                                std::tan(radians(37))) /
+                             (weight * std::sin(dip) + thrust * std::cos(dip));
+        CHECK(factorOf(full).answer == doctest::Approx(exact).epsilon(0.001));
+    }
+
+    TEST_CASE("a slope 60 m high with a crack of 14 m and 5 m of water in it: 1.0935") {
+        const SearchResult found = factorOf(verification("hoek-bray-60m"));
+        MESSAGE("factor of safety ", found.answer);
+        CHECK(found.answer == doctest::Approx(1.0935).epsilon(0.001));
+    }
+
     TEST_CASE(
         "pull on a grouted cable: shear lag's stiffness, then what yields; with a short bond what its grout "
         "holds") {
         for (const bool is_short : {false, true}) {
-            Model model = verification("pull-out-cable");
-            if (is_short) model.bolts[0].end.z() = -2;
+            const Model model = verification(is_short ? "pull-out-cable-short" : "pull-out-cable");
             const double lambda = std::sqrt(112e6 / (181e-6 * 98.6e9)), bond = is_short ? 2.0 : 17.7;
             const double stiffness = std::sqrt(112e6 * 181e-6 * 98.6e9) * std::tanh(lambda * bond);
             std::vector<HistoryRecord> records;

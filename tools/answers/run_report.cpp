@@ -11,8 +11,9 @@
 namespace talus::tools {
 
 RunResult runRecorded(const formats::Scenario& scenario, const FullFrame* resume, RunRecorder& recorder,
-                      const Control& control) {
-    Result<RunResult> outcome = run(scenario.model, control, recorder.output(), resume);
+                      const Control& control, MotionWatch* watch) {
+    const RunOutput output = watch ? watch->watching(recorder.output()) : recorder.output();
+    Result<RunResult> outcome = run(scenario.model, control, output, resume);
     recorder.finish(outcome);
     return valueOf(std::move(outcome), scenario);
 }

@@ -2,13 +2,15 @@
 // A time history that is recorded, and its result as JSON.
 
 #include "cli/json_fwd.h"
+#include "recording/motion_page.h"
 #include "recording/run_output.h"
 
 namespace talus::tools {
 
 /// Runs, and brings what the recorder holds to its end. Throws BadInput with the places of what is wrong, FileRefused.
+/// \param watch  sees the run go by, when there is one
 RunResult runRecorded(const formats::Scenario& scenario, const FullFrame* resume, RunRecorder& recorder,
-                      const Control& control);
+                      const Control& control, MotionWatch* watch = nullptr);
 
 /// The block that ends farthest from where it began.
 std::size_t farthestBlock(const RunResult& result);

@@ -2,15 +2,20 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 
 #include "answers/run_report.h"
 #include "answers/support_report.h"
+#include "cli/files.h"
 #include "cli/json.h"
+#include "cli/outputs.h"
 #include "cli/progress.h"
+#include "cli/provenance.h"
 #include "cli/scenario.h"
 #include "cli/text.h"
 #include "commands/commands.h"
+#include "report/page.h"
 
 namespace talus::tools {
 
@@ -33,6 +38,21 @@ const char* describe(InitialState start) {
     return "starts unstressed: weight and water come all at once\n";
 }
 
+/// Which water runs out, and when: in rock masses also without being asked.
+std::string drainsText(const Model& model) {
+    std::string lines;
+    const auto add = [&](const std::string& field, double aperture) {
+        char figure[32];
+        std::snprintf(figure, sizeof figure, "%.4g", aperture);
+        if (aperture < kInfinity)
+            lines +=
+                field + ": runs out of joints that open wider than " + figure + " m (drains_at_aperture)\n";
+    };
+    for (const Water& water : model.waters) add(water.field, water.drains_at_aperture);
+    if (model.phreatic) add(model.phreatic->field, model.phreatic->drains_at_aperture);
+    return lines;
+}
+
 std::string toText(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
                    const RunRecorder& recorder) {
     std::string lines = (options.resume.empty() ? options.scenario.name() : options.resume) + ": " +
@@ -44,6 +64,7 @@ std::string toText(const RunOptions& options, const formats::Scenario& scenario,
                         "kinetic energy " + text(result.kinetic_energy, 9) + " J, state hash " +
                         hashText(result.state_hash) + "\n";
     if (options.resume.empty()) lines += describe(result.start);
+    lines += drainsText(scenario.model);
     for (const BlockReport& block : result.watch)
         lines += block.name + ": at " + triple(block.position, 6) + " m, velocity " +
                  triple(block.velocity, 6) + " m/s, moved " + text(block.displacement.norm(), 9) +
@@ -57,22 +78,43 @@ std::string toText(const RunOptions& options, const formats::Scenario& scenario,
     return lines + recorder.lines();
 }
 
-int runScenario(const RunOptions& options) {
+struct Options {
+    RunOptions run;
+    std::string report;  ///< path of the page; empty: none
+};
+
+void checkReport(const Options& options) {
+    if (options.report.empty()) return;
+    if (!options.run.resume.empty())
+        throw BadInput(Error{"--report", "would lack the time before; allowed: without --resume"});
+    requireEnding("--report", options.report, {".html"});
+    refuseInput("--report", options.report);
+}
+
+int runScenario(const Options& all) {
+    const RunOptions& options = all.run;
     if (options.scenario.path.empty() == options.resume.empty())
         throw BadInput(Error{"SCENARIO", "give either a scenario or --resume FILE, which brings its own"});
     std::optional<Resumed> resumed;
     if (!options.resume.empty()) resumed.emplace(readResumed(options));
     const formats::Scenario scenario =
         resumed ? resumed->scenario : loadScenario(options.scenario, options.common);
+    checkReport(all);
+    MotionWatch watch;
     RunRecorder recorder(options, scenario, resumed ? &*resumed : nullptr);
     ProgressPrinter progress(options.common, Fraction::of_time);
-    const RunResult result = runRecorded(scenario, resumed ? &resumed->from : nullptr, recorder,
-                                         controlOf(options.common, progress));
+    const RunResult result =
+        runRecorded(scenario, resumed ? &resumed->from : nullptr, recorder,
+                    controlOf(options.common, progress), all.report.empty() ? nullptr : &watch);
     progress.finish();
+    if (!all.report.empty())
+        writeFile(all.report,
+                  reportPage(watch.report(scenario, result, provenance(options.common, scenario.path))));
     if (options.common.json) {
         printJson(runJson(options, scenario, result, recorder));
     } else {
-        printText(toText(options, scenario, result, recorder));
+        printText(toText(options, scenario, result, recorder) +
+                  (all.report.empty() ? "" : "page in " + all.report + "\n"));
     }
     return result.interrupted ? kInterrupted : kDone;
 }
@@ -80,13 +122,17 @@ int runScenario(const RunOptions& options) {
 }  // namespace
 
 Command addRun(CLI::App& root) {
-    auto options = std::make_shared<RunOptions>();
+    auto all = std::make_shared<Options>();
+    RunOptions* options = &all->run;
     CLI::App* app = root.add_subcommand("run", "Time history of a scenario");
     addScenario(*app, options->scenario, false);
     app->add_option(
         "-o,--output", options->output,
         "FILE.mcap for snapshots (talus inspect, replay, export); FILE.csv for a table of energies and the "
         "blocks of run.watch");
+    app->add_option("--report", all->report,
+                    "FILE.html: a page of displacements over time with the record that shook the ground, and "
+                    "of every block's at the end");
     app->add_option(
         "--resume", options->resume,
         "Go on with the run in this .mcap file from its last full state: in place, or with -o in a copy");
@@ -100,7 +146,8 @@ Command addRun(CLI::App& root) {
     app->footer(
         "Examples:\n  talus run slope.toml -o run.mcap\n  talus run --resume run.mcap\n  talus run "
         "slope.toml -o "
-        "history.csv\n\nA frame is written every run.frame_interval_s, by a thread of its own. Before "
+        "history.csv\n  talus run shaken.toml --report motion.html\n\nA frame is written every "
+        "run.frame_interval_s, by a thread of its own. Before "
         "compression it "
         "takes 36 bytes\na block; a full state takes about 240 a block, 350 an interface and 81 a contact "
         "point. "
@@ -108,7 +155,7 @@ Command addRun(CLI::App& root) {
         "A resumed "
         "run ends in the same\nbits as one that was never interrupted (state_hash), on any number of "
         "threads.");
-    return {app, [options] { return runScenario(*options); }};
+    return {app, [all] { return runScenario(*all); }};
 }
 
 }  // namespace talus::tools

@@ -15,6 +15,9 @@ namespace talus::tools {
 
 namespace {
 
+/// A water table is one of them.
+std::size_t watersOf(const Model& model) { return model.waters.size() + (model.phreatic ? 1 : 0); }
+
 struct ValidateOptions {
     Common common;
     ScenarioInput scenario;
@@ -33,7 +36,7 @@ Json counts(const Model& model) {
             {"driven_blocks", count(model, Motion::driven)},
             {"joints", model.joints.size()},
             {"pair_joints", model.pair_joints.size()},
-            {"waters", model.waters.size()},
+            {"waters", watersOf(model)},
             {"watched_blocks", model.run.watch.size()}};
 }
 
@@ -45,7 +48,7 @@ std::string summary(const std::string& path, const Model& model, const ModelChec
            std::to_string(count(model, Motion::free)) + " free, " +
            std::to_string(count(model, Motion::fixed)) + " fixed, " +
            std::to_string(count(model, Motion::driven)) + " driven), " + item(model.joints.size(), "joint") +
-           ", " + item(model.waters.size(), "water") + "; " + item(found.interfaces, "interface") + " with " +
+           ", " + item(watersOf(model), "water") + "; " + item(found.interfaces, "interface") + " with " +
            item(found.contact_points, "contact point") + ", " +
            item(found.idle_interfaces, "idle interface") + "\n";
 }

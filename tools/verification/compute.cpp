@@ -36,7 +36,8 @@ Analysis analysisFor(const std::string& quantity) {
         if (quantity == search.answer_key) return {&search, nullptr};
     for (const VariedQuantity& load : variedQuantities())
         if (quantity == limitQuantity(load)) return {nullptr, &load};
-    for (const char* known : {"speed_m_s", "way_m", "energy_change", "energy_gain"})
+    for (const char* known : {"speed_m_s", "way_m", "lowest_at_s", "velocity_kept", "pull_stiffness_n_m",
+                              "most_force_n", "energy_change", "energy_gain"})
         if (quantity == known) return {};
     throw BadInput(Error{"quantity", "there is no quantity \"" + quantity + "\""});
 }
@@ -118,18 +119,77 @@ class EnergyWatch {
     double last_ = 0, change_ = 0, gain_ = 0, kinetic_ = 0;
 };
 
+/// The swing of the first watched block, let go at rest: its impact is where its centroid is lowest.
+class SwingWatch {
+ public:
+    void see(const HistoryRecord& record) {
+        if (record.watch.empty()) return;
+        left_ = record.kinetic_energy + record.gravity_energy;
+        if (seen_ && record.watch[0].position.z() >= lowest_) return;
+        seen_ = true;
+        lowest_ = record.watch[0].position.z();
+        time_ = record.time;
+        fall_ = -record.gravity_energy;
+    }
+    double time() const { return time_; }
+    /// Of the velocity at the impact: the energy of the fall, and what is left of it at the end, are its square.
+    double kept() const { return std::sqrt((left_ + fall_) / fall_); }
+
+ private:
+    bool seen_ = false;
+    double lowest_ = 0, time_ = 0, fall_ = 0, left_ = 0;
+};
+
+/// Force of the first support over the way of the first watched block, as it is pulled.
+class PullWatch {
+ public:
+    void see(const HistoryRecord& record) {
+        if (record.watch.empty() || record.supports.empty() || record.supports[0].reports.empty()) return;
+        way_.push_back(record.watch[0].displacement.norm());
+        force_.push_back(record.supports[0].reports[0].force);
+        most_ = std::max(most_, force_.back());
+    }
+    double most() const { return most_; }
+    /// Between a fifth and two fifths of the greatest force.
+    double stiffness() const {
+        const auto reaches = [&](double share) {
+            return static_cast<std::size_t>(
+                std::find_if(force_.begin(), force_.end(),
+                             [&](double force) { return force >= share * most_; }) -
+                force_.begin());
+        };
+        const std::size_t low = reaches(0.2), high = reaches(0.4);
+        return (force_[high] - force_[low]) / (way_[high] - way_[low]);
+    }
+
+ private:
+    std::vector<double> way_{}, force_{};
+    double most_ = 0;
+};
+
 void timeHistory(const Control& control, Computed& computed) {
     EnergyWatch energies;
-    const Result<RunResult> result =
-        run(computed.scenario.model, control, [&](const HistoryRecord& record) { energies.see(record); });
+    SwingWatch swing;
+    PullWatch pull;
+    const Result<RunResult> result = run(computed.scenario.model, control, [&](const HistoryRecord& record) {
+        energies.see(record);
+        swing.see(record);
+        pull.see(record);
+    });
     if (!given(result, computed)) return;
     computed.status = result->interrupted ? "interrupted" : "finished";
     if (result->interrupted) return;
+    if (pull.most() > 0) {
+        computed.values["pull_stiffness_n_m"] = pull.stiffness();
+        computed.values["most_force_n"] = pull.most();
+    }
     computed.values["energy_change"] = energies.change();
     computed.values["energy_gain"] = energies.gain();
     if (result->watch.empty()) return;
     computed.values["speed_m_s"] = result->watch.front().velocity.norm();
     computed.values["way_m"] = result->watch.front().displacement.norm();
+    computed.values["lowest_at_s"] = swing.time();
+    computed.values["velocity_kept"] = swing.kept();
 }
 
 std::shared_ptr<Computed> compute(const Task& task, const Control& control) {

@@ -34,7 +34,7 @@ Json rowJson(const VerifiedRow& row) {
 }
 
 std::string padded(std::string text, std::size_t width) {
-    text.resize(std::max(width, text.size()), ' ');
+    text.resize(std::max(width, text.size() + 1), ' ');
     return text;
 }
 

@@ -8,7 +8,7 @@
 
 namespace talus {
 
-/// Turns the model's patterns into bolts: heads on the free faces inside each box that look its way within 60 degrees, one for
+/// Makes the bolts of the model's patterns, behind the others and in place of any made before: heads on the free faces inside each box that look its way within 60 degrees, one for
 /// each `spacing` along and up the plane these faces lie in on average, from the middle outwards. Errors: a box without such a
 /// face.
 std::vector<Error> placeBoltPatterns(Model& model);

@@ -9,6 +9,7 @@
 #include "analysis/load_axis.h"
 #include "analysis/plausible.h"
 #include "analysis/threads.h"
+#include "analysis/water_warnings.h"
 #include "build/build.h"
 #include "contacts/update.h"
 #include "forces/ground_motion.h"
@@ -308,6 +309,7 @@ class TimeHistory {
             result.displacements.push_back(reportOn(state_, b).displacement);
         result.interrupted = interrupted_;
         result.warnings = state_.warnings;
+        if (auto pushed = analysis::pushedAway(state_)) result.warnings.push_back(std::move(*pushed));
         if (state_.shear_lost > 0) result.warnings.push_back(ofLostShear());
         return result;
     }

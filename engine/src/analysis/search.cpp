@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
 
 #include "analysis/loose_blocks.h"
 #include "analysis/search_of_the_rest.h"
+#include "analysis/search_warnings.h"
 #include "law/joint_laws.h"
 #include "talus/analysis.h"
 
@@ -47,6 +50,32 @@ analysis::LoadAxis axisOfStrength(const Model& model) {
     return axis;
 }
 
+using Find = Result<SearchResult> (*)(const Model&, const Control&, const QuasiStatic&);
+
+/// To the warning of an answer that hangs on cohesion lost at the first slip adds the answer for cohesion that is kept, where a
+/// search more is cheap: in models as small as those whose other loading histories are looked at.
+void tellKeptCohesion(Find find, const Model& model, const Control& control, const QuasiStatic& settings,
+                      const std::function<std::string(double)>& say, SearchResult& result) {
+    const auto warning =
+        std::find_if(result.warnings.begin(), result.warnings.end(),
+                     [](const std::string& text) { return text.starts_with(analysis::kHangsOnCohesion); });
+    if (warning == result.warnings.end() || result.status != SearchStatus::found ||
+        result.contact_points > control.most_points_of_range)
+        return;
+    Model kept = model;
+    for (Joint& joint : kept.joints)
+        joint.residual_cohesion = std::max(joint.residual_cohesion, joint.cohesion);
+    Control alone = control;
+    alone.keep_failing_state = false;
+    alone.groups = 1;
+    alone.most_points_of_range = 0;
+    const Result<SearchResult> found = find(kept, alone, settings);
+    if (!found) return;
+    result.wall_seconds += found->wall_seconds;
+    if (found->status == SearchStatus::found)
+        *warning += "; the answer with cohesion kept: " + say(found->answer);
+}
+
 }  // namespace
 
 Result<SearchResult> criticalAngle(const Model& model, const Control& control, const QuasiStatic& settings) {
@@ -60,7 +89,9 @@ Result<SearchResult> criticalAngle(const Model& model, const Control& control, c
     axis.next = [cells](std::int64_t cell) { return cell + cells; };
     axis.apply = [](State& state, double tilt) { state.load.tilt = tilt; };
     axis.say = [](double tilt) { return analysis::formatted("tilt %.4f deg", degrees(tilt)); };
-    return analysis::searchOfTheRest(model, axis, control, settings);
+    Result<SearchResult> result = analysis::searchOfTheRest(model, axis, control, settings);
+    if (result) tellKeptCohesion(criticalAngle, model, control, settings, axis.say, *result);
+    return result;
 }
 
 Result<SearchResult> safetyFactor(const Model& model, const Control& control, const QuasiStatic& settings) {
@@ -78,6 +109,8 @@ Result<SearchResult> safetyFactor(const Model& model, const Control& control, co
     };
     Result<SearchResult> result = analysis::searchOfTheRest(model, axis, control, settings);
     if (result) analysis::addGroups(model, axis, control, settings, *result);
+    const auto say = [](double factor) { return analysis::formatted("factor %.4f", factor); };
+    if (result) tellKeptCohesion(safetyFactor, model, control, settings, say, *result);
     return result;
 }
 
@@ -96,7 +129,9 @@ Result<SearchResult> criticalAcceleration(const Model& model, const Control& con
     axis.say = [](double horizontal) {
         return analysis::formatted("horizontal %.5f of the weight", horizontal);
     };
-    return analysis::searchOfTheRest(model, axis, control, settings);
+    Result<SearchResult> result = analysis::searchOfTheRest(model, axis, control, settings);
+    if (result) tellKeptCohesion(criticalAcceleration, model, control, settings, axis.say, *result);
+    return result;
 }
 
 }  // namespace talus

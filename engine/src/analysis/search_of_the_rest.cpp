@@ -11,6 +11,7 @@
 #include "analysis/loose_blocks.h"
 #include "analysis/plausible.h"
 #include "analysis/threads.h"
+#include "analysis/water_warnings.h"
 #include "build/build.h"
 #include "law/joint_laws.h"
 
@@ -106,6 +107,9 @@ class SearchOfTheRest {
             if (outcome.result.status == SearchStatus::unstable_at_start && !axis_.strongest_at_start)
                 outcome.falling = fallingAtStrongest(*built, parallel, steps);
             outcome.result.steps += steps;
+            if (outcome.result.status == SearchStatus::unstable_at_start)
+                if (auto pushed = pushedByWater(*built, outcome.falling))
+                    warnings_.push_back(std::move(*pushed));
             if (outcome.result.status != SearchStatus::unstable_at_start || !letGo(outcome.falling))
                 return withRange(*built, parallel, named(std::move(outcome.result)));
             steps = outcome.result.steps;
@@ -150,6 +154,7 @@ class SearchOfTheRest {
     }
 
     SearchResult named(SearchResult result) const {
+        result.warnings.insert(result.warnings.end(), warnings_.begin(), warnings_.end());
         for (std::size_t b = 0; b < loose_.size(); ++b)
             if (loose_[b]) result.fallen_at_start.push_back(model_.blocks[b].name);
         std::sort(result.fallen_at_start.begin(), result.fallen_at_start.end());
@@ -168,6 +173,7 @@ class SearchOfTheRest {
     const QuasiStatic& settings_;
     std::vector<char> gone_;     ///< per block: not in the search
     std::vector<char> loose_{};  ///< per block: because it falls; empty: none
+    std::vector<std::string> warnings_{};
 };
 
 }  // namespace

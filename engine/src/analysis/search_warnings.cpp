@@ -26,7 +26,7 @@ double lostCohesion(const State& state) {
 std::optional<std::string> ofLostCohesion(const State& state) {
     const double lost = lostCohesion(state);
     if (lost == 0) return std::nullopt;
-    return "the answer hangs on cohesion that is lost where a joint first slips or opens (" +
+    return kHangsOnCohesion + std::string(" where a joint first slips or opens (") +
            formatted("%.0f", 100 * lost) +
            " % of its area in the failure): with residual_cohesion = cohesion, as limit equilibrium has it, "
            "it may be "

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "forces/contact_forces.h"
+#include "forces/water.h"
 #include "geometry/box_clip.h"
 #include "geometry/parts.h"
 #include "model/gravity.h"
@@ -52,6 +54,63 @@ Thrust thrustOn(const Strip& strip, Polygon polygon, const FaceFrame& face) {
                                      {strip.gradient.dot(face.e1), strip.gradient.dot(face.e2)}});
 }
 
+/// On a polygon whose frame is told about a block's centroid: `arm` to the frame's origin, model frame.
+Wrench pressureOn(const std::vector<Strip>& strips, const Polygon& outline, const FaceFrame& face,
+                  const Vec3& arm) {
+    Thrust sum;
+    for (const Strip& strip : strips) {
+        const Thrust thrust = thrustOn(strip, outline, face);
+        sum.force += thrust.force;
+        sum.moment_x += thrust.moment_x;
+        sum.moment_y += thrust.moment_y;
+    }
+    const Vec3 first_moment = sum.force * arm + sum.moment_x * face.e1 + sum.moment_y * face.e2;
+    return {-sum.force * face.e3, -first_moment.cross(face.e3)};
+}
+
+FaceFrame turned(const FaceFrame& own, const Vec3& position, const Vec3& arm, const Mat3& turn) {
+    return {position + arm, turn * own.e1, turn * own.e2, turn * own.e3};
+}
+
+/// First wall of a block; nothing when it has none.
+std::optional<std::size_t> firstWall(const PhreaticWalls& walls, std::int32_t block) {
+    const auto first = std::lower_bound(walls.block.begin(), walls.block.end(), block);
+    if (first == walls.block.end() || *first != block) return std::nullopt;
+    return static_cast<std::size_t>(first - walls.block.begin());
+}
+
+/// The face of a block that a plane in the block's own frame lies in, whichever way it looks.
+std::size_t faceIn(const Polyhedron& shape, const FaceFrame& plane) {
+    std::size_t best = 0;
+    double nearest = kInfinity;
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+        const FaceFrame own = faceFrame(shape, f);
+        const double off = own.e3.cross(plane.e3).norm() + std::abs(own.e3.dot(plane.origin - own.origin));
+        if (off < nearest) nearest = off, best = f;
+    }
+    return best;
+}
+
+/// What another water has wetted feels that water's pressure alone: the surface's is taken off again there.
+void leaveToOthers(const std::vector<Strip>& strips, State& state) {
+    PhreaticWalls& walls = state.phreatic;
+    for (std::size_t w = 0; w < state.wet.size(); ++w) {
+        const auto first = firstWall(walls, state.wet.block[w]);
+        if (!first) continue;
+        const auto b = static_cast<std::size_t>(state.wet.block[w]);
+        const Vec3 e1 = state.wet.e1.get(w), e2 = state.wet.e2.get(w);
+        const FaceFrame own{state.wet.origin.get(w), e1, e2, e1.cross(e2)};
+        const std::size_t wall = *first + faceIn(state.geometry->shape[b], own);
+        if (walls.drained[wall] != 0) continue;
+        const Mat3 turn = state.blocks.orientation.matrix(b);
+        const Vec3 arm = turn * own.origin;
+        const Wrench less = pressureOn(strips, wetPolygon(state, w),
+                                       turned(own, state.blocks.position.get(b), arm, turn), arm);
+        walls.force[wall] -= less.force;
+        walls.moment[wall] -= less.torque;
+    }
+}
+
 }  // namespace
 
 std::vector<Strip> stripsOf(const PhreaticSurface& surface, const Vec3& down, double unit_weight,
@@ -79,18 +138,8 @@ std::vector<Strip> stripsOf(const PhreaticSurface& surface, const Vec3& down, do
 Wrench pressureOn(const std::vector<Strip>& strips, const Polyhedron& shape, std::size_t f,
                   const Vec3& position, const Mat3& turn) {
     const FaceFrame own = faceFrame(shape, f);
-    const Polygon outline = outlineOf(shape, f);
     const Vec3 arm = turn * own.origin;
-    const FaceFrame face{position + arm, turn * own.e1, turn * own.e2, turn * own.e3};
-    Thrust sum;
-    for (const Strip& strip : strips) {
-        const Thrust thrust = thrustOn(strip, outline, face);
-        sum.force += thrust.force;
-        sum.moment_x += thrust.moment_x;
-        sum.moment_y += thrust.moment_y;
-    }
-    const Vec3 first_moment = sum.force * arm + sum.moment_x * face.e1 + sum.moment_y * face.e2;
-    return {-sum.force * face.e3, -first_moment.cross(face.e3)};
+    return pressureOn(strips, outlineOf(shape, f), turned(own, position, arm, turn), arm);
 }
 
 std::vector<Error> build(State& state, ForceParts& parts) {
@@ -132,6 +181,7 @@ void update(State& state) {
         walls.force[w] = wrench.force;
         walls.moment[w] = wrench.torque;
     }
+    leaveToOthers(strips, state);
 }
 
 void drain(State& state) {
@@ -139,10 +189,8 @@ void drain(State& state) {
     if (!model.phreatic || model.phreatic->drains_at_aperture == kInfinity) return;
     const Interfaces& f = state.interfaces;
     const auto dry = [&](std::int32_t block, std::int32_t face) {
-        PhreaticWalls& walls = state.phreatic;
-        const auto first = std::lower_bound(walls.block.begin(), walls.block.end(), block);
-        if (first == walls.block.end() || *first != block) return;
-        walls.drained[static_cast<std::size_t>(first - walls.block.begin() + face)] = 1;
+        if (const auto first = firstWall(state.phreatic, block))
+            state.phreatic.drained[*first + static_cast<std::size_t>(face)] = 1;
     };
     for (std::size_t i = 0; i < f.size(); ++i) {
         if (f.kind[i] != InterfaceKind::faces ||

@@ -3,9 +3,10 @@
 //
 // Depth is measured along gravity, so between two points of the line pressure is linear, and the planes through the points
 // along gravity and y divide what lies below into strips with one linear pressure each. Under all faces of a block the sum is
-// exactly the pressure's integral over its surface: buoyancy, where the line is level.
+// exactly the pressure's integral over its surface: buoyancy, where the line is level. Where another water stands on a wall it
+// is felt instead, so the line's pressure on that polygon is taken off again.
 //
-// Reads:  the model's surface, shapes, poses; load.tilt, load.water_share, gravity
+// Reads:  the model's surface, shapes, poses, wet; load.tilt, load.water_share, gravity
 // Writes: state.phreatic
 
 #include <span>

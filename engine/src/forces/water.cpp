@@ -44,8 +44,41 @@ void addPatch(WetPatches& wet, std::size_t block, std::size_t water, std::int32_
     wet.vertex_begin.push_back(static_cast<std::int64_t>(wet.vertex_x.size()));
 }
 
+/// Two heads, linear over the height at the start between a joint's upper and lower end: where the lower one daylights with none,
+/// E. Hoek and J. W. Bray's distribution below a crack full of water.
+struct HeadOverHeight {
+    double at_zero = 0, slope = 0;  ///< head at the height 0 of the state's z [m], and its rise with height
+
+    /// On a wall: value at the frame's origin and gradient along its e1, e2.
+    Vec3 on(const State& state, std::size_t b, const FaceFrame& plane) const {
+        const Mat3 turn = state.geometry->initial_orientation.matrix(b);
+        const double z = state.geometry->initial_position.get(b).z() + (turn * plane.origin).z();
+        return {at_zero + slope * z, slope * (turn * plane.e1).z(), slope * (turn * plane.e2).z()};
+    }
+};
+
+/// Of a water's walls; none for what is not told by heads.
+HeadOverHeight headOverHeight(const State& state, const Water& water) {
+    if (water.kind != Water::Level::head || water.pair) return {};
+    double low = kInfinity, high = -kInfinity;
+    for (const WetFace& wall : water.walls) {
+        const auto b = static_cast<std::size_t>(wall.block);
+        const Polyhedron& shape = state.geometry->shape[b];
+        const Mat3 turn = state.geometry->initial_orientation.matrix(b);
+        for (const auto v : shape.faces[static_cast<std::size_t>(wall.face)]) {
+            const double z = state.geometry->initial_position.get(b).z() +
+                             (turn * shape.vertices[static_cast<std::size_t>(v)]).z();
+            low = std::min(low, z);
+            high = std::max(high, z);
+        }
+    }
+    const double slope = high > low ? (water.head[0] - water.head[1]) / (high - low) : 0.0;
+    return {water.head[1] - slope * low, slope};
+}
+
 /// A polygon on a block, less what lies below the water's base at the start.
-void addAbove(State& state, std::size_t water, std::size_t b, const FaceFrame& plane, Polygon polygon) {
+void addAbove(State& state, std::size_t water, std::size_t b, const FaceFrame& plane, Polygon polygon,
+              const HeadOverHeight& head) {
     const double base = state.geometry->model.waters[water].base - state.geometry->origin.z();
     if (base > -kInfinity) {
         const Mat3 turn = state.geometry->initial_orientation.matrix(b);
@@ -56,20 +89,20 @@ void addAbove(State& state, std::size_t water, std::size_t b, const FaceFrame& p
         else if (origin.z() < base)
             return;
     }
-    if (!polygon.empty()) addPatch(state.wet, b, water, -1, plane, polygon, Vec3::Zero());
+    if (!polygon.empty()) addPatch(state.wet, b, water, -1, plane, polygon, head.on(state, b, plane));
 }
 
 /// A block face. What of it lies on another part of its block is no wall: the same polygons looking the other way take it off.
-void addWall(State& state, std::size_t water, const WetFace& wall) {
+void addWall(State& state, std::size_t water, const WetFace& wall, const HeadOverHeight& head) {
     const auto b = static_cast<std::size_t>(wall.block), face = static_cast<std::size_t>(wall.face);
     const Polyhedron& shape = state.geometry->shape[b];
     const FaceFrame plane = faceFrame(shape, face);
-    addAbove(state, water, b, plane, outlineOf(shape, face));
+    addAbove(state, water, b, plane, outlineOf(shape, face), head);
     const FaceFrame back{plane.origin, plane.e2, plane.e1, -plane.e3};
     for (const Polygon& cover : coversOf(shape, face)) {
         Polygon seen;
         for (std::size_t v = cover.size(); v-- > 0;) seen.push({cover[v].y(), cover[v].x()});
-        addAbove(state, water, b, back, seen);
+        addAbove(state, water, b, back, seen, head);
     }
 }
 
@@ -314,7 +347,8 @@ void makeWalls(State& state) {
     const auto& waters = state.geometry->model.waters;
     for (std::size_t water = 0; water < waters.size(); ++water) {
         state.wet.water_begin.push_back(state.wet.size());
-        for (const WetFace& wall : waters[water].walls) addWall(state, water, wall);
+        const HeadOverHeight head = headOverHeight(state, waters[water]);
+        for (const WetFace& wall : waters[water].walls) addWall(state, water, wall, head);
         if (!waters[water].pair) continue;
         const std::vector<std::size_t> all = interfacesOf(state, *waters[water].pair);
         for (const std::size_t i : all) addInterfaceWalls(state, water, all, i);

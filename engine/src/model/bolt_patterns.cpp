@@ -164,10 +164,13 @@ class Placing {
 }  // namespace
 
 std::vector<Error> placeBoltPatterns(Model& model) {
+    std::erase_if(model.bolts, [&](const Bolt& bolt) {
+        return std::any_of(model.bolt_patterns.begin(), model.bolt_patterns.end(),
+                           [&](const BoltPattern& pattern) { return pattern.like.field == bolt.field; });
+    });
     std::vector<Error> errors;
     for (const BoltPattern& pattern : model.bolt_patterns)
         if (auto error = Placing(pattern, model).run()) errors.push_back(std::move(*error));
-    model.bolt_patterns.clear();
     return errors;
 }
 

@@ -16,10 +16,28 @@ struct Unit {
 };
 
 /// Of keys that stand for more than one number of the model, or for none by itself.
-constexpr std::array kOtherUnits{Unit{"depth", "m"},      Unit{"elevation", "m"}, Unit{"head", "m"},
-                                 Unit{"base", "m"},       Unit{"block", "m"},     Unit{"origin", "m"},
-                                 Unit{"velocity", "m/s"}, Unit{"force", "N"},     Unit{"point", "m"},
-                                 Unit{"pressure", "Pa"}};
+constexpr std::array kOtherUnits{Unit{"depth", "m"},
+                                 Unit{"elevation", "m"},
+                                 Unit{"head", "m"},
+                                 Unit{"base", "m"},
+                                 Unit{"block", "m"},
+                                 Unit{"origin", "m"},
+                                 Unit{"velocity", "m/s"},
+                                 Unit{"force", "N"},
+                                 Unit{"point", "m"},
+                                 Unit{"pressure", "Pa"},
+                                 Unit{"pretension", "N"},
+                                 Unit{"yield_force", "N"},
+                                 Unit{"area", "m^2"},
+                                 Unit{"modulus", "Pa"},
+                                 Unit{"bond_stiffness", "N/m^2"},
+                                 Unit{"bond_strength", "N/m"},
+                                 Unit{"spacing", "m"},
+                                 Unit{"length", "m"},
+                                 Unit{"end", "m"},
+                                 Unit{"surface", "m"},
+                                 Unit{"acceleration", "m/s^2"},
+                                 Unit{"shear_strength", "Pa"}};
 
 }  // namespace
 
@@ -36,6 +54,7 @@ std::string unitOf(std::string_view field) {
     if (key.ends_with("_deg")) return "deg";
     if (key.ends_with("_s")) return "s";
     if (key.ends_with("_m")) return "m";
+    if (key == "shear_stiffness" && field.starts_with("bolt")) return "N/m";
     for (const auto& unit : {unitIn(kJointProperties, key), unitIn(kGravityFields, key),
                              unitIn(kWaterFields, key), unitIn(kOtherUnits, key)})
         if (unit) return std::string(*unit);

@@ -186,22 +186,53 @@ void correctBaseline(GroundMotion& motion, bool line) {
         motion.acceleration[k] -= mean + (motion.time[k] - start - 0.5 * length) * slope;
 }
 
+/// `file`, beside the scenario.
+std::optional<Record> readFile(const std::string& folder, TableReader& table) {
+    const auto file = table.text("file");
+    if (!file) return std::nullopt;
+    const std::string path = file->starts_with('/') ? *file : folder + *file;
+    const auto text = toml::readFileText(path);
+    if (!text) return table.error("file", path + ": " + text.errors().front().message), std::nullopt;
+    std::string fault;
+    auto record = RecordReader(*text).read(fault);
+    if (!record) table.error("file", path + ", " + fault);
+    return record;
+}
+
+/// `acceleration = [[time, x, y, z], ...]` in the scenario itself.
+std::optional<Record> readInline(Report& report, TableReader& table) {
+    const auto rows = table.array("acceleration");
+    if (!rows) return std::nullopt;
+    Record record;
+    for (std::size_t k = 0; k < rows->size(); ++k) {
+        const std::string field = table.fieldOf("acceleration") + "[" + std::to_string(k) + "]";
+        const auto row = readNumbers(report, rows->at(k), field, kAnyNumber, 4);
+        if (!row) return std::nullopt;
+        const double least = record.time.empty() ? 0 : record.time.back(), time = row->front();
+        if (time < least || (time == least && !record.time.empty())) {
+            report.add(
+                rows->at(k).place(), field,
+                "found the time " + numberText(time) + " s" +
+                    (record.time.empty() ? ", allowed: at least 0"
+                                         : " after " + numberText(least) + " s, allowed: times that rise"));
+            return std::nullopt;
+        }
+        record.time.push_back(time);
+        record.value.emplace_back((*row)[1], (*row)[2], (*row)[3]);
+    }
+    if (record.time.size() >= 2) return record;
+    return table.error("acceleration", "found fewer than two rows, allowed: at least two"), std::nullopt;
+}
+
 }  // namespace
 
 void readGroundMotion(const ForceReader& from, Model& model) {
-    auto table = from.root.table("ground_motion", {"file", "scale", "baseline"});
-    if (!table) return;
-    table->require({"file"});
+    auto table = from.root.table("ground_motion", {"file", "acceleration", "scale", "baseline"});
+    if (!table || !table->requireOneOf({"file", "acceleration"})) return;
     const double scale = table->number("scale", kAnyNumber).value_or(1);
     const auto baseline = table->choice("baseline", {"none", "mean", "line"});
-    const auto file = table->text("file");
-    if (!file) return;
-    const std::string path = file->starts_with('/') ? *file : from.folder + *file;
-    const auto text = toml::readFileText(path);
-    if (!text) return table->error("file", path + ": " + text.errors().front().message);
-    std::string fault;
-    const auto record = RecordReader(*text).read(fault);
-    if (!record) return table->error("file", path + ", " + fault);
+    const auto record = table->has("file") ? readFile(from.folder, *table) : readInline(from.report, *table);
+    if (!record) return;
     model.ground_motion = motionOf(*record, scale);
     if (baseline && *baseline > 0) correctBaseline(model.ground_motion, *baseline == 2);
     const auto run = from.root.find("run");

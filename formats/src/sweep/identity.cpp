@@ -36,6 +36,8 @@ std::string describe(const SweepColumn& column) {
     text += std::string("\n") + toString(d.kind);
     for (const double value : {d.min, d.max, d.mean, d.sd, d.mode, d.alpha, d.beta})
         text += " " + exact(value);
+    for (const ScoreShare& part : column.scores)
+        text += "\n~" + std::to_string(part.column) + " " + exact(part.weight);
     return text;
 }
 

@@ -22,12 +22,23 @@ namespace {
 using toml::Document;
 
 /// Drawn for this purpose and no other: the name decides the stream of random numbers.
-double draw(const Sweep& sweep, const SweepColumn& column, std::uint64_t sample, const std::string& name) {
+double share(const Sweep& sweep, std::uint64_t sample, const std::string& name) {
     const std::uint64_t stream = sweep::streamOf(name);
-    const double share = sweep.latin_hypercube
-                             ? sweep::latinHypercube(sample, sweep.samples, sweep.seed, stream)
-                             : sweep::uniform(sweep.seed, stream, sample);
-    return quantile(column.distribution, share);
+    return sweep.latin_hypercube ? sweep::latinHypercube(sample, sweep.samples, sweep.seed, stream)
+                                 : sweep::uniform(sweep.seed, stream, sample);
+}
+
+/// Of a correlated variable (sweep/correlation.h).
+double correlatedShare(const Sweep& sweep, const SweepColumn& column, std::uint64_t sample) {
+    double score = 0;
+    for (const ScoreShare& part : column.scores)
+        score += part.weight * normalQuantile(share(sweep, sample, sweep.columns[part.column].name));
+    return std::clamp(normalProbability(score), 0x1p-53, 1 - 0x1p-53);
+}
+
+double drawRun(const Sweep& sweep, const SweepColumn& column, std::uint64_t sample) {
+    return quantile(column.distribution, column.scores.empty() ? share(sweep, sample, column.name)
+                                                               : correlatedShare(sweep, column, sample));
 }
 
 std::optional<Error> put(Document& document, const std::string& target, const SweepValue& value,
@@ -120,7 +131,8 @@ InterfaceDraws drawInterfaces(const Sweep& sweep, const SweepRun& run, const Mod
             // By the blocks' names, so that an interface draws the same in a larger slope.
             const NamePair names = namesOf(model, pair.block_a, pair.block_b);
             const auto [first, second] = std::minmax(names.first, names.second);
-            const double value = draw(sweep, column, run.sample, column.name + "|" + first + "|" + second);
+            const double value = quantile(column.distribution,
+                                          share(sweep, run.sample, column.name + "|" + first + "|" + second));
             count(draws.ranges[k], value);
             draws.values.push_back(
                 {pair.block_a, pair.block_b, pair.joint, *jointProperty(fields[k].key), value});
@@ -195,7 +207,7 @@ SweepRun runOf(const Sweep& sweep, std::uint64_t index) {
         const SweepColumn& column = sweep.columns[c];
         if (column.source == SweepSource::table) run.values[c] = column.values[rest];
         if (column.source == SweepSource::random && column.per != SampledPer::interface)
-            run.values[c] = draw(sweep, column, run.sample, column.name);
+            run.values[c] = drawRun(sweep, column, run.sample);
     }
     return run;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "sweep/correlation.h"
 #include "sweep/questions.h"
 #include "sweep/runs.h"
 #include "sweep/variables.h"
@@ -44,7 +45,7 @@ class SweepReader {
         : report_(report),
           root_(report, root, "",
                 {"format", "scenario", "analysis", "samples", "seed", "sampling", "grid", "table", "random",
-                 "report"}),
+                 "correlation", "report"}),
           base_(std::move(scenario)) {
         sweep_.path = path;
     }
@@ -56,6 +57,7 @@ class SweepReader {
         if (!errors_.empty()) return errors_;
         readAnalysis();
         Variables variables = readVariables(report_, root_, sweep_.path, joints);
+        readCorrelation(report_, root_, variables.list);
         readSampling(variables);
         readReport();
         if (!variables.errors.empty() || !report_.clean()) {

@@ -123,6 +123,32 @@ TEST_SUITE("forces") {
         CHECK(on(state, 1).force.z() == doctest::Approx(-9810 * 4));
     }
 
+    TEST_CASE("another water is felt instead of the surface where it stands") {
+        Model model = floorModel(30);
+        addBox(model, "box", {0, 0, 0}, {2, 1, 3});
+        model.phreatic = PhreaticSurface{.line = {{-9, 2}, {9, 2}}, .field = "water[0]"};
+        CHECK((on(wet(model), 1).force - 9810 * Vec3(0, 0, 4)).norm() < 1e-6);
+        // Uplift of its own below the box: heads of 1 m at +x and 0.5 m at -x.
+        Water uplift;
+        uplift.kind = Water::Level::head;
+        uplift.head = {1.0, 0.5};
+        uplift.pair = std::pair{0, 1};
+        uplift.field = "water[1]";
+        model.waters = {uplift};
+        const State state = wet(model);
+        CHECK((on(state, 1).force - 9810 * Vec3(0, 0, 0.75 * 2)).norm() < 1e-6);
+        // And in place of 2 m on its +x face a depth of 1 m.
+        Water side;
+        side.level = {{0, 1.0}};
+        side.walls = {{1, 0}};
+        side.field = "water[2]";
+        const Polyhedron& shape = model.blocks[1].shape;
+        for (std::size_t f = 0; f < shape.faces.size(); ++f)
+            if (shape.faceNormal(f).x() > 0.9) side.walls[0].face = static_cast<std::int32_t>(f);
+        model.waters.push_back(side);
+        CHECK((on(wet(model), 1).force - 9810 * Vec3(0.5 * 4 - 0.5, 0, 1.5)).norm() < 1e-6);
+    }
+
     TEST_CASE("a line that folds back when it is seen along gravity is refused") {
         Model model = underWater({{0, 0}, {1, 4}, {5, 4}});
         model.gravity.tilt = radians(60);

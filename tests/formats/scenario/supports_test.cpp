@@ -104,7 +104,7 @@ TEST_SUITE("scenario") {
             parseScenario(kBlocks + pattern("box = { min = [-1, 0, 4], max = [1, 4, 8] }\n"), "slope.toml");
         REQUIRE(scenario.ok());
         REQUIRE(scenario->model.bolts.size() == 4);
-        CHECK(scenario->model.bolt_patterns.empty());
+        CHECK(scenario->model.bolt_patterns.size() == 1);  // kept, so that others can be placed instead
         CHECK(scenario->model.bolts[3].name == "P-4");
         CHECK(scenario->model.bolts[0].head.x() == 0);
         CHECK(scenario->model.bolts[0].head.z() == doctest::Approx(5));
@@ -121,6 +121,26 @@ TEST_SUITE("scenario") {
         CHECK(motion.time == std::vector<double>{0, 0.5, 2.5});
         CHECK(motion.acceleration[1] == Vec3(8, 0, 6));
         CHECK(scenario->model.run.duration == 2.5);
+    }
+
+    TEST_CASE("a record may stand in the scenario itself") {
+        const std::string section = "[ground_motion]\nscale = 0.5\nacceleration = ";
+        const auto scenario =
+            parseScenario(kBlocks + section + "[[0.0, 4.0, 0.0, 1.0], [0.5, 2.0, 0.0, 0.0]]\n", "slope.toml");
+        REQUIRE(scenario.ok());
+        const GroundMotion& motion = scenario->model.ground_motion;
+        CHECK(motion.time == std::vector<double>{0, 0.5});
+        CHECK(motion.acceleration[0] == Vec3(2, 0, 0.5));
+        CHECK(scenario->model.run.duration == 0.5);
+        starts(refused(section + "[[0.0, 4.0, 0.0, 1.0], [0.5, 2.0, 0.0, 0.0], [0.5, 1.0, 0.0, 0.0]]\n"),
+               "ground_motion.acceleration[2]: found the time 0.5 s after 0.5 s");
+        starts(refused(section + "[[-1.0, 4.0, 0.0, 1.0], [0.5, 2.0, 0.0, 0.0]]\n"),
+               "ground_motion.acceleration[0]: found the time -1 s, allowed: at least 0");
+        starts(refused(section + "[[0.0, 4.0], [0.5, 2.0]]\n"), "ground_motion.acceleration[0]: ");
+        starts(refused(section + "[[0.0, 4.0, 0.0, 0.0]]\n"),
+               "ground_motion.acceleration: found fewer than two");
+        starts(refused(section + "[[0.0, 4.0, 0.0, 0.0], [0.5, 2.0, 0.0, 0.0]]\nfile = \"r.csv\"\n"),
+               "ground_motion.acceleration: found file, acceleration together");
     }
 
     TEST_CASE("velocities become accelerations that are constant between them") {
@@ -174,7 +194,8 @@ TEST_SUITE("scenario") {
         starts(refused("[ground_motion]\nfile = \"absent.csv\"\n"), "ground_motion.file: absent.csv: ");
     }
 
-    TEST_CASE("a phreatic surface is read; one that folds back, or stands beside other water, is refused") {
+    TEST_CASE(
+        "a phreatic surface is read, also beside other water; one that folds back, or a second, is refused") {
         const auto scenario = parseScenario(
             kBlocks +
                 "[[water]]\nsurface = [[0.0, 1.0], [4.0, 2.0]]\nfactor = 0.8\ndrains_at_aperture = 0.002\n",
@@ -192,8 +213,40 @@ TEST_SUITE("scenario") {
                "water[0].depth: found depth beside surface");
         starts(refused("[[water]]\nbetween = [\"top\", \"base\"]\ndepth = 1.0\nfactor = 0.5\n"),
                "water[0].factor: ");
-        starts(refused("[[water]]\nsurface = [[0.0, 1.0], [1.0, 1.0]]\n"
-                       "[[water]]\nbetween = [\"top\", \"base\"]\nhead = [1.0, 0.0]\n"),
-               "water[0]: found a surface beside another");
+        const std::string one = "[[water]]\nsurface = [[0.0, 1.0], [1.0, 1.0]]\n";
+        const auto beside = parseScenario(
+            kBlocks + one + "[[water]]\nbetween = [\"top\", \"base\"]\nhead = [1.0, 0.0]\n", "slope.toml");
+        REQUIRE(beside.ok());
+        CHECK(beside->model.phreatic.has_value());
+        CHECK(beside->model.waters.size() == 1);
+        starts(refused(one + one), "water[1]: found a second surface");
+    }
+
+    TEST_CASE(
+        "joints of a rock mass run dry at a millimetre in `run` unless an entry says otherwise; others never "
+        "do") {
+        const std::string rock =
+            "[material.rock]\ndensity = 2700.0\n[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = "
+            "1e9\n"
+            "friction_deg = 30.0\n[rock_mass]\nregion = { box = { min = [0, 0, 0], max = [4, 4, 4] } }\n"
+            "fixed = [{ boundary = \"-z\" }]\n[[single_joint]]\nname = \"bed\"\npoint = [0.0, 0.0, 2.0]\n"
+            "dip_deg = 10\ndip_direction_deg = 270\n";
+        const auto apertures = [](const std::string& text) {
+            const auto scenario = parseScenario(text, "slope.toml");
+            for (const Error& error : scenario.errors()) FAIL_CHECK(format(error));
+            REQUIRE(scenario.ok());
+            const Model& model = scenario->model;
+            return model.phreatic ? model.phreatic->drains_at_aperture
+                                  : model.waters.at(0).drains_at_aperture;
+        };
+        const std::string in_joint = "[[water]]\njoint = \"bed\"\nelevation = 3.0\n";
+        const std::string table = "[[water]]\nsurface = [[0.0, 3.0], [4.0, 3.0]]\n";
+        CHECK(apertures(rock + in_joint) == 1e-3);
+        CHECK(apertures(rock + table) == 1e-3);
+        CHECK(apertures(rock + "[[water]]\njoint = \"bed\"\nhead = [2.0, 0.0]\n") == 1e-3);
+        CHECK(apertures(rock + in_joint + "drains_at_aperture = 0.02\n") == 0.02);
+        CHECK(apertures(kBlocks + table) == kInfinity);
+        CHECK(apertures(kBlocks + "[[water]]\nbetween = [\"top\", \"base\"]\nhead = [1.0, 0.0]\n") ==
+              kInfinity);
     }
 }

@@ -121,3 +121,32 @@ TEST_CASE("SIGINT and SIGTERM end a run with 130 and keep its rows; killed, the 
         }
     }
 }
+
+TEST_CASE("the page of a run: displacements over time above the record, and every block's at the end") {
+    const TemporaryFolder folder;
+    const std::string page = folder / "motion.html";
+    const Outcome outcome = runTalus({"run", TALUS_SOURCE_DIR "/bench/verification/newmark-block.toml",
+                                      "--report", page, "--json", "--quiet"});
+    REQUIRE(outcome.exit_code == 0);
+    const double slip = outcome.json().at("largest_displacement").at("displacement_m");
+    const std::string text = contentOf(page), open = "<script id=\"report\" type=\"application/json\">";
+    const std::size_t from = text.find(open) + open.size();
+    const auto report = nlohmann::json::parse(text.substr(from, text.find("</script>", from) - from));
+    const auto& plots = report.at("sections")[0].at("blocks");
+    REQUIRE(plots.size() == 2);
+    for (const auto& series : plots[0].at("series")) {  // the largest, and the watched block, which it is
+        CHECK(series.at("rows").back()[0].get<double>() == doctest::Approx(1.6));
+        CHECK(series.at("rows").back()[1].get<double>() == doctest::Approx(slip).epsilon(1e-6));
+    }
+    REQUIRE(plots[1].at("series").size() == 1);  // along x alone
+    CHECK(plots[1].at("series")[0].at("rows")[5][1] == 4.0);
+    CHECK(plots[1].at("series")[0].at("rows").back()[1] == 0.0);
+    const auto& table = report.at("sections")[1].at("blocks")[0];
+    REQUIRE(table.at("rows").size() == 1);
+    CHECK(table.at("rows")[0][0] == "block");
+    CHECK(table.at("rows")[0][1].get<double>() == doctest::Approx(slip));
+
+    const std::string path = folder.write("run.toml", slidingScenario("0.05"));
+    CHECK(runTalus({"run", path, "--report", folder / "motion.pdf"}).exit_code == 2);
+    CHECK(runTalus({"run", "--resume", folder / "run.mcap", "--report", page}).exit_code == 2);
+}

@@ -128,3 +128,76 @@ TEST_CASE("a search that rounding would decide, or in which nothing holds, is re
     CHECK(falling.exit_code == 2);
     CHECK(falling.err.find("no fixed or driven block") != std::string::npos);
 }
+
+TEST_CASE(
+    "an answer that hangs on cohesion lost at the first slip says so, with the one for cohesion that is "
+    "kept") {
+    const std::string slope = TALUS_SOURCE_DIR "/bench/verification/hoek-bray-crack-2m.toml";
+    const auto answerOf = [&](std::vector<std::string> more) {
+        more.insert(more.begin(),
+                    {"safety-factor", slope, "--json", "--quiet", "--threads", "1", "--no-ceiling"});
+        return runTalus(more).json();
+    };
+    const auto warningOf = [](const nlohmann::json& answer) -> std::string {
+        for (const auto& warning : answer.at("warnings"))
+            if (warning.get<std::string>().starts_with("the answer hangs on cohesion")) return warning;
+        return "";
+    };
+    const auto kept = answerOf({});  // residual_cohesion = cohesion
+    CHECK(warningOf(kept).empty());
+    const auto lost = answerOf({"--set", "joint.plane.residual_cohesion=0"});
+    CHECK(lost.at("safety_factor").get<double>() < 0.95 * kept.at("safety_factor").get<double>());
+    const std::string told = "the answer with cohesion kept: factor ";
+    const std::string warning = warningOf(lost);
+    CAPTURE(warning);
+    REQUIRE(warning.find(told) != std::string::npos);
+    CHECK(std::stod(warning.substr(warning.find(told) + told.size())) ==
+          doctest::Approx(kept.at("safety_factor").get<double>()).epsilon(1e-3));
+    // Not looked for where a search more is not wanted.
+    const auto quick = answerOf({"--set", "joint.plane.residual_cohesion=0", "--no-range"});
+    CHECK(!warningOf(quick).empty());
+    CHECK(warningOf(quick).find(told) == std::string::npos);
+    CHECK(quick.at("safety_factor") == lost.at("safety_factor"));
+    // A block without any to lose has none to tell.
+    const auto none =
+        answerOf({"--set", "joint.plane.residual_cohesion=0", "--set", "joint.plane.cohesion=0"});
+    CHECK(warningOf(none).empty());
+}
+
+TEST_CASE(
+    "blocks that a level table pushes off at any strength are told, and a history whose water never drains") {
+    const TemporaryFolder folder;
+    // A wedge of rock on a joint that daylights, with water up to its crest.
+    const std::string slope =
+        "[material.rock]\ndensity = 2650.0\n[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\n"
+        "friction_deg = 30.0\n[run]\nduration_s = 2.0\nstart = \"unstressed\"\n"
+        "[rock_mass]\nregion = { profile = [[0, -3], [20, -3], [20, 12], [6.9, 12], [0, 0]], y = [0, 1] }\n"
+        "names = { slide = [6.0, 0.5, 8.0], base = [10.0, 0.5, 0.0] }\nfixed = [{ name = \"base\" }]\n"
+        "[[single_joint]]\nname = \"plane\"\npoint = [0.0, 0.0, 0.0]\ndip_deg = 40\ndip_direction_deg = 270\n"
+        "[[water]]\njoint = \"plane\"\nelevation = 14.0\n";
+    const std::string path = folder.write("slope.toml", slope);
+    const auto warns = [](const Outcome& outcome, const std::string& text) {
+        const std::string all = outcome.json().at("warnings").dump();
+        CAPTURE(all);
+        return all.find(text) != std::string::npos;
+    };
+    const std::vector<std::string> quiet{"--json", "--quiet", "--threads", "1"};
+    const auto with = [&](std::vector<std::string> words) {
+        words.insert(words.end(), quiet.begin(), quiet.end());
+        return runTalus(words);
+    };
+    CHECK(warns(with({"safety-factor", path}), "are pushed by water, \\\"slide\\\""));
+    CHECK_FALSE(warns(with({"safety-factor", TALUS_SOURCE_DIR "/bench/verification/hoek-bray-crack-2m.toml"}),
+                      "are pushed by water"));
+    CHECK_FALSE(
+        warns(with({"safety-factor", path, "--set", "water[0].elevation=1.0"}), "are pushed by water"));
+    CHECK_FALSE(warns(with({"run", path}), "never drains"));  // at a millimetre, as rock does
+    CHECK(runTalus({"run", path, "--quiet"})
+              .out.find("water[0]: runs out of joints that open wider than 0.001 m") != std::string::npos);
+    const std::string undrained = folder.write(
+        "box.toml",
+        blockScenario(
+            30, 20,
+            "[run]\nduration_s = 1.0\n[[water]]\nbetween = [\"key\", \"floor\"]\nhead = [0.2, 0.1]\n"));
+    CHECK(warns(with({"run", undrained}), "water[0] never drains: block \\\"key\\\" has gone"));
+}

@@ -19,6 +19,9 @@ TEST_CASE("a good scenario is counted") {
     CHECK(json.at("fixed_blocks") == 1);
     CHECK(json.at("joints") == 1);
     CHECK(json.at("waters") == 0);
+    const std::string wet =
+        folder.write("wet.toml", contentOf(path) + "[[water]]\nsurface = [[0.0, 0.1], [1.0, 0.2]]\n");
+    CHECK(runTalus({"validate", wet, "--json"}).json().at("waters") == 1);
     CHECK(json.at("provenance").at("scenario") == path);
 
     const Outcome people = runTalus({"validate", path});

@@ -22,6 +22,10 @@
 //   per = "run"                    # one draw a run; "joint": one a joint; "interface": one an interface
 //   distribution = "uniform"       # min, max. "normal": mean, sd. "truncated-normal": mean, sd, min, max.
 //                                  # "lognormal": mean, sd. "triangular": min, mode, max. "beta": alpha, beta, min, max
+//   [correlation]                  # of the normal scores of random variables
+//   fields = ["joint.default.friction_deg", "joint.default.cohesion"]
+//   matrix = [[1.0, -0.5], [-0.5, 1.0]]
+//
 //   [report]
 //   tilt_deg = [15.0, 18.0]        # critical-angle: probability of failure at these tilts
 //   factor = [1.0]                 # safety-factor: probability of less than these
@@ -51,6 +55,12 @@ std::string toString(const SweepValue& value);  ///< the shortest text that read
 enum class SweepSource : std::uint8_t { table, grid, random };
 enum class SampledPer : std::uint8_t { run, joint, interface };
 
+/// Share of another column's normal score in a correlated one.
+struct ScoreShare {
+    std::size_t column = 0;
+    double weight = 0;
+};
+
 /// What varies together: one column of the results, or three (mean, smallest, largest) for draws per interface.
 struct SweepColumn {
     std::string name;                  ///< the (first) field
@@ -58,8 +68,9 @@ struct SweepColumn {
     std::vector<std::string> targets;  ///< fields of the scenario that get the value
     SweepSource source = SweepSource::grid;
     SampledPer per = SampledPer::run;
-    std::vector<SweepValue> values;  ///< of a grid, or of the table's rows
-    Distribution distribution;       ///< of a random variable
+    std::vector<SweepValue> values;    ///< of a grid, or of the table's rows
+    Distribution distribution;         ///< of a random variable
+    std::vector<ScoreShare> scores{};  ///< of which its normal score is made up; none: its own alone
 };
 
 struct SweepReport {

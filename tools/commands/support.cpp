@@ -1,0 +1,77 @@
+// talus support: the pretension, or the number of bolts, that a factor of safety takes.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "answers/support_design.h"
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
+#include "commands/commands.h"
+
+namespace talus::tools {
+
+namespace {
+
+struct SupportOptions {
+    Common common;
+    ScenarioInput scenario;
+    SupportQuestion question;
+};
+
+int design(const SupportOptions& options) {
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    ProgressPrinter progress(options.common);
+    const SupportDesign found =
+        designSupport(options.question, scenario, controlOf(options.common, progress));
+    progress.finish();
+    if (options.common.json)
+        printJson(supportDesignJson(options.question, found, scenario, options.common));
+    else
+        printText(supportDesignText(options.question, found, scenario));
+    return exitCode(found);
+}
+
+}  // namespace
+
+Command addSupport(CLI::App& root) {
+    auto options = std::make_shared<SupportOptions>();
+    SupportQuestion& question = options->question;
+    CLI::App* app = root.add_subcommand(
+        "support", "The pretension of bolts, or the number of a pattern's, that a factor of safety takes");
+    addScenario(*app, options->scenario);
+    app->add_option("--factor", question.factor, "The factor of safety that is wanted")
+        ->check(CLI::Range(0.01, 99.0))
+        ->capture_default_str();
+    app->add_option_function<std::string>(
+           "--by",
+           [&question](const std::string& by) {
+               question.by = by == "number" ? DesignedBy::number : DesignedBy::pretension;
+           },
+           "What is sought: pretension (default), or number of bolts of a pattern")
+        ->check(CLI::IsMember({"pretension", "number"}))
+        ->type_name("WHAT");
+    app->add_option("--bolt", question.bolt, "A [[bolt]] or [[bolt_pattern]] by its name (default: all)")
+        ->type_name("NAME");
+    app->add_option("--tolerance", question.tolerance,
+                    "Width of the bracket of the pretension, over the yield force")
+        ->check(CLI::Range(1e-4, 0.5))
+        ->capture_default_str();
+    addCommon(*app, options->common);
+    app->footer(
+        "Example:\n  talus support slope.toml --factor 1.5\n  talus support slope.toml --factor 1.3 --by "
+        "number "
+        "--bolt P\n  talus support slope.toml --json | jq .answer.pretension_n\n\nEach trial is a search for "
+        "the "
+        "factor of safety. By pretension each bolt pulls with one share of its\nyield_force from the start "
+        "and "
+        "with no more, up to all of it, as limit equilibrium counts an anchor; by number\nthe pattern's "
+        "spacing is widened or narrowed, along and up alike and in the end one of them, from an eighth of its own\nto as far as one "
+        "bolt is left. The answer is the least that was found to be enough; `set` has the --set options of "
+        "it.\nA factor that is reached without them or not with all they can is a result (exit code 0), an "
+        "undecided one\nis not (3).");
+    return {app, [options] { return design(*options); }};
+}
+
+}  // namespace talus::tools
