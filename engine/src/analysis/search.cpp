@@ -47,6 +47,29 @@ analysis::LoadAxis axisOfStrength(const Model& model) {
     return axis;
 }
 
+using Find = Result<SearchResult> (*)(const Model&, const Control&, const QuasiStatic&);
+
+/// Beside an answer that hangs on cohesion lost at the first slip the one for cohesion that is kept, where a search more is
+/// cheap.
+void addKeptCohesion(Find find, const Model& model, const Control& control, const QuasiStatic& settings,
+                     SearchResult& result) {
+    if (result.status != SearchStatus::found || result.lost_cohesion == 0 ||
+        result.contact_points > control.most_points_of_range)
+        return;
+    Model kept = model;
+    for (Joint& joint : kept.joints)
+        joint.residual_cohesion = std::max(joint.residual_cohesion, joint.cohesion);
+    Control alone = control;
+    alone.keep_failing_state = false;
+    alone.groups = 1;
+    alone.most_points_of_range = 0;
+    const Result<SearchResult> found = find(kept, alone, settings);
+    if (!found) return;
+    result.steps += found->steps;
+    result.wall_seconds += found->wall_seconds;
+    if (found->status == SearchStatus::found) result.kept_cohesion = found->answer;
+}
+
 }  // namespace
 
 Result<SearchResult> criticalAngle(const Model& model, const Control& control, const QuasiStatic& settings) {
@@ -60,7 +83,9 @@ Result<SearchResult> criticalAngle(const Model& model, const Control& control, c
     axis.next = [cells](std::int64_t cell) { return cell + cells; };
     axis.apply = [](State& state, double tilt) { state.load.tilt = tilt; };
     axis.say = [](double tilt) { return analysis::formatted("tilt %.4f deg", degrees(tilt)); };
-    return analysis::searchOfTheRest(model, axis, control, settings);
+    Result<SearchResult> result = analysis::searchOfTheRest(model, axis, control, settings);
+    if (result) addKeptCohesion(criticalAngle, model, control, settings, *result);
+    return result;
 }
 
 Result<SearchResult> safetyFactor(const Model& model, const Control& control, const QuasiStatic& settings) {
@@ -78,6 +103,7 @@ Result<SearchResult> safetyFactor(const Model& model, const Control& control, co
     };
     Result<SearchResult> result = analysis::searchOfTheRest(model, axis, control, settings);
     if (result) analysis::addGroups(model, axis, control, settings, *result);
+    if (result) addKeptCohesion(safetyFactor, model, control, settings, *result);
     return result;
 }
 
@@ -96,7 +122,9 @@ Result<SearchResult> criticalAcceleration(const Model& model, const Control& con
     axis.say = [](double horizontal) {
         return analysis::formatted("horizontal %.5f of the weight", horizontal);
     };
-    return analysis::searchOfTheRest(model, axis, control, settings);
+    Result<SearchResult> result = analysis::searchOfTheRest(model, axis, control, settings);
+    if (result) addKeptCohesion(criticalAcceleration, model, control, settings, *result);
+    return result;
 }
 
 }  // namespace talus

@@ -49,11 +49,10 @@ void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const 
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const WaterEntry& entry = entries[i];
         if (entry.where == WaterEntry::Where::below_surface) {
-            model.phreatic = entry.surface;
-            if (entries.size() > 1)
+            if (model.phreatic)
                 report.add(entry.place, entry.surface.field,
-                           "found a surface beside another [[water]], allowed: a surface alone, since it "
-                           "wets every joint");
+                           "found a second surface, allowed: one, since it wets every joint");
+            model.phreatic = entry.surface;
             continue;
         }
         Water water = entry.water;

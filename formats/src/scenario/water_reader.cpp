@@ -5,10 +5,16 @@
 #include "scenario/interface.h"
 #include "scenario/places.h"
 #include "scenario/water.h"
+#include "talus/formats/mesh.h"
+#include "talus/formats/scenario.h"
 
 namespace talus::formats::scenario {
 
 namespace {
+
+// [m]: joints of rock masses that open wider run dry in time histories unless an entry says otherwise. Stiff joints open by some
+// hundredths of a millimetre before anything moves; water held behind a block that is on its way would shoot it off.
+constexpr double kOpenRock = 1e-3;
 
 void readLevel(Report& report, TableReader& table, const std::vector<std::string>& kinds, Water& water) {
     if (!table.requireOneOf(kinds)) return;
@@ -27,7 +33,11 @@ void readLevel(Report& report, TableReader& table, const std::vector<std::string
 class WaterReader {
  public:
     WaterReader(Report& report, const WaterPlaces& places, const BlockDirectory& blocks)
-        : report_(report), stacks_(places.stacks), rock_(places.rock), blocks_(blocks) {
+        : report_(report),
+          stacks_(places.stacks),
+          rock_(places.rock),
+          folder_(places.folder),
+          blocks_(blocks) {
         for (const Stack& stack : stacks_) stack_names_.add(stack.name);
     }
 
@@ -35,14 +45,17 @@ class WaterReader {
         TableReader table(
             report_, node.node, node.field,
             {"fissure", "stack", "between", "block", "face", "joint", "plane", "depth", "elevation", "levels",
-             "head", "base", "density", "drains_at_aperture", "surface", "factor"});
+             "head", "base", "density", "drains_at_aperture", "surface", "obj", "factor", "daylights"});
         WaterEntry entry;
         entry.place = table.place();
         entry.water.field = node.field;
+        if (rock_ != nullptr && !table.has("fissure")) entry.water.drains_at_aperture = kOpenRock;
         readNumbers(table, kWaterFields, entry.water);
-        if (!table.requireOneOf({"fissure", "between", "block", "joint", "surface"})) return std::nullopt;
+        if (!table.requireOneOf({"fissure", "between", "block", "joint", "surface", "obj"}))
+            return std::nullopt;
         refuseForeignKeys(table);
-        if (table.has("surface")) return readSurface(table, entry);
+        if (table.has("surface") || table.has("obj")) return readSurface(table, entry);
+        readDaylight(table, entry.water);
         if (table.has("joint")) return readRockJoint(table, entry);
         if (table.has("fissure")) return readStackJoint(table, entry);
         if (table.has("between")) return readBetweenBlocks(table, entry);
@@ -63,20 +76,51 @@ class WaterReader {
         refuse("joint", {"plane"});
         refuse("between", {"head"});
         refuse("block", {"face"});
-        refuse("surface", {"factor"});
+        if (!table.has("obj")) refuse("surface", {"factor"});
+        if (!table.has("between")) refuse("joint", {"daylights"});
+    }
+
+    /// How the pressure falls towards a lower end that lies open.
+    static void readDaylight(TableReader& table, Water& water) {
+        const auto how = table.choice("daylights", {"straight", "half-height"});
+        if (!how) return;
+        water.daylight = *how == 0 ? Water::Daylight::straight : Water::Daylight::half_height;
+        if (table.has("head"))
+            table.error("daylights", "found daylights beside head, allowed: one or the other");
     }
 
     /// The water table of the whole slope.
     std::optional<WaterEntry> readSurface(TableReader& table, WaterEntry& entry) const {
         entry.where = WaterEntry::Where::below_surface;
-        for (const std::string& key : table.present({"depth", "elevation", "levels"}))
-            table.error(key, "found " + key + " beside surface, allowed: one or the other");
-        entry.surface.line = readLine(table);
+        for (const std::string& key : table.present({"depth", "elevation", "levels", "daylights"}))
+            table.error(key, "found " + key + " beside a surface, allowed: one or the other");
+        if (table.has("obj"))
+            entry.surface.mesh = readSurfaceMesh(table);
+        else
+            entry.surface.line = readLine(table);
         entry.surface.factor = table.number("factor", {0, 10, true, false}).value_or(1);
         entry.surface.density = entry.water.density;
         entry.surface.drains_at_aperture = entry.water.drains_at_aperture;
         entry.surface.field = entry.water.field;
         return entry;
+    }
+
+    /// `obj = "FILE"`, beside the scenario: an open surface.
+    TriangleSurface readSurfaceMesh(TableReader& table) const {
+        const auto file = table.text("obj");
+        if (!file) return {};
+        MeshOptions options;
+        options.format = MeshFormat::obj;
+        options.farthest = kMaxLength;
+        options.open = true;
+        auto mesh = readMesh(file->starts_with('/') ? *file : folder_ + *file, options);
+        for (Error error : mesh.errors()) {
+            error.field.clear();
+            table.error("obj", error.file.empty() ? error.message : format(error));
+        }
+        if (!mesh) return {};
+        for (std::string& note : mesh->notes) report_.warn(table.fieldOf("obj") + ": " + std::move(note));
+        return std::move(mesh->surface);
     }
 
     /// `surface = [[x, z], ...]` from small to great x.
@@ -175,6 +219,9 @@ class WaterReader {
         if (plane && !is_set)
             table.error("plane",
                         "found plane with the single joint " + quoted(*name) + ", allowed: with a joint set");
+        if (is_set && !table.has("plane") && entry.water.daylight != Water::Daylight::closed)
+            table.error("daylights", "found daylights in all planes of the joint set " + quoted(*name) +
+                                         ", allowed: plane = NUMBER for one of them");
         if (is_set && !table.has("plane") && entry.water.kind == Water::Level::depth)
             table.error("joint", "found a depth in all planes of the joint set " + quoted(*name) +
                                      ", allowed: elevation, or plane = NUMBER for one of them");
@@ -203,6 +250,7 @@ class WaterReader {
     Report& report_;
     const std::vector<Stack>& stacks_;
     const RockMassInput* rock_;
+    const std::string& folder_;
     const BlockDirectory& blocks_;
     NameList stack_names_{"stack"};
 };
