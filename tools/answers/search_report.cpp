@@ -107,6 +107,13 @@ std::string rangeText(const SearchReport& report) {
     return result.range_reason.empty() ? "" : row("range", "none: " + result.range_reason);
 }
 
+std::string cohesionText(const SearchReport& report) {
+    const std::optional<double>& kept = report.result.kept_cohesion;
+    if (!kept) return "";
+    return row("cohesion kept", figureOf(report, *kept) + unitOf(report) +
+                                    "  (the answer, did joints not lose it as they slip: limit equilibrium)");
+}
+
 /// Or null, as the reason.
 Json rangeJson(const SearchReport& report) {
     if (!report.result.range) return nullptr;
@@ -262,6 +269,9 @@ Json searchJson(const SearchReport& report) {
     json["ceiling_reason"] = report.ceiling.value ? Json(nullptr) : Json(report.ceiling.reason);
     json["range"] = rangeJson(report);
     json["range_reason"] = result.range_reason.empty() ? Json(nullptr) : Json(result.range_reason);
+    json["kept_cohesion"] =
+        result.kept_cohesion ? number(*result.kept_cohesion / search.load->scale) : Json(nullptr);
+    json["lost_cohesion_share"] = number(result.lost_cohesion);
     json["failure_mode"] = toString(result.mode);
     json["moving_blocks"] = result.moving_blocks;
     json["fallen_at_start"] = result.fallen_at_start;
@@ -291,13 +301,13 @@ Json searchJson(const SearchReport& report) {
 
 std::string searchText(const SearchReport& report, bool verbose) {
     const SearchResult& result = report.result;
-    std::string table = row("scenario", report.scenario.path) +
-                        row(report.search.answer, answerText(report)) + theoryText(report) +
-                        ceilingText(report) + rangeText(report) + row("failure mode", toString(result.mode)) +
-                        row("moving blocks", movingText(result)) + fallenText(result) + groupsText(result) +
-                        supportsText(result) + row("model", sizeText(result)) +
-                        row("method", methodText(result)) + row("cost", costText(result)) +
-                        row("state hash", hashText(result.state_hash));
+    std::string table =
+        row("scenario", report.scenario.path) + row(report.search.answer, answerText(report)) +
+        theoryText(report) + ceilingText(report) + cohesionText(report) + rangeText(report) +
+        row("failure mode", toString(result.mode)) + row("moving blocks", movingText(result)) +
+        fallenText(result) + groupsText(result) + supportsText(result) + row("model", sizeText(result)) +
+        row("method", methodText(result)) + row("cost", costText(result)) +
+        row("state hash", hashText(result.state_hash));
     for (const std::string& warning : result.warnings) table += row("warning", warning);
     if (report.kept)
         for (const auto& [label, content] : keptRunLines(*report.kept)) table += row(label, content);

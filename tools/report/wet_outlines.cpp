@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace talus::tools {
 
@@ -65,6 +67,21 @@ void addWalls(const Model& model, const Water& water, const Vec3& up, std::vecto
 
 }  // namespace
 
+namespace {
+
+std::vector<Outline> edgesOf(const TriangleSurface& mesh) {
+    std::set<std::pair<std::int32_t, std::int32_t>> edges;
+    for (const auto& corners : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k) edges.insert(std::minmax(corners[k], corners[(k + 1) % 3]));
+    std::vector<Outline> lines;
+    for (const auto& [from, to] : edges)
+        lines.push_back(
+            {mesh.vertices[static_cast<std::size_t>(from)], mesh.vertices[static_cast<std::size_t>(to)]});
+    return lines;
+}
+
+}  // namespace
+
 std::vector<Outline> wetOutlines(const Model& model) {
     std::vector<Outline> outlines;
     const Vec3 up = upOf(model.gravity);
@@ -73,7 +90,8 @@ std::vector<Outline> wetOutlines(const Model& model) {
 }
 
 std::vector<Outline> waterTable(const Model& model) {
-    if (!model.phreatic || model.phreatic->line.empty()) return {};
+    if (!model.phreatic) return {};
+    if (!model.phreatic->mesh.triangles.empty()) return edgesOf(model.phreatic->mesh);
     Vec3 low = Vec3::Constant(kInfinity), high = -low;
     for (const Block& block : model.blocks)
         for (const Vec3& v : block.shape.vertices) {

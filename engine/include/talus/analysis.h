@@ -100,7 +100,12 @@ struct SearchResult {
     std::vector<std::string> fallen_at_start;
     /// low and high answers of other ways to the same load, where they differ; valid when found
     std::optional<std::pair<double, double>> range;
-    std::string range_reason;        ///< why there is a range, or none
+    std::string range_reason;  ///< why there is a range, or none
+    /// Share of the area of joints whose cohesion goes at the first slip that has lost it in the failure, 0..1.
+    double lost_cohesion = 0;
+    /// The answer were that cohesion kept to the end, as limit equilibrium has it: of models as small as those of `range`, where
+    /// some is lost
+    std::optional<double> kept_cohesion{};
     std::vector<BlockGroup> groups;  ///< of `safetyFactor`: who goes at which factor; the first is the answer
     bool groups_undecided = false;   ///< the search for the next group ended so
     std::vector<Supports> supports;  ///< as the failure is let go, or at the last load that stands

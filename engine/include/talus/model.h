@@ -13,6 +13,7 @@
 #include "talus/joint.h"
 #include "talus/polyhedron.h"
 #include "talus/result.h"
+#include "talus/surface.h"
 
 namespace talus {
 
@@ -70,6 +71,13 @@ struct Water {
     double density = 1000;  ///< [kg/m^3]
     /// [m]; the fissure is empty for good once an interface opens wider
     double drains_at_aperture = kInfinity;
+    /// What the pressure falls to where the joint's lowest end lies open, after E. Hoek and J. W. Bray.
+    enum class Daylight : std::uint8_t {
+        closed,       ///< nothing: hydrostatic to the lowest end
+        straight,     ///< from what it is at the joint's upper end in a straight line to nothing (below a crack full of water)
+        half_height,  ///< hydrostatic down to half the wet height, from there in a straight line to nothing
+    };
+    Daylight daylight = Daylight::closed;
     double base = -kInfinity;    ///< no water below this z of the model at the start (perched water) [m]
     std::vector<WetFace> walls;  ///< the faces it pushes on; empty when `pair` is given
     /// instead: the interface of two blocks, both walls
@@ -77,13 +85,15 @@ struct Water {
     std::string field{};  ///< "water[0]", for messages
 };
 
-/// The water table of a slope: a line over x, extruded along y. Every face below it, of joints and free ones (ponded water),
-/// feels the pressure of the depth below it along gravity, times `factor`. It stays where it is.
+/// The water table of a slope: a line over x, extruded along y, or an open surface. Every face below it, of joints and free ones
+/// (ponded water), feels the pressure of the depth below it along gravity, times `factor`. It stays where it is. Where another
+/// water of the model stands, that one's pressure is felt instead.
 struct PhreaticSurface {
     struct Point {
         double x = 0, z = 0;  ///< [m]
     };
     std::vector<Point> line;  ///< x rising; level beyond its ends
+    TriangleSurface mesh{};   ///< instead: over all free blocks, looking up
     double factor = 1;        ///< of the head (Hu)
     double density = 1000;    ///< [kg/m^3]
     /// [m]; the two faces of a joint are dry for good once it opens wider
@@ -213,7 +223,7 @@ struct Model {
     std::optional<PhreaticSurface> phreatic;
     std::vector<AppliedLoad> loads;
     std::vector<Bolt> bolts;
-    std::vector<BoltPattern> bolt_patterns;  ///< until they are placed (talus/bolts.h)
+    std::vector<BoltPattern> bolt_patterns;  ///< their bolts stand among the others (talus/bolts.h)
     PointRule points;
     Gravity gravity;
     Seismic seismic;

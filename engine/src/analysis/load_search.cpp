@@ -215,6 +215,7 @@ class Search {
         result_.interfaces = contacts.interfaces;
         result_.contact_points = contacts.points;
         result_.warnings = searchWarnings(probing_, last, fails);
+        if (fails) result_.lost_cohesion = lostCohesion(last);
     }
 
     const LoadAxis& axis_;

@@ -72,8 +72,9 @@ void tellKeptCohesion(Find find, const Model& model, const Control& control, con
     const Result<SearchResult> found = find(kept, alone, settings);
     if (!found) return;
     result.wall_seconds += found->wall_seconds;
-    if (found->status == SearchStatus::found)
-        *warning += "; the answer with cohesion kept: " + say(found->answer);
+    if (found->status != SearchStatus::found) return;
+    result.kept_cohesion = found->answer;
+    *warning += "; the answer with cohesion kept: " + say(found->answer);
 }
 
 }  // namespace

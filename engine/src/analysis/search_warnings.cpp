@@ -6,9 +6,7 @@
 #include "state/incidence.h"
 
 namespace talus::analysis {
-namespace {
 
-/// Share of the area of joints whose cohesion goes at the first slip that has lost it, 0..1.
 double lostCohesion(const State& state) {
     double all = 0, lost = 0;
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
@@ -22,9 +20,10 @@ double lostCohesion(const State& state) {
     return all > 0 ? lost / all : 0.0;
 }
 
+namespace {
+
 /// Limit equilibrium keeps cohesion to the end; eq 9 does not.
-std::optional<std::string> ofLostCohesion(const State& state) {
-    const double lost = lostCohesion(state);
+std::optional<std::string> ofLostCohesion(double lost) {
     if (lost == 0) return std::nullopt;
     return kHangsOnCohesion + std::string(" where a joint first slips or opens (") +
            formatted("%.0f", 100 * lost) +
@@ -51,7 +50,7 @@ std::vector<std::string> searchWarnings(const Probing& probing, const State& las
     std::vector<std::string> warnings = last.warnings;
     if (auto soft = ofSoftJoints(probing, last)) warnings.push_back(std::move(*soft));
     if (!fails) return warnings;
-    if (auto lost = ofLostCohesion(last)) warnings.push_back(std::move(*lost));
+    if (auto lost = ofLostCohesion(lostCohesion(last))) warnings.push_back(std::move(*lost));
     return warnings;
 }
 

@@ -14,4 +14,7 @@ inline constexpr const char* kHangsOnCohesion = "the answer hangs on cohesion th
 /// \param last  the state the search ended in: let go if it `fails`
 std::vector<std::string> searchWarnings(const Probing& probing, const State& last, bool fails);
 
+/// Share of the area of joints whose cohesion goes at the first slip that has lost it, 0..1.
+double lostCohesion(const State& state);
+
 }  // namespace talus::analysis

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "forces/contact_forces.h"
 #include "forces/water.h"
@@ -13,14 +15,6 @@
 namespace talus::phreatic {
 namespace {
 
-std::vector<Strip> stripsNow(const State& state) {
-    const Model& model = state.geometry->model;
-    const PhreaticSurface& surface = *model.phreatic;
-    const double unit_weight =
-        surface.factor * surface.density * model.gravity.magnitude * state.load.water_share;
-    return stripsOf(surface, downward(model.gravity, state.load.tilt), unit_weight, state.geometry->origin);
-}
-
 /// Across gravity and y: along it the line's points have to follow each other.
 Vec3 acrossOf(const Vec3& down) { return down.cross(Vec3::UnitY()).normalized(); }
 
@@ -28,48 +22,201 @@ Vec3 placeOf(const PhreaticSurface::Point& point, const Vec3& origin) {
     return Vec3(point.x, 0, point.z) - origin;
 }
 
-/// Between two points, or level beyond one of them.
-Strip stripThrough(const Vec3& point, const Vec3& along, const Vec3& down, const Vec3& across,
-                   double unit_weight) {
-    const Vec3 normal = along.cross(Vec3::UnitY());  // of the surface
-    Strip strip{.across = across};
-    strip.gradient = unit_weight / normal.dot(down) * normal;
-    strip.p0 = -strip.gradient.dot(point);
-    return strip;
+/// Below a plane through a point.
+Cell cellBelow(const Vec3& point, const Vec3& normal, const Vec3& down, double unit_weight) {
+    Cell cell;
+    cell.gradient = unit_weight / normal.dot(down) * normal;
+    cell.p0 = -cell.gradient.dot(point);
+    return cell;
 }
 
-Thrust thrustOn(const Strip& strip, Polygon polygon, const FaceFrame& face) {
-    const double at = strip.across.dot(face.origin);
-    const Vec2 across(strip.across.dot(face.e1), strip.across.dot(face.e2));
-    for (const double sign : {1.0, -1.0}) {
-        const double most = sign > 0 ? strip.high - at : at - strip.low;
+void addSide(Cell& cell, const Vec3& normal, double offset, double sign) {
+    cell.sides[static_cast<std::size_t>(cell.side_count++)] = {normal, offset, sign};
+}
+
+Thrust thrustOn(const Cell& cell, Polygon polygon, const FaceFrame& face) {
+    for (int k = 0; k < cell.side_count; ++k) {
+        const Side& side = cell.sides[static_cast<std::size_t>(k)];
         if (polygon.empty()) return {};
-        if (most == kInfinity) continue;
+        const double beyond = side.normal.dot(face.origin) - side.offset, most = -side.sign * beyond;
+        const Vec2 across(side.normal.dot(face.e1), side.normal.dot(face.e2));
         if (across.norm() > 1e-12)
-            polygon = clipHalfPlane(polygon, sign * across, most);
-        else if (most < 0 || (most == 0 && sign > 0))  // a face along the strip's side belongs to one of two
+            polygon = clipHalfPlane(polygon, side.sign * across, most);
+        else if (most < 0 || (most == 0 && side.sign > 0))  // a face along the side belongs to one of two
             return {};
     }
-    return talus::thrustOn(polygon, {strip.p0 + strip.gradient.dot(face.origin),
-                                     {strip.gradient.dot(face.e1), strip.gradient.dot(face.e2)}});
+    return talus::thrustOn(polygon, {cell.p0 + cell.gradient.dot(face.origin),
+                                     {cell.gradient.dot(face.e1), cell.gradient.dot(face.e2)}});
 }
 
+// --- a line --------------------------------------------------------------------------------------------------------------
+
+std::vector<Cell> cellsBelowLine(const std::vector<PhreaticSurface::Point>& line, const Vec3& down,
+                                 double unit_weight, const Vec3& origin) {
+    const Vec3 across = acrossOf(down);
+    std::vector<Cell> cells;
+    const auto begin = [&](const Vec3& point, const Vec3& along) {
+        cells.push_back(cellBelow(point, along.cross(Vec3::UnitY()), down, unit_weight));
+    };
+    const auto end = [&](const Vec3& point) {
+        std::array<Side, 3>& sides = cells.back().sides;
+        sides[1] = sides[0];  // the far side first
+        sides[0] = {across, across.dot(point), 1};
+        ++cells.back().side_count;
+    };
+    begin(placeOf(line.front(), origin), Vec3::UnitX());
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+        const Vec3 from = placeOf(line[k], origin), to = placeOf(line[k + 1], origin);
+        end(from);
+        begin(from, to - from);
+        addSide(cells.back(), across, across.dot(from), -1);
+    }
+    const Vec3 last = placeOf(line.back(), origin);
+    end(last);
+    begin(last, Vec3::UnitX());
+    addSide(cells.back(), across, across.dot(last), -1);
+    return cells;
+}
+
+// --- a mesh --------------------------------------------------------------------------------------------------------------
+
+using Edge = std::pair<std::int32_t, std::int32_t>;  ///< from the lower number to the higher one
+
+/// Each as often as triangles have it, sorted.
+std::vector<Edge> edgesOf(const TriangleSurface& mesh) {
+    std::vector<Edge> edges;
+    for (const auto& corners : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k) edges.push_back(std::minmax(corners[k], corners[(k + 1) % 3]));
+    std::sort(edges.begin(), edges.end());
+    return edges;
+}
+
+/// \param edges  of the whole mesh
+/// \param beyond  how far the table reaches beyond its rim, so that faces that stand below the rim are pressed alike [m]
+Cell cellBelowTriangle(const TriangleSurface& mesh, const std::vector<Edge>& edges,
+                       const std::array<std::int32_t, 3>& corners, const Vec3& down, double unit_weight,
+                       const Vec3& origin, double beyond) {
+    const auto at = [&](std::int32_t v) -> Vec3 {
+        return mesh.vertices[static_cast<std::size_t>(v)] - origin;
+    };
+    const Vec3 a = at(corners[0]), b = at(corners[1]), c = at(corners[2]);
+    Cell cell = cellBelow(a, (b - a).cross(c - a), down, unit_weight);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Edge edge = std::minmax(corners[k], corners[(k + 1) % 3]);
+        const Vec3 low = at(edge.first), normal = down.cross(at(edge.second) - low).normalized();
+        const double sign = edge.first == corners[k] ? 1 : -1;
+        const auto [first, last] = std::equal_range(edges.begin(), edges.end(), edge);
+        addSide(cell, normal, normal.dot(low) + (last - first == 1 ? sign * beyond : 0), sign);
+    }
+    return cell;
+}
+
+struct Span {
+    Vec2 low = Vec2::Constant(kInfinity), high = Vec2::Constant(-kInfinity);
+
+    void take(const Vec2& point) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+};
+
+/// Bins that a span reaches into: calls with each one's number.
+template <class Each>
+void eachBin(const Cells& cells, const Span& span, const Each& each) {
+    const auto place = [&](double at, double low, int count) {
+        return static_cast<int>(std::clamp(std::floor((at - low) / cells.bin), 0.0, count - 1.0));
+    };
+    const int from_row = place(span.low.y(), cells.low.y(), cells.rows);
+    const int to_row = place(span.high.y(), cells.low.y(), cells.rows);
+    const int from = place(span.low.x(), cells.low.x(), cells.columns);
+    const int to = place(span.high.x(), cells.low.x(), cells.columns);
+    for (int row = from_row; row <= to_row; ++row)
+        for (int column = from; column <= to; ++column)
+            each(static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.columns) +
+                 static_cast<std::size_t>(column));
+}
+
+Vec2 acrossGravity(const Cells& cells, const Vec3& point) { return {cells.u.dot(point), cells.v.dot(point)}; }
+
+/// About as many bins as triangles.
+void sortIntoBins(const TriangleSurface& mesh, const Vec3& origin, Cells& cells) {
+    std::vector<Span> spans(mesh.triangles.size());
+    Span whole;
+    for (std::size_t t = 0; t < spans.size(); ++t)
+        for (const std::int32_t v : mesh.triangles[t]) {
+            const Vec2 place = acrossGravity(cells, mesh.vertices[static_cast<std::size_t>(v)] - origin);
+            spans[t].take(place);
+            whole.take(place);
+        }
+    const Vec2 size = (whole.high - whole.low).cwiseMax(1e-9);
+    cells.low = whole.low;
+    cells.bin = std::sqrt(size.x() * size.y() / static_cast<double>(spans.size()));
+    cells.bin = std::max(cells.bin, size.maxCoeff() / 1000);
+    cells.columns = static_cast<int>(size.x() / cells.bin) + 1;
+    cells.rows = static_cast<int>(size.y() / cells.bin) + 1;
+    const std::size_t bins = static_cast<std::size_t>(cells.columns) * static_cast<std::size_t>(cells.rows);
+    std::vector<std::vector<std::int32_t>> sorted(bins);
+    for (std::size_t t = 0; t < spans.size(); ++t)
+        eachBin(cells, spans[t],
+                [&](std::size_t bin) { sorted[bin].push_back(static_cast<std::int32_t>(t)); });
+    for (const std::vector<std::int32_t>& bin : sorted) {
+        cells.bin_begin.push_back(cells.in_bin.size());
+        cells.in_bin.insert(cells.in_bin.end(), bin.begin(), bin.end());
+    }
+    cells.bin_begin.push_back(cells.in_bin.size());
+}
+
+/// Calls with each cell that a polygon may reach into, once and in order.
+template <class Each>
+void eachCellNear(const Cells& cells, const Polygon& polygon, const FaceFrame& face, const Each& each) {
+    if (cells.bin == 0) {
+        for (const Cell& cell : cells.all) each(cell);
+        return;
+    }
+    Span span;
+    for (const Vec2& corner : polygon) span.take(acrossGravity(cells, face.toWorld(corner)));
+    thread_local std::vector<std::int32_t> near;  // kept, so that a step allocates nothing
+    near.clear();
+    eachBin(cells, span, [&](std::size_t bin) {
+        for (std::size_t k = cells.bin_begin[bin]; k < cells.bin_begin[bin + 1]; ++k)
+            near.push_back(cells.in_bin[k]);
+    });
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (const std::int32_t cell : near) each(cells.all[static_cast<std::size_t>(cell)]);
+}
+
+// --- walls ---------------------------------------------------------------------------------------------------------------
+
 /// On a polygon whose frame is told about a block's centroid: `arm` to the frame's origin, model frame.
-Wrench pressureOn(const std::vector<Strip>& strips, const Polygon& outline, const FaceFrame& face,
-                  const Vec3& arm) {
+Wrench pressureOn(const Cells& cells, const Polygon& polygon, const FaceFrame& face, const Vec3& arm) {
     Thrust sum;
-    for (const Strip& strip : strips) {
-        const Thrust thrust = thrustOn(strip, outline, face);
+    eachCellNear(cells, polygon, face, [&](const Cell& cell) {
+        const Thrust thrust = thrustOn(cell, polygon, face);
         sum.force += thrust.force;
         sum.moment_x += thrust.moment_x;
         sum.moment_y += thrust.moment_y;
-    }
+    });
     const Vec3 first_moment = sum.force * arm + sum.moment_x * face.e1 + sum.moment_y * face.e2;
     return {-sum.force * face.e3, -first_moment.cross(face.e3)};
 }
 
 FaceFrame turned(const FaceFrame& own, const Vec3& position, const Vec3& arm, const Mat3& turn) {
     return {position + arm, turn * own.e1, turn * own.e2, turn * own.e3};
+}
+
+void makeCells(State& state) {
+    PhreaticWalls& walls = state.phreatic;
+    if (walls.cells && walls.cells_tilt == state.load.tilt && walls.cells_share == state.load.water_share)
+        return;
+    const Model& model = state.geometry->model;
+    const PhreaticSurface& surface = *model.phreatic;
+    const double unit_weight =
+        surface.factor * surface.density * model.gravity.magnitude * state.load.water_share;
+    walls.cells = std::make_shared<const Cells>(
+        cellsOf(surface, downward(model.gravity, state.load.tilt), unit_weight, state.geometry->origin));
+    walls.cells_tilt = state.load.tilt;
+    walls.cells_share = state.load.water_share;
 }
 
 /// First wall of a block; nothing when it has none.
@@ -91,8 +238,8 @@ std::size_t faceIn(const Polyhedron& shape, const FaceFrame& plane) {
     return best;
 }
 
-/// What another water has wetted feels that water's pressure alone: the surface's is taken off again there.
-void leaveToOthers(const std::vector<Strip>& strips, State& state) {
+/// What another water has wetted feels that water's pressure alone.
+void leaveToOthers(State& state) {
     PhreaticWalls& walls = state.phreatic;
     for (std::size_t w = 0; w < state.wet.size(); ++w) {
         const auto first = firstWall(walls, state.wet.block[w]);
@@ -104,54 +251,108 @@ void leaveToOthers(const std::vector<Strip>& strips, State& state) {
         if (walls.drained[wall] != 0) continue;
         const Mat3 turn = state.blocks.orientation.matrix(b);
         const Vec3 arm = turn * own.origin;
-        const Wrench less = pressureOn(strips, wetPolygon(state, w),
+        const Wrench less = pressureOn(*walls.cells, wetPolygon(state, w),
                                        turned(own, state.blocks.position.get(b), arm, turn), arm);
         walls.force[wall] -= less.force;
         walls.moment[wall] -= less.torque;
     }
 }
 
-}  // namespace
+// --- what is refused -----------------------------------------------------------------------------------------------------
 
-std::vector<Strip> stripsOf(const PhreaticSurface& surface, const Vec3& down, double unit_weight,
-                            const Vec3& origin) {
+std::optional<Error> foldedLine(const PhreaticSurface& surface, const Vec3& down) {
     const Vec3 across = acrossOf(down);
-    std::vector<Strip> strips;
-    const std::vector<PhreaticSurface::Point>& line = surface.line;
-    const auto add = [&](const Vec3& point, const Vec3& along) {
-        strips.push_back(stripThrough(point, along, down, across, unit_weight));
-    };
-    add(placeOf(line.front(), origin), Vec3::UnitX());
-    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-        const Vec3 from = placeOf(line[k], origin), to = placeOf(line[k + 1], origin);
-        strips.back().high = across.dot(from);
-        add(from, to - from);
-        strips.back().low = across.dot(from);
-    }
-    const double last = across.dot(placeOf(line.back(), origin));
-    strips.back().high = last;
-    add(placeOf(line.back(), origin), Vec3::UnitX());
-    strips.back().low = last;
-    return strips;
+    for (std::size_t k = 0; k + 1 < surface.line.size(); ++k)
+        if (across.dot(placeOf(surface.line[k + 1], placeOf(surface.line[k], Vec3::Zero()))) <= 0)
+            return Error{surface.field + ".surface",
+                         "seen along gravity the line folds back behind its point " + std::to_string(k + 1) +
+                             "; allowed: points that follow each other across gravity"};
+    return std::nullopt;
 }
 
-Wrench pressureOn(const std::vector<Strip>& strips, const Polyhedron& shape, std::size_t f,
-                  const Vec3& position, const Mat3& turn) {
+std::string placeText(const Vec3& p) {
+    char text[80];
+    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x(), p.y(), p.z());
+    return text;
+}
+
+std::optional<Error> foldedMesh(const PhreaticSurface& surface, const Vec3& down) {
+    const auto at = [&](std::int32_t v) { return surface.mesh.vertices[static_cast<std::size_t>(v)]; };
+    for (const auto& [a, b, c] : surface.mesh.triangles)
+        if ((at(b) - at(a)).cross(at(c) - at(a)).dot(down) >= 0)
+            return Error{surface.field + ".obj", "seen along gravity the surface folds back at " +
+                                                     placeText(at(a)) +
+                                                     "; allowed: triangles that all look up"};
+    return std::nullopt;
+}
+
+bool isBelowSome(const Cells& cells, const Vec3& point) {
+    bool found = false;
+    const FaceFrame there{point, Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+    Polygon corner;
+    corner.push(Vec2::Zero());
+    eachCellNear(cells, corner, there, [&](const Cell& cell) {
+        found = found || std::all_of(cell.sides.begin(), cell.sides.end(), [&](const Side& side) {
+                    return side.sign * (side.normal.dot(point) - side.offset) <= 0;
+                });
+    });
+    return found;
+}
+
+std::optional<Error> tooSmallMesh(const State& state) {
+    const PhreaticSurface& surface = *state.geometry->model.phreatic;
+    for (const Block& block : state.geometry->model.blocks) {
+        if (block.motion != Motion::free) continue;
+        for (const Vec3& corner : block.shape.vertices)
+            if (!isBelowSome(*state.phreatic.cells, corner - state.geometry->origin))
+                return Error{surface.field + ".obj", "does not reach over block \"" + block.name +
+                                                         "\", which has a corner at " + placeText(corner) +
+                                                         "; allowed: a surface over all free blocks"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> faultOf(State& state) {
+    const PhreaticSurface& surface = *state.geometry->model.phreatic;
+    const Vec3 down = downward(state.geometry->model.gravity, state.load.tilt);
+    if (surface.mesh.triangles.empty()) return foldedLine(surface, down);
+    if (auto folded = foldedMesh(surface, down)) return folded;
+    makeCells(state);
+    return tooSmallMesh(state);
+}
+
+}  // namespace
+
+Cells cellsOf(const PhreaticSurface& surface, const Vec3& down, double unit_weight, const Vec3& origin) {
+    Cells cells;
+    if (surface.mesh.triangles.empty()) {
+        cells.all = cellsBelowLine(surface.line, down, unit_weight, origin);
+        return cells;
+    }
+    constexpr double kBeyond = 1e-6;  // of the extent
+    const std::vector<Edge> edges = edgesOf(surface.mesh);
+    const double beyond = kBeyond * surfaceExtent(surface.mesh);
+    for (const auto& triangle : surface.mesh.triangles)
+        cells.all.push_back(
+            cellBelowTriangle(surface.mesh, edges, triangle, down, unit_weight, origin, beyond));
+    cells.u = acrossOf(down);
+    cells.v = cells.u.cross(down);
+    sortIntoBins(surface.mesh, origin, cells);
+    return cells;
+}
+
+Wrench pressureOn(const Cells& cells, const Polyhedron& shape, std::size_t f, const Vec3& position,
+                  const Mat3& turn) {
     const FaceFrame own = faceFrame(shape, f);
     const Vec3 arm = turn * own.origin;
-    return pressureOn(strips, outlineOf(shape, f), turned(own, position, arm, turn), arm);
+    return pressureOn(cells, outlineOf(shape, f), turned(own, position, arm, turn), arm);
 }
 
 std::vector<Error> build(State& state, ForceParts& parts) {
     state.phreatic = {};
     const std::optional<PhreaticSurface>& surface = state.geometry->model.phreatic;
     if (!surface) return {};
-    const Vec3 across = acrossOf(downward(state.geometry->model.gravity, state.load.tilt));
-    for (std::size_t k = 0; k + 1 < surface->line.size(); ++k)
-        if (across.dot(placeOf(surface->line[k + 1], placeOf(surface->line[k], Vec3::Zero()))) <= 0)
-            return {{surface->field + ".surface",
-                     "seen along gravity the line folds back behind its point " + std::to_string(k + 1) +
-                         "; allowed: points that follow each other across gravity"}};
+    if (auto fault = faultOf(state)) return {std::move(*fault)};
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
         parts.block.push_back(static_cast<std::int32_t>(b));
@@ -171,17 +372,18 @@ std::vector<Error> build(State& state, ForceParts& parts) {
 void update(State& state) {
     PhreaticWalls& walls = state.phreatic;
     if (walls.size() == 0) return;
-    const std::vector<Strip> strips = stripsNow(state);
+    makeCells(state);
     for (std::size_t w = 0; w < walls.size(); ++w) {
         Wrench wrench;
         const auto b = static_cast<std::size_t>(walls.block[w]);
         if (walls.drained[w] == 0)
-            wrench = pressureOn(strips, state.geometry->shape[b], static_cast<std::size_t>(walls.face[w]),
-                                state.blocks.position.get(b), state.blocks.orientation.matrix(b));
+            wrench =
+                pressureOn(*walls.cells, state.geometry->shape[b], static_cast<std::size_t>(walls.face[w]),
+                           state.blocks.position.get(b), state.blocks.orientation.matrix(b));
         walls.force[w] = wrench.force;
         walls.moment[w] = wrench.torque;
     }
-    leaveToOthers(strips, state);
+    leaveToOthers(state);
 }
 
 void drain(State& state) {

@@ -1,14 +1,16 @@
 #pragma once
-// The water table of a slope: a line over x, extruded along y, below which every face of a free block feels pressure.
+// The water table of a slope: a line over x, extruded along y, or an open surface of triangles, below which every face of a free
+// block feels pressure.
 //
-// Depth is measured along gravity, so between two points of the line pressure is linear, and the planes through the points
-// along gravity and y divide what lies below into strips with one linear pressure each. Under all faces of a block the sum is
-// exactly the pressure's integral over its surface: buoyancy, where the line is level. Where another water stands on a wall it
-// is felt instead, so the line's pressure on that polygon is taken off again.
+// Depth is measured along gravity, so below a piece of the line, or a triangle, pressure is linear, and the planes along gravity
+// through its ends, or edges, part what lies below it from what lies below its neighbours. Under all faces of a block the sum is
+// exactly the pressure's integral over its surface: buoyancy, where the table is level. Where another water stands on a wall it
+// is felt instead, so the table's pressure on that polygon is taken off again.
 //
 // Reads:  the model's surface, shapes, poses, wet; load.tilt, load.water_share, gravity
 // Writes: state.phreatic
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -20,24 +22,41 @@
 
 namespace talus::phreatic {
 
-/// One strip of the surface, in the state's coordinates: p = max(0, p0 + gradient . x) where low <= across . x <= high.
-struct Strip {
+/// A plane along gravity; its two neighbours have the same but for the sign, so that what lies in it belongs to one of them.
+struct Side {
+    Vec3 normal = Vec3::UnitX();
+    double offset = 0;  ///< [m]
+    double sign = 1;    ///< inside: sign (normal . x - offset) <= 0
+};
+
+/// What lies below one piece, in the state's coordinates: p = max(0, p0 + gradient . x) between its sides.
+struct Cell {
     double p0 = 0;                 ///< [Pa]
     Vec3 gradient = Vec3::Zero();  ///< [Pa/m]
-    Vec3 across = Vec3::UnitX();
-    double low = -kInfinity, high = kInfinity;  ///< [m]
+    std::array<Side, 3> sides{};
+    int side_count = 0;
+};
+
+/// All of them. Those of a mesh are found by place: in bins over the plane across gravity.
+struct Cells {
+    std::vector<Cell> all;
+    Vec3 u = Vec3::UnitX(), v = Vec3::UnitY();  ///< across gravity
+    Vec2 low = Vec2::Zero();                    ///< of the bins [m]
+    double bin = 0;                             ///< their size; 0: there are none [m]
+    int columns = 0, rows = 0;
+    std::vector<std::size_t> bin_begin;
+    std::vector<std::int32_t> in_bin;
 };
 
 /// \param down  along gravity
 /// \param unit_weight  of the water, times the factor of the head [N/m^3]
-std::vector<Strip> stripsOf(const PhreaticSurface& surface, const Vec3& down, double unit_weight,
-                            const Vec3& origin);
+Cells cellsOf(const PhreaticSurface& surface, const Vec3& down, double unit_weight, const Vec3& origin);
 
 /// On a block's face, about a centroid, model frame.
-Wrench pressureOn(const std::vector<Strip>& strips, const Polyhedron& shape, std::size_t face,
-                  const Vec3& position, const Mat3& turn);
+Wrench pressureOn(const Cells& cells, const Polyhedron& shape, std::size_t face, const Vec3& position,
+                  const Mat3& turn);
 
-/// Errors: a line that folds back when it is seen along gravity.
+/// Errors: a surface that folds back when it is seen along gravity, a mesh that does not reach over a free block.
 std::vector<Error> build(State& state, ForceParts& parts);
 void update(State& state);
 /// Walls of joints that have opened wider than the surface allows run dry.

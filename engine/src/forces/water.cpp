@@ -240,9 +240,43 @@ LinearPressure pressureOnPatch(const State& state, std::size_t w, const Pressure
             {gradient.dot(wet.e1.get(w)), gradient.dot(wet.e2.get(w))}};
 }
 
-LinearPressure pressureNow(const State& state, std::size_t w, const PressureField& field) {
+WallPressure pressureNow(const State& state, std::size_t w, const PressureField& field) {
     const auto b = static_cast<std::size_t>(state.wet.block[w]);
-    return pressureOnPatch(state, w, field, state.blocks.orientation.matrix(b), state.blocks.position.get(b));
+    const Mat3 turn = state.blocks.orientation.matrix(b);
+    const Vec3 position = state.blocks.position.get(b);
+    WallPressure pressure{pressureOnPatch(state, w, field, turn, position)};
+    if (field.most)
+        pressure.most = pressureOnPatch(state, w, {field.most->p0, field.most->gradient}, turn, position);
+    return pressure;
+}
+
+/// The ends of a joint along gravity, as it lay at the start.
+struct JointEnds {
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+};
+
+JointEnds endsOf(const State& state, std::size_t water, const Vec3& down) {
+    JointEnds ends;
+    double deepest = -kInfinity, highest = kInfinity;
+    for (std::size_t w = state.wet.water_begin[water]; w < state.wet.water_begin[water + 1]; ++w)
+        for (const Vec2& v : polygonOf(state.wet, w)) {
+            const Vec3 x = initialPoint(state, w, v);
+            const double depth = down.dot(x);
+            if (depth > deepest) deepest = depth, ends.low = x;
+            if (depth < highest) highest = depth, ends.high = x;
+        }
+    return ends;
+}
+
+/// Of E. Hoek and J. W. Bray's distributions, the part that falls towards the lower end.
+std::optional<PressureField::Bound> fallingTo(const JointEnds& ends, Water::Daylight daylight,
+                                              const PressureField& field, const Vec3& down) {
+    const double height = down.dot(ends.low - ends.high);
+    if (daylight == Water::Daylight::closed || !(height > 0)) return std::nullopt;
+    const double at_top = std::max(0.0, field.p0 + field.gradient.dot(ends.high));
+    // Rising from nothing at the lower end: to what it is at the upper one, or as fast as the other half falls.
+    const double rate = daylight == Water::Daylight::straight ? at_top / height : field.gradient.dot(down);
+    return PressureField::Bound{rate * down.dot(ends.low), -rate * down};
 }
 
 /// Most walls are under water or dry all over; only one that the water line crosses has to be gone round.
@@ -254,6 +288,10 @@ Thrust thrustOnWall(const WetPatches& wet, std::size_t w, const LinearPressure& 
     if (range.most <= 0) return {};
     if (range.least >= 0) return thrustOnWhole(wet.moments[w], pressure);
     return thrustOn(corners, corner, pressure);
+}
+
+Thrust thrustOnWall(const WetPatches& wet, std::size_t w, const WallPressure& pressure) {
+    return pressure.most ? pressure.on(polygonOf(wet, w)) : thrustOnWall(wet, w, pressure.hydrostatic);
 }
 
 /// Thrust against the outward normal, and its moment about the centroid: integral of r x (-e3 p) over the wet part.
@@ -299,7 +337,7 @@ Polygon inPlaneOf(const State& state, std::size_t i, std::size_t j, const Polygo
 std::vector<Error> sharedWetErrors(const State& state) {
     const Model& model = state.geometry->model;
     const auto wetPartOf = [&](std::size_t w) {
-        return wetPart(polygonOf(state.wet, w), pressureOnWall(state, w));
+        return wetPart(polygonOf(state.wet, w), pressureOnWall(state, w).hydrostatic);
     };
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
         for (auto k = state.incidence.wet_begin[b]; k < state.incidence.wet_begin[b + 1]; ++k)
@@ -402,7 +440,34 @@ bool bounds(const State& state, std::size_t water, std::size_t i) {
 
 Polygon wetPolygon(const State& state, std::size_t w) { return polygonOf(state.wet, w); }
 
-LinearPressure pressureOnWall(const State& state, std::size_t w) {
+double WallPressure::at(const Vec2& point) const {
+    return most ? std::min(hydrostatic.at(point), most->at(point)) : hydrostatic.at(point);
+}
+
+Thrust WallPressure::on(const Polygon& polygon) const {
+    if (!most) return thrustOn(polygon, hydrostatic);
+    const LinearPressure above{hydrostatic.at_origin - most->at_origin,
+                               hydrostatic.gradient - most->gradient};
+    const LinearPressure below{-above.at_origin, -above.gradient};
+    Thrust sum = thrustOn(wetPart(polygon, below), hydrostatic);
+    const Thrust falling = thrustOn(wetPart(polygon, above), *most);
+    sum.force += falling.force;
+    sum.moment_x += falling.moment_x;
+    sum.moment_y += falling.moment_y;
+    return sum;
+}
+
+void boundPressures(State& state) {
+    const Model& model = state.geometry->model;
+    for (std::size_t water = 0; water < model.waters.size(); ++water) {
+        if (model.waters[water].daylight == Water::Daylight::closed) continue;
+        const Vec3 down = downward(model.gravity, state.water_load[water].tilt);
+        state.pressure[water].most =
+            fallingTo(endsOf(state, water, down), model.waters[water].daylight, state.pressure[water], down);
+    }
+}
+
+WallPressure pressureOnWall(const State& state, std::size_t w) {
     return pressureNow(state, w, state.pressure[static_cast<std::size_t>(state.wet.water[w])]);
 }
 
@@ -417,7 +482,10 @@ PressureField pressureField(const State& state, std::size_t index) {
     const Vec3 table = water.kind == Water::Level::elevation ? Vec3(-level * down - state.geometry->origin)
                                                              : tablePoint(state, index, level, down);
     // Depth below the table along gravity: down . (x - table).
-    return {-unit_weight * down.dot(table), unit_weight * down};
+    PressureField field{-unit_weight * down.dot(table), unit_weight * down};
+    if (water.daylight != Water::Daylight::closed)
+        field.most = fallingTo(endsOf(state, index, down), water.daylight, field, down);
+    return field;
 }
 
 std::vector<Error> buildWater(State& state) {

@@ -5,6 +5,7 @@
 // is rho_w g cos(beta) (H - s), the paper's eq 16. Walls are polygons fixed to their blocks: water keeps pushing when
 // the joint opens.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,9 +41,21 @@ void drainWater(State& state);
 /// part of incidence.
 void finishWalls(State& state);
 
+/// Pressure in the plane of a wall: hydrostatic, and no more than what falls to nothing where the joint daylights.
+struct WallPressure {
+    LinearPressure hydrostatic{};
+    std::optional<LinearPressure> most{};
+
+    double at(const Vec2& point) const;  ///< without the max with nothing [Pa]
+    Thrust on(const Polygon& polygon) const;
+};
+
 /// A wet patch in its own plane, and the pressure there as last computed.
 Polygon wetPolygon(const State& state, std::size_t wet_patch);
-LinearPressure pressureOnWall(const State& state, std::size_t wet_patch);
+WallPressure pressureOnWall(const State& state, std::size_t wet_patch);
+
+/// What follows of pressures from the rest of them: a restart brings only that. \pre state.wet, state.water_load
+void boundPressures(State& state);
 
 /// The pressure of a water under the state's load.
 PressureField pressureField(const State& state, std::size_t water);

@@ -60,7 +60,7 @@ Polygon patchOnWall(const State& state, std::size_t i, std::size_t w, const Side
 /// points.
 void shareOut(const State& state, PointRange range, std::size_t w, const Side& side, double thrust,
               FramePoints& points) {
-    const LinearPressure pressure = pressureOnWall(state, w);
+    const WallPressure pressure = pressureOnWall(state, w);
     const auto weight = [&](std::size_t p) {
         const Vec2 place = onWall(state.wet, w, side.at(points.xi[p], points.eta[p]));
         return points.area[p] * std::max(0.0, pressure.at(place));
@@ -81,7 +81,7 @@ bool addWaterOf(const State& state, std::size_t i, PointRange range, const Side&
         any = true;
         const Polygon common = intersect(patchOnWall(state, i, w, side), wetPolygon(state, w));
         if (common.empty()) continue;
-        const double thrust = thrustOn(common, pressureOnWall(state, w)).force;
+        const double thrust = pressureOnWall(state, w).on(common).force;
         if (thrust > 0) shareOut(state, range, w, side, thrust, points);
     }
     return any;

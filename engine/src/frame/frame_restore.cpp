@@ -226,6 +226,7 @@ std::vector<Error> restoreFrame(const FullFrame& frame, State& state) {
     updateSpin(state, {0, state.blocks.size()});
     buildIncidence(state);
     finishWalls(state);
+    boundPressures(state);
     if (stateHash(state) != frame.state_hash)
         return {{"full.state_hash", "is not the hash of the frame's own values: the frame is damaged"}};
     if (const std::vector<std::string> findings = validate(state); !findings.empty())

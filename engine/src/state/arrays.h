@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -184,6 +185,13 @@ struct WetPatches {
 struct PressureField {
     double p0 = 0;
     Vec3 gradient = Vec3::Zero();
+    /// No more than this, likewise linear, where its joint daylights; follows from the rest.
+    struct Bound {
+        double p0 = 0;
+        Vec3 gradient = Vec3::Zero();
+        friend bool operator==(const Bound&, const Bound&) = default;
+    };
+    std::optional<Bound> most{};
     friend bool operator==(const PressureField&, const PressureField&) = default;
 };
 

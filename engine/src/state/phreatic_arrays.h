@@ -2,17 +2,27 @@
 // Walls below a phreatic surface, or that may come below it: all faces of free blocks.
 
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <vector>
 
 #include "talus/polyhedron.h"
 
 namespace talus {
 
+namespace phreatic {
+struct Cells;  // forces/phreatic.h
+}
+
 struct PhreaticWalls {
     std::vector<std::int32_t> block, face;  ///< block by block
     std::vector<std::uint8_t> drained;      ///< 1 once its joint has opened wider than the surface allows
     std::vector<Vec3> force,
         moment;  ///< on the block about its centroid, model frame, as last brought up to date [N, N m]
+
+    // Pieces of the surface for the load that they were last made for; they follow from it.
+    std::shared_ptr<const phreatic::Cells> cells;
+    double cells_tilt = std::numeric_limits<double>::quiet_NaN(), cells_share = 0;
 
     std::size_t size() const { return block.size(); }
 };

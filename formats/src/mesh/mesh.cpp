@@ -119,6 +119,7 @@ class MeshReader {
 
     /// The surface as the region's boundary.
     Result<TriangleSurface> close(const TriangleSurface& surface) {
+        if (options_.open) return opened(surface);
         if (!options_.base) {
             if (auto errors = checkSurface(surface); !errors.empty()) return told(std::move(errors));
             return surface;
@@ -127,6 +128,15 @@ class MeshReader {
         if (!closed) return told(closed.errors());
         if (closed->turned) note("has triangles that all look down, and was turned over");
         return std::move(closed->surface);
+    }
+
+    /// A terrain's own triangles, once it is known that it can be closed.
+    Result<TriangleSurface> opened(const TriangleSurface& surface) {
+        double low = std::numeric_limits<double>::infinity();
+        for (const Vec3& v : surface.vertices) low = std::min(low, v.z());
+        auto closed = closeTerrain(surface, low - surfaceExtent(surface));
+        if (!closed) return told(closed.errors());
+        return upturned(surface, closed->surface);
     }
 
     Result<TriangleSurface> simplified(TriangleSurface closed) {

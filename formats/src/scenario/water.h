@@ -32,6 +32,7 @@ struct WaterEntry {
 struct WaterPlaces {
     const std::vector<Stack>& stacks;
     const RockMassInput* rock = nullptr;
+    std::string folder{};  ///< where files are looked for: "" or with a slash at its end
 };
 
 std::vector<WaterEntry> readWaters(Report& report, TableReader& root, const WaterPlaces& places,

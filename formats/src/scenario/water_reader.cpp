@@ -5,6 +5,8 @@
 #include "scenario/interface.h"
 #include "scenario/places.h"
 #include "scenario/water.h"
+#include "talus/formats/mesh.h"
+#include "talus/formats/scenario.h"
 
 namespace talus::formats::scenario {
 
@@ -31,7 +33,11 @@ void readLevel(Report& report, TableReader& table, const std::vector<std::string
 class WaterReader {
  public:
     WaterReader(Report& report, const WaterPlaces& places, const BlockDirectory& blocks)
-        : report_(report), stacks_(places.stacks), rock_(places.rock), blocks_(blocks) {
+        : report_(report),
+          stacks_(places.stacks),
+          rock_(places.rock),
+          folder_(places.folder),
+          blocks_(blocks) {
         for (const Stack& stack : stacks_) stack_names_.add(stack.name);
     }
 
@@ -39,16 +45,18 @@ class WaterReader {
         TableReader table(
             report_, node.node, node.field,
             {"fissure", "stack", "between", "block", "face", "joint", "plane", "depth", "elevation", "levels",
-             "head", "base", "density", "drains_at_aperture", "surface", "factor"});
+             "head", "base", "density", "drains_at_aperture", "surface", "obj", "factor", "daylights"});
         WaterEntry entry;
         entry.place = table.place();
         entry.water.field = node.field;
         if (rock_ != nullptr && !table.has("fissure") && !table.has("block"))
             entry.water.drains_at_aperture = kOpenRock;
         readNumbers(table, kWaterFields, entry.water);
-        if (!table.requireOneOf({"fissure", "between", "block", "joint", "surface"})) return std::nullopt;
+        if (!table.requireOneOf({"fissure", "between", "block", "joint", "surface", "obj"}))
+            return std::nullopt;
         refuseForeignKeys(table);
-        if (table.has("surface")) return readSurface(table, entry);
+        if (table.has("surface") || table.has("obj")) return readSurface(table, entry);
+        readDaylight(table, entry.water);
         if (table.has("joint")) return readRockJoint(table, entry);
         if (table.has("fissure")) return readStackJoint(table, entry);
         if (table.has("between")) return readBetweenBlocks(table, entry);
@@ -69,20 +77,51 @@ class WaterReader {
         refuse("joint", {"plane"});
         if (!table.has("joint")) refuse("between", {"head"});
         refuse("block", {"face"});
-        refuse("surface", {"factor"});
+        if (!table.has("obj")) refuse("surface", {"factor"});
+        if (!table.has("between")) refuse("joint", {"daylights"});
+    }
+
+    /// How the pressure falls towards a lower end that lies open.
+    static void readDaylight(TableReader& table, Water& water) {
+        const auto how = table.choice("daylights", {"straight", "half-height"});
+        if (!how) return;
+        water.daylight = *how == 0 ? Water::Daylight::straight : Water::Daylight::half_height;
+        if (table.has("head"))
+            table.error("daylights", "found daylights beside head, allowed: one or the other");
     }
 
     /// The water table of the whole slope.
     std::optional<WaterEntry> readSurface(TableReader& table, WaterEntry& entry) const {
         entry.where = WaterEntry::Where::below_surface;
-        for (const std::string& key : table.present({"depth", "elevation", "levels"}))
-            table.error(key, "found " + key + " beside surface, allowed: one or the other");
-        entry.surface.line = readLine(table);
+        for (const std::string& key : table.present({"depth", "elevation", "levels", "daylights"}))
+            table.error(key, "found " + key + " beside a surface, allowed: one or the other");
+        if (table.has("obj"))
+            entry.surface.mesh = readSurfaceMesh(table);
+        else
+            entry.surface.line = readLine(table);
         entry.surface.factor = table.number("factor", {0, 10, true, false}).value_or(1);
         entry.surface.density = entry.water.density;
         entry.surface.drains_at_aperture = entry.water.drains_at_aperture;
         entry.surface.field = entry.water.field;
         return entry;
+    }
+
+    /// `obj = "FILE"`, beside the scenario: an open surface.
+    TriangleSurface readSurfaceMesh(TableReader& table) const {
+        const auto file = table.text("obj");
+        if (!file) return {};
+        MeshOptions options;
+        options.format = MeshFormat::obj;
+        options.farthest = kMaxLength;
+        options.open = true;
+        auto mesh = readMesh(file->starts_with('/') ? *file : folder_ + *file, options);
+        for (Error error : mesh.errors()) {
+            error.field.clear();
+            table.error("obj", error.file.empty() ? error.message : format(error));
+        }
+        if (!mesh) return {};
+        for (std::string& note : mesh->notes) report_.warn(table.fieldOf("obj") + ": " + std::move(note));
+        return std::move(mesh->surface);
     }
 
     /// `surface = [[x, z], ...]` from small to great x.
@@ -213,6 +252,7 @@ class WaterReader {
     Report& report_;
     const std::vector<Stack>& stacks_;
     const RockMassInput* rock_;
+    const std::string& folder_;
     const BlockDirectory& blocks_;
     NameList stack_names_{"stack"};
 };

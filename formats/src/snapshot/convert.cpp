@@ -374,6 +374,13 @@ mcap::Bytes encode(SnapshotHeader header) {
         message.phreatic_x.push_back(point.x);
         message.phreatic_z.push_back(point.z);
     }
+    for (const Vec3& vertex : header.phreatic_mesh.vertices) {
+        message.phreatic_x.push_back(vertex.x());
+        message.phreatic_y.push_back(vertex.y());
+        message.phreatic_z.push_back(vertex.z());
+    }
+    for (const auto& triangle : header.phreatic_mesh.triangles)
+        message.phreatic_triangle.insert(message.phreatic_triangle.end(), triangle.begin(), triangle.end());
     if (header.failure) message.failure = std::make_unique<fb::FailureT>(toMessage(*header.failure));
     eachField(header, message, IntoMessage{});
     if (!header.geometry.supports.name.empty())
@@ -395,6 +402,28 @@ mcap::Bytes encode(FullFrame frame) {
     return bytesOf(builder);
 }
 
+namespace {
+
+bool readPhreatic(const fb::HeaderT& message, SnapshotHeader& header) {
+    const std::size_t count = message.phreatic_x.size();
+    const bool is_mesh = !message.phreatic_triangle.empty();
+    if (message.phreatic_z.size() != count || message.phreatic_y.size() != (is_mesh ? count : 0) ||
+        message.phreatic_triangle.size() % 3 != 0)
+        return false;
+    for (std::size_t k = 0; k < count && !is_mesh; ++k)
+        header.phreatic.push_back({message.phreatic_x[k], message.phreatic_z[k]});
+    for (std::size_t k = 0; k < count && is_mesh; ++k)
+        header.phreatic_mesh.vertices.emplace_back(message.phreatic_x[k], message.phreatic_y[k],
+                                                   message.phreatic_z[k]);
+    const auto& numbers = message.phreatic_triangle;
+    for (std::size_t k = 0; k < numbers.size(); k += 3)
+        header.phreatic_mesh.triangles.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [&](std::int32_t v) { return v >= 0 && static_cast<std::size_t>(v) < count; });
+}
+
+}  // namespace
+
 bool decode(const mcap::Bytes& bytes, SnapshotHeader& header, std::string& why) {
     why = "its header is damaged";
     fb::HeaderT message;
@@ -407,9 +436,7 @@ bool decode(const mcap::Bytes& bytes, SnapshotHeader& header, std::string& why) 
     if (!message.joints || !fromMessage(*message.joints, header.joints)) return false;
     for (const auto& water : message.waters)
         if (!fromMessage(*water, header.waters.emplace_back())) return false;
-    if (message.phreatic_x.size() != message.phreatic_z.size()) return false;
-    for (std::size_t k = 0; k < message.phreatic_x.size(); ++k)
-        header.phreatic.push_back({message.phreatic_x[k], message.phreatic_z[k]});
+    if (!readPhreatic(message, header)) return false;
     if (message.failure && !fromMessage(*message.failure, header.failure.emplace())) return false;
     eachField(header, message, FromMessage{});
     if (message.supports) eachField(header.geometry.supports, *message.supports, FromMessage{});
@@ -451,7 +478,10 @@ SnapshotHeader headerOf(const Scenario& scenario, RunGeometry geometry, std::str
     header.joints = model.joints;
     if (!allCoulomb(model.joints)) header.format = kFormatWithLaws;
     header.waters = model.waters;
-    if (model.phreatic) header.phreatic = model.phreatic->line;
+    if (model.phreatic) {
+        header.phreatic = model.phreatic->line;
+        header.phreatic_mesh = model.phreatic->mesh;
+    }
     return header;
 }
 

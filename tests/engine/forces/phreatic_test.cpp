@@ -21,6 +21,20 @@ Model underWater(std::vector<PhreaticSurface::Point> line, double factor = 1) {
     return model;
 }
 
+/// A line extruded along y, as triangles.
+TriangleSurface over(const std::vector<PhreaticSurface::Point>& line) {
+    TriangleSurface mesh;
+    for (const auto& point : line)
+        for (const double y : {-30.0, 1.3, 30.0}) mesh.vertices.emplace_back(point.x, y, point.z);
+    for (std::int32_t k = 0; k + 1 < static_cast<std::int32_t>(line.size()); ++k)
+        for (const std::int32_t row : {0, 1}) {
+            const std::int32_t a = 3 * k + row, b = a + 1, c = a + 3, d = a + 4;
+            mesh.triangles.push_back({a, c, d});
+            mesh.triangles.push_back({a, d, b});
+        }
+    return mesh;
+}
+
 Wrench on(const State& state, std::size_t block) { return outsideForcesOn(state, block); }
 
 State wet(const Model& model) {
@@ -147,6 +161,61 @@ TEST_SUITE("forces") {
             if (shape.faceNormal(f).x() > 0.9) side.walls[0].face = static_cast<std::int32_t>(f);
         model.waters.push_back(side);
         CHECK((on(wet(model), 1).force - 9810 * Vec3(0.5 * 4 - 0.5, 0, 1.5)).norm() < 1e-6);
+    }
+
+    TEST_CASE("a mesh: buoyancy below a level one, and what a line gives below the same ridge extruded") {
+        const std::vector<PhreaticSurface::Point> ridge{{-20, 2.5}, {0.6, 4.2}, {1.3, 5.0}, {4.4, 3.1}, {30, 6}};
+        for (const bool level : {true, false})
+            for (const double tilt : {0.0, 12.0}) {
+                CAPTURE(level);
+                CAPTURE(tilt);
+                const auto line = level ? std::vector<PhreaticSurface::Point>{{-20, 5}, {30, 5}} : ridge;
+                Model by_line = underWater(line, 0.7), by_mesh = by_line;
+                by_line.gravity.tilt = by_mesh.gravity.tilt = radians(tilt);
+                by_mesh.phreatic->line.clear();
+                by_mesh.phreatic->mesh = over(line);
+                const State a = wet(by_line), b = wet(by_mesh);
+                for (const std::size_t block : {1U, 2U}) {
+                    const double size = on(a, block).force.norm();
+                    CHECK(size > 1000);
+                    CHECK((on(a, block).force - on(b, block).force).norm() < 1e-9 * size);
+                    CHECK((on(a, block).torque - on(b, block).torque).norm() < 1e-9 * size);
+                }
+            }
+    }
+
+    TEST_CASE("faces in the planes of a mesh's edges, and below its rim, are pressed once") {
+        Model model = floorModel(30);
+        model.blocks[0].shape = *makeBox({-5, -5, -9}, {20, 5, -8});
+        addBox(model, "box", {0, 0, 0}, {1, 1, 1});  // as wide as the mesh, and cut by its diagonal and middle
+        model.phreatic = PhreaticSurface{.field = "water[0]"};
+        TriangleSurface& mesh = model.phreatic->mesh;
+        for (const double y : {0.0, 1.0})
+            for (const double x : {0.0, 0.5, 1.0}) mesh.vertices.emplace_back(x, y, 3.0);
+        mesh.triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
+        CHECK((on(wet(model), 1).force - Vec3(0, 0, 9810)).norm() < 1e-6);
+        CHECK(on(wet(model), 1).torque.norm() < 1e-6);
+        // Two boxes side by side, their faces in the plane of the middle edge.
+        model.blocks.pop_back();
+        addBox(model, "left", {0, 0, 0}, {0.5, 1, 1});
+        addBox(model, "right", {0.5, 0, 0}, {0.5, 1, 1});
+        for (const std::size_t block : {1U, 2U})
+            CHECK((on(wet(model), block).force - Vec3(0, 0, 4905)).norm() < 1e-6);
+    }
+
+    TEST_CASE("a mesh that does not reach over all free blocks, or folds back along gravity, is refused") {
+        Model model = underWater({});
+        model.phreatic->mesh = over({{-20, 5}, {4.0, 5}});
+        const auto small = buildState(model, false).errors();
+        REQUIRE(small.size() == 1);
+        CHECK(small[0].field == "water[0].obj");
+        CHECK(small[0].message.find("does not reach over block \"other\"") == 0);
+        model.phreatic->mesh = over({{-20, 5}, {0, 5}, {0.5, 30}, {30, 30}});
+        CHECK(buildState(model, false).ok());
+        model.gravity.tilt = radians(60);
+        const auto folded = buildState(model, false).errors();
+        REQUIRE(folded.size() == 1);
+        CHECK(folded[0].message.find("folds back") != std::string::npos);
     }
 
     TEST_CASE("a line that folds back when it is seen along gravity is refused") {

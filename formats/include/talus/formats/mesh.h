@@ -31,10 +31,11 @@ struct MeshOptions {
     /// What is repaired (repairSurface); default 1e-6 of the extent, the digits of an STL file
     std::optional<double> tolerance;
     std::optional<double> simplify;  ///< deviation that is allowed (simplifySurface)
+    bool open = false;               ///< it is to stay an open terrain, all of whose triangles look up
 };
 
 struct MeshSurface {
-    TriangleSurface surface;  ///< closed
+    TriangleSurface surface;  ///< closed, unless it was to stay open
     Vec3 shift = Vec3::Zero();
     std::vector<std::string> notes;  ///< what was repaired, shifted or simplified, for the user
 };

@@ -52,6 +52,7 @@ struct SnapshotHeader {
     std::vector<Joint> joints;
     std::vector<Water> waters;
     std::vector<PhreaticSurface::Point> phreatic;  ///< the line of a phreatic surface, if there is one
+    TriangleSurface phreatic_mesh;                 ///< or its triangles
     /// of a run kept by a search, which begins in a state of that search
     std::optional<SnapshotFailure> failure;
 };

@@ -43,13 +43,21 @@ export class SupportsView extends Sheets {
   }
 }
 
-/** Over the blocks' extent; it stands still, like the first block that does. */
+/** Its triangles, or a line over the blocks' extent; it stands still, like the first block that does. */
 export class PhreaticView extends Sheets {
   constructor(header, motion) {
     super(motion, 24);
     const block = Array.from(header.motion).findIndex((kind) => kind === 1);
     const sheet = emptyMesh(), lines = emptyMesh();
-    if (header.phreaticX?.length && block >= 0) {
+    if (header.phreaticTriangle?.length && block >= 0) {
+      const colour = rgb(waterColour), corner = header.phreaticTriangle;
+      for (let k = 0; k < corner.length; k += 3) {
+        const corners = [0, 1, 2].map((j) => corner[k + j])
+          .map((v) => sub([header.phreaticX[v], header.phreaticY[v], header.phreaticZ[v]], get(header.centroid, block)));
+        putPolygon(sheet, block, corners, corners.map(() => [...colour, 0.22]));
+        for (const j of [0, 1, 2]) for (const at of [j, (j + 1) % 3]) put(lines, block, corners[at], [...colour, 0.5]);
+      }
+    } else if (header.phreaticX?.length && block >= 0) {
       const low = Math.min(...header.vertex.y), high = Math.max(...header.vertex.y);
       const left = Math.min(...header.vertex.x), right = Math.max(...header.vertex.x);
       const line = Array.from(header.phreaticX, (x, k) => [x, header.phreaticZ[k]]);
