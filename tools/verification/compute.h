@@ -9,6 +9,7 @@
 //                                                   and gravity energy, over the largest kinetic one
 
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
@@ -40,6 +41,11 @@ struct VerifiedRow {
     double difference() const { return *value - what.reference; }
     /// Inside its band; what is only reported is always.
     bool ok() const { return !what.judged() || (value && high && *value >= *what.low && *value <= *high); }
+    /// As the table says: inside, or outside with the value it states, within a quarter of the band.
+    bool asStated() const {
+        if (!what.found) return ok();
+        return !ok() && value && high && std::abs(*value - *what.found) <= 0.25 * (*high - *what.low);
+    }
 };
 
 /// Computes all rows, costly ones first, each in one of the threads. After `stop` what was not computed is left out.

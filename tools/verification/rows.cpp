@@ -14,9 +14,9 @@ namespace talus::tools {
 namespace {
 
 constexpr std::string_view kTable = "bench/verification/rows.csv";
-constexpr std::array<std::string_view, 12> kColumns{"section",  "name",      "scenario", "set",
-                                                    "quantity", "reference", "low",      "high",
-                                                    "kind",     "seconds",   "source",   "others"};
+constexpr std::array<std::string_view, 14> kColumns{"section",   "name",   "scenario", "set",  "quantity",
+                                                    "reference", "low",    "high",     "kind", "seconds",
+                                                    "source",    "others", "found",    "why"};
 constexpr std::array<std::string_view, 4> kKinds{"closed_form", "published", "laboratory", "bound"};
 constexpr std::string_view kCeiling = "ceiling";
 
@@ -66,10 +66,15 @@ VerificationRow rowOf(const Fields& fields) {
                         .kind = fields.text("kind"),
                         .seconds = fields.number("seconds"),
                         .source = fields.text("source"),
-                        .others = fields.text("others")};
+                        .others = fields.text("others"),
+                        .found = fields.maybe("found"),
+                        .why = fields.text("why")};
     if (!row.ceiling_is_high) row.high = fields.maybe("high");
     if (row.low.has_value() != (row.high.has_value() || row.ceiling_is_high))
         fields.fail("high", "allowed: both ends of a band, or neither");
+    if (row.found.has_value() == row.why.empty())
+        fields.fail("why", "allowed: a value that is known to be outside with its reason, or neither");
+    if (row.found && !row.judged()) fields.fail("found", "allowed: only where there is a band");
     if (std::find(kKinds.begin(), kKinds.end(), row.kind) == kKinds.end())
         fields.fail("kind", "found \"" + row.kind + "\", allowed: closed_form, published, laboratory, bound");
     return row;
