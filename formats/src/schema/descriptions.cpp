@@ -39,11 +39,11 @@ constexpr Description kScenario[] = {
      "\"vertex\" (default: nine on a rectangle), \"corner\" (four), \"quarter\" (the paper's rule), \"grid "
      "N\" (N x N, rectangles only)"},
 
-    {"material", "[material.NAME]: what blocks are made of"},
+    {"material", "what blocks are made of"},
     {"material.NAME.density", "mass per volume"},
 
     {"joint",
-     "[joint.NAME]: strength and stiffness of interfaces; [joint.default] is taken where none is named"},
+     "strength and stiffness of interfaces; [joint.default] is taken where none is named"},
     {"joint.NAME.law", "how strength follows the normal stress; default \"coulomb\""},
     {"joint.NAME.shear_strength",
      "law \"envelope\": points [normal stress, strength] in Pa, from 0 upwards, not falling"},
