@@ -12,6 +12,7 @@
 #include "scenario/read_document.h"
 #include "schema/descriptions.h"
 #include "schema/explore.h"
+#include "schemas/schemas.h"
 #include "talus/formats/scenario.h"
 
 using namespace talus;
@@ -160,6 +161,11 @@ TEST_CASE("units: a key of several tables has the unit of its own") {
     CHECK(scenario::unitOf("damping.contact") == "s");
     CHECK(scenario::unitOf("contact") == "");
     CHECK(scenario::unitOf("gravity.magnitude") == "m/s^2");
+}
+
+TEST_CASE("schema: the program has the one that its readers have") {
+    CHECK(scenarioSchema() == tools::kScenarioSchema);
+    CHECK(sweepSchema() == tools::kSweepSchema);
 }
 
 TEST_CASE("schema: of sweeps") {
