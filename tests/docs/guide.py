@@ -1,13 +1,13 @@
 """The guide's pages taken apart into their code blocks, and how each kind of block is run.
 
-A block is fenced and says its language. Comments of Markdown before it (`% ...`, which readers do not see) say the rest:
+A block is fenced and says its language. Comments before it, which readers do not see, say the rest:
 
-    % file: NAME        the block is this file of the page's folder, from then on
-    % with: NAME        the block stands behind what is in this file; both together are read
-    % output            the block is what the last commands print (words in their order)
-    % exit: N           the commands end with this code
-    % slow              run only where TALUS_SLOW_GUIDE is set
-    % elsewhere: WHERE  run by another test, which this names
+    <!-- file: NAME -->        the block is this file of the page's folder, from then on
+    <!-- with: NAME -->        the block stands behind what is in this file; both together are read
+    <!-- output -->            the block is what the last commands print (words in their order)
+    <!-- exit: N -->           the commands end with this code
+    <!-- slow -->              run only where TALUS_SLOW_GUIDE is set
+    <!-- elsewhere: WHERE -->  run by another test, which this names
 
 sh is run by bash, python by this Python, one page's blocks in one namespace; toml is read as a scenario, or planned as a sweep.
 """
@@ -22,7 +22,7 @@ PAGES = sorted(path for path in (ROOT / "tools/docs").glob("*.md") if path.name 
 Block = collections.namedtuple("Block", "page line language text told")
 
 FENCE = re.compile(r"^```(\{?)([\w-]*)\}?(.*)$")
-TOLD = re.compile(r"^% (file|with|output|exit|slow|elsewhere)(?:: *(.*))?$")
+TOLD = re.compile(r"^<!-- (file|with|output|exit|slow|elsewhere)(?:: *(.*?))? -->$")
 SHOWN = ("keys", "commands", "toctree", "literalinclude")  # Sphinx's own, not code
 
 

@@ -184,7 +184,7 @@ TEST_CASE(
 
 TEST_CASE("talus verification: rows that are outside end it with exit code 1") {
     const TemporaryFolder folder;
-    // Above the closed form of limiting friction by 1.2 %, as the README says.
+    // Above the closed form of limiting friction by 1.2 %, as the table says.
     const Outcome outcome = runTalus(
         {"verification", "--only", "goodman-bray-slice-38.15", "--out", folder / "out", "--json", "--quiet"});
     const auto json = outcome.json();
