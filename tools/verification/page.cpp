@@ -131,12 +131,28 @@ Json opening(const Manual& manual) {
     return blocks;
 }
 
+/// What a reader wants to know first: how far out, and why.
+Json outsideTable(const std::vector<const VerifiedRow*>& rows, const std::string& caption) {
+    Json cells = Json::array(), alerts = Json::array();
+    for (const VerifiedRow* row : rows) {
+        alerts.push_back(cells.size());
+        const std::string why = row->asStated() ? row->what.why : "not known: " + verdict(*row);
+        cells.push_back(Json::array({row->what.name, bandText(*row), cell(row->value), why}));
+    }
+    const Json columns{textColumn("problem"), textColumn("band"),
+                       Json{{"title", "computed"}, {"format", "figure"}, {"start", true}, {"strong", true}},
+                       textColumn("why")};
+    Json json = table(caption, columns, cells);
+    json["alerts"] = alerts;
+    return json;
+}
+
 Json outsideSection(const Manual& manual) {
     std::vector<const VerifiedRow*> outside;
     for (const VerifiedRow& row : manual.rows)
-        if (!row.ok()) outside.push_back(&row);
+        if (!row.asStated() || !row.ok()) outside.push_back(&row);
     return section("outside", "Outside", "Outside their bands",
-                   {rowTable(outside, "Rows that are outside their bands, or have no value")});
+                   {outsideTable(outside, "Rows that are outside their bands, or not as the table states")});
 }
 
 }  // namespace
@@ -147,7 +163,7 @@ Json manualReport(const Manual& manual) {
     report.heading = "Verification manual";
     report.opening = opening(manual);
     report.provenance = manual.provenance;
-    if (manual.outside() > 0) report.sections.push_back(outsideSection(manual));
+    if (manual.outside() + manual.unexpected() > 0) report.sections.push_back(outsideSection(manual));
     for (auto row = manual.rows.begin(); row != manual.rows.end();) {
         const std::string name = row->what.section;
         std::vector<const VerifiedRow*> rows;
