@@ -42,8 +42,7 @@ constexpr Description kScenario[] = {
     {"material", "what blocks are made of"},
     {"material.NAME.density", "mass per volume"},
 
-    {"joint",
-     "strength and stiffness of interfaces; [joint.default] is taken where none is named"},
+    {"joint", "strength and stiffness of interfaces; [joint.default] is taken where none is named"},
     {"joint.NAME.law", "how strength follows the normal stress; default \"coulomb\""},
     {"joint.NAME.shear_strength",
      "law \"envelope\": points [normal stress, strength] in Pa, from 0 upwards, not falling"},
