@@ -2,6 +2,7 @@
 // The values of the verification manual. A scenario's rows share what is computed of it:
 //
 //   critical_angle_deg, safety_factor, critical_k   the answer of a search (its answer_key)
+//   decided                                         of the factor of safety: 1 rest or failure was seen, 0 neither
 //   falls_at_start                                  of the critical angle: 1 it falls where the search starts, 0 it stands
 //   limit_tilt_deg, limit_factor, limit_horizontal  the middle of limit analysis's bracket
 //   speed_m_s, way_m                                of the first watched block, at the end of a time history

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cli/failures.h"
+#include "example_scenarios.h"
 #include "paper_scenarios.h"
 #include "report/csv.h"
 #include "reproduction/scenario_text.h"
@@ -126,6 +127,7 @@ std::vector<VerificationRow> verificationRows() { return readRows(kVerificationR
 
 std::string scenarioText(const VerificationRow& row) {
     auto text = find(kPaperScenarios, "paper", row.scenario);
+    if (!text) text = find(kExampleScenarios, "examples", row.scenario);
     if (!text) text = find(kVerificationScenarios, "verification", row.scenario);
     if (!text) throw BadInput(Error{"scenario", "there is no scenario \"" + row.scenario + "\""});
     if (row.set.empty()) return std::string(*text);

@@ -136,6 +136,16 @@ TEST_CASE("verification: values, bands and verdicts") {
     CHECK(manualText(manual).find("! wrong") != std::string::npos);
 }
 
+TEST_CASE("verification: whether a search ends with an answer is a value, too, also of an example") {
+    const Manual manual =
+        computed("A,plane,verification/plane-slides-at-friction-angle,,decided,1,1,1,bound,1,s,,,\n");
+    REQUIRE(manual.rows[0].value.has_value());
+    CHECK(*manual.rows[0].value == 1);
+    const auto rows =
+        readRows(std::string(kHead) + "A,rock,examples/rock-slope,,decided,1,1,1,bound,1,s,,,\n", "rows.csv");
+    CHECK(scenarioText(rows[0]) == contentOf(kBench / "examples/rock-slope.toml"));
+}
+
 TEST_CASE("verification: a row may be outside with the value that the table states, and with no other") {
     const std::string plane = "A,x,verification/plane-slides-at-friction-angle,,critical_angle_deg,31,";
     const auto row = [&](const std::string& rest) {
