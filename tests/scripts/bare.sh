@@ -23,4 +23,4 @@ run tools/paper
 run tools/check
 # What the build brings besides: Python finds the package, manual pages are there.
 run "PYTHONPATH=build/python /usr/bin/python3 -c 'import talus; print(talus.__version__)'"
-run "cmake --install build --prefix /usr/local >/dev/null && test -s /usr/local/share/man/man1/talus-run.1 && talus --version"
+run "cmake --install build --prefix /usr/local >/dev/null && test -s /usr/local/share/man/man1/talus-run.1 && /usr/local/bin/talus --version"

@@ -1,5 +1,7 @@
 """What the guide needs of Sphinx: formulas as MathML (no script, no network), tables of keys, help texts of commands."""
 
+import re
+
 from docutils import nodes
 from docutils.parsers.rst import Directive
 from docutils.utils.math import latex2mathml
@@ -84,7 +86,18 @@ class Commands(Directive):
         return result
 
 
+# What the tests are told of a block (tests/docs/guide.py) that readers want to see, too: which file it is, or goes on with.
+TOLD = re.compile(r"^<!-- (file|with): (\S+) -->\n((?:<!-- .* -->\n)*)```(\w+)\n", re.M)
+
+
+def show_file_names(app, document, source):
+    source[0] = TOLD.sub(
+        lambda told: f"{told[3]}```{{code-block}} {told[4]}\n:caption: {'added to ' if told[1] == 'with' else ''}{told[2]}\n", source[0]
+    )
+
+
 def setup(app):
+    app.connect("source-read", show_file_names)
     app.add_html_math_renderer("mathml", (visit_math, None), (visit_math_block, None))
     app.add_lexer("csv", Csv)
     app.add_directive("keys", Keys)
