@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the guide's pages: build.py FOLDER. Every warning of Sphinx is an error."""
+"""Writes the guide's pages: build.py FOLDER. Every warning of Sphinx is an error; all is read anew (-E), for the program may be another."""
 
 import importlib.util
 import pathlib
@@ -15,7 +15,7 @@ if missing:
 here, folder = pathlib.Path(__file__).parent, pathlib.Path(sys.argv[1])
 sys.exit(
     subprocess.run(
-        [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q", "-d", folder.parent / "doctrees", here, folder],
+        [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q", "-E", "-d", folder.parent / "doctrees", here, folder],
         check=False,
     ).returncode
 )
