@@ -53,6 +53,7 @@ TEST_CASE("cut rock: wedge on two planes, factor of safety by limit equilibrium 
 }
 
 TEST_CASE("cut rock: Hoek and Bray's plane failure with a tension crack, within 0.5 %") {
+    checkFactor("hoek-bray-60m.toml", 1.0935, 0.002);
     checkFactor("hoek-bray-crack-0m.toml", 1.544, 0.005);
     checkFactor("hoek-bray-crack-1m.toml", 1.464, 0.005);
     checkFactor("hoek-bray-crack-2m.toml", 1.363, 0.005);

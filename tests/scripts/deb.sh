@@ -15,9 +15,10 @@ check_files() {
     dpkg-deb -x "$1" "$work/root"
 }
 check_files "$(echo "$work"/talus_*.deb)" ./usr/bin/talus ./usr/share/bash-completion/completions/talus \
-    ./usr/include/talus/model.h ./usr/include/talus/formats/scenario.h
+    ./usr/include/talus/model.h ./usr/include/talus/formats/scenario.h \
+    ./usr/share/man/man1/talus.1 ./usr/share/man/man1/talus-critical-angle.1
 "$work/root/usr/bin/talus" --version
 [ -n "$python" ] || exit 0
 check_files "$(echo "$work"/python3-talus_*.deb)" ./usr/lib/python3/dist-packages/talus/_core. \
-    ./usr/lib/python3/dist-packages/talus/__init__.py
-PYTHONPATH=$work/root/usr/lib/python3/dist-packages "$python" -c "import talus; print(talus.__version__, talus.__file__)"
+    ./usr/lib/python3/dist-packages/talus/__init__.py ./usr/lib/python3/dist-packages/talus/compas.py
+PYTHONPATH=$work/root/usr/lib/python3/dist-packages "$python" -c "import talus, talus.compas; print(talus.__version__, talus.__file__)"

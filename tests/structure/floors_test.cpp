@@ -31,7 +31,7 @@ const std::vector<House>& houses() {
         {"formats/src",
          {"files", "toml", "mesh", "scenario", "sweep", "schema", "history", "mcap", "snapshot", "export"}},
         {"tools",
-         {"cli", "report", "recording", "inspect", "replay", "batch", "answers", "reproduction",
+         {"cli", "report", "schemas", "recording", "inspect", "replay", "batch", "answers", "reproduction",
           "verification", "python", "commands"}},
     };
     return all;

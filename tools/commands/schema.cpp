@@ -1,12 +1,11 @@
 // talus schema: JSON Schemas of the files that are read.
 
-#include "talus/formats/schema.h"
-
 #include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/text.h"
 #include "commands/commands.h"
+#include "schemas/schemas.h"
 
 namespace talus::tools {
 
@@ -24,7 +23,7 @@ Command addSchema(CLI::App& root) {
         "tombi) complete and check the keys of a file whose\nfirst line is\n  #:schema "
         "./talus-scenario.json");
     return {app, [what, common] {
-                printText(*what == "sweep" ? formats::sweepSchema() : formats::scenarioSchema());
+                printText(std::string(*what == "sweep" ? kSweepSchema : kScenarioSchema));
                 return 0;
             }};
 }

@@ -10,7 +10,7 @@
 #include "python/computing.h"
 #include "python/module.h"
 #include "report/blocks_files.h"
-#include "talus/formats/schema.h"
+#include "schemas/schemas.h"
 #include "talus/simulation.h"
 
 namespace talus::python {
@@ -55,7 +55,7 @@ void addScenarios(py::module_& module) {
         .def_property_readonly("blocks", blockNames)
         .def("picture", picture, py::arg("azimuth_deg"), py::arg("elevation_deg"))
         .def("check", check, py::arg("threads"));
-    module.def("scenario_schema", formats::scenarioSchema);
+    module.def("scenario_schema", [] { return tools::kScenarioSchema; });
     module.def(
         "read",
         [](const std::string& path) {

@@ -19,6 +19,7 @@ namespace talus::tools {
 namespace {
 
 constexpr const char* kFalls = "falls_at_start";
+constexpr const char* kDecided = "decided";
 
 /// What answers a quantity.
 struct Analysis {
@@ -32,6 +33,7 @@ std::string limitQuantity(const VariedQuantity& load) { return std::string("limi
 
 Analysis analysisFor(const std::string& quantity) {
     if (quantity == kFalls) return {loadSearch("critical-angle"), nullptr};
+    if (quantity == kDecided) return {loadSearch("safety-factor"), nullptr};
     for (const LoadSearch& search : loadSearches())
         if (quantity == search.answer_key) return {&search, nullptr};
     for (const VariedQuantity& load : variedQuantities())
@@ -86,6 +88,7 @@ void search(const LoadSearch& search, const Control& control, Computed& computed
     computed.status = toString(result->status);
     computed.motions = result->motions;
     const bool found = result->status == SearchStatus::found;
+    computed.values[kDecided] = result->status == SearchStatus::undecided ? 0 : 1;
     if (found) computed.load = result->answer;
     if (found) computed.values[search.answer_key] = result->answer / search.load->scale;
     if (result->status == SearchStatus::unstable_at_start) computed.values[kFalls] = 1;

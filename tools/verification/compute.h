@@ -2,6 +2,7 @@
 // The values of the verification manual. A scenario's rows share what is computed of it:
 //
 //   critical_angle_deg, safety_factor, critical_k   the answer of a search (its answer_key)
+//   decided                                         of the factor of safety: 1 rest or failure was seen, 0 neither
 //   falls_at_start                                  of the critical angle: 1 it falls where the search starts, 0 it stands
 //   limit_tilt_deg, limit_factor, limit_horizontal  the middle of limit analysis's bracket
 //   speed_m_s, way_m                                of the first watched block, at the end of a time history
@@ -12,6 +13,7 @@
 //                                                   and gravity energy, over the largest kinetic one
 
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
@@ -43,6 +45,11 @@ struct VerifiedRow {
     double difference() const { return *value - what.reference; }
     /// Inside its band; what is only reported is always.
     bool ok() const { return !what.judged() || (value && high && *value >= *what.low && *value <= *high); }
+    /// As the table says: inside, or outside with the value it states, within a quarter of the band.
+    bool asStated() const {
+        if (!what.found) return ok();
+        return !ok() && value && high && std::abs(*value - *what.found) <= 0.25 * (*high - *what.low);
+    }
 };
 
 /// Computes all rows, costly ones first, each in one of the threads. After `stop` what was not computed is left out.

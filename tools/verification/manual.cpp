@@ -26,6 +26,8 @@ Json rowJson(const VerifiedRow& row) {
             {"ok", row.ok()},
             {"wall_seconds", number(row.computed->wall_seconds)},
             {"judged", what.judged()},
+            {"as_stated", row.asStated()},
+            {"why", what.why},
             {"status", row.computed->status},
             {"others", what.others},
             {"section", what.section},
@@ -52,6 +54,11 @@ std::size_t Manual::outside() const {
         std::count_if(rows.begin(), rows.end(), [](const VerifiedRow& row) { return !row.ok(); }));
 }
 
+std::size_t Manual::unexpected() const {
+    return static_cast<std::size_t>(
+        std::count_if(rows.begin(), rows.end(), [](const VerifiedRow& row) { return !row.asStated(); }));
+}
+
 std::size_t Manual::judged() const {
     return static_cast<std::size_t>(
         std::count_if(rows.begin(), rows.end(), [](const VerifiedRow& row) { return row.what.judged(); }));
@@ -63,6 +70,7 @@ Json manualJson(const Manual& manual) {
     return {{"rows", rows},
             {"judged", manual.judged()},
             {"outside", manual.outside()},
+            {"unexpected", manual.unexpected()},
             {"quick", manual.quick},
             {"interrupted", manual.interrupted},
             {"wall_seconds", number(manual.wall_seconds)},
@@ -89,13 +97,14 @@ std::string manualText(const Manual& manual) {
         section = row.what.section;
         const std::string band =
             row.what.judged() ? "  [" + figure(row.what.low) + ", " + figure(row.high) + "]" : "  not judged";
-        lines += std::string(row.ok() ? "  " : "! ") + padded(row.what.name, 62) +
-                 padded(row.what.quantity, 20) + padded(figure(row.value), 10) + "reference " +
-                 padded(figure(row.what.reference), 9) + band +
-                 (row.value ? "" : "  " + row.computed->status) + "\n";
+        lines +=
+            std::string(row.ok() ? "  " : "! ") + padded(row.what.name, 62) + padded(row.what.quantity, 20) +
+            padded(figure(row.value), 10) + "reference " + padded(figure(row.what.reference), 9) + band +
+            (row.value ? "" : "  " + row.computed->status) + (row.asStated() ? "" : "  unexpected") + "\n";
     }
     return lines + "\n" + std::to_string(manual.judged()) + " rows judged, " +
-           std::to_string(manual.outside()) + " outside their bands; " + text(manual.wall_seconds, 1) + " s" +
+           std::to_string(manual.outside()) + " outside their bands, " + std::to_string(manual.unexpected()) +
+           " not as the table states; " + text(manual.wall_seconds, 1) + " s" +
            (manual.interrupted ? "; interrupted, the others are missing" : "") + "\n";
 }
 

@@ -16,6 +16,8 @@ struct Manual {
     Json provenance;
 
     std::size_t outside() const;  ///< rows that are outside their bands
+    std::size_t unexpected()
+        const;  ///< rows that the table does not have like that: newly outside, or inside again
     std::size_t judged() const;
 };
 

@@ -1,6 +1,7 @@
 // The page of the verification manual.
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "cli/json.h"
@@ -35,14 +36,16 @@ std::string kindText(std::string kind) {
 std::string verdict(const VerifiedRow& row) {
     if (!row.what.judged()) return "reported";
     if (!row.value) return "no value: " + row.computed->status;
-    return row.ok() ? "inside" : "outside";
+    if (row.ok()) return row.asStated() ? "inside" : "inside, and stated to be outside";
+    return row.asStated() ? "outside, as stated" : "outside";
 }
 
 Json rowCells(const VerifiedRow& row) {
     return Json::array({row.what.name, row.what.quantity, kindText(row.what.kind), number(row.what.reference),
                         bandText(row), cell(row.value), row.value ? number(row.difference()) : Json(nullptr),
                         number(row.computed->wall_seconds), verdict(row),
-                        row.what.source + (row.what.others.empty() ? "" : "; " + row.what.others)});
+                        row.what.source + (row.what.others.empty() ? "" : "; " + row.what.others) +
+                            (row.what.why.empty() ? "" : ". Outside: " + row.what.why)});
 }
 
 Json rowTable(const std::vector<const VerifiedRow*>& rows, const std::string& caption) {
@@ -55,7 +58,7 @@ Json rowTable(const std::vector<const VerifiedRow*>& rows, const std::string& ca
                        valueColumn("difference", "figure"),
                        numberColumn("time [s]", 2),
                        textColumn("verdict", "", kStart),
-                       textColumn("source of the reference; beside it")};
+                       textColumn("source of the reference; what others gave; why it is outside")};
     Json cells = Json::array(), alerts = Json::array();
     for (std::size_t k = 0; k < rows.size(); ++k) {
         cells.push_back(rowCells(*rows[k]));
@@ -95,10 +98,27 @@ Json scenarioFiles(const Manual& manual) {
     return section("scenarios", "Scenarios", "Scenario files", std::move(blocks));
 }
 
+std::string countText(const Manual& manual) {
+    std::string text = std::to_string(manual.judged()) + " rows are held to a band, " +
+                       std::to_string(manual.outside()) + " of them are outside";
+    if (manual.outside() == 0) return text + ".";
+    if (manual.unexpected() == 0) return text + ", all of them known, with the reason beside them.";
+    return text + "; " + std::to_string(manual.unexpected()) + " rows are not as the table states.";
+}
+
+/// How many references are of which kind.
+std::string kindsText(const Manual& manual) {
+    std::map<std::string, int> counts;
+    for (const VerifiedRow& row : manual.rows) ++counts[row.what.kind];
+    return std::to_string(counts["closed_form"]) + " references are closed forms, " +
+           std::to_string(counts["published"]) + " are values that other programs or authors published, " +
+           std::to_string(counts["laboratory"]) + " were measured in a laboratory, " +
+           std::to_string(counts["bound"]) +
+           " are bounds. Those that are no closed forms are held to a range.";
+}
+
 Json opening(const Manual& manual) {
-    const std::string count = std::to_string(manual.judged()) + " rows are held to a band, " +
-                              std::to_string(manual.outside()) + " of them are outside.";
-    Json blocks = Json::array({paragraph(count, "lead")});
+    Json blocks = Json::array({paragraph(countText(manual), "lead"), paragraph(kindsText(manual))});
     if (manual.interrupted)
         blocks.push_back(paragraph("Interrupted: only the rows computed until then are shown.", "alert"));
     if (manual.quick) blocks.push_back(paragraph("Only the rows that take seconds (--quick).", "muted"));
@@ -111,12 +131,28 @@ Json opening(const Manual& manual) {
     return blocks;
 }
 
+/// What a reader wants to know first: how far out, and why.
+Json outsideTable(const std::vector<const VerifiedRow*>& rows, const std::string& caption) {
+    Json cells = Json::array(), alerts = Json::array();
+    for (const VerifiedRow* row : rows) {
+        alerts.push_back(cells.size());
+        const std::string why = row->asStated() ? row->what.why : "not known: " + verdict(*row);
+        cells.push_back(Json::array({row->what.name, bandText(*row), cell(row->value), why}));
+    }
+    const Json columns{textColumn("problem"), textColumn("band"),
+                       Json{{"title", "computed"}, {"format", "figure"}, {"start", true}, {"strong", true}},
+                       textColumn("why")};
+    Json json = table(caption, columns, cells);
+    json["alerts"] = alerts;
+    return json;
+}
+
 Json outsideSection(const Manual& manual) {
     std::vector<const VerifiedRow*> outside;
     for (const VerifiedRow& row : manual.rows)
-        if (!row.ok()) outside.push_back(&row);
+        if (!row.asStated() || !row.ok()) outside.push_back(&row);
     return section("outside", "Outside", "Outside their bands",
-                   {rowTable(outside, "Rows that are outside their bands, or have no value")});
+                   {outsideTable(outside, "Rows that are outside their bands, or not as the table states")});
 }
 
 }  // namespace
@@ -127,7 +163,7 @@ Json manualReport(const Manual& manual) {
     report.heading = "Verification manual";
     report.opening = opening(manual);
     report.provenance = manual.provenance;
-    if (manual.outside() > 0) report.sections.push_back(outsideSection(manual));
+    if (manual.outside() + manual.unexpected() > 0) report.sections.push_back(outsideSection(manual));
     for (auto row = manual.rows.begin(); row != manual.rows.end();) {
         const std::string name = row->what.section;
         std::vector<const VerifiedRow*> rows;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cli/failures.h"
+#include "example_scenarios.h"
 #include "paper_scenarios.h"
 #include "report/csv.h"
 #include "reproduction/scenario_text.h"
@@ -14,9 +15,9 @@ namespace talus::tools {
 namespace {
 
 constexpr std::string_view kTable = "bench/verification/rows.csv";
-constexpr std::array<std::string_view, 12> kColumns{"section",  "name",      "scenario", "set",
-                                                    "quantity", "reference", "low",      "high",
-                                                    "kind",     "seconds",   "source",   "others"};
+constexpr std::array<std::string_view, 14> kColumns{"section",   "name",   "scenario", "set",  "quantity",
+                                                    "reference", "low",    "high",     "kind", "seconds",
+                                                    "source",    "others", "found",    "why"};
 constexpr std::array<std::string_view, 4> kKinds{"closed_form", "published", "laboratory", "bound"};
 constexpr std::string_view kCeiling = "ceiling";
 
@@ -66,10 +67,15 @@ VerificationRow rowOf(const Fields& fields) {
                         .kind = fields.text("kind"),
                         .seconds = fields.number("seconds"),
                         .source = fields.text("source"),
-                        .others = fields.text("others")};
+                        .others = fields.text("others"),
+                        .found = fields.maybe("found"),
+                        .why = fields.text("why")};
     if (!row.ceiling_is_high) row.high = fields.maybe("high");
     if (row.low.has_value() != (row.high.has_value() || row.ceiling_is_high))
         fields.fail("high", "allowed: both ends of a band, or neither");
+    if (row.found.has_value() == row.why.empty())
+        fields.fail("why", "allowed: a value that is known to be outside with its reason, or neither");
+    if (row.found && !row.judged()) fields.fail("found", "allowed: only where there is a band");
     if (std::find(kKinds.begin(), kKinds.end(), row.kind) == kKinds.end())
         fields.fail("kind", "found \"" + row.kind + "\", allowed: closed_form, published, laboratory, bound");
     return row;
@@ -121,6 +127,7 @@ std::vector<VerificationRow> verificationRows() { return readRows(kVerificationR
 
 std::string scenarioText(const VerificationRow& row) {
     auto text = find(kPaperScenarios, "paper", row.scenario);
+    if (!text) text = find(kExampleScenarios, "examples", row.scenario);
     if (!text) text = find(kVerificationScenarios, "verification", row.scenario);
     if (!text) throw BadInput(Error{"scenario", "there is no scenario \"" + row.scenario + "\""});
     if (row.set.empty()) return std::string(*text);

@@ -20,6 +20,8 @@ struct VerificationRow {
     std::string kind;                 ///< closed_form, published, laboratory, bound
     double seconds = 0;               ///< about what it takes on one core
     std::string source, others;       ///< where the reference is from; what other programs and tests gave
+    std::optional<double> found;      ///< of a row that is known to be outside its band: the value it has
+    std::string why;                  ///< and the reason, where it is known
 
     bool judged() const { return low.has_value(); }
 };

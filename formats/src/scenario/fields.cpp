@@ -12,32 +12,54 @@ std::optional<std::string_view> unitIn(const Fields& fields, std::string_view ke
 }
 
 struct Unit {
-    std::string_view key, unit;
+    std::string_view section, key, unit;  ///< section "": any
 };
 
 /// Of keys that stand for more than one number of the model, or for none by itself.
-constexpr std::array kOtherUnits{Unit{"depth", "m"},
-                                 Unit{"elevation", "m"},
-                                 Unit{"head", "m"},
-                                 Unit{"base", "m"},
-                                 Unit{"block", "m"},
-                                 Unit{"origin", "m"},
-                                 Unit{"velocity", "m/s"},
-                                 Unit{"force", "N"},
-                                 Unit{"point", "m"},
-                                 Unit{"pressure", "Pa"},
-                                 Unit{"pretension", "N"},
-                                 Unit{"yield_force", "N"},
-                                 Unit{"area", "m^2"},
-                                 Unit{"modulus", "Pa"},
-                                 Unit{"bond_stiffness", "N/m^2"},
-                                 Unit{"bond_strength", "N/m"},
-                                 Unit{"spacing", "m"},
-                                 Unit{"length", "m"},
-                                 Unit{"end", "m"},
-                                 Unit{"surface", "m"},
-                                 Unit{"acceleration", "m/s^2"},
-                                 Unit{"shear_strength", "Pa"}};
+constexpr std::array kOtherUnits{Unit{"", "depth", "m"},
+                                 Unit{"", "elevation", "m"},
+                                 Unit{"", "head", "m"},
+                                 Unit{"", "base", "m"},
+                                 Unit{"stack", "block", "m"},
+                                 Unit{"", "origin", "m"},
+                                 Unit{"", "offset", "m"},
+                                 Unit{"", "spacing", "m"},
+                                 Unit{"", "radius", "m"},
+                                 Unit{"", "radius_deviation", "m"},
+                                 Unit{"", "radius_min", "m"},
+                                 Unit{"", "radius_max", "m"},
+                                 Unit{"", "p32", "m^2/m^3"},
+                                 Unit{"", "min_thickness", "m"},
+                                 Unit{"rock_mass", "tolerance", "m"},
+                                 Unit{"rock_mass", "simplify", "m"},
+                                 Unit{"rock_mass", "shift", "m"},
+                                 Unit{"rock_mass", "profile", "m"},
+                                 Unit{"rock_mass", "y", "m"},
+                                 Unit{"", "vertices", "m"},
+                                 Unit{"", "min", "m"},
+                                 Unit{"", "max", "m"},
+                                 Unit{"", "velocity", "m/s"},
+                                 Unit{"", "force", "N"},
+                                 Unit{"", "point", "m"},
+                                 Unit{"", "pressure", "Pa"},
+                                 Unit{"", "surface", "m"},
+                                 Unit{"", "acceleration", "m/s^2"},
+                                 Unit{"", "shear_strength", "Pa"},
+                                 Unit{"bolt", "end", "m"},
+                                 Unit{"bolt", "length", "m"},
+                                 Unit{"bolt", "area", "m^2"},
+                                 Unit{"bolt", "modulus", "Pa"},
+                                 Unit{"bolt", "yield_force", "N"},
+                                 Unit{"bolt", "pretension", "N"},
+                                 Unit{"bolt", "bond_stiffness", "N/m^2"},
+                                 Unit{"bolt", "bond_strength", "N/m"},
+                                 Unit{"bolt", "shear_stiffness", "N/m"}};
+
+std::optional<std::string_view> otherUnit(std::string_view field, std::string_view key) {
+    for (const Unit& unit : kOtherUnits)
+        if (unit.key == key && field.starts_with(unit.section)) return unit.unit;
+    return std::nullopt;
+}
 
 }  // namespace
 
@@ -51,12 +73,12 @@ std::optional<JointField> jointField(const FieldPath& path) {
 
 std::string unitOf(std::string_view field) {
     const std::string_view key = lastKey(field);
+    if (key == field) return "";  // a section
     if (key.ends_with("_deg")) return "deg";
     if (key.ends_with("_s")) return "s";
     if (key.ends_with("_m")) return "m";
-    if (key == "shear_stiffness" && field.starts_with("bolt")) return "N/m";
-    for (const auto& unit : {unitIn(kJointProperties, key), unitIn(kGravityFields, key),
-                             unitIn(kWaterFields, key), unitIn(kOtherUnits, key)})
+    for (const auto& unit : {otherUnit(field, key), unitIn(kJointProperties, key),
+                             unitIn(kGravityFields, key), unitIn(kWaterFields, key)})
         if (unit) return std::string(*unit);
     std::optional<std::string_view> of_section;
     eachNumberSection([&](std::string_view, const auto& fields, auto) {

@@ -5,6 +5,7 @@
 
 #include "scenario/fields.h"
 #include "scenario/read_document.h"
+#include "schema/descriptions.h"
 #include "schema/explore.h"
 #include "sweep/questions.h"
 
@@ -64,7 +65,9 @@ Json choiceSchema(const std::vector<Asked>& asked) {
 
 class SchemaWriter {
  public:
-    explicit SchemaWriter(const Questions& questions) : questions_(questions) {}
+    /// \param of_scenario  whether its fields have the units of a scenario's
+    SchemaWriter(const Questions& questions, std::span<const schema::Description> lines, bool of_scenario)
+        : questions_(questions), lines_(lines), of_scenario_(of_scenario) {}
 
     Json table(const std::string& field) const {
         Json properties = Json::object(), required = Json::array();
@@ -135,24 +138,30 @@ class SchemaWriter {
         return json;
     }
 
-    /// What a property is and its unit, where the tables of the readers say so.
-    static void describe(const std::string& field, Json& json) {
-        std::string text;
-        const std::string key = field.substr(field.rfind('.') + 1);
-        const auto property = jointProperty(key);
-        if (property && (field.starts_with("joint.") || field.starts_with("interface")))
-            text = kJointProperties[*property].what;
-        if (const std::string unit = scenario::unitOf(field); !unit.empty())
-            text += (text.empty() ? "" : " ") + ("[" + unit + "]");
+    /// What a property is, and its unit.
+    void describe(const std::string& field, Json& json) const {
+        const std::string unit = of_scenario_ ? scenario::unitOf(field) : "";
+        const std::string text = textOf(field) + (unit.empty() ? "" : " [" + unit + "]");
         if (!text.empty()) json["description"] = text;
     }
 
+    std::string textOf(std::string field) const {
+        const auto property = jointProperty(field.substr(field.rfind('.') + 1));
+        if (property && (field.starts_with("joint.") || field.starts_with("interface")))
+            return std::string(kJointProperties[*property].what);
+        const std::string any = std::string(".") + kAnyName;
+        if (const auto at = field.find(any); at != std::string::npos) field.replace(at, any.size(), ".NAME");
+        return std::string(schema::descriptionOf(lines_, field));
+    }
+
     const Questions& questions_;
+    std::span<const schema::Description> lines_;
+    bool of_scenario_;
 };
 
-std::string schemaText(const Questions& questions, const char* title) {
+std::string schemaText(const SchemaWriter& writer, const char* title) {
     Json json{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
-    json.update(SchemaWriter(questions).table(""));
+    json.update(writer.table(""));
     return json.dump(2) + "\n";
 }
 
@@ -163,7 +172,7 @@ std::string scenarioSchema() {
         if (const auto document = toml::Document::parse(text, ""))
             scenario::readDocument(*document, text, "", kFewBlocks, nullptr, &heard);
     });
-    return schemaText(questions, "Talus scenario");
+    return schemaText({questions, schema::scenarioDescriptions(), true}, "Talus scenario");
 }
 
 std::string sweepSchema() {
@@ -172,7 +181,7 @@ std::string sweepSchema() {
         if (const auto document = toml::Document::parse(text, ""))
             sweep::questionsOf(*document, *small, heard);
     });
-    return schemaText(questions, "Talus sweep");
+    return schemaText({questions, schema::sweepDescriptions(), false}, "Talus sweep");
 }
 
 }  // namespace talus::formats

@@ -97,13 +97,18 @@ double normalCdf(double x) {
     return 0.5 + centralPart(x);
 }
 
-double betaCdf(double a, double b, double x) {
-    if (x <= 0) return 0;
-    if (x >= 1) return 1;
-    if (x >= (a + 1) / (a + b + 2)) return 1 - betaCdf(b, a, 1 - x);
+/// By the continued fraction.
+static double lowerBetaCdf(double a, double b, double x) {
     const double front = a * portableLog(x) + b * portableLog(1 - x) + portableLogGamma(a + b) -
                          portableLogGamma(a) - portableLogGamma(b);
     return portableExp(front) * betaFraction(a, b, x) / a;
+}
+
+double betaCdf(double a, double b, double x) {
+    if (x <= 0) return 0;
+    if (x >= 1) return 1;
+    // The fraction is quick below the mean; on it either side will do, so the two never hand each other the same question.
+    return x > (a + 1) / (a + b + 2) ? 1 - lowerBetaCdf(b, a, 1 - x) : lowerBetaCdf(a, b, x);
 }
 
 }  // namespace talus::formats::sweep

@@ -4,11 +4,15 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "scenario/fields.h"
 #include "scenario/read_document.h"
+#include "schema/descriptions.h"
 #include "schema/explore.h"
+#include "schemas/schemas.h"
 #include "talus/formats/scenario.h"
 
 using namespace talus;
@@ -122,6 +126,46 @@ TEST_CASE("schema: what it says of some keys is what the reader says") {
     CHECK(required("joint") ==
           std::set<std::string>{"normal_stiffness", "shear_stiffness"});  // friction: of Coulomb's
     CHECK(required("joint_set") == std::set<std::string>{"dip_deg", "dip_direction_deg", "spacing"});
+}
+
+TEST_CASE("schema: says of every key what it means, and nothing of keys that there are not") {
+    const auto check = [](const std::string& text, std::span<const schema::Description> lines) {
+        std::set<std::string> fields;
+        eachProperty(json::parse(text), "", [&](const std::string& path, const json& value) {
+            CAPTURE(path);
+            // More than a unit.
+            CHECK(value.value("description", "[").front() != '[');
+            fields.insert(path.substr(1));
+        });
+        std::set<std::string_view> said;
+        for (const schema::Description& line : lines) {
+            CAPTURE(std::string(line.field));
+            CHECK(said.insert(line.field).second);
+            const bool anywhere = line.field.starts_with(schema::kAnywhere);
+            const std::string end(anywhere ? line.field.substr(schema::kAnywhere.size() - 1) : "");
+            CHECK(std::any_of(fields.begin(), fields.end(), [&](const std::string& field) {
+                // Values under any name have no key of their own.
+                return anywhere ? field.ends_with(end) : field == line.field || field + ".NAME" == line.field;
+            }));
+        }
+    };
+    check(scenarioSchema(), schema::scenarioDescriptions());
+    check(sweepSchema(), schema::sweepDescriptions());
+}
+
+TEST_CASE("units: a key of several tables has the unit of its own") {
+    CHECK(scenario::unitOf("stack[0].block") == "m");
+    CHECK(scenario::unitOf("load[0].block") == "");
+    CHECK(scenario::unitOf("joint.default.shear_stiffness") == "Pa/m");
+    CHECK(scenario::unitOf("bolt[2].shear_stiffness") == "N/m");
+    CHECK(scenario::unitOf("damping.contact") == "s");
+    CHECK(scenario::unitOf("contact") == "");
+    CHECK(scenario::unitOf("gravity.magnitude") == "m/s^2");
+}
+
+TEST_CASE("schema: the program has the one that its readers have") {
+    CHECK(scenarioSchema() == tools::kScenarioSchema);
+    CHECK(sweepSchema() == tools::kSweepSchema);
 }
 
 TEST_CASE("schema: of sweeps") {

@@ -87,6 +87,17 @@ TEST_CASE("the beta quantile has the tabulated values and inverts the distributi
             }
 }
 
+TEST_CASE("the beta distribution has a value where its two sides meet") {
+    // Each side once handed this point to the other one, for ever.
+    for (const double a : {0.5, 1.0, 2.0, 3.5, 50.0, 500.5})
+        CHECK(sweep::betaCdf(a, a, 0.5) == doctest::Approx(0.5));
+    for (double a = 1; a < 60; a += 1.5)
+        for (double b = 1; b < 60; b += 2.5) {
+            const double x = (a + 1) / (a + b + 2);
+            CHECK(sweep::betaCdf(a, b, x) + sweep::betaCdf(b, a, 1 - x) == doctest::Approx(1).epsilon(1e-10));
+        }
+}
+
 TEST_CASE("distributions have the moments they are named by") {
     const auto check = [](const Distribution& distribution, double mean, double sd, double tolerance) {
         CAPTURE(toString(distribution.kind));

@@ -2,6 +2,9 @@
 
 import html
 import json
+import os
+
+from . import _core, _plot
 
 
 class Result:
@@ -66,7 +69,21 @@ class Result:
             f"<td style='text-align:left'>{html.escape(_short(value, 200))}</td></tr>"
             for name, value in self._values.items()
         )
-        return f"<table>{rows}</table>"
+        return f"{self._picture()}<table>{rows}</table>"
+
+    def _picture(self):
+        """What a search probed, and the failing run that it kept, played; of a batch its report."""
+        kept, page = (self._values.get("kept_run") or {}).get("file"), self._values.get("page")
+        played = _core.Snapshots(kept).page() if kept and os.path.exists(kept) else ""
+        if page and os.path.exists(page):
+            with open(page, encoding="utf-8") as stream:
+                played = stream.read()
+        return _plot.probes(self._values) + (frame_of(played) if played else "")
+
+
+def frame_of(page):
+    """A page inside the notebook's."""
+    return f'<iframe srcdoc="{html.escape(page)}" width="100%" height="640" style="border:0"></iframe>'
 
 
 def _shown(value):

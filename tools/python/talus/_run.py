@@ -1,11 +1,11 @@
 """Motion: a simulation taken step by step, and runs read from snapshot files, as numpy arrays."""
 
 import functools
-import html
 import os
 
 from . import _core
 from ._model import Model
+from ._result import frame_of
 
 
 class Contacts:
@@ -219,7 +219,7 @@ class Run:
         return len(self._core)
 
     def _repr_html_(self):
-        return f'<iframe srcdoc="{html.escape(self.page())}" width="100%" height="640" style="border:0"></iframe>'
+        return frame_of(self.page())
 
     def __repr__(self):
         return f"<talus.Run {self.file}: {len(self)} frames of {len(self.blocks)} blocks, {self.ended or 'unfinished'}>"

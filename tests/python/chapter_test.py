@@ -1,4 +1,4 @@
-"""The code of the README's chapter runs as it stands there."""
+"""The two programs at the beginning of the guide's chapter on Python give what the chapter says; without matplotlib, too."""
 
 import contextlib
 import io
@@ -26,10 +26,10 @@ class Plot(types.ModuleType):
         return lambda *arguments: None
 
 
-class Readme(unittest.TestCase):
-    def test_the_codes_of_the_chapter(self):
-        codes = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
-        self.assertEqual(len(codes), 2)
+class Chapter(unittest.TestCase):
+    def test_ten_lines_and_a_model(self):
+        codes = re.findall(r"```python\n(.*?)```", (ROOT / "tools/docs/python.md").read_text(), re.DOTALL)[:2]
+        self.assertEqual(len(codes[0].splitlines()), 10)
         pyplot, matplotlib, said = Plot(), types.ModuleType("matplotlib"), io.StringIO()
         matplotlib.pyplot = pyplot
         with Folder() as files, unittest.mock.patch.dict(
@@ -38,7 +38,7 @@ class Readme(unittest.TestCase):
             os.symlink(ROOT / "bench", files / "bench")
             names = {}
             for code in codes:
-                exec(compile(code, "README.md", "exec"), names)
+                exec(compile(code, "python.md", "exec"), names)
         frictions, factors = pyplot.drawn
         self.assertEqual(frictions, [25, 30, 35, 40, 45])
         self.assertEqual(factors, sorted(factors))

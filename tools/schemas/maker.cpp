@@ -1,0 +1,14 @@
+// Writes the JSON Schemas into a folder at build time: reading thousands of documents takes seconds, which nobody who asks for a
+// schema, or builds a model in Python, should wait for.
+
+#include <fstream>
+
+#include "talus/formats/schema.h"
+
+int main(int argc, char** argv) {
+    if (argc != 2) return 2;
+    const std::string folder = argv[1];
+    std::ofstream(folder + "/scenario.json") << talus::formats::scenarioSchema();
+    std::ofstream(folder + "/sweep.json") << talus::formats::sweepSchema();
+    return 0;
+}
