@@ -49,6 +49,7 @@ std::string summary(const std::string& path, const Model& model) {
 }
 
 int validate(const ValidateOptions& options) {
+    const EndsAtOnce checking = whileReading(options.scenario.name(), options.common);
     formats::Scenario scenario = loadScenario(options.scenario, options.common);
     std::vector<std::string> doubts;
     const std::vector<Error> errors = checkModel(scenario.model, options.common.threads, &doubts);
