@@ -1,4 +1,4 @@
-# cmake -D PROGRAM=<talus-tests> -D TESTS_DIR=<tests/> -D OUTPUT=<file.cmake> -P discover.cmake
+# cmake -D PROGRAM=<talus-tests> -D TESTS_DIR=<tests/> -D OUTPUT=<file.cmake> -D FAST_TIMEOUT=<s> -P discover.cmake
 # Asks the program for its tests and writes one CTest entry per source file, and one more, labelled slow, for the file's
 # suites whose names start with "slow". By file, because file names are tame where test names hold commas and brackets.
 execute_process(COMMAND ${PROGRAM} --list-test-cases --reporters=xml
@@ -41,7 +41,7 @@ list(REMOVE_DUPLICATES fast_files)
 list(REMOVE_DUPLICATES slow_files)
 foreach(file IN LISTS fast_files)
     string(REGEX REPLACE "(_test)?\\.cpp$" "" name ${file})
-    add_entry(${name} ${file} "--test-suite-exclude=slow*" "TIMEOUT 300")
+    add_entry(${name} ${file} "--test-suite-exclude=slow*" "TIMEOUT ${FAST_TIMEOUT}")
 endforeach()
 foreach(file IN LISTS slow_files)
     string(REGEX REPLACE "(_test)?\\.cpp$" "" name ${file})

@@ -1,6 +1,5 @@
-// libFuzzer: any bytes as a snapshot file, and any bytes as one message of it. Checksums and compression would keep the
-// fuzzer away from the messages, so what does not start like an MCAP file (0x89) is a message by itself: its first byte
-// says which, the rest is its content. The reader's memory is bounded by the chunk size it accepts.
+// libFuzzer: any bytes as a message of a snapshot file. The first byte says which (header, light frame, full frame), the rest
+// is its content. The container around them has a fuzzer of its own.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,16 +12,6 @@ using namespace talus;
 using namespace talus::formats;
 
 namespace {
-
-constexpr std::uint8_t kFileStart = 0x89;
-
-void readFile(const std::uint8_t* data, std::size_t size) {
-    constexpr std::uint64_t kMostChunkBytes = std::uint64_t{16} << 20;
-    auto reader = SnapshotReader::parse(data, size, "fuzz.mcap", kMostChunkBytes);
-    if (!reader) return;
-    reader->end();
-    reader->verify();
-}
 
 /// As many blocks as a frame speaks of, and enough of the rest, so that it has a header to fit.
 SnapshotHeader headerFor(std::size_t blocks) {
@@ -52,9 +41,6 @@ void readMessage(std::uint8_t kind, const mcap::Bytes& content) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
-    if (data[0] == kFileStart)
-        readFile(data, size);
-    else
-        readMessage(data[0], {data + 1, data + size});
+    readMessage(data[0], {data + 1, data + size});
     return 0;
 }

@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -16,43 +17,14 @@
 #include <thread>
 #include <vector>
 
+#include "support/files.h"
+
 extern char** environ;
 
 namespace talus::tools::testing {
 
-inline std::string contentOf(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-/// A folder of its own, gone with the test.
-class TemporaryFolder {
- public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "talus-test-XXXXXX").string();
-        path_ = mkdtemp(name.data());
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return *this / name;
-    }
-    std::size_t files() const {
-        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
-    }
-
- private:
-    std::filesystem::path path_;
-};
+using test::contentOf;
+using test::TemporaryFolder;
 
 struct Outcome {
     int exit_code = -1;  ///< 128 + signal when a signal ended it, as in a shell
@@ -60,28 +32,53 @@ struct Outcome {
     nlohmann::json json() const { return nlohmann::json::parse(out); }
 };
 
+/// How large files may become [KiB].
+struct Room {
+    std::size_t kib = 0;
+};
+
 /// A program that has been started; `outcome` waits for its end. stdout goes to `stdout_path` when given.
 class Program {
  public:
     explicit Program(std::vector<std::string> arguments, const std::string& stdout_path = "") {
         arguments.insert(arguments.begin(), TALUS_PROGRAM);
-        std::vector<char*> argv;
-        for (std::string& argument : arguments) argv.push_back(argument.data());
-        argv.push_back(nullptr);
-        const std::string out = stdout_path.empty() ? folder_ / "out" : stdout_path;
-        posix_spawn_file_actions_t actions;
-        posix_spawn_file_actions_init(&actions);
-        posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
-        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, (folder_ / "err").c_str(),
-                                         O_WRONLY | O_CREAT, 0600);
-        if (posix_spawn(&process_, TALUS_PROGRAM, &actions, nullptr, argv.data(), environ) != 0)
-            process_ = -1;
-        posix_spawn_file_actions_destroy(&actions);
+        start(arguments, stdout_path);
+    }
+
+    /// The same with so much room for each of its files: as on a full disk, the system refuses what is more.
+    Program(Room room, std::vector<std::string> arguments) {
+        arguments.insert(
+            arguments.begin(),
+            {"/bin/bash", "-c",
+             "trap '' XFSZ; ulimit -f " + std::to_string(room.kib) + "; exec \"$0\" \"$@\"", TALUS_PROGRAM});
+        start(arguments, "");
     }
 
     void signal(int number) const {
         if (process_ > 0) kill(process_, number);
+    }
+
+    /// Whether it ends within this time; it can still be waited for.
+    bool endsWithin(double seconds) const {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+        for (;;) {
+            siginfo_t info{};
+            if (process_ < 0 ||
+                waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+                info.si_pid != 0)
+                return true;
+            if (std::chrono::steady_clock::now() >= end) return false;
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    }
+
+    /// Computed so far [s]: what has begun, on a busy machine, too.
+    double cpuSeconds() const {
+        clockid_t clock{};
+        timespec time{};
+        if (process_ < 0 || clock_getcpuclockid(process_, &clock) != 0 || clock_gettime(clock, &time) != 0)
+            return 0;
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
     }
 
     Outcome outcome() {
@@ -92,6 +89,21 @@ class Program {
     }
 
  private:
+    void start(std::vector<std::string>& arguments, const std::string& stdout_path) {
+        std::vector<char*> argv;
+        for (std::string& argument : arguments) argv.push_back(argument.data());
+        argv.push_back(nullptr);
+        const std::string out = stdout_path.empty() ? folder_ / "out" : stdout_path;
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, (folder_ / "err").c_str(),
+                                         O_WRONLY | O_CREAT, 0600);
+        if (posix_spawn(&process_, argv.front(), &actions, nullptr, argv.data(), environ) != 0) process_ = -1;
+        posix_spawn_file_actions_destroy(&actions);
+    }
+
     TemporaryFolder folder_;
     pid_t process_ = -1;
 };

@@ -1,13 +1,11 @@
 #include "cli/scenario.h"
 
-#include "cli/signals.h"
+#include "cli/json.h"
 #include "talus/formats/changes.h"
 
 namespace talus::tools {
 
 namespace {
-
-constexpr const char* kSet = "--set";
 
 /// The first equals sign that is not inside a quoted key.
 std::size_t equalsSign(const std::string& set) {
@@ -22,19 +20,25 @@ std::size_t equalsSign(const std::string& set) {
 formats::FieldChange changeOf(const std::string& set) {
     const std::size_t equals = equalsSign(set);
     if (equals == std::string::npos || equals == 0 || equals + 1 == set.size())
-        throw BadInput(Error{
-            kSet, "found \"" + set + "\", allowed: FIELD=VALUE, such as joint.default.friction_deg=30"});
-    return {set.substr(0, equals), set.substr(equals + 1), kSet};
+        throw BadInput(
+            Error{formats::kChangedBy,
+                  "found \"" + set + "\", allowed: FIELD=VALUE, such as joint.default.friction_deg=30"});
+    return {set.substr(0, equals), set.substr(equals + 1)};
 }
 
 }  // namespace
 
+EndsAtOnce whileReading(const std::string& name, const Common& common) {
+    const Error interrupted{"", "interrupted while " + name + " was read"};
+    return EndsAtOnce(common.json ? errorsJson({interrupted}).dump(2) + "\n" : "",
+                      "error: " + interrupted.message + "\n");
+}
+
 formats::Scenario loadScenario(const ScenarioInput& input, const Common& common) {
     std::vector<formats::FieldChange> changes;
     for (const std::string& set : input.sets) changes.push_back(changeOf(set));
-    auto read = formats::readScenario(input.path, changes, &stopRequested());
-    if (!read && stopRequested()) throw Interrupted("interrupted while " + input.name() + " was read");
-    formats::Scenario scenario = valueOf(std::move(read));
+    const EndsAtOnce reading = whileReading(input.name(), common);
+    formats::Scenario scenario = valueOf(formats::readScenario(input.path, changes));
     for (const std::string& warning : scenario.warnings)
         note(common, "warning: " + input.name() + ": " + warning);
     return scenario;

@@ -7,6 +7,7 @@
 
 #include "cli/common.h"
 #include "cli/failures.h"
+#include "cli/signals.h"
 #include "talus/formats/scenario.h"
 
 namespace talus::tools {
@@ -25,6 +26,9 @@ T valueOf(Result<T> result, const formats::Scenario& scenario) {
     if (!result.ok()) throw BadInput(formats::placed(scenario, result.errors()));
     return std::move(*result);
 }
+
+/// Reads what a command is about, and nothing can be kept of that. \param name  of the file, in messages
+EndsAtOnce whileReading(const std::string& name, const Common& common);
 
 /// Reads a scenario; throws BadInput. Its warnings go to stderr.
 formats::Scenario loadScenario(const ScenarioInput& input, const Common& common);

@@ -2,6 +2,8 @@
 // SIGINT and SIGTERM.
 
 #include <atomic>
+#include <string>
+#include <utility>
 
 namespace talus::tools {
 
@@ -13,5 +15,19 @@ const std::atomic<bool>& stopRequested();
 
 /// Ends a computation from within one of its callbacks (an output file can no longer be written).
 void requestStop();
+
+/// As long as it lives a signal ends the process at once, with 130 and these last words. For work that leaves nothing worth
+/// keeping and has no place where it could look at the flag, such as parsing a large file. The last one made counts.
+class EndsAtOnce {
+ public:
+    EndsAtOnce(std::string on_stdout, std::string on_stderr);
+    EndsAtOnce(const EndsAtOnce&) = delete;
+    EndsAtOnce& operator=(const EndsAtOnce&) = delete;
+    ~EndsAtOnce();
+
+ private:
+    std::pair<std::string, std::string> words_;
+    const std::pair<std::string, std::string>* before_;
+};
 
 }  // namespace talus::tools

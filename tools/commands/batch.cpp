@@ -11,6 +11,7 @@
 #include "cli/json.h"
 #include "cli/progress.h"
 #include "cli/signals.h"
+#include "cli/scenario.h"
 #include "cli/text.h"
 #include "commands/commands.h"
 
@@ -93,7 +94,10 @@ int showPlan(const BatchOptions& options, const formats::Sweep& sweep) {
 
 int runBatch(const BatchOptions& options) {
     const Shard shard = shardOf(options.shard);
-    const formats::Sweep sweep = valueOf(formats::readSweep(options.sweep));
+    const formats::Sweep sweep = [&] {
+        const EndsAtOnce reading = whileReading(options.sweep, options.common);
+        return valueOf(formats::readSweep(options.sweep));
+    }();
     if (options.plan) return showPlan(options, sweep);
     if (options.folder.empty())
         throw BadInput(Error{"--output", "missing; allowed: -o DIR, the folder for the results (or --plan)"});

@@ -7,6 +7,7 @@
 #include "cli/files.h"
 #include "cli/json.h"
 #include "cli/outputs.h"
+#include "cli/scenario.h"
 #include "cli/text.h"
 #include "commands/commands.h"
 #include "talus/formats/sweep.h"
@@ -33,7 +34,10 @@ std::string headOf(const formats::Sweep& sweep, const formats::SweepRun& run) {
 
 int writeSample(const SampleOptions& options) {
     if (!options.output.empty()) requireEnding("--output", options.output, {".toml"});
-    const formats::Sweep sweep = valueOf(formats::readSweep(options.sweep));
+    const formats::Sweep sweep = [&] {
+        const EndsAtOnce reading = whileReading(options.sweep, options.common);
+        return valueOf(formats::readSweep(options.sweep));
+    }();
     if (options.run >= sweep.runs())
         throw BadInput(Error{"RUN", "found " + std::to_string(options.run) + ", allowed: 0 to " +
                                         std::to_string(sweep.runs() - 1)});

@@ -54,6 +54,7 @@ std::string summary(const std::string& path, const Model& model, const ModelChec
 }
 
 int validate(const ValidateOptions& options) {
+    const EndsAtOnce checking = whileReading(options.scenario.name(), options.common);
     formats::Scenario scenario = loadScenario(options.scenario, options.common);
     ModelCheck found;
     const std::vector<Error> errors = checkModel(scenario.model, options.common.threads, &found);

@@ -6,28 +6,6 @@
 
 namespace talus::tools {
 
-namespace {
-
-/// Apostrophes, then what a spreadsheet begins a formula with: so one apostrophe more or less loses nothing.
-bool beginsAsFormula(std::string_view field) {
-    const std::size_t first = field.find_first_not_of('\'');
-    return first != std::string_view::npos &&
-           std::string_view("=+-@\t").find(field[first]) != std::string_view::npos;
-}
-
-bool isHarmless(std::string_view field) { return !beginsAsFormula(field) || numberIn(field); }
-
-}  // namespace
-
-std::string csvField(std::string_view field) {
-    const std::string mark = isHarmless(field) ? "" : "'";
-    if (field.find_first_of(",\"\r\n") == std::string_view::npos) return mark + std::string(field);
-    std::string quoted = "\"" + mark;
-    for (const char c : field)
-        quoted += c == '"' ? "\"\"" : c == '\n' || c == '\r' ? std::string(" ") : std::string(1, c);
-    return quoted + '"';
-}
-
 std::string csvLine(const std::vector<std::string>& fields) {
     std::string line;
     for (std::size_t i = 0; i < fields.size(); ++i) line += (i > 0 ? "," : "") + csvField(fields[i]);
@@ -48,8 +26,7 @@ std::vector<std::string> csvFields(std::string_view line) {
         else if (c != '\r')
             fields.back() += c;
     }
-    for (std::string& field : fields)
-        if (field.starts_with('\'') && beginsAsFormula(field)) field.erase(0, 1);
+    for (std::string& field : fields) field = formats::csvText(std::move(field));
     return fields;
 }
 

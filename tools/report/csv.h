@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "talus/formats/csv.h"
+
 namespace talus::tools {
 
-/// Quoted when it holds a comma, a quote or a line break; line breaks become spaces. What a spreadsheet would take for a
-/// formula (it begins with =, +, - or @ and is no number) gets an apostrophe in front, which csvFields takes off again.
-std::string csvField(std::string_view field);
+using formats::csvField;
 
 std::string csvLine(const std::vector<std::string>& fields);  ///< with its line feed
 std::vector<std::string> csvFields(std::string_view line);    ///< of a line without its line feed

@@ -20,7 +20,63 @@ bool hasDecimalComma(std::string_view cell) {
     return std::all_of(cell.begin(), cell.end(), of_number);
 }
 
+/// The text of a quoted cell from behind its first quote on; moves `at` behind its last one.
+std::string quotedText(std::string_view line, std::size_t& at, bool& closed) {
+    std::string text;
+    for (; at < line.size(); ++at) {
+        if (line[at] == '"' && !line.substr(at).starts_with("\"\"")) {
+            ++at;
+            return text;
+        }
+        if (line[at] == '"') ++at;
+        text += line[at];
+    }
+    closed = false;
+    return text;
+}
+
 }  // namespace
+
+CsvLines::CsvLines(std::string_view text) : rest_(text) {
+    if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);  // spreadsheets write it
+}
+
+bool CsvLines::next() {
+    while (!rest_.empty()) {
+        line_ = rest_.substr(0, rest_.find('\n'));
+        rest_.remove_prefix(std::min(line_.size() + 1, rest_.size()));
+        ++number_;
+        const std::string_view bare = withoutBlanks(line_);
+        if (!bare.empty() && bare.front() != '#') return true;
+    }
+    return false;
+}
+
+std::vector<CsvCell> cellsOf(std::string_view line, char separator) {
+    std::vector<CsvCell> cells;
+    for (std::size_t at = 0; at <= line.size(); ++at) {
+        at = std::min(line.find_first_not_of(' ', at), line.size());
+        CsvCell& cell = cells.emplace_back();
+        cell.column = static_cast<int>(at) + 1;
+        cell.quoted = at < line.size() && line[at] == '"';
+        if (cell.quoted) cell.text = quotedText(line, ++at, cell.closed);
+        const std::size_t end = std::min(line.find(separator, at), line.size());
+        if (!cell.quoted) cell.text = withoutBlanks(line.substr(at, end - at));
+        at = end;
+    }
+    return cells;
+}
+
+std::string rowFault(const std::vector<CsvCell>& cells, std::size_t columns, char separator) {
+    for (const CsvCell& cell : cells) {
+        if (!cell.closed) return "found a quote that does not end on its line";
+        if (std::string wrong = cell.quoted ? "" : cellFault(cell.text, separator); !wrong.empty())
+            return wrong;
+    }
+    if (cells.size() == columns) return "";
+    return "found " + std::to_string(cells.size()) + " values, allowed: " + std::to_string(columns) +
+           ", one for each column";
+}
 
 std::string_view withoutBlanks(std::string_view text) {
     const auto first = text.find_first_not_of(" \t\r");

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <utility>
 
+#include "talus/formats/csv.h"
+
 namespace talus::formats {
 
 namespace {
@@ -28,18 +30,6 @@ void appendNumbers(std::string& line, const Vec3& values) {
         line += ',';
         appendNumber(line, value);
     }
-}
-
-/// A block's name followed by a quantity, quoted where CSV needs it.
-std::string columnName(const std::string& block, const char* quantity) {
-    // An apostrophe keeps spreadsheets from taking a name for a formula.
-    const bool formula =
-        !block.empty() && std::string_view("=+-@\t").find(block.front()) != std::string_view::npos;
-    const std::string name = (formula ? "'" : "") + block + "." + quantity;
-    if (name.find_first_of(",\"\n") == std::string::npos) return name;
-    std::string quoted = "\"";
-    for (const char c : name) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
 }
 
 bool isRegular(const std::string& path) {
@@ -98,10 +88,10 @@ std::string HistoryWriter::head(const HistoryRecord& first) const {
     text += "time_s,step,kinetic_energy_j,elastic_energy_j,gravity_energy_j,out_of_balance";
     for (const std::string& block : watch_)
         for (const char* quantity : {"x_m", "y_m", "z_m", "vx_m_s", "vy_m_s", "vz_m_s", "rotation_deg"})
-            text += ',' + columnName(block, quantity);
+            text += ',' + csvField(block + "." + quantity);
     if (first.ground_acceleration) text += ",ground_ax_m_s2,ground_ay_m_s2,ground_az_m_s2";
     for (const Supports& kind : first.supports)
-        for (const SupportReport& support : kind.reports) text += ',' + columnName(support.name, "force_n");
+        for (const SupportReport& support : kind.reports) text += ',' + csvField(support.name + ".force_n");
     return text + '\n';
 }
 

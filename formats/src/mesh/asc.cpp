@@ -6,7 +6,6 @@
 #include <map>
 
 #include "mesh/builder.h"
-#include "toml/file_text.h"
 #include "toml/wording.h"
 
 namespace talus::formats {
@@ -41,13 +40,13 @@ class AscReader {
         while (words_.nextLine()) {
             word_ = words_.next();
             if (word_.empty()) continue;
-            if (mesh::numberOf(word_)) return checkHeader();
+            if (numberOf(word_)) return checkHeader();
             std::string name(word_);
             for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
             if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end())
                 return fault("found " + toml::quoted(name) + toml::suggestion(name, kKnown));
             const std::string_view text = words_.next();
-            const auto value = mesh::numberOf(text);
+            const auto value = numberOf(text);
             if (!value)
                 return fault("found " + toml::quoted(text) + " behind " + name +
                              ", allowed: a finite number");
@@ -100,7 +99,7 @@ class AscReader {
                 if (count == vertices_.size())
                     return fault("found more heights than ncols times nrows, allowed: " +
                                  std::to_string(vertices_.size()));
-                const auto z = mesh::numberOf(word_);
+                const auto z = numberOf(word_);
                 if (!z) return fault("found " + toml::quoted(word_) + ", allowed: finite heights");
                 const std::size_t row = count / columns_, column = count % columns_;
                 if (column == 0) line_[row] = words_.line();
@@ -146,11 +145,8 @@ class AscReader {
 
 }  // namespace
 
-Result<FileSurface> mesh::readAsc(const std::string& path) {
-    const auto content = toml::readFileText(path);
-    if (!content) return content.errors();
-    SurfaceBuilder builder(path);
-    return AscReader(*content, builder).read();
+Result<FileSurface> mesh::readAsc(const std::string& text, SurfaceBuilder builder) {
+    return AscReader(text, builder).read();
 }
 
 }  // namespace talus::formats

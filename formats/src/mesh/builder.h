@@ -2,14 +2,13 @@
 // What the mesh readers share: vertices by their coordinates, triangles with their lines.
 
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "files/number.h"
 #include "talus/result.h"
 #include "talus/surface.h"
 
@@ -41,10 +40,11 @@ class SurfaceBuilder {
     std::map<std::array<double, 3>, std::int32_t> vertices_;
 };
 
-Result<FileSurface> readStl(const std::string& path);
-Result<FileSurface> readObj(const std::string& path);
-Result<FileSurface> readPly(const std::string& path);
-Result<FileSurface> readAsc(const std::string& path);
+// The formats, each from a whole file's bytes.
+Result<FileSurface> readStl(const std::string& bytes, SurfaceBuilder builder);
+Result<FileSurface> readObj(const std::string& text, SurfaceBuilder builder);
+Result<FileSurface> readPly(const std::string& text, SurfaceBuilder builder);
+Result<FileSurface> readAsc(const std::string& text, SurfaceBuilder builder);
 
 /// The words of a text, line by line.
 class Words {
@@ -61,14 +61,5 @@ class Words {
     std::string_view rest_, words_;
     int line_ = 0;
 };
-
-/// A finite number that fills the whole word.
-inline std::optional<double> numberOf(std::string_view word) {
-    if (word.starts_with('+')) word.remove_prefix(1);
-    double value = 0;
-    const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (read.ec != std::errc() || read.ptr != word.data() + word.size() || !std::isfinite(value)) return {};
-    return value;
-}
 
 }  // namespace talus::formats::mesh

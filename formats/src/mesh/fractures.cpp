@@ -4,7 +4,9 @@
 #include <array>
 #include <numbers>
 
-#include "mesh/builder.h"
+#include "files/csv_line.h"
+#include "files/number.h"
+#include "talus/formats/csv.h"
 #include "toml/file_text.h"
 #include "toml/wording.h"
 
@@ -28,37 +30,20 @@ constexpr std::array<Column, 6> kColumns{{{"x", "_m", -1e6, 1e6},
                                           {"dip_direction", "_deg", -360, 360},
                                           {"radius", "_m", 0, 1e6}}};
 
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r\"");
-    if (first == std::string_view::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
-std::vector<std::string_view> cellsOf(std::string_view line) {
-    std::vector<std::string_view> cells;
-    for (;;) {
-        const auto comma = line.find(',');
-        cells.push_back(trimmed(line.substr(0, comma)));
-        if (comma == std::string_view::npos) return cells;
-        line.remove_prefix(comma + 1);
-    }
-}
-
-class CsvReader {
+class FractureReader {
  public:
-    CsvReader(const std::string& path, std::string_view text) : path_(path), text_(text) {}
+    FractureReader(const std::string& path, std::string_view text) : path_(path), lines_(text) {}
 
     Result<std::vector<Fracture>> read() {
-        while (next()) {
-            auto error = columns_.empty() ? readHeader() : readRow();
-            if (error) return *error;
-        }
-        if (columns_.empty()) return fault("found no header, allowed: " + allColumns());
+        if (!lines_.next()) return fault("found no header, allowed: " + allColumns());
+        if (auto error = readHeader()) return *error;
+        while (lines_.next())
+            if (auto error = readRow()) return *error;
         return std::move(fractures_);
     }
 
  private:
-    Error fault(std::string message) const { return {"", std::move(message), path_, line_, 0}; }
+    Error fault(std::string message) const { return {"", std::move(message), path_, lines_.number(), 0}; }
 
     static std::string allColumns() {
         std::string all;
@@ -67,49 +52,37 @@ class CsvReader {
         return all;
     }
 
-    bool next() {
-        while (!text_.empty()) {
-            const auto end = text_.find('\n');
-            row_ = trimmed(text_.substr(0, end));
-            text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
-            ++line_;
-            if (!row_.empty() && row_.front() != '#') return true;
-        }
-        return false;
-    }
-
     std::optional<Error> readHeader() {
-        for (const std::string_view cell : cellsOf(row_)) {
+        separator_ = separatorOf(lines_.line());
+        for (const CsvCell& cell : cellsOf(lines_.line(), separator_)) {
             const auto known = std::find_if(kColumns.begin(), kColumns.end(), [&](const Column& column) {
-                return cell == column.name ||
-                       (cell.starts_with(column.name) && cell.substr(column.name.size()) == column.unit);
+                return cell.text == column.name ||
+                       cell.text == std::string(column.name) + std::string(column.unit);
             });
             columns_.push_back(static_cast<std::size_t>(known - kColumns.begin()));
         }
         for (std::size_t k = 0; k < kColumns.size(); ++k)
             if (std::count(columns_.begin(), columns_.end(), k) != 1)
-                return fault("found columns " + toml::quoted(row_) + ", allowed: " + allColumns() +
-                             ", each once, and others");
+                return fault("found columns " + toml::quoted(withoutBlanks(lines_.line())) +
+                             ", allowed: " + allColumns() + ", each once, and others");
         return std::nullopt;
     }
 
     std::optional<Error> readRow() {
-        const auto cells = cellsOf(row_);
-        if (cells.size() != columns_.size())
-            return fault("found " + std::to_string(cells.size()) +
-                         " values, allowed: " + std::to_string(columns_.size()) + ", one for each column");
+        const auto cells = cellsOf(lines_.line(), separator_);
+        if (std::string wrong = rowFault(cells, columns_.size(), separator_); !wrong.empty())
+            return fault(std::move(wrong));
         std::array<double, 6> value{};
         for (std::size_t k = 0; k < cells.size(); ++k) {
             if (columns_[k] >= kColumns.size()) continue;
             const Column& column = kColumns[columns_[k]];
-            const auto number = mesh::numberOf(cells[k]);
-            if (!number || !(*number >= column.least && *number <= column.most) ||
-                (column.name == "radius" && *number == 0))
-                return fault(
-                    "found " + std::string(column.name) + " " + toml::quoted(cells[k]) +
-                    ", allowed: a number " +
-                    (column.name == "radius" ? "greater than 0" : "of at least " + numberText(column.least)) +
-                    " and at most " + numberText(column.most));
+            const auto number = numberOf(cells[k].text);
+            const bool radius = column.name == "radius";
+            if (!number || !(*number >= column.least && *number <= column.most) || (radius && *number == 0))
+                return fault("found " + std::string(column.name) + " " + toml::quoted(cells[k].text) +
+                             ", allowed: a number " +
+                             (radius ? "greater than 0" : "of at least " + numberText(column.least)) +
+                             " and at most " + numberText(column.most));
             value[columns_[k]] = *number;
         }
         fractures_.push_back({{value[0], value[1], value[2]}, value[3] * kDeg, value[4] * kDeg, value[5]});
@@ -117,8 +90,8 @@ class CsvReader {
     }
 
     const std::string& path_;
-    std::string_view text_, row_{};
-    int line_ = 0;
+    CsvLines lines_;
+    char separator_ = ',';
     std::vector<std::size_t> columns_{};  ///< of each cell, by its place in kColumns; beyond: passed over
     std::vector<Fracture> fractures_{};
 };
@@ -131,9 +104,7 @@ std::string fracturesCsv(const std::vector<std::pair<std::string, Fracture>>& fr
         for (const double value :
              {f.centre.x(), f.centre.y(), f.centre.z(), f.dip / kDeg, f.dip_direction / kDeg, f.radius})
             text += numberText(value) + ",";
-        std::string name = set;
-        std::replace(name.begin(), name.end(), ',', ' ');
-        text += name + "\n";
+        text += csvField(set) + "\n";
     }
     return text;
 }
@@ -141,7 +112,11 @@ std::string fracturesCsv(const std::vector<std::pair<std::string, Fracture>>& fr
 Result<std::vector<Fracture>> readFractures(const std::string& path) {
     const auto text = toml::readFileText(path);
     if (!text) return text.errors();
-    return CsvReader(path, *text).read();
+    return parseFractures(*text, path);
+}
+
+Result<std::vector<Fracture>> parseFractures(const std::string& text, const std::string& path) {
+    return FractureReader(path, text).read();
 }
 
 }  // namespace talus::formats

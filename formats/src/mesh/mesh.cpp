@@ -3,10 +3,12 @@
 #include "talus/formats/mesh.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "mesh/builder.h"
+#include "toml/file_text.h"
 #include "toml/wording.h"
 
 namespace talus::formats {
@@ -21,18 +23,38 @@ constexpr double kSinglePrecision = 0x1p-24;
 constexpr double kTooCoarse = 1e-4;  // of the extent: coordinates that are no finer are told
 constexpr double kRoundShift = 100;  // [m]
 
-Result<FileSurface> readFile(const std::string& path, MeshFormat format) {
+Error unknownEnding(const std::string& path) {
+    return {"", "found " + toml::quoted(path) + ", allowed: a file that ends in .stl, .obj, .ply or .asc"};
+}
+
+/// One of the formats; by_name where the name tells none.
+MeshFormat formatOf(const std::string& path, MeshFormat format) {
+    if (format != MeshFormat::by_name) return format;
     std::string end = path.substr(path.size() - std::min<std::size_t>(4, path.size()));
     for (char& c : end) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    const auto is = [&](MeshFormat wanted, const char* ending) {
-        return format == wanted || (format == MeshFormat::by_name && end == ending);
-    };
-    if (is(MeshFormat::stl, ".stl")) return mesh::readStl(path);
-    if (is(MeshFormat::obj, ".obj")) return mesh::readObj(path);
-    if (is(MeshFormat::ply, ".ply")) return mesh::readPly(path);
-    if (is(MeshFormat::asc, ".asc")) return mesh::readAsc(path);
-    return Error{"",
-                 "found " + toml::quoted(path) + ", allowed: a file that ends in .stl, .obj, .ply or .asc"};
+    constexpr std::pair<std::string_view, MeshFormat> kEndings[]{{".stl", MeshFormat::stl},
+                                                                 {".obj", MeshFormat::obj},
+                                                                 {".ply", MeshFormat::ply},
+                                                                 {".asc", MeshFormat::asc}};
+    for (const auto& [ending, known] : kEndings)
+        if (end == ending) return known;
+    return format;
+}
+
+Result<FileSurface> surfaceOf(const std::string& bytes, const std::string& path, MeshFormat format) {
+    switch (formatOf(path, format)) {
+        case MeshFormat::stl:
+            return mesh::readStl(bytes, mesh::SurfaceBuilder(path));
+        case MeshFormat::obj:
+            return mesh::readObj(bytes, mesh::SurfaceBuilder(path));
+        case MeshFormat::ply:
+            return mesh::readPly(bytes, mesh::SurfaceBuilder(path));
+        case MeshFormat::asc:
+            return mesh::readAsc(bytes, mesh::SurfaceBuilder(path));
+        case MeshFormat::by_name:
+            break;
+    }
+    return unknownEnding(path);
 }
 
 std::string shortText(double value, int digits = 6) {
@@ -53,8 +75,8 @@ class MeshReader {
  public:
     MeshReader(const std::string& path, const MeshOptions& options) : path_(path), options_(options) {}
 
-    Result<MeshSurface> read() {
-        auto file = readFile(path_, options_.format);
+    Result<MeshSurface> read(const std::string& bytes) {
+        auto file = surfaceOf(bytes, path_, options_.format);
         if (!file) return file.errors();
         file_ = std::move(*file);
         place();
@@ -219,7 +241,13 @@ class MeshReader {
 }  // namespace
 
 Result<MeshSurface> readMesh(const std::string& path, const MeshOptions& options) {
-    return MeshReader(path, options).read();
+    if (formatOf(path, options.format) == MeshFormat::by_name) return unknownEnding(path);
+    const auto bytes = toml::readFileText(path);
+    return bytes ? parseMesh(*bytes, path, options) : bytes.errors();
+}
+
+Result<MeshSurface> parseMesh(const std::string& bytes, const std::string& path, const MeshOptions& options) {
+    return MeshReader(path, options).read(bytes);
 }
 
 }  // namespace talus::formats

@@ -1,8 +1,9 @@
 // Wavefront OBJ: `v x y z` and `f a b c ...`, each corner `vertex`, `vertex/texture` or `vertex/texture/normal`,
 // counted from 1, or backwards from -1.
 
+#include <charconv>
+
 #include "mesh/builder.h"
-#include "toml/file_text.h"
 #include "toml/wording.h"
 
 namespace talus::formats {
@@ -33,7 +34,7 @@ class ObjReader {
         Vec3 position;
         for (double& coordinate : position) {
             const std::string_view word = words_.next();
-            const auto value = mesh::numberOf(word);
+            const auto value = numberOf(word);
             if (!value)
                 return builder_.fault(
                     words_.line(), "found " + toml::quoted(word) + ", allowed: v with three finite numbers");
@@ -81,11 +82,8 @@ class ObjReader {
 
 }  // namespace
 
-Result<FileSurface> mesh::readObj(const std::string& path) {
-    const auto content = toml::readFileText(path);
-    if (!content) return content.errors();
-    SurfaceBuilder builder(path);
-    return ObjReader(*content, builder).read();
+Result<FileSurface> mesh::readObj(const std::string& text, SurfaceBuilder builder) {
+    return ObjReader(text, builder).read();
 }
 
 }  // namespace talus::formats

@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include "mesh/builder.h"
-#include "toml/file_text.h"
 #include "toml/wording.h"
 
 namespace talus::formats {
@@ -86,7 +85,7 @@ class PlyReader {
                 if (auto error = readFormat()) return error;
             } else if (word == "element") {
                 const std::string name(words_.next());
-                const auto count = mesh::numberOf(words_.next());
+                const auto count = numberOf(words_.next());
                 if (!count || !(*count >= 0 && *count <= static_cast<double>(text_.size())))
                     return fault("found no number of elements that the file can hold");
                 elements_.push_back({name, static_cast<std::size_t>(*count)});
@@ -170,7 +169,7 @@ class PlyReader {
     }
 
     std::optional<double> next(Number type) {
-        const auto value = encoding_ == Encoding::text ? mesh::numberOf(words_.next()) : nextBinary(type);
+        const auto value = encoding_ == Encoding::text ? numberOf(words_.next()) : nextBinary(type);
         return value && std::isfinite(*value) ? value : std::nullopt;
     }
 
@@ -213,11 +212,8 @@ class PlyReader {
 
 }  // namespace
 
-Result<FileSurface> mesh::readPly(const std::string& path) {
-    const auto content = toml::readFileText(path);
-    if (!content) return content.errors();
-    SurfaceBuilder builder(path);
-    return PlyReader(*content, builder).read();
+Result<FileSurface> mesh::readPly(const std::string& text, SurfaceBuilder builder) {
+    return PlyReader(text, builder).read();
 }
 
 }  // namespace talus::formats

@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "mesh/builder.h"
-#include "toml/file_text.h"
 #include "toml/wording.h"
 
 namespace talus::formats {
@@ -72,7 +71,7 @@ class TextReader {
         Vec3 corner;
         for (double& coordinate : corner) {
             const std::string_view word = words_.next();
-            const auto value = mesh::numberOf(word);
+            const auto value = numberOf(word);
             if (!value)
                 return builder_.fault(words_.line(), "found " + toml::quoted(word) +
                                                          ", allowed: vertex with three finite numbers");
@@ -95,11 +94,7 @@ class TextReader {
 
 }  // namespace
 
-Result<FileSurface> mesh::readStl(const std::string& path) {
-    const auto content = toml::readFileText(path);
-    if (!content) return content.errors();
-    SurfaceBuilder builder(path);
-    const std::string& bytes = *content;
+Result<FileSurface> mesh::readStl(const std::string& bytes, SurfaceBuilder builder) {
     const bool has_head = bytes.size() >= kHead;
     if (has_head && bytes.size() == kHead + kRecord * std::size_t{countOf(bytes)})
         return readBinary(bytes, builder);

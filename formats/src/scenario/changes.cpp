@@ -44,7 +44,7 @@ std::vector<Error> change(Document& document, const std::vector<FieldChange>& ch
             path ? document.set(*path, toml::scalarOf(wish.value))
                  : "is not the path of a field, allowed: one such as joint.default.friction_deg "
                    "or water[0].depth";
-        if (fault) faults.push_back({wish.field, *fault, wish.origin});
+        if (fault) faults.push_back({wish.field, *fault, kChangedBy});
     }
     return faults;
 }
@@ -56,7 +56,7 @@ std::vector<Error> ofChanges(const std::vector<FieldChange>& changes, std::vecto
         if (!path) continue;
         for (Error& error : errors)
             if (isAbout(error, fieldName(*path))) {
-                error.file = wish.origin;
+                error.file = kChangedBy;
                 error.line = error.column = 0;
             }
     }
@@ -78,6 +78,8 @@ Result<Scenario> readScenario(const std::string& path, const std::vector<FieldCh
     auto scenario =
         scenario::readDocument(*document, toml::writeDocument(*document), name, kMostBlocks, stop);
     if (!scenario) return ofChanges(changes, scenario.errors());
+    for (const FieldChange& wish : changes)
+        scenario->places[fieldName(*toml::parseField(wish.field))] = {0, 0};
     return scenario;
 }
 

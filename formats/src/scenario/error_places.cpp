@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "talus/formats/scenario.h"
+#include "talus/formats/changes.h"
 
 namespace talus::formats {
 
@@ -18,12 +18,14 @@ std::string enclosing(const std::string& field) {
 
 std::vector<Error> placed(const Scenario& scenario, std::vector<Error> errors) {
     for (Error& error : errors) {
-        if (error.file.empty()) error.file = scenario.path;
+        const bool has_file = !error.file.empty();
+        if (!has_file) error.file = scenario.path;
         if (error.line > 0) continue;
         for (std::string field = error.field; !field.empty(); field = enclosing(field)) {
             const auto place = scenario.places.find(field);
             if (place == scenario.places.end()) continue;
             std::tie(error.line, error.column) = place->second;
+            if (error.line == 0 && !has_file) error.file = kChangedBy;
             break;
         }
     }

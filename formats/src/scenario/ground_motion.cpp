@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <optional>
-#include <string_view>
 
 #include "files/csv_line.h"
+#include "files/number.h"
 #include "toml/file_text.h"
 
 namespace talus::formats::scenario {
@@ -25,35 +22,14 @@ struct Record {
     std::vector<Vec3> value;
 };
 
-std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
-    std::vector<std::string_view> cells;
-    for (;;) {
-        const auto end = line.find(separator);
-        cells.push_back(withoutBlanks(line.substr(0, end)));
-        if (end == std::string_view::npos) return cells;
-        line.remove_prefix(end + 1);
-    }
-}
-
-std::optional<double> numberOf(std::string_view text) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
-}
-
 /// Reads a file's lines; the first fault ends it.
 class RecordReader {
  public:
-    explicit RecordReader(std::string_view text) : text_(text) {
-        if (text_.starts_with("\xef\xbb\xbf"))
-            text_.remove_prefix(3);  // spreadsheets write a byte order mark
-    }
+    explicit RecordReader(std::string_view text) : lines_(text) {}
 
     /// Empty, and `fault` says why.
     std::optional<Record> read(std::string& fault) {
-        while (fault_.empty() && next()) has_header_ ? readRow() : readHeader();
+        while (fault_.empty() && lines_.next()) column_.empty() ? readHeader() : readRow();
         if (fault_.empty() && record_.time.size() < 2)
             fault_ = "found " + std::to_string(record_.time.size()) + " rows, allowed: at least 2";
         fault = fault_;
@@ -61,25 +37,13 @@ class RecordReader {
     }
 
  private:
-    /// The next line that is neither empty nor a comment.
-    bool next() {
-        while (!text_.empty()) {
-            const auto end = text_.find('\n');
-            line_ = withoutBlanks(text_.substr(0, end));
-            text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
-            ++number_;
-            if (!line_.empty() && line_.front() != '#') return true;
-        }
-        return false;
-    }
-
-    void refuse(const std::string& what) { fault_ = "line " + std::to_string(number_) + ": " + what; }
+    void refuse(const std::string& what) { fault_ = "line " + std::to_string(lines_.number()) + ": " + what; }
 
     void readHeader() {
-        has_header_ = true;
-        separator_ = separatorOf(line_);
+        separator_ = separatorOf(lines_.line());
         bool accelerations = false;
-        for (const std::string_view cell : cellsOf(line_, separator_)) {
+        for (const CsvCell& each : cellsOf(lines_.line(), separator_)) {
+            const std::string& cell = each.text;
             const auto among = [&](const auto& names) {
                 return static_cast<int>(std::find(names.begin(), names.end(), cell) - names.begin());
             };
@@ -88,32 +52,27 @@ class RecordReader {
             accelerations = accelerations || a < 3;
             record_.velocities = record_.velocities || v < 3;
             if (column_.back() == kUnknown)
-                return refuse("found column \"" + std::string(cell) + "\", allowed: " + kColumns);
+                return refuse("found column \"" + cell + "\", allowed: " + kColumns);
         }
         std::vector<int> sorted = column_;
         std::sort(sorted.begin(), sorted.end());
         if (sorted.front() != kTime || sorted.size() < 2 || accelerations == record_.velocities ||
             std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-            refuse("found columns \"" + std::string(line_) + "\", allowed: " + kColumns + ", each once");
+            refuse("found columns \"" + std::string(withoutBlanks(lines_.line())) +
+                   "\", allowed: " + kColumns + ", each once");
     }
 
     void readRow() {
-        const std::vector<std::string_view> cells = cellsOf(line_, separator_);
-        if (cells.size() == 1)
-            if (const std::string wrong = cellFault(line_, separator_); !wrong.empty()) return refuse(wrong);
-        if (cells.size() != column_.size())
-            return refuse("found " + std::to_string(cells.size()) +
-                          " values, allowed: " + std::to_string(column_.size()) + ", one for each column");
+        const std::vector<CsvCell> cells = cellsOf(lines_.line(), separator_);
+        if (const std::string wrong = rowFault(cells, column_.size(), separator_); !wrong.empty())
+            return refuse(wrong);
         double time = 0;
         Vec3 value = Vec3::Zero();
         for (std::size_t k = 0; k < cells.size(); ++k) {
-            if (const std::string wrong = cellFault(cells[k], separator_); !wrong.empty())
-                return refuse(wrong);
-            const auto number = numberOf(cells[k]);
+            const auto number = numberOf(cells[k].text);
             if (!number)
-                return refuse(cells[k].empty()
-                                  ? "found a gap, allowed: a number in each column"
-                                  : "found \"" + std::string(cells[k]) + "\", allowed: a number");
+                return refuse(cells[k].text.empty() ? "found a gap, allowed: a number in each column"
+                                                    : "found \"" + cells[k].text + "\", allowed: a number");
             (column_[k] == kTime ? time : value[column_[k]]) = *number;
         }
         if (!record_.time.empty() && time <= record_.time.back())
@@ -128,9 +87,7 @@ class RecordReader {
     }
 
     static constexpr int kTime = -1, kUnknown = 3;
-    std::string_view text_, line_{};
-    int number_ = 0;
-    bool has_header_ = false;
+    CsvLines lines_;
     char separator_ = ',';
     std::vector<int> column_{};
     Record record_{};
@@ -186,6 +143,12 @@ void correctBaseline(GroundMotion& motion, bool line) {
         motion.acceleration[k] -= mean + (motion.time[k] - start - 0.5 * length) * slope;
 }
 
+GroundMotion correctedMotion(const Record& record, double scale, Baseline baseline) {
+    GroundMotion motion = motionOf(record, scale);
+    if (baseline != Baseline::none) correctBaseline(motion, baseline == Baseline::line);
+    return motion;
+}
+
 /// `file`, beside the scenario.
 std::optional<Record> readFile(const std::string& folder, TableReader& table) {
     const auto file = table.text("file");
@@ -226,6 +189,13 @@ std::optional<Record> readInline(Report& report, TableReader& table) {
 
 }  // namespace
 
+std::optional<GroundMotion> parseGroundMotion(std::string_view text, double scale, Baseline baseline,
+                                              std::string& fault) {
+    const auto record = RecordReader(text).read(fault);
+    if (!record) return std::nullopt;
+    return correctedMotion(*record, scale, baseline);
+}
+
 void readGroundMotion(const ForceReader& from, Model& model) {
     auto table = from.root.table("ground_motion", {"file", "acceleration", "scale", "baseline"});
     if (!table || !table->requireOneOf({"file", "acceleration"})) return;
@@ -233,8 +203,7 @@ void readGroundMotion(const ForceReader& from, Model& model) {
     const auto baseline = table->choice("baseline", {"none", "mean", "line"});
     const auto record = table->has("file") ? readFile(from.folder, *table) : readInline(from.report, *table);
     if (!record) return;
-    model.ground_motion = motionOf(*record, scale);
-    if (baseline && *baseline > 0) correctBaseline(model.ground_motion, *baseline == 2);
+    model.ground_motion = correctedMotion(*record, scale, static_cast<Baseline>(baseline.value_or(0)));
     const auto run = from.root.find("run");
     if (!run || run->kind() != Kind::table || !run->find("duration_s"))
         model.run.duration = model.ground_motion.time.back();

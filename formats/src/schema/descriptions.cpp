@@ -16,6 +16,8 @@ constexpr Description kScenario[] = {
     {"analysis.tolerance_deg", "critical-angle: width of the bracket; default 0.01"},
     {"analysis.factor_tolerance", "safety-factor: width of the bracket; default 0.001"},
     {"analysis.acceleration_tolerance", "critical-acceleration: width of the bracket; default 0.0001"},
+    {"analysis.reduce_tensile_strength",
+     "the factor of safety divides tensile strengths, too; default false"},
     {"analysis.time_scaling",
      "searches give all blocks inertia for the same time step, which is faster and does not move the answer; "
      "default true"},
@@ -106,6 +108,8 @@ constexpr Description kScenario[] = {
     {"rock_mass.fixed[].side", "of plane or joint: \"below\" (default), \"above\", \"touching\""},
     {"rock_mass.names", "names = { NAME = [x, y, z] }: the block at a point [m]"},
     {"rock_mass.names.NAME", "a point inside the block, x y z"},
+    {"rock_mass.bridge",
+     "joint that stands for the intact rock between finite joints; default: their own strength goes on"},
     {"rock_mass.max_blocks", "more are refused before they are cut; default 2000000"},
 
     {"joint_set", "parallel, or scattered, planes that cut the rock mass"},
@@ -155,6 +159,9 @@ constexpr Description kScenario[] = {
     {"water[].drains_at_aperture", "runs out for good once the joint opens wider; default never"},
     {"water[].density", "default 1000"},
     {"water[].surface", "phreatic surface: points [x, z] of a line that is extruded along y [m]"},
+    {"water[].obj", "phreatic surface from a mesh (OBJ) over all free blocks, path from the scenario's folder"},
+    {"water[].daylights", "how the pressure falls to nothing where the joint daylights: \"straight\", or \"half-height\": it rises with depth to "
+     "the middle and falls from there"},
     {"water[].factor", "phreatic surface: times the head (H_u); default 1"},
 
     {"interface", "strength of one interface by hand"},
@@ -191,6 +198,7 @@ constexpr Description kScenario[] = {
 
     {"ground_motion", "an earthquake's record that moves all fixed blocks in `talus run`"},
     {"ground_motion.file", "CSV: time_s and any of ax_m_s2, ay_m_s2, az_m_s2, or of vx_m_s, vy_m_s, vz_m_s"},
+    {"ground_motion.acceleration", "instead of file: rows [time s, x, y, z], times rising"},
     {"ground_motion.scale", "times the record; default 1"},
     {"ground_motion.baseline",
      "takes off the accelerations: \"none\" (default), \"mean\", \"line\" (least squares)"},
@@ -222,6 +230,9 @@ constexpr Description kSweep[] = {
     {"format", "version of the file format"},
     {"scenario", "the scenario file, from this file's folder"},
     {"analysis", "what each run computes"},
+    {"correlation", "random variables that go together"},
+    {"correlation.fields", "of random variables drawn per run or per joint, by their first field"},
+    {"correlation.matrix", "of their normal scores: symmetric, ones along its diagonal, positive definite"},
     {"samples", "of the random variables; default 1"},
     {"seed", "of what is drawn; default 1"},
     {"sampling", "\"random\" (default), or \"latin-hypercube\""},

@@ -76,7 +76,10 @@ class SweepReader {
     /// The scenario has to be good as it is. Returns its joints' names.
     std::vector<std::string> readScenarioText() {
         const auto name = root_.text("scenario");
-        if (base_) return jointNames(*base_);
+        if (base_) {
+            sweep_.scenario_text = base_->text;
+            return jointNames(*base_);
+        }
         if (!name) return {};
         sweep_.scenario_path = besideFile(sweep_.path, *name);
         const auto text = readFileText(sweep_.scenario_path);
@@ -266,12 +269,16 @@ void sweep::questionsOf(const toml::Document& document, const Scenario& scenario
 
 Result<Sweep> readSweep(const std::string& path) {
     const auto text = toml::readFileText(path);
-    if (!text) return text.errors();
-    const auto document = toml::Document::parse(*text, path);
+    return text ? parseSweep(*text, path) : text.errors();
+}
+
+Result<Sweep> parseSweep(const std::string& text, const std::string& path,
+                         std::shared_ptr<const Scenario> scenario) {
+    const auto document = toml::Document::parse(text, path);
     if (!document) return document.errors();
     toml::Report report(path);
-    auto sweep = sweep::SweepReader(report, document->root(), path).read();
-    if (sweep) sweep->text = *text;
+    auto sweep = sweep::SweepReader(report, document->root(), path, std::move(scenario)).read();
+    if (sweep) sweep->text = text;
     return sweep;
 }
 

@@ -6,13 +6,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "support/files.h"
 #include "talus/formats/inputs.h"
 #include "talus/formats/output_file.h"
-#include "tools/program.h"
 
 using namespace talus::formats;
-using talus::tools::testing::contentOf;
-using talus::tools::testing::TemporaryFolder;
+using talus::test::contentOf;
+using talus::test::TemporaryFolder;
 
 TEST_CASE("a file that is being written is not opened a second time, and is free afterwards") {
     const TemporaryFolder folder;

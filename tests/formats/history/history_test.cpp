@@ -4,31 +4,18 @@
 
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include "support/files.h"
 
 using namespace talus;
 using namespace talus::formats;
 
 namespace {
 
-/// A path of its own, gone with the test.
-struct TemporaryFile {
-    std::string path;
-    TemporaryFile() {
-        std::string name = (std::filesystem::temp_directory_path() / "talus-history-XXXXXX").string();
-        folder = mkdtemp(name.data());
-        path = (folder / "history.csv").string();
-    }
-    ~TemporaryFile() { std::filesystem::remove_all(folder); }
-    std::string content() const {
-        std::ifstream file(path, std::ios::binary);
-        std::stringstream text;
-        text << file.rdbuf();
-        return text.str();
-    }
-    std::filesystem::path folder;
+/// Where a history goes.
+struct Place {
+    test::TemporaryFolder folder;
+    std::string path = folder / "history.csv";
+    std::string content() const { return test::contentOf(path); }
 };
 
 HistoryRecord record(double time, std::int64_t step) {
@@ -48,7 +35,7 @@ HistoryRecord record(double time, std::int64_t step) {
 }  // namespace
 
 TEST_CASE("rows are in the file as soon as they are written") {
-    const TemporaryFile file;
+    const Place file;
     auto writer = HistoryWriter::open(file.path, "# version: 1\n", {"key"});
     REQUIRE(writer.ok());
     CHECK(writer->write(record(0, 0)).empty());
@@ -63,7 +50,7 @@ TEST_CASE("rows are in the file as soon as they are written") {
 }
 
 TEST_CASE("column names carry units, and quotes where a block's name needs them") {
-    const TemporaryFile file;
+    const Place file;
     auto writer = HistoryWriter::open(file.path, "", {"a,\"b\""});
     REQUIRE(writer.ok());
     CHECK(writer->write(record(0, 0)).empty());
@@ -72,18 +59,18 @@ TEST_CASE("column names carry units, and quotes where a block's name needs them"
 }
 
 TEST_CASE("without a record a new file disappears and an old one is as it was") {
-    const TemporaryFile file;
+    const Place file;
     { CHECK(HistoryWriter::open(file.path, "", {}).ok()); }
     CHECK(inspectHistory(file.path) == HistoryFile::absent);
-    std::ofstream(file.path) << "old text\n";
+    file.folder.write("history.csv", "old text\n");
     { CHECK(HistoryWriter::open(file.path, "", {}).ok()); }
     CHECK(file.content() == "old text\n");
     CHECK(inspectHistory(file.path) == HistoryFile::foreign);
 }
 
 TEST_CASE("a longer old history leaves nothing behind a shorter new one") {
-    const TemporaryFile file;
-    std::ofstream(file.path) << std::string(10000, 'x');
+    const Place file;
+    file.folder.write("history.csv", std::string(10000, 'x'));
     auto writer = HistoryWriter::open(file.path, "", {});
     REQUIRE(writer.ok());
     CHECK(writer->write(record(0, 0)).empty());
@@ -91,8 +78,8 @@ TEST_CASE("a longer old history leaves nothing behind a shorter new one") {
 }
 
 TEST_CASE("an empty file, a device and a path that is not there") {
-    const TemporaryFile file;
-    std::ofstream(file.path).flush();
+    const Place file;
+    file.folder.write("history.csv", "");
     CHECK(inspectHistory(file.path) == HistoryFile::empty);
     CHECK(inspectHistory("/dev/null") == HistoryFile::absent);
     CHECK(inspectHistory(file.path + ".not") == HistoryFile::absent);

@@ -8,11 +8,11 @@
 #include "mcap/compression.h"
 #include "mcap/reader.h"
 #include "mcap/writer.h"
-#include "tools/program.h"
+#include "support/files.h"
 
 using namespace talus::mcap;
-using talus::tools::testing::contentOf;
-using talus::tools::testing::TemporaryFolder;
+using talus::test::contentOf;
+using talus::test::TemporaryFolder;
 
 namespace {
 

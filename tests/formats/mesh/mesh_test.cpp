@@ -3,38 +3,18 @@
 #include "talus/formats/mesh.h"
 
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 
+#include "support/files.h"
 #include "talus/formats/scenario.h"
 
 namespace talus::formats {
 
 namespace {
 
-class TemporaryFile {
- public:
-    TemporaryFile(const std::string& name, const std::string& bytes) {
-        std::string folder = (std::filesystem::temp_directory_path() / "talus-mesh-XXXXXX").string();
-        REQUIRE(::mkdtemp(folder.data()) != nullptr);
-        folder_ = folder;
-        path_ = (folder_ / name).string();
-        std::ofstream(path_, std::ios::binary) << bytes;
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() { std::filesystem::remove_all(folder_); }
-    const std::string& path() const { return path_; }
-
- private:
-    std::filesystem::path folder_;
-    std::string path_;
-};
-
+using test::TemporaryFile;
 using Corners = std::array<Vec3, 3>;
 
 /// A tetrahedron of volume 1/6, seen from outside.

@@ -1,13 +1,10 @@
 // Terrains from files: one ground in every format makes the same blocks, also in survey coordinates; faults of grids.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
 #include "../scenario/scenario_texts.h"
+#include "support/files.h"
 #include "support/terrains.h"
 #include "talus/formats/mesh.h"
 
@@ -18,25 +15,6 @@ namespace {
 using namespace talus::test;
 
 constexpr int kN = 8;
-
-class Folder {
- public:
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "talus-terrain-XXXXXX").string();
-        REQUIRE(::mkdtemp(name.data()) != nullptr);
-        path_ = name;
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path_); }
-    std::string write(const std::string& name, const std::string& bytes) const {
-        std::ofstream(path_ / name, std::ios::binary) << bytes;
-        return (path_ / name).string();
-    }
-
- private:
-    std::filesystem::path path_;
-};
 
 std::string number(double value) {
     char text[32];
@@ -127,7 +105,7 @@ MeshOptions onBase(double base) {
 }  // namespace
 
 TEST_CASE("terrain files: every ground makes the same blocks in all formats, and at survey coordinates") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const Vec3 survey(451200, 5412300, 0);
     for (const Ground ground : kGrounds) {
         const std::vector<double> z = heights(ground, kN);
@@ -159,7 +137,7 @@ TEST_CASE("terrain files: every ground makes the same blocks in all formats, and
 }
 
 TEST_CASE("terrain files: what was repaired, turned and simplified is told, and which blocks are dust") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const std::vector<double> z = heights(Ground::rough, kN);
     TriangleSurface s = terrainOf(z, kN);
     const std::string whole = folder.write("whole.obj", obj(s));
@@ -192,7 +170,7 @@ TEST_CASE("terrain files: what was repaired, turned and simplified is told, and 
 }
 
 TEST_CASE("terrain files: faults have their line, their triangle and their place") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const TriangleSurface good = terrainOf(Ground::hill, kN);
     TriangleSurface hole = good;
     hole.triangles.erase(hole.triangles.begin() + 55);
@@ -226,7 +204,7 @@ TEST_CASE("terrain files: faults have their line, their triangle and their place
 }
 
 TEST_CASE("terrain files: grids may lack heights at their rim, not inside; their faults have lines") {
-    const Folder folder;
+    const TemporaryFolder folder;
     std::vector<double> z = heights(Ground::hill, kN);
     const double volume =
         surfaceVolume(readMesh(folder.write("a.asc", asc(z, kN, Vec3::Zero())), onBase(-5))->surface);
@@ -255,7 +233,7 @@ TEST_CASE("terrain files: grids may lack heights at their rim, not inside; their
 }
 
 TEST_CASE("terrain files: binary STL far from the origin says how few digits it has") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const TriangleSurface far = terrainOf(heights(Ground::hill, kN), kN, Vec3(451200, 5412300, 0));
     std::string bytes(80, ' ');
     const auto append = [&](const auto& value) {

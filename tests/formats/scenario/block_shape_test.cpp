@@ -1,14 +1,12 @@
 // [[block]] of several parts, and of mesh files.
 
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
 #include "faults.h"
+#include "support/files.h"
 #include "talus/formats/mesh.h"
 #include "talus/formats/snapshot.h"
 #include "talus/rock_mass.h"
@@ -31,25 +29,6 @@ std::string inBody(const std::string& keys) {
 Fault bodyFault(const std::string& keys, int line, const std::string& field, const std::string& fragment) {
     return {inBody(keys), line, "block[0]" + field, fragment};
 }
-
-class Folder {
- public:
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "talus-shape-XXXXXX").string();
-        REQUIRE(::mkdtemp(name.data()) != nullptr);
-        path_ = name;
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path_); }
-    std::string write(const std::string& name, const std::string& bytes) const {
-        std::ofstream(path_ / name, std::ios::binary) << bytes;
-        return (path_ / name).string();
-    }
-
- private:
-    std::filesystem::path path_;
-};
 
 /// The angle, as a closed surface.
 TriangleSurface angleSurface() {
@@ -126,7 +105,7 @@ TEST_CASE("blocks by hand: parts make one body, with a joint for each of its fac
 }
 
 TEST_CASE("blocks by hand: a mesh file is the body it encloses, whatever its format") {
-    const Folder folder;
+    const test::TemporaryFolder folder;
     const TriangleSurface surface = angleSurface();
     for (const std::string& path :
          {folder.write("a.obj", objOf(surface)), folder.write("a.ply", textPly(surface)),
@@ -158,7 +137,7 @@ TEST_CASE("blocks by hand: faults of parts and meshes are told where they are") 
     checkFault(bodyFault("mesh = \"none.obj\"\n", 9, ".mesh", "none.obj: error: cannot be opened"));
     checkFault(bodyFault("mesh = \"none.dxf\"\n", 9, ".mesh",
                          "allowed: a file that ends in .stl, .obj, .ply or .asc"));
-    const Folder folder;
+    const test::TemporaryFolder folder;
     TriangleSurface open = angleSurface();
     open.triangles.pop_back();
     const auto errors = readBad(inBody("mesh = \"" + folder.write("open.obj", objOf(open)) + "\"\n"));

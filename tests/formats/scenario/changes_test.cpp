@@ -2,9 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <fstream>
-
+#include "support/files.h"
 #include "support/properties.h"
 #include "talus/formats/changes.h"
 
@@ -18,22 +16,9 @@ constexpr const char* kText =
     "friction_deg = 30.0\n[[stack]]\ncolumns = 3\nrows = 2\nslices = 1\nblock = [0.2, 0.1, 0.1]\n[[water]]\n"
     "fissure = 1\ndepth = 0.1\n";
 
-/// A scenario file of this text for as long as this lives.
-class ScenarioFile {
- public:
-    ScenarioFile() : path_(std::filesystem::temp_directory_path() / "talus-changes-test.toml") {
-        std::ofstream(path_) << kText;
-    }
-    ~ScenarioFile() { std::filesystem::remove(path_); }
-    std::string path() const { return path_.string(); }
-
- private:
-    std::filesystem::path path_;
-};
-
 Result<Scenario> changed(const std::string& field, const std::string& value) {
-    const ScenarioFile file;
-    return readScenario(file.path(), {{field, value, "--set"}});
+    const test::TemporaryFile file("slope.toml", kText);
+    return readScenario(file.path(), {{field, value}});
 }
 
 /// The first fault as people read it.
@@ -89,10 +74,21 @@ TEST_SUITE("scenario changes") {
         CHECK(fault("watr.depth", "1").starts_with("--set: error: watr"));
     }
 
+    TEST_CASE("what the engine finds in a changed field is said of who changed it, in others of the file") {
+        const auto scenario = changed("joint.default.friction_deg", "25");
+        REQUIRE(scenario.ok());
+        const auto told = placed(*scenario, {{"joint.default.friction_deg", "a"},
+                                             {"joint.default.friction_deg[0]", "b"},
+                                             {"joint.default.normal_stiffness", "c"}});
+        CHECK(format(told[0]) == "--set: error: joint.default.friction_deg: a");
+        CHECK(format(told[1]) == "--set: error: joint.default.friction_deg[0]: b");
+        CHECK(told[2].file == scenario->path);
+        CHECK(told[2].line == 4);
+    }
+
     TEST_CASE("faults of other fields keep their line") {
-        const ScenarioFile file;
-        std::ofstream(file.path(), std::ios::app) << "depht = 3\n";
-        const auto scenario = readScenario(file.path(), {{"gravity.tilt_deg", "3", "--set"}});
+        const test::TemporaryFile file("slope.toml", std::string(kText) + "depht = 3\n");
+        const auto scenario = readScenario(file.path(), {{"gravity.tilt_deg", "3"}});
         REQUIRE_FALSE(scenario.ok());
         CHECK(scenario.errors().front().file == file.path());
         CHECK(scenario.errors().front().line == 15);

@@ -1,38 +1,15 @@
 // [[fracture_set]]: what it draws, what it reads, and what is refused, where.
 
-#include <unistd.h>
-
 #include <algorithm>
 
-#include <filesystem>
-#include <fstream>
-
 #include "faults.h"
+#include "support/files.h"
 #include "talus/formats/fractures.h"
 #include "talus/rock_mass.h"
 
 namespace talus::formats {
 
 namespace {
-
-class Folder {
- public:
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "talus-fractures-XXXXXX").string();
-        REQUIRE(::mkdtemp(name.data()) != nullptr);
-        path_ = name;
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path_); }
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name) << text;
-        return (path_ / name).string();
-    }
-
- private:
-    std::filesystem::path path_;
-};
 
 /// Keys of the set from line 10.
 std::string rock(const std::string& keys, const std::string& more = "") {
@@ -68,7 +45,7 @@ TEST_CASE("fracture sets: drawn to their P32, told as joints of the rock mass, c
 }
 
 TEST_CASE("fracture sets: written to CSV and read again they are the same discs and cut the same blocks") {
-    const Folder folder;
+    const test::TemporaryFolder folder;
     const Scenario drawn = readGood(rock(kF1));
     std::vector<std::pair<std::string, Fracture>> discs;
     for (const RockJoint& each : *rockJoints(drawn)) discs.emplace_back(each.set, *each.disc);
@@ -92,7 +69,7 @@ TEST_CASE("fracture sets: written to CSV and read again they are the same discs 
 }
 
 TEST_CASE("fracture sets: faults are told where they are") {
-    const Folder folder;
+    const test::TemporaryFolder folder;
     const auto fault = [](const std::string& keys, int line, const std::string& field,
                           const std::string& fragment) {
         checkFault({rock(keys), line, "fracture_set[0]" + field, fragment});

@@ -1,37 +1,17 @@
 // Messages as a user reads them, several at once, places, and files that are no scenarios.
 
-#include <unistd.h>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
 #include "scenario_texts.h"
+#include "support/files.h"
 #include "toml/wording.h"
 
 namespace talus::formats {
 
 namespace {
 
-/// A file in a folder of its own, removed at the end.
-class TemporaryFile {
- public:
-    explicit TemporaryFile(const std::string& text) {
-        std::string folder = (std::filesystem::temp_directory_path() / "talus-scenario-XXXXXX").string();
-        REQUIRE(::mkdtemp(folder.data()) != nullptr);
-        folder_ = folder;
-        std::ofstream(path(), std::ios::binary) << text;
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() { std::filesystem::remove_all(folder_); }
-
-    std::string folder() const { return folder_.string(); }
-    std::string path() const { return (folder_ / "slope.toml").string(); }
-
- private:
-    std::filesystem::path folder_;
-};
+using test::TemporaryFile;
 
 std::string repeated(const std::string& text, int count) {
     std::string all;
@@ -166,7 +146,7 @@ TEST_CASE("scenario messages: places of fields, and errors of the engine put the
 }
 
 TEST_CASE("scenario files: read, missing, a folder, no scenario, too large") {
-    const TemporaryFile good(properties() + stack());
+    const TemporaryFile good("slope.toml", properties() + stack());
     const auto scenario = readScenario(good.path());
     REQUIRE(scenario.ok());
     CHECK(scenario->path == good.path());
@@ -181,9 +161,9 @@ TEST_CASE("scenario files: read, missing, a folder, no scenario, too large") {
     CHECK(only(good.folder() + "/none.toml").message == "cannot be opened: No such file or directory");
     CHECK(only(good.folder()).message.find("found a directory") == 0);
     CHECK(only("").line == 0);
-    const TemporaryFile binary(std::string("\x89MCAP0\r\n\0\xff", 10));
+    const TemporaryFile binary("slope.toml", std::string("\x89MCAP0\r\n\0\xff", 10));
     CHECK(only(binary.path()).message.find("utf-8") != std::string::npos);
-    const TemporaryFile large(std::string((std::size_t{64} << 20) + 1, '#'));
+    const TemporaryFile large("slope.toml", std::string((std::size_t{64} << 20) + 1, '#'));
     CHECK(only(large.path()).message.find("larger than 64 MiB") != std::string::npos);
 }
 

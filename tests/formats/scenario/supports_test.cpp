@@ -3,10 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
+#include "support/files.h"
 #include "talus/formats/scenario.h"
 
 using namespace talus;
@@ -49,14 +48,11 @@ bool starts(const std::string& text, const std::string& with) {
     return text.starts_with(with);
 }
 
+/// A ground motion from a file that is there as long as this.
 struct RecordFile {
-    std::filesystem::path folder = std::filesystem::temp_directory_path() / "talus-ground-motion-test";
-
-    RecordFile() { std::filesystem::create_directories(folder); }
-    ~RecordFile() { std::filesystem::remove_all(folder); }
+    test::TemporaryFolder folder;
     std::string with(const std::string& csv, const std::string& more = "") const {
-        std::ofstream(folder / "record.csv") << csv;
-        return "[ground_motion]\nfile = \"" + (folder / "record.csv").string() + "\"\n" + more;
+        return "[ground_motion]\nfile = \"" + folder.write("record.csv", csv) + "\"\n" + more;
     }
 };
 

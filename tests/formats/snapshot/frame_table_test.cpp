@@ -15,7 +15,7 @@
 
 #include "snapshot/convert.h"
 #include "snapshot_schema.h"
-#include "tools/program.h"
+#include "support/files.h"
 
 namespace talus::formats {
 namespace {
@@ -220,7 +220,7 @@ TEST_CASE("the codec puts each array under its own name, and back") {
 
 TEST_CASE("the replay page asks for fields that are there") {
     const std::string source =
-        tools::testing::contentOf(std::string(TALUS_SOURCE_DIR) + "/tools/replay/src/data/messages.js");
+        test::contentOf(std::string(TALUS_SOURCE_DIR) + "/tools/replay/src/data/messages.js");
     static const std::map<std::string, std::string> kMessages{{"header", "Header"},
                                                               {"frame", "Frame"},
                                                               {"full", "Full"},

@@ -4,17 +4,17 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "support/files.h"
 #include "support/skip.h"
 #include "support/snapshots.h"
-#include "tools/program.h"
 
 using namespace talus;
 using namespace talus::formats;
 using namespace talus::test;
 using nlohmann::json;
-using tools::testing::contentOf;
-using tools::testing::TemporaryFolder;
 
 namespace {
 

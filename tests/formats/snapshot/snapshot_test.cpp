@@ -9,14 +9,12 @@
 #include <csignal>
 
 #include "snapshot/convert.h"
+#include "support/files.h"
 #include "support/snapshots.h"
-#include "tools/program.h"
 
 using namespace talus;
 using namespace talus::formats;
 using namespace talus::test;
-using tools::testing::contentOf;
-using tools::testing::TemporaryFolder;
 
 namespace {
 

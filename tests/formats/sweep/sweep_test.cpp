@@ -8,16 +8,16 @@
 #include <set>
 
 #include "formats/scenario/scenario_texts.h"
+#include "support/files.h"
 #include "talus/formats/sweep.h"
 #include "toml/document.h"
 #include "toml/write_document.h"
-#include "tools/program.h"
 
 namespace talus::formats {
 
 namespace {
 
-using tools::testing::TemporaryFolder;
+using test::TemporaryFolder;
 constexpr double kDeg = 3.14159265358979323846 / 180;
 
 std::string slope() { return properties() + stack() + "[[water]]\nfissure = 1\ndepth = 0.05\n"; }

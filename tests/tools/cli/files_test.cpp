@@ -8,11 +8,11 @@
 #include "cli/files.h"
 #include "cli/json.h"
 #include "cli/text.h"
-#include "tools/program.h"
+#include "support/files.h"
 
 using namespace talus::tools;
-using talus::tools::testing::contentOf;
-using talus::tools::testing::TemporaryFolder;
+using talus::test::contentOf;
+using talus::test::TemporaryFolder;
 
 TEST_CASE("a file is written and replaced, and nothing else is left beside it") {
     const TemporaryFolder folder;

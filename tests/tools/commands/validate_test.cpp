@@ -96,3 +96,24 @@ TEST_CASE("what is allowed but hardly meant is let pass with a warning") {
                "block = [0.2, 0.1, 0.1]\n[[water]]\nstack = \"s\"\nfissure = 1\nelevation = -0.02\n"),
            "it wets nothing");
 }
+TEST_CASE("Ctrl-C while a large file is read ends the command at once, and is said") {
+    std::string text = "[material.r]\ndensity = 2600\n";
+    for (int k = 0; text.size() < 20'000'000; ++k)
+        text +=
+            "[[block]]\nname = \"b" + std::to_string(k) + "\"\nbox = { min = [0, 0, 0], max = [1, 1, 1] }\n";
+    const TemporaryFolder folder;
+    const std::string scenario = folder.write("large.toml", text);
+    folder.write("sweep.toml", "scenario = \"large.toml\"\nanalysis = \"critical-angle\"\n");
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"validate", scenario, "--json"},
+          {"batch", folder / "sweep.toml", "-o", folder / "out", "--json"}}) {
+        Program program(arguments);
+        REQUIRE(waitFor([&] { return program.cpuSeconds() > 0.2; }));
+        program.signal(SIGINT);
+        CHECK(program.endsWithin(0.5));
+        const Outcome outcome = program.outcome();
+        CHECK(outcome.exit_code == 130);
+        CHECK(outcome.json()["ok"] == false);
+        CHECK(outcome.err.find("interrupted while") != std::string::npos);
+    }
+}

@@ -7,13 +7,13 @@
 #include "cli/json.h"
 #include "reproduction/kept.h"
 #include "reproduction/slope.h"
-#include "tools/program.h"
+#include "support/files.h"
 #include "tools/reproduction/samples.h"
 
 using namespace talus;
 using namespace talus::tools;
-using testing::contentOf;
-using testing::TemporaryFolder;
+using test::contentOf;
+using test::TemporaryFolder;
 
 namespace {
 

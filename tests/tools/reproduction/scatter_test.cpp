@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "cli/json.h"
-#include "tools/program.h"
+#include "support/files.h"
 
 namespace talus::tools {
 
@@ -39,7 +39,7 @@ TEST_CASE("scatter: table and JSON count the laboratory tests within the samples
 
 TEST_SUITE("slow: paper") {
     TEST_CASE("one sample of the laboratory's scatter lies between the limits of 18 and 21 deg") {
-        const testing::TemporaryFolder folder;
+        const test::TemporaryFolder folder;
         Common common;
         common.quiet = true;
         const Scatter scatter = computeScatter(1, folder / "scatter", common);

@@ -11,12 +11,15 @@ namespace talus::formats {
 
 /// A field that is to have another value than its file gives; it may be one that the file leaves out.
 struct FieldChange {
-    std::string field;     ///< as a user writes it: water[0].depth
-    std::string value;     ///< an integer, a number, true or false, else text; in double quotes always text
-    std::string origin{};  ///< whose wish it is, for messages: "--set"
+    std::string field;  ///< as a user writes it: water[0].depth
+    std::string value;  ///< an integer, a number, true or false, else text; in double quotes always text
 };
 
-/// As readScenario without changes, but that faults of changed fields name their origin in place of the file. The text of the
+/// What messages name in place of the file where a changed field is wrong.
+inline constexpr const char* kChangedBy = "--set";
+
+/// As readScenario without changes, but that faults of changed fields name kChangedBy in place of the file, the engine's
+/// too (placed): in Scenario::places they have line 0. The text of the
 /// scenario has the values in it. The path "-" is the standard input, called "stdin" in messages; files it names are looked
 /// for in the current folder.
 Result<Scenario> readScenario(const std::string& path, const std::vector<FieldChange>& changes,

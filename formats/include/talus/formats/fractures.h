@@ -15,10 +15,13 @@ namespace talus::formats {
 /// Discs with the name of their set; columns x_m, y_m, z_m, dip_deg, dip_direction_deg, radius_m, set.
 std::string fracturesCsv(const std::vector<std::pair<std::string, Fracture>>& fractures);
 
-/// Reads such a file: columns in any order, with or without their unit, others passed over; lines that begin with # too.
+/// Reads such a file: columns in any order, with or without their unit, others passed over, commas,
+/// semicolons or tabs between them; lines that begin with # too.
 /// Errors: the file cannot be read; a column that is missing or twice there; a row of another length, or with something that is
 /// no number or out of range, with its line.
 Result<std::vector<Fracture>> readFractures(const std::string& path);
+/// The same for text already in memory; `path` is used in messages.
+Result<std::vector<Fracture>> parseFractures(const std::string& text, const std::string& path);
 
 /// A plane that cuts the rock mass.
 struct RockJoint {

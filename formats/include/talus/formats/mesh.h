@@ -46,5 +46,8 @@ struct MeshSurface {
 /// find ("base" where it is that), with the line of the triangle, or else its number from 1 in the message, and the place in
 /// the file's own coordinates taken to metres and shifted.
 Result<MeshSurface> readMesh(const std::string& path, const MeshOptions& options = {});
+/// The same for a file's bytes in memory; `path` is used in messages and by its ending.
+Result<MeshSurface> parseMesh(const std::string& bytes, const std::string& path,
+                              const MeshOptions& options = {});
 
 }  // namespace talus::formats

@@ -101,6 +101,10 @@ struct Sweep {
 /// Reads and checks a sweep file, its scenario and its table. Every value of a table or grid is tried, and the median
 /// and the ends of each distribution, so that what no run could survive is found before the first one.
 Result<Sweep> readSweep(const std::string& path);
+/// The same for text in memory; `path` is used in messages and to find what lies beside it. `scenario`, when given, stands in
+/// for the file that the text names.
+Result<Sweep> parseSweep(const std::string& text, const std::string& path,
+                         std::shared_ptr<const Scenario> scenario = nullptr);
 
 /// 16 hex digits over everything that decides the runs: scenario, analysis, what varies, seed. Neither comments nor
 /// the report count, nor, in random sampling, the number of samples: more of them can be added to a batch later.
