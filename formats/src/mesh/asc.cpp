@@ -91,26 +91,28 @@ class AscReader {
     std::optional<Error> readHeights() {
         const double dx = header_["dx"], dy = header_["dy"], x = corner("x", dx), y = corner("y", dy);
         const auto nodata = header_.find("nodata_value");
-        std::size_t count = 0;
-        vertices_.assign(rows_ * columns_, -1);
-        line_.assign(rows_, 0);
+        // Grows with what is read: a header alone may speak of 1e8 heights.
+        const std::size_t wanted = rows_ * columns_;
         for (bool more = true; more; more = words_.nextLine(), word_ = more ? words_.next() : "")
-            for (; !word_.empty(); word_ = words_.next(), ++count) {
-                if (count == vertices_.size())
+            for (; !word_.empty(); word_ = words_.next()) {
+                const std::size_t count = vertices_.size(), row = count / columns_, column = count % columns_;
+                if (count == wanted)
                     return fault("found more heights than ncols times nrows, allowed: " +
-                                 std::to_string(vertices_.size()));
+                                 std::to_string(wanted));
                 const auto z = numberOf(word_);
                 if (!z) return fault("found " + toml::quoted(word_) + ", allowed: finite heights");
-                const std::size_t row = count / columns_, column = count % columns_;
-                if (column == 0) line_[row] = words_.line();
-                if (nodata != header_.end() && *z == nodata->second) continue;
-                vertices_[count] = builder_.vertex({x + static_cast<double>(column) * dx,
-                                                    y + static_cast<double>(rows_ - 1 - row) * dy, *z});
+                if (column == 0) line_.push_back(words_.line());
+                if (nodata != header_.end() && *z == nodata->second) {
+                    vertices_.push_back(-1);
+                    continue;
+                }
+                vertices_.push_back(builder_.vertex({x + static_cast<double>(column) * dx,
+                                                     y + static_cast<double>(rows_ - 1 - row) * dy, *z}));
                 heights_.push_back(*z);
             }
-        if (count == vertices_.size()) return std::nullopt;
-        return fault("found " + std::to_string(count) + " heights, allowed: ncols times nrows, " +
-                     std::to_string(vertices_.size()));
+        if (vertices_.size() == wanted) return std::nullopt;
+        return fault("found " + std::to_string(vertices_.size()) + " heights, allowed: ncols times nrows, " +
+                     std::to_string(wanted));
     }
 
     /// From the south-west on: squares with all four heights; a square that lacks one is no part of the terrain.

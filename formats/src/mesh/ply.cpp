@@ -61,9 +61,13 @@ class PlyReader {
 
     Result<FileSurface> read() {
         if (auto fault = readHeader()) return *fault;
-        for (const Element& element : elements_)
+        for (const Element& element : elements_) {
+            // It would take no byte of the file, and any number of them none.
+            if (element.properties.empty())
+                return fault("found an element " + toml::quoted(element.name) + " without properties");
             for (std::size_t k = 0; k < element.count; ++k)
                 if (auto fault = readElement(element)) return *fault;
+        }
         return builder_.finish();
     }
 

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <chrono>
 #include <cstring>
 
 #include "support/files.h"
@@ -142,6 +143,22 @@ TEST_CASE("OBJ: faults name file and line") {
               "m.obj:5: error: found a face that is not convex"));
     CHECK(has(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
               "m.obj:4: error: triangle 1: found an open surface"));
+}
+
+TEST_CASE("small files that speak of much are refused at once, whatever they speak of") {
+    const auto start = std::chrono::steady_clock::now();
+    const auto message = [](const std::string& bytes, const std::string& name) {
+        const auto mesh = parseMesh(bytes, name);
+        REQUIRE_FALSE(mesh.ok());
+        return mesh.errors().front().message;
+    };
+    for (int k = 0; k < 20; ++k)
+        CHECK(message("ncols 10000\nnrows 10000\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n", "a.asc")
+                  .starts_with("found 3 heights, allowed: ncols times nrows, 100000000"));
+    std::string ply = "ply\nformat ascii 1.0\n";
+    for (int k = 0; k < 50'000; ++k) ply += "element a 800000\n";
+    CHECK(message(ply + "end_header\n", "a.ply") == "found an element \"a\" without properties");
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(2));
 }
 
 }  // namespace talus::formats
