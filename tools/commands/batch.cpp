@@ -10,8 +10,8 @@
 #include "cli/failures.h"
 #include "cli/json.h"
 #include "cli/progress.h"
-#include "cli/signals.h"
 #include "cli/scenario.h"
+#include "cli/signals.h"
 #include "cli/text.h"
 #include "commands/commands.h"
 

@@ -93,7 +93,7 @@ class AscReader {
         const auto nodata = header_.find("nodata_value");
         // Grows with what is read: a header alone may speak of 1e8 heights.
         const std::size_t wanted = rows_ * columns_;
-        for (bool more = true; more; more = words_.nextLine(), word_ = more ? words_.next() : "")
+        for (bool more = true; more; more = words_.nextLine(), word_ = more ? words_.next() : "") {
             for (; !word_.empty(); word_ = words_.next()) {
                 const std::size_t count = vertices_.size(), row = count / columns_, column = count % columns_;
                 if (count == wanted)
@@ -110,6 +110,7 @@ class AscReader {
                                                      y + static_cast<double>(rows_ - 1 - row) * dy, *z}));
                 heights_.push_back(*z);
             }
+        }
         if (vertices_.size() == wanted) return std::nullopt;
         return fault("found " + std::to_string(vertices_.size()) + " heights, allowed: ncols times nrows, " +
                      std::to_string(wanted));

@@ -55,7 +55,7 @@ struct Scenario {
     Model model;
     std::string path;  ///< as given, for messages
     std::string text;
-    std::map<std::string, std::pair<int, int>> places;  ///< "stack[0].columns" -> (line, column), 1-based; 0: --set
+    std::map<std::string, std::pair<int, int>> places;  ///< "stack[0].columns" -> (line, column); 0: --set
     std::vector<JointOrigin> joint_origins{};           ///< per joint of the model
     std::vector<std::string> materials{};               ///< their names; blocks hold indices
     FiniteCuts finite_cuts{};
