@@ -200,6 +200,7 @@ struct OneInterface {
                 .beyond_caches = false,
                 .release = 1,
                 .contact_damping = 0,
+                .restitution = false,
                 .places = rule.kind == PointRule::Kind::vertex   ? PointPlaces::vertex
                           : rule.kind == PointRule::Kind::corner ? PointPlaces::corner
                                                                  : PointPlaces::stored};

@@ -277,6 +277,53 @@ kN/m3. Factor of safety 1.008, UDEC 1.01: to be met within 0.5 %.
           block("rock", [face[0], tops[0], (40, 20), (40, 0), (17, 0)], True))
 
 
+# --- rock bridges -----------------------------------------------------------------------------------------------------------
+
+def trace(name, start, end, joint=None):
+    """A joint as far as a section shows it, through the whole slice."""
+    corners = [(start[0], 0, start[1]), (end[0], 0, end[1]), (end[0], 1, end[1]), (start[0], 1, start[1])]
+    strength = f'joint = "{joint}"\n' if joint else ""
+    return (f'[[single_joint]]\nname = "{name}"\n{strength}polygon = ['
+            + ", ".join(point(*p) for p in corners) + "]\n")
+
+
+def bridged(outline):
+    return ("[rock_mass]\nregion = { y = [0.0, 1.0], profile = [" + ", ".join(point(*p) for p in outline) + "] }\n"
+            'bridge = "intact"                # what the traces below do not reach\nfixed = [{ boundary = "-z" }]\n')
+
+
+def intact(friction, cohesion=0.0, tension=0.0):
+    text = joint("intact", friction, cohesion=cohesion)
+    return text + (f"tensile_strength = {number(tension)}\n" if tension else "")
+
+
+def rock_bridges():
+    write("bridges-stepped", """
+Three joints one above the other, each ending in the rock, below the face of parallel-slabs.toml: friction angle 35 degrees and 1 kPa;
+intact rock between them, and upright from the end of each to the next and to the ground, 25 degrees and 25 kPa without tension. UDEC 1.29, finite
+elements (RS2) 1.24, limit equilibrium 1.213: to lie between 1.20 and 1.29.
+  talus safety-factor bench/verification/bridges-stepped.toml""",
+          material(19.62), joint("default", 35, cohesion=1000), intact(25, 25000),
+          bridged([(17, 8.2), (26.9, 20), (40, 20), (40, 0), (17, 0)]),
+          trace("low", (18.33, 9.37), (22.33, 12.25)), trace("middle", (22.33, 13.5), (26.26, 16)),
+          trace("high", (26.26, 17.16), (29.33, 19.33)),
+          trace("lower step", (22.33, 12.25), (22.33, 13.5), "intact"),
+          trace("upper step", (26.26, 16), (26.26, 17.16), "intact"),
+          trace("crest", (29.33, 19.33), (29.33, 20), "intact"))
+    for name, tension, factor, what in (("bridge-in-tension", 200e3, 1.591, "tensile strength 200 kPa, reduced like the friction"),
+                                        ("bridge-broken", 0.0, 1.551, "no tensile strength")):
+        write(name, f"""
+A face 50 m high, a joint that daylights in it and one that comes down from the crest and ends 1.4 m above it: friction angle 40 degrees,
+27 kN/m3. The bridge between their ends: {what}. Limit equilibrium: factor of safety {factor}, to be met
+within 0.5 %.
+  talus safety-factor bench/verification/{name}.toml""",
+              "[analysis]\nreduce_tensile_strength = true\n" if tension else "",
+              material(27), joint("default", 40), intact(40, tension=tension),
+              bridged([(30, 20), (60, 70), (100, 70), (100, 0), (30, 0)]),
+              trace("lower", (39.0149, 35.0248), (63, 48)), trace("upper", (62, 49), (76, 70)),
+              trace("bridge", (63, 48), (62, 49), "intact"))
+
+
 # --- other laws of strength ----------------------------------------------------------------------------------------------
 
 def law(name, text):
@@ -465,5 +512,5 @@ of intersection. Wedge formula of limit equilibrium: factor of safety {factor:g}
 
 if __name__ == "__main__":
     for figure in (columns, arches, brick_walls, goodman_bray, goodman_bray_held, alejano_alonso, barla_table, slabs,
-                   bilinear_slab, parallel_slabs, plane_blocks, large_slopes, wedge, high_slope, daylighting, short_cable, earthquakes):
+                   bilinear_slab, parallel_slabs, rock_bridges, plane_blocks, large_slopes, wedge, high_slope, daylighting, short_cable, earthquakes):
         figure()

@@ -32,6 +32,7 @@ TEST_CASE("the table has every number of a joint once, under keys of their own")
         std::string name;
         StrengthLaw law;
         std::array<double, kJointPropertyCount> values;
+        bool tension_reduced;
         std::vector<EnvelopePoint> shear_strength;
     };
     static_assert(sizeof(Joint) == sizeof(Numbers), "a number of Joint is not in kJointProperties");
@@ -71,6 +72,7 @@ TEST_CASE("each property is a parameter of the law of its own: angles by their t
 TEST_CASE("the list of the law's parameters has every number of the law once") {
     struct Numbers {
         std::array<double, contact::kLawParameterCount> values;
+        double residual_factor, unloading_loss;  // of the joint alone
         bool bonded, curved;
         const double* curve;
     };

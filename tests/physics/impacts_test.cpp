@@ -56,7 +56,8 @@ void checkImpacts(unsigned first, unsigned count, Rocks rocks = Rocks::convex, d
                      << " of the kinetic energy; before it is taken back by steps " << most.steps
                      << ", by searches " << most.searches << ", by looks " << most.looks << "; momentum "
                      << most.momentum << ", angular momentum " << most.angular);
-    CHECK(most.hit > 0.8 * count);
+    CHECK(most.hit >
+          (rocks == Rocks::convex ? 0.8 : 0.6) * count);  // bodies are slighter: more fly past each other
     CHECK(most.steps < kOfSteps);
     CHECK(most.searches < 1e-9);
     CHECK(most.looks < 1e-9);
@@ -72,7 +73,7 @@ TEST_SUITE("physics") {
         checkImpacts(1, 40, Rocks::bodies);
     }
     TEST_CASE("random impacts with restitution gain no energy and keep their momenta") {
-        checkImpacts(1, 20, Rocks::convex, 0.5);
+        checkImpacts(1, 30, Rocks::convex, 0.5);
         checkImpacts(1, 20, Rocks::bodies, 0.0);
     }
 

@@ -89,6 +89,28 @@ TEST_SUITE("physics") {
         }
     }
 
+    TEST_CASE(
+        "a curve with a residual: what has slipped slides with that share of its strength, what has not "
+        "holds all of it") {
+        for (const std::string law : {"barton-bandis", "power", "envelope"})
+            for (const double residual : {0.9, 0.5, 0.0}) {
+                CAPTURE(law);
+                CAPTURE(residual);
+                Model model = planeModel(law);
+                for (Joint& joint : model.joints) {
+                    joint = reduced(
+                        joint,
+                        0.6 * factorOf(law));  // stress under the block is uneven, and what is lost spreads
+                    joint.residual_factor = residual;
+                }
+                CHECK(wayOf(model) < 1e-3);
+                for (Joint& joint : model.joints) joint = reduced(joint, 1.02 / 0.6);
+                // g sin(dip) less what is left of the strength
+                const double acceleration = 9.81 * std::sin(radians(35)) * (1 - residual / 1.02);
+                CHECK(wayOf(model) == doctest::Approx(0.5 * acceleration * 0.25).epsilon(0.05));
+            }
+    }
+
     TEST_CASE("Coulomb's law as a table gives Coulomb's answers") {
         const Model model = stackModel(3, 3, 1, 22);
         const auto coulomb = criticalAngle(model), table = criticalAngle(tableOfCoulomb(model));

@@ -180,6 +180,13 @@ inline constexpr std::array kJointProperties{
                   .reduced_in = kCurvedLaws,
                   .in_law = "strength_factor",
                   .what = "times the law's shear strength"},
+    JointProperty{.key = "residual_factor",
+                  .value = &Joint::residual_factor,
+                  .unit = "",
+                  .allowed = {0, 1},
+                  .laws = kCurvedLaws,
+                  .in_law = "",
+                  .what = "share of the law's shear strength that is left after the first slip"},
 };
 inline constexpr std::size_t kJointPropertyCount = kJointProperties.size();
 

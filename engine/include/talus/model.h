@@ -73,8 +73,8 @@ struct Water {
     double drains_at_aperture = kInfinity;
     /// What the pressure falls to where the joint's lowest end lies open, after E. Hoek and J. W. Bray.
     enum class Daylight : std::uint8_t {
-        closed,       ///< nothing: hydrostatic to the lowest end
-        straight,     ///< from what it is at the joint's upper end in a straight line to nothing (below a crack full of water)
+        closed,  ///< nothing: hydrostatic to the lowest end
+        straight,  ///< from what it is at the joint's upper end in a straight line to nothing (below a crack full of water)
         half_height,  ///< hydrostatic down to half the wet height, from there in a straight line to nothing
     };
     Daylight daylight = Daylight::closed;

@@ -145,6 +145,7 @@ TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, co
     law.bonded = members.gatherFlag(view.laws, &Parameters::bonded, view.joint);
     if constexpr (Curved) {
         law.curved = members.gatherFlag(view.laws, &Parameters::curved, view.joint);
+        law.residual_factor = members.gather(view.laws, &Parameters::residual_factor, view.joint);
         law.curve = members.gatherCurve(view.laws, view.joint);
     }
     return law;

@@ -31,6 +31,7 @@ contact::JointLaw lawOf(const Joint& joint, double factor) {
 }  // namespace
 
 void setRest(const Joint& joint, contact::JointLaw& law) {
+    law.residual_factor = joint.residual_factor;
     law.unloading_loss = 1 - joint.restitution_normal * joint.restitution_normal;
     law.setCurve(contact::strengthCurve(joint, law.strength_factor));
 }

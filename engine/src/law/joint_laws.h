@@ -9,7 +9,7 @@
 
 namespace talus {
 
-/// What frames do not keep: its restitution, and the curve of its strength for the strength_factor that the law has.
+/// What frames do not keep: its restitution and residual factor, and the curve of its strength for the strength_factor that the law has.
 void setRest(const Joint& joint, contact::JointLaw& law);
 
 /// The joints' laws with their strengths over `factor`.

@@ -22,7 +22,7 @@ namespace talus::contact {
 inline bool hasMemory(const JointLaw& joint) {
     const bool falls =
         joint.residual_tan_friction != joint.tan_friction || joint.residual_cohesion != joint.cohesion;
-    return joint.bonded || (falls && !joint.curved) || joint.tan_dilation != 0;
+    return joint.bonded || (joint.curved ? joint.residual_factor != 1 : falls) || joint.tan_dilation != 0;
 }
 
 /// Whether it opens as it slips.
@@ -80,18 +80,25 @@ TALUS_KERNEL V coulombStrength(const JointParameters<V>& joint, V area, V normal
     return larger(cohesion * area + normal_force * coulombSlope(joint, bond), V{});
 }
 
-/// Largest shear force the contact point carries; by a curve that of its stress, with nothing to lose.
+/// Share of a curve's strength by what is left of the bond.
+template <class V>
+TALUS_KERNEL V curveShare(const JointParameters<V>& joint, V bond) {
+    return joint.residual_factor + bond * (V{} + 1.0 - joint.residual_factor);
+}
+
+/// Largest shear force the contact point carries; by a curve that of its stress.
 inline double shearStrength(const JointParameters<double>& joint, double area, double normal_force,
                             double bond) {
     if (!joint.curved) return coulombStrength(joint, area, normal_force, bond);
-    return area * strengthOnCurve(joint.curve, simd::larger(normal_force / area, 0.0));
+    return area * strengthOnCurve(joint.curve, simd::larger(normal_force / area, 0.0)) *
+           curveShare(joint, bond);
 }
 
 /// Its derivative by the normal force.
 inline double strengthSlope(const JointParameters<double>& joint, double area, double normal_force,
                             double bond) {
     if (!joint.curved) return coulombSlope(joint, bond);
-    return normal_force > 0 ? slopeOfCurve(joint.curve, normal_force / area) : 0.0;
+    return normal_force > 0 ? slopeOfCurve(joint.curve, normal_force / area) * curveShare(joint, bond) : 0.0;
 }
 
 /// Forces at a contact point from its gap and slide; updates its memory.
@@ -123,7 +130,7 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     const V back_1 = memory.offset_1 - slide_1, back_2 = memory.offset_2 - slide_2;
     const V stiffness = joint.shear_stiffness * area;
     const V trial_squared = stiffness * stiffness * (back_1 * back_1 + back_2 * back_2);
-    V strength;
+    V strength, on_curve{};
     if constexpr (Remembers)
         strength = coulombStrength(joint, area, force.normal, bond);
     else
@@ -133,7 +140,11 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
             V opening = gap;
             if constexpr (Remembers) opening = gap - memory.dilation;
             const V stress = larger(-joint.normal_stiffness * opening, zero);
-            strength = select(joint.curved, area * strengthOnCurve(joint.curve, stress), strength);
+            on_curve = area * strengthOnCurve(joint.curve, stress);
+            if constexpr (Remembers)
+                strength = select(joint.curved, on_curve * curveShare(joint, bond), strength);
+            else
+                strength = select(joint.curved, on_curve, strength);
         }
     }
     force.slips = both(!force.open, trial_squared > strength * strength);
@@ -141,10 +152,11 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     if (any(force.slips)) {
         if constexpr (Remembers) {
             auto breaks = both(force.slips, bond == 1.0);
-            if constexpr (Curved) breaks = both(breaks, !joint.curved);
+            if constexpr (Curved) breaks = both(breaks, either(!joint.curved, joint.residual_factor < 1.0));
             bond = select(breaks, larger(bond - release, zero), bond);
-            strength =
-                select(breaks, smaller(strength, coulombStrength(joint, area, force.normal, bond)), strength);
+            V left = coulombStrength(joint, area, force.normal, bond);
+            if constexpr (Curved) left = select(joint.curved, on_curve * curveShare(joint, bond), left);
+            strength = select(breaks, smaller(strength, left), strength);
         }
         const V trial = squareRoot(trial_squared);
         const V keep = strength / trial;

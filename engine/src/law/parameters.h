@@ -16,19 +16,20 @@ namespace talus::contact {
 /// V is a double, or one joint's numbers per lane of a register.
 template <class V>
 struct JointParameters {
-    V normal_stiffness{};       ///< k_n [Pa/m]
-    V shear_stiffness{};        ///< k_s [Pa/m]
-    V tan_friction{};           ///< tan(phi), peak
-    V cohesion{};               ///< C [Pa]
-    V tensile_strength{};       ///< sigma_t [Pa]
-    V residual_tan_friction{};  ///< tan(phi_r)
-    V residual_cohesion{};      ///< C_r [Pa]
-    V tan_dilation{};           ///< tan(psi)
-    V strength_factor{};        ///< that the curve was made with
-    V unloading_loss{};         ///< 1 - e^2: of the normal force while a contact point parts
-    simd::MaskOf<V> bonded{};   ///< C > 0 or sigma_t > 0: opening breaks it for good
-    simd::MaskOf<V> curved{};   ///< the strength is the curve's, not Coulomb's
-    simd::TablesOf<V> curve{};  ///< shear strength over normal stress [Pa] (strength_curve.h)
+    V normal_stiffness{};           ///< k_n [Pa/m]
+    V shear_stiffness{};            ///< k_s [Pa/m]
+    V tan_friction{};               ///< tan(phi), peak
+    V cohesion{};                   ///< C [Pa]
+    V tensile_strength{};           ///< sigma_t [Pa]
+    V residual_tan_friction{};      ///< tan(phi_r)
+    V residual_cohesion{};          ///< C_r [Pa]
+    V tan_dilation{};               ///< tan(psi)
+    V strength_factor{};            ///< that the curve was made with
+    V residual_factor = V{} + 1.0;  ///< share of the curve's strength after the first slip
+    V unloading_loss{};             ///< 1 - e^2: of the normal force while a contact point parts
+    simd::MaskOf<V> bonded{};       ///< C > 0 or sigma_t > 0: opening breaks it for good
+    simd::MaskOf<V> curved{};       ///< the strength is the curve's, not Coulomb's
+    simd::TablesOf<V> curve{};      ///< shear strength over normal stress [Pa] (strength_curve.h)
 };
 
 /// A joint's law: its parameters, and what its curve lies in.

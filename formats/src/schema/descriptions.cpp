@@ -159,8 +159,11 @@ constexpr Description kScenario[] = {
     {"water[].drains_at_aperture", "runs out for good once the joint opens wider; default never"},
     {"water[].density", "default 1000"},
     {"water[].surface", "phreatic surface: points [x, z] of a line that is extruded along y [m]"},
-    {"water[].obj", "phreatic surface from a mesh (OBJ) over all free blocks, path from the scenario's folder"},
-    {"water[].daylights", "how the pressure falls to nothing where the joint daylights: \"straight\", or \"half-height\": it rises with depth to "
+    {"water[].obj",
+     "phreatic surface from a mesh (OBJ) over all free blocks, path from the scenario's folder"},
+    {"water[].daylights",
+     "how the pressure falls to nothing where the joint daylights: \"straight\", or \"half-height\": it "
+     "rises with depth to "
      "the middle and falls from there"},
     {"water[].factor", "phreatic surface: times the head (H_u); default 1"},
 

@@ -188,7 +188,7 @@ TEST_SUITE("forces") {
         Model model = floorModel(30);
         model.blocks[0].shape = *makeBox({-5, -5, -9}, {20, 5, -8});
         addBox(model, "box", {0, 0, 0}, {1, 1, 1});  // as wide as the mesh, and cut by its diagonal and middle
-        model.phreatic = PhreaticSurface{.field = "water[0]"};
+        model.phreatic = PhreaticSurface{.line = {}, .field = "water[0]"};
         TriangleSurface& mesh = model.phreatic->mesh;
         for (const double y : {0.0, 1.0})
             for (const double x : {0.0, 0.5, 1.0}) mesh.vertices.emplace_back(x, y, 3.0);

@@ -86,9 +86,10 @@ void checkOverrides(const std::string& text, const std::vector<std::pair<std::st
     checkSame(scenario.model, rewritten(text, values).model);
 }
 
-/// In the middle of what the property may be: as it stands, or times 1e9 for stiffnesses.
+/// In the middle of what the property may be: as it stands, times 1e9 for stiffnesses, or over 100 for shares.
 double allowedValue(const JointProperty& property, double value) {
-    return property.allowed.contains(value) ? value : 1e9 * value;
+    if (property.allowed.contains(value)) return value;
+    return property.allowed.max == 1 ? 0.01 * value : 1e9 * value;
 }
 
 /// Joints that follow others in every way there is, and waters of every kind.

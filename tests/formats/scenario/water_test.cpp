@@ -4,6 +4,7 @@
 #include <set>
 
 #include "scenario_texts.h"
+#include "support/files.h"
 
 namespace talus::formats {
 
@@ -126,6 +127,29 @@ TEST_CASE("scenario water: on one face of a block") {
     const WetFace wall = wedge.waters[0].walls.at(0);
     const Vec3 normal = wedge.blocks[0].shape.faceNormal(static_cast<std::size_t>(wall.face));
     CHECK(normal.dot(Vec3(1, 0, 2).normalized()) == doctest::Approx(1));
+}
+
+TEST_CASE("scenario water: a table of triangles from a file, and what is wrong with one") {
+    const test::TemporaryFolder folder;
+    folder.write("table.obj", "v -9 -9 4\nv 9 -9 4\nv 9 9 5\nv -9 9 5\nf 1 2 3 4\n");
+    folder.write("broken.obj", "v -9 -9 4\nv 9 -9 4\nf 1 2 7\n");
+    const auto read = [&](const std::string& keys) {
+        return parseScenario(properties() + stack() + "[[water]]\n" + keys, folder / "slope.toml");
+    };
+    const auto good = read("obj = \"table.obj\"\nfactor = 0.9\n");
+    REQUIRE(good.ok());
+    REQUIRE(good->model.phreatic);
+    CHECK(good->model.phreatic->mesh.triangles.size() == 2);
+    CHECK(good->model.phreatic->line.empty());
+    CHECK(good->model.phreatic->factor == 0.9);
+    for (const char* wrong : {"obj = \"none.obj\"\n", "obj = \"broken.obj\"\n"}) {
+        const auto bad = read(wrong);
+        REQUIRE_FALSE(bad.ok());
+        CHECK(bad.errors()[0].field == "water[0].obj");
+    }
+    CHECK_FALSE(read("obj = \"table.obj\"\ndepth = 1\n").ok());
+    CHECK_FALSE(read("obj = \"table.obj\"\nsurface = [[0, 1], [1, 1]]\n").ok());
+    CHECK_FALSE(read("fissure = 1\ndepth = 0.1\ndaylights = \"straight\"\n").ok());
 }
 
 }  // namespace talus::formats
