@@ -46,7 +46,8 @@ class ScenarioReader {
         readRock(directory);
         checkWatch(directory);
         const auto interfaces = readInterfaces(report_, root_, directory, joints_);
-        const auto waters = readWaters(report_, root_, {stacks_, rock_ ? &*rock_ : nullptr, folder_}, directory);
+        const auto waters =
+            readWaters(report_, root_, {stacks_, rock_ ? &*rock_ : nullptr, folder_}, directory);
         for (const ForceSection& section : forceSections())
             section.read({report_, root_, directory, folder_}, model_);
         std::vector<std::vector<WetFace>> walls;

@@ -164,7 +164,8 @@ TEST_SUITE("forces") {
     }
 
     TEST_CASE("a mesh: buoyancy below a level one, and what a line gives below the same ridge extruded") {
-        const std::vector<PhreaticSurface::Point> ridge{{-20, 2.5}, {0.6, 4.2}, {1.3, 5.0}, {4.4, 3.1}, {30, 6}};
+        const std::vector<PhreaticSurface::Point> ridge{
+            {-20, 2.5}, {0.6, 4.2}, {1.3, 5.0}, {4.4, 3.1}, {30, 6}};
         for (const bool level : {true, false})
             for (const double tilt : {0.0, 12.0}) {
                 CAPTURE(level);
@@ -187,7 +188,8 @@ TEST_SUITE("forces") {
     TEST_CASE("faces in the planes of a mesh's edges, and below its rim, are pressed once") {
         Model model = floorModel(30);
         model.blocks[0].shape = *makeBox({-5, -5, -9}, {20, 5, -8});
-        addBox(model, "box", {0, 0, 0}, {1, 1, 1});  // as wide as the mesh, and cut by its diagonal and middle
+        addBox(model, "box", {0, 0, 0},
+               {1, 1, 1});  // as wide as the mesh, and cut by its diagonal and middle
         model.phreatic = PhreaticSurface{.line = {}, .field = "water[0]"};
         TriangleSurface& mesh = model.phreatic->mesh;
         for (const double y : {0.0, 1.0})
