@@ -159,11 +159,12 @@ Json MotionWatch::report(const formats::Scenario& scenario, const RunResult& res
     for (Json& plot : plots) overItsTime(plot);
     report.sections.push_back(section("motion", "Motion", "Motion", std::move(plots)));
     report.sections.push_back(section("displacements", "Permanent displacement", "Permanent displacement",
-                                      {displacementTable(scenario, result, order)}));
+                                      Json::array({displacementTable(scenario, result, order)})));
     if (!support_names_.empty()) {
         Json forces = supports();
         overItsTime(forces);
-        report.sections.push_back(section("supports", "Supports", "Supports", {std::move(forces)}));
+        report.sections.push_back(
+            section("supports", "Supports", "Supports", Json::array({std::move(forces)})));
     }
     report.sections.push_back(
         section("origin", "Origin", "Where this comes from",
