@@ -8,6 +8,7 @@
 
 #include "forces/contact_forces.h"
 #include "forces/water.h"
+#include "forces/wet_walls.h"
 #include "geometry/box_clip.h"
 #include "geometry/parts.h"
 #include "model/gravity.h"
@@ -251,7 +252,7 @@ void leaveToOthers(State& state) {
         if (walls.drained[wall] != 0) continue;
         const Mat3 turn = state.blocks.orientation.matrix(b);
         const Vec3 arm = turn * own.origin;
-        const Wrench less = pressureOn(*walls.cells, wetPolygon(state, w),
+        const Wrench less = pressureOn(*walls.cells, wetPolygon(state.wet, w),
                                        turned(own, state.blocks.position.get(b), arm, turn), arm);
         walls.force[wall] -= less.force;
         walls.moment[wall] -= less.torque;

@@ -37,10 +37,6 @@ Wrench waterOn(const State& state, std::size_t block);
 /// Marks waters as drained whose interfaces have opened wider than they allow. Reads poses, writes drained.
 void drainWater(State& state);
 
-/// What follows from the walls: their moments, and which of them push on which block. Reads wet, writes that and its
-/// part of incidence.
-void finishWalls(State& state);
-
 /// Pressure in the plane of a wall: hydrostatic, and no more than what falls to nothing where the joint daylights.
 struct WallPressure {
     LinearPressure hydrostatic{};
@@ -50,8 +46,7 @@ struct WallPressure {
     Thrust on(const Polygon& polygon) const;
 };
 
-/// A wet patch in its own plane, and the pressure there as last computed.
-Polygon wetPolygon(const State& state, std::size_t wet_patch);
+/// In the plane of a wall, as last computed.
 WallPressure pressureOnWall(const State& state, std::size_t wet_patch);
 
 /// What follows of pressures from the rest of them: a restart brings only that. \pre state.wet, state.water_load

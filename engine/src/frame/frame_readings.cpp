@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "forces/water.h"
+#include "forces/wet_walls.h"
 #include "state/point_layout.h"
 
 namespace talus {
@@ -79,7 +80,7 @@ bool addWaterOf(const State& state, std::size_t i, PointRange range, const Side&
         const auto w = static_cast<std::size_t>(state.incidence.wet[static_cast<std::size_t>(k)]);
         if (!inPlaneOf(state.wet, w, side, length)) continue;
         any = true;
-        const Polygon common = intersect(patchOnWall(state, i, w, side), wetPolygon(state, w));
+        const Polygon common = intersect(patchOnWall(state, i, w, side), wetPolygon(state.wet, w));
         if (common.empty()) continue;
         const double thrust = pressureOnWall(state, w).on(common).force;
         if (thrust > 0) shareOut(state, range, w, side, thrust, points);

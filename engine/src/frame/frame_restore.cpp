@@ -7,6 +7,7 @@
 
 #include "forces/sum.h"
 #include "forces/water.h"
+#include "forces/wet_walls.h"
 #include "frame/frame.h"
 #include "frame/frame_fields.h"
 #include "frame/vertex_edge_fields.h"

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "forces/water.h"
+#include "forces/wet_walls.h"
 #include "geometry/pressure.h"
 #include "validate/findings.h"
 
@@ -69,7 +70,7 @@ void checkWall(const State& state, std::size_t w, Findings& findings) {
     }
     findings.expect(areOrthonormal(wet.e1.get(w), wet.e2.get(w)), "wet wall", w,
                     "its tangents are not orthonormal");
-    const Polygon polygon = wetPolygon(state, w);
+    const Polygon polygon = wetPolygon(state.wet, w);
     if (findings.expect(isConvex(polygon), "wet wall", w, "it is not convex and counter-clockwise"))
         findings.expect(areSame(wet.moments[w], momentsOf(polygon)), "wet wall", w,
                         "its moments are not those of its polygon");

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "formats/scenario/scenario_texts.h"
+#include "formats/sweep/sweep_file.h"
 #include "talus/formats/sweep.h"
-#include "tools/program.h"
 
 namespace talus::formats {
 
@@ -32,29 +32,11 @@ std::string correlation(const std::string& matrix) {
            matrix + "\n";
 }
 
-struct File {
-    explicit File(const std::string& more, const std::string& head = "") {
-        folder.write("slope.toml", properties() + stack());
-        path = folder.write("sweep.toml",
-                            "scenario = \"slope.toml\"\nanalysis = \"critical-angle\"\nsamples = " +
-                                std::to_string(kSamples) + "\n" + head + kVariables + more);
-    }
-    Sweep read() const {
-        auto sweep = readSweep(path);
-        for (const Error& error : sweep.errors()) FAIL_CHECK(format(error));
-        REQUIRE(sweep.ok());
-        return *sweep;
-    }
-    std::string fault() const {
-        const auto sweep = readSweep(path);
-        if (sweep.ok()) return "none";
-        const Error& error = sweep.errors().front();
-        return std::to_string(error.line) + ":" + std::to_string(error.column) + " " + error.field + ": " +
-               error.message;
-    }
-    tools::testing::TemporaryFolder folder;
-    std::string path;
-};
+SweepFile correlated(const std::string& more, const std::string& head = "") {
+    return SweepFile("scenario = \"slope.toml\"\nanalysis = \"critical-angle\"\nsamples = " +
+                         std::to_string(kSamples) + "\n" + head + kVariables + more,
+                     properties() + stack());
+}
 
 /// Of each column, its samples.
 std::vector<std::vector<double>> samplesOf(const Sweep& sweep) {
@@ -105,7 +87,8 @@ TEST_CASE(
     for (const char* sampling : {"random", "latin-hypercube"}) {
         CAPTURE(sampling);
         const std::string head = std::string("sampling = \"") + sampling + "\"\n";
-        const Sweep sweep = File(correlation("[[1, -0.6, 0.3], [-0.6, 1, 0.2], [0.3, 0.2, 1]]"), head).read();
+        const Sweep sweep =
+            correlated(correlation("[[1, -0.6, 0.3], [-0.6, 1, 0.2], [0.3, 0.2, 1]]"), head).read();
         const auto samples = samplesOf(sweep);
         std::vector<std::vector<double>> scores;
         for (const auto& values : samples) scores.push_back(scoresOf(values));
@@ -123,7 +106,7 @@ TEST_CASE(
             CHECK(distanceFrom(sweep.columns[c].distribution, samples[c]) <
                   1.95 / std::sqrt(double(kSamples)));
         // What is not correlated, and the first that is, draw what they draw alone.
-        const auto alone = samplesOf(File("", head).read());
+        const auto alone = samplesOf(correlated("", head).read());
         CHECK(samples[0] == alone[0]);
         CHECK(samples[3] == alone[3]);
         CHECK(samples[1] != alone[1]);
@@ -132,9 +115,9 @@ TEST_CASE(
 
 TEST_CASE(
     "the identity of a sweep changes with its correlation, and an uncorrelated matrix changes nothing") {
-    const Sweep none = File("").read();
-    const Sweep zero = File(correlation("[[1, 0, 0], [0, 1, 0], [0, 0, 1]]")).read();
-    const Sweep some = File(correlation("[[1, 0.1, 0], [0.1, 1, 0], [0, 0, 1]]")).read();
+    const Sweep none = correlated("").read();
+    const Sweep zero = correlated(correlation("[[1, 0, 0], [0, 1, 0], [0, 0, 1]]")).read();
+    const Sweep some = correlated(correlation("[[1, 0.1, 0], [0.1, 1, 0], [0, 0, 1]]")).read();
     CHECK(identityOf(none) != identityOf(some));
     for (const std::uint64_t run : {0, 17}) {
         const SweepRun a = runOf(none, run), b = runOf(zero, run);
@@ -145,7 +128,7 @@ TEST_CASE(
 }
 
 TEST_CASE("what is no correlation matrix is refused with its place") {
-    const auto fault = [](const std::string& more) { return File(more).fault(); };
+    const auto fault = [](const std::string& more) { return correlated(more).fault(); };
     const auto has = [&](const std::string& matrix, const std::string& text) {
         const std::string found = fault(correlation(matrix));
         CAPTURE(found);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "formats/scenario/scenario_texts.h"
+#include "formats/sweep/sweep_file.h"
 #include "support/files.h"
 #include "talus/formats/sweep.h"
 #include "toml/document.h"
@@ -20,33 +21,7 @@ namespace {
 using test::TemporaryFolder;
 constexpr double kDeg = 3.14159265358979323846 / 180;
 
-std::string slope() { return properties() + stack() + "[[water]]\nfissure = 1\ndepth = 0.05\n"; }
-
 const std::string kHead = "scenario = \"slope.toml\"\nanalysis = \"critical-angle\"\n";  // 2 lines
-
-/// A sweep over `slope()` in a folder of its own.
-struct SweepFile {
-    explicit SweepFile(const std::string& text, const std::string& scenario = slope()) {
-        folder.write("slope.toml", scenario);
-        path = folder.write("sweep.toml", text);
-    }
-    Sweep read() const {
-        auto sweep = readSweep(path);
-        for (const Error& error : sweep.errors()) FAIL_CHECK(format(error));
-        REQUIRE(sweep.ok());
-        return *sweep;
-    }
-    /// "LINE:COLUMN FIELD: MESSAGE" of the first error.
-    std::string fault() const {
-        const auto sweep = readSweep(path);
-        if (sweep.ok()) return "none";
-        const Error& error = sweep.errors().front();
-        return std::filesystem::path(error.file).filename().string() + ":" + std::to_string(error.line) +
-               ":" + std::to_string(error.column) + " " + error.field + ": " + error.message;
-    }
-    TemporaryFolder folder;
-    std::string path;
-};
 
 double realAt(const SweepRun& run, std::size_t column) { return std::get<double>(run.values[column]); }
 
