@@ -6,7 +6,7 @@ root=$1 folder=$2
 system=$folder/system
 
 mkdir -p "$folder"
-[ -e "$system/etc/debian_version" ] || debootstrap --variant=minbase bookworm "$system" http://deb.debian.org/debian
+[ -e "$system/etc/debian_version" ] || debootstrap --variant=minbase bookworm "$system"
 rm -rf "$system/src"
 mkdir -p "$system/src"
 git -C "$root" archive HEAD | tar x -C "$system/src"
