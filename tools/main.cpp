@@ -154,8 +154,6 @@ int guarded(int argc, char** argv) {
         return runTool(argc, argv, json);
     } catch (const BadInput& bad) {
         return report(bad.errors, json, kBadInput);
-    } catch (const Interrupted& interrupted) {
-        return report("error", interrupted.what(), json, kInterrupted);
     } catch (const FileRefused& refused) {
         return report("error", refused.what(), json, kFileRefused);
     } catch (const std::exception& error) {

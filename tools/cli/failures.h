@@ -36,11 +36,6 @@ struct FileRefused : std::runtime_error {
     explicit FileRefused(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// The user asked to stop before there was anything to keep; exit code 130.
-struct Interrupted : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
 /// The value of a result, or BadInput with its errors.
 template <class T>
 T valueOf(Result<T> result) {

@@ -36,7 +36,7 @@ class FieldParser {
 
     void key() {
         const bool is_quoted = !rest_.empty() && (rest_.front() == '"' || rest_.front() == '\'');
-        const std::string_view ends = is_quoted ? rest_.substr(0, 1) : std::string_view(".[");
+        const std::string_view ends = is_quoted ? rest_.substr(0, 1) : std::string_view(".[]");
         if (is_quoted) take();
         const auto length = std::min(rest_.find_first_of(ends), rest_.size());
         path_.emplace_back(std::string(rest_.substr(0, length)));
@@ -61,7 +61,11 @@ class FieldParser {
 }  // namespace
 
 std::string_view lastKey(std::string_view field) {
-    while (!field.empty() && field.back() == ']') field = field.substr(0, field.rfind('['));
+    while (field.ends_with(']')) {
+        const auto bracket = field.rfind('[');
+        if (bracket == std::string_view::npos) break;
+        field = field.substr(0, bracket);
+    }
     const auto dot = field.rfind('.');
     return dot == std::string_view::npos ? field : field.substr(dot + 1);
 }

@@ -255,6 +255,11 @@ TEST_CASE("every fault of a sweep names its place") {
                     "unknown key") == 0);
     CHECK(fault(kHead + "[[grid]]\nfield = \"water[0\"\nvalues = [20]\n")
               .find("sweep.toml:4:9 grid[0].field: found \"water[0\", allowed: the path") == 0);
+    for (const std::string path : {"]", "a]", "water]", "water[0]]", "joint.default.friction_deg]", "a]b.c",
+                                   "water[0]x", "a..b", "a.", ".a", "[0]", "water[-1].depth"}) {
+        const std::string found = fault(kHead + "[[grid]]\nfield = \"" + path + "\"\nvalues = [20]\n");
+        CHECK(found.find("sweep.toml:4:9 grid[0].field: found \"" + path + "\", allowed: the path") == 0);
+    }
     CHECK(fault(kHead + random("joint.default.friction_deg", kUniform)).find("samples: missing") !=
           std::string::npos);
     CHECK(fault(kHead + "seed = 1\n" + grid.substr(kHead.size()) + "values = [0.02]\n")
