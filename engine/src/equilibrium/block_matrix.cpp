@@ -5,8 +5,16 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace talus::equilibrium {
+namespace {
+
+/// Of blocks side by side; nothing lies between them.
+double* numbers(Mat6s& blocks) { return blocks.empty() ? nullptr : blocks.front().data(); }
+static_assert(sizeof(Mat6) == Mat6::SizeAtCompileTime * sizeof(double));
+
+}  // namespace
 
 BlockMatrix::BlockMatrix(std::size_t rows, std::vector<std::pair<std::int32_t, std::int32_t>> pairs)
     : edges(std::move(pairs)) {
@@ -36,15 +44,20 @@ void BlockMatrix::multiply(const Vec6s& x, Vec6s& y) const {
     }
 }
 
-BlockLu::BlockLu(const BlockMatrix& structure) {
+BlockLu::BlockLu(const BlockMatrix& structure, simd::InstructionSet instructions)
+    : kernel_(simd::buildFor(instructions, kEliminateScalar, kEliminateAvx2, kEliminateAvx512)) {
     order(structure);
-    findStructure();
+    findStructure(structure);
+    findPanels();
+    findReach();
+    placeEntries(structure);
     const std::size_t n = structure.rows();
     diagonal_inverse_.resize(n);
     lower_.resize(row_.size());
     upper_.resize(row_.size());
-    work_lower_.resize(n);
-    work_upper_.resize(n);
+    row_place_.resize(n);
+    next_.resize(n + 1);
+    std::iota(next_.begin(), next_.end(), -1);
 }
 
 void BlockLu::order(const BlockMatrix& structure) {
@@ -61,24 +74,21 @@ void BlockLu::order(const BlockMatrix& structure) {
     if (n > 0) Eigen::AMDOrdering<int>()(graph, permutation);
     place_.resize(structure.rows());
     for (int k = 0; k < n; ++k) place_[static_cast<std::size_t>(permutation.indices()[k])] = k;
-    entries_.resize(structure.rows());
-    for (std::size_t e = 0; e < structure.edges.size(); ++e) {
-        const std::int32_t i = place_[static_cast<std::size_t>(structure.edges[e].first)];
-        const std::int32_t j = place_[static_cast<std::size_t>(structure.edges[e].second)];
-        entries_[static_cast<std::size_t>(std::min(i, j))].push_back(
-            {std::max(i, j), static_cast<std::int32_t>(e), i > j});
-    }
 }
 
 /// A column's structure is its own entries and what its children in the tree of elimination bring (George and Liu 1981).
-void BlockLu::findStructure() {
+void BlockLu::findStructure(const BlockMatrix& structure) {
     const std::size_t n = place_.size();
     std::vector<std::vector<std::int32_t>> columns(n);
     std::vector<std::vector<std::size_t>> children(n);
+    for (const auto& [i, j] : structure.edges) {
+        const auto [first, second] =
+            std::minmax(place_[static_cast<std::size_t>(i)], place_[static_cast<std::size_t>(j)]);
+        columns[static_cast<std::size_t>(first)].push_back(second);
+    }
     begin_.assign(1, 0);
     for (std::size_t i = 0; i < n; ++i) {
         std::vector<std::int32_t>& rows = columns[i];
-        for (const Entry& entry : entries_[i]) rows.push_back(entry.j);
         for (const std::size_t child : children[i])
             rows.insert(rows.end(), columns[child].begin() + 1, columns[child].end());
         std::sort(rows.begin(), rows.end());
@@ -87,54 +97,124 @@ void BlockLu::findStructure() {
         row_.insert(row_.end(), rows.begin(), rows.end());
         begin_.push_back(row_.size());
     }
-    above_begin_.assign(n + 1, 0);
-    for (const std::int32_t row : row_) ++above_begin_[static_cast<std::size_t>(row) + 1];
-    for (std::size_t i = 0; i < n; ++i) above_begin_[i + 1] += above_begin_[i];
-    above_.resize(row_.size());
-    std::vector<std::size_t> next(above_begin_.begin(), above_begin_.end() - 1);
-    for (std::size_t k = 0; k < n; ++k)
-        for (std::size_t p = begin_[k]; p < begin_[k + 1]; ++p)
-            above_[next[static_cast<std::size_t>(row_[p])]++] = {static_cast<std::int32_t>(k), p};
 }
 
-/// Takes from row and column i what the columns before it bring.
-void BlockLu::eliminate(std::size_t i) {
-    Mat6& diagonal = diagonal_inverse_[i];
-    for (std::size_t a = above_begin_[i]; a < above_begin_[i + 1]; ++a) {
-        const std::size_t at = above_[a].position,
-                          end = begin_[static_cast<std::size_t>(above_[a].column) + 1];
-        const Mat6 &left = lower_[at], &right = upper_[at];
-        diagonal.noalias() -= left * right;
-        for (std::size_t p = at + 1; p < end; ++p) {
-            const auto j = static_cast<std::size_t>(row_[p]);
-            work_lower_[j].noalias() -= lower_[p] * right;
-            work_upper_[j].noalias() -= left * upper_[p];
-        }
+/// No wider than what stays in the first cache while products are taken.
+void BlockLu::findPanels() {
+    constexpr std::size_t kWidest = 8;
+    for (std::size_t i = 0; i < place_.size(); ++i) {
+        const bool follows = i > 0 && begin_[i] > begin_[i - 1] &&
+                             static_cast<std::size_t>(row_[begin_[i - 1]]) == i &&
+                             begin_[i] - begin_[i - 1] == begin_[i + 1] - begin_[i] + 1;
+        if (!follows || i - panels_.back().begin == kWidest) panels_.push_back({.begin = i});
+        panels_.back().end = i + 1;
     }
 }
 
-bool BlockLu::factorise(const BlockMatrix& matrix) {
+void BlockLu::findReach() {
+    std::vector<std::size_t> panel_of(place_.size());
+    for (std::size_t k = 0; k < panels_.size(); ++k)
+        for (std::size_t i = panels_[k].begin; i < panels_[k].end; ++i) panel_of[i] = k;
+    std::vector<std::vector<Reach>> reach(panels_.size());
+    for (std::size_t k = 0; k < panels_.size(); ++k) {
+        const std::size_t begin = begin_[panels_[k].end - 1], end = begin_[panels_[k].end];
+        for (std::size_t p = begin; p < end;) {
+            const std::size_t first = p, later = panel_of[static_cast<std::size_t>(row_[p])];
+            while (p < end && panel_of[static_cast<std::size_t>(row_[p])] == later) ++p;
+            reach[later].push_back({k, first - begin, p - first});
+        }
+    }
+    for (std::size_t k = 0; k < panels_.size(); ++k) {
+        panels_[k].reach_begin = reach_.size();
+        reach_.insert(reach_.end(), reach[k].begin(), reach[k].end());
+        panels_[k].reach_end = reach_.size();
+    }
+}
+
+void BlockLu::placeEntries(const BlockMatrix& structure) {
+    for (std::size_t e = 0; e < structure.edges.size(); ++e) {
+        const std::int32_t i = place_[static_cast<std::size_t>(structure.edges[e].first)];
+        const std::int32_t j = place_[static_cast<std::size_t>(structure.edges[e].second)];
+        const auto column = static_cast<std::size_t>(std::min(i, j));
+        const auto begin = row_.begin() + static_cast<std::ptrdiff_t>(begin_[column]),
+                   end = row_.begin() + static_cast<std::ptrdiff_t>(begin_[column + 1]);
+        const auto found = std::lower_bound(begin, end, std::max(i, j));
+        entries_.push_back({static_cast<std::size_t>(found - row_.begin()), e, i > j});
+    }
+}
+
+void BlockLu::takeMatrix(const BlockMatrix& matrix) {
     for (std::size_t row = 0; row < place_.size(); ++row)
         diagonal_inverse_[static_cast<std::size_t>(place_[row])] = matrix.diagonal[row];
-    for (std::size_t i = 0; i < place_.size(); ++i) {
-        for (std::size_t p = begin_[i]; p < begin_[i + 1]; ++p) {
-            work_lower_[static_cast<std::size_t>(row_[p])].setZero();
-            work_upper_[static_cast<std::size_t>(row_[p])].setZero();
+    for (Mat6s* blocks : {&lower_, &upper_})
+        for (Mat6& block : *blocks) block.setZero();
+    for (const Entry& entry : entries_) {
+        lower_[entry.at] = entry.swapped ? matrix.upper[entry.edge] : matrix.lower[entry.edge];
+        upper_[entry.at] = entry.swapped ? matrix.lower[entry.edge] : matrix.upper[entry.edge];
+    }
+}
+
+/// Takes from a panel's columns what the panels before it bring.
+void BlockLu::eliminateBefore(const Panel& panel) {
+    for (std::size_t i = panel.begin; i < panel.end; ++i)
+        row_place_[i] = static_cast<std::int32_t>(i - panel.begin) - 1;
+    auto place = static_cast<std::int32_t>(panel.end - panel.begin) - 1;
+    for (std::size_t p = begin_[panel.end - 1]; p < begin_[panel.end]; ++p)
+        row_place_[static_cast<std::size_t>(row_[p])] = place++;
+    for (std::size_t r = panel.reach_begin; r < panel.reach_end; ++r) {
+        const Reach& reach = reach_[r];
+        const Panel& before = panels_[reach.panel];
+        const std::size_t begin = begin_[before.end - 1] + reach.first, end = begin_[before.end];
+        columns_.clear();
+        for (std::size_t a = before.begin; a < before.end; ++a) {
+            const std::size_t at = begin_[a] + (before.end - 1 - a) + reach.first;
+            columns_.push_back({lower_[at].data(), upper_[at].data()});
         }
-        for (const Entry& entry : entries_[i]) {
-            const auto j = static_cast<std::size_t>(entry.j), e = static_cast<std::size_t>(entry.edge);
-            work_lower_[j] = entry.swapped ? matrix.upper[e] : matrix.lower[e];
-            work_upper_[j] = entry.swapped ? matrix.lower[e] : matrix.upper[e];
+        places_.clear();
+        for (std::size_t p = begin; p < end; ++p)
+            places_.push_back(row_place_[static_cast<std::size_t>(row_[p])]);
+        targets_.clear();
+        for (std::size_t t = 0; t < reach.count; ++t) {
+            const auto i = static_cast<std::size_t>(row_[begin + t]);
+            // A column has a block less than the one before it, and the first none for its own row.
+            const std::size_t first = (begin_[i] - (i - panel.begin)) * Mat6::SizeAtCompileTime;
+            targets_.push_back(
+                {diagonal_inverse_[i].data(), numbers(lower_) + first, numbers(upper_) + first});
         }
-        eliminate(i);
+        kernel_({columns_.data(), columns_.size(), places_.data(), places_.size(), targets_.data(),
+                 targets_.size()});
+    }
+}
+
+/// Eliminates a panel's columns, each from those after it in the panel. \return whether none is singular
+bool BlockLu::eliminateWithin(const Panel& panel) {
+    for (std::size_t i = panel.begin; i < panel.end; ++i) {
+        columns_.clear();
+        for (std::size_t a = panel.begin; a < i; ++a) {
+            const std::size_t at = begin_[a] + (i - a - 1);
+            columns_.push_back({lower_[at].data(), upper_[at].data()});
+        }
+        const std::size_t first = begin_[i] * Mat6::SizeAtCompileTime;
+        const EliminationTarget target{diagonal_inverse_[i].data(), numbers(lower_) + first,
+                                       numbers(upper_) + first};
+        if (!columns_.empty())
+            kernel_(
+                {columns_.data(), columns_.size(), next_.data(), begin_[i + 1] - begin_[i] + 1, &target, 1});
         const Eigen::PartialPivLU<Mat6> pivots(diagonal_inverse_[i]);
         const double determinant = pivots.determinant();
         if (determinant == 0 || !std::isfinite(determinant)) return false;
         diagonal_inverse_[i] = pivots.inverse();
-        for (std::size_t p = begin_[i]; p < begin_[i + 1]; ++p) {
-            lower_[p].noalias() = work_lower_[static_cast<std::size_t>(row_[p])] * diagonal_inverse_[i];
-            upper_[p] = work_upper_[static_cast<std::size_t>(row_[p])];
-        }
+        for (std::size_t p = begin_[i]; p < begin_[i + 1]; ++p)
+            lower_[p] = (lower_[p] * diagonal_inverse_[i]).eval();
+    }
+    return true;
+}
+
+bool BlockLu::factorise(const BlockMatrix& matrix) {
+    takeMatrix(matrix);
+    for (const Panel& panel : panels_) {
+        eliminateBefore(panel);
+        if (!eliminateWithin(panel)) return false;
     }
     return true;
 }

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "equilibrium/elimination_kernel.h"
 #include "equilibrium/interface_response.h"
+#include "simd/instruction_set.h"
 
 namespace talus::equilibrium {
 
@@ -36,7 +38,9 @@ struct BlockMatrix {
 /// the graph of blocks) and the structure are found once for each structure.
 class BlockLu {
  public:
-    explicit BlockLu(const BlockMatrix& structure);
+    /// \param instructions  of the products; the same bits with each
+    explicit BlockLu(const BlockMatrix& structure,
+                     simd::InstructionSet instructions = simd::bestInstructionSet());
 
     /// False when a diagonal block is singular.
     bool factorise(const BlockMatrix& matrix);
@@ -46,27 +50,43 @@ class BlockLu {
     std::size_t entries() const { return diagonal_inverse_.size() + 2 * row_.size(); }
 
  private:
-    void order(const BlockMatrix& structure);
-    void findStructure();
-    void eliminate(std::size_t i);
-
-    std::vector<std::int32_t> place_{};  ///< of each row in the order of elimination
-    /// Entries of the matrix in the order of elimination: of row i those with j > i, and which edge of the matrix.
+    /// Columns side by side of one structure: each one's rows are those of the one before it, less itself.
+    struct Panel {
+        std::size_t begin = 0, end = 0;              ///< columns
+        std::size_t reach_begin = 0, reach_end = 0;  ///< in reach_: the panels before it that reach it
+    };
+    /// An earlier panel, and its first row that is one of the later panel's columns, with how many are.
+    struct Reach {
+        std::size_t panel = 0, first = 0, count = 0;
+    };
+    /// Where a block of the matrix goes.
     struct Entry {
-        std::int32_t j = 0, edge = 0;
-        bool swapped = false;  ///< j comes before i in the matrix's own order
+        std::size_t at = 0;    ///< in lower_ and upper_
+        std::size_t edge = 0;  ///< of the matrix
+        bool swapped = false;  ///< the order of elimination is not the matrix's own
     };
-    std::vector<std::vector<Entry>> entries_{};
-    std::vector<std::size_t> begin_{};  ///< of each column's structure in row_; one more at the end
-    std::vector<std::int32_t> row_{};   ///< rows below the diagonal, ascending
-    struct Above {
-        std::int32_t column = 0;
-        std::size_t position = 0;  ///< in row_
-    };
-    std::vector<std::size_t> above_begin_{};
-    std::vector<Above> above_{};  ///< of each row: the columns before it that reach it
+
+    void order(const BlockMatrix& structure);
+    void findStructure(const BlockMatrix& structure);
+    void findPanels();
+    void findReach();
+    void placeEntries(const BlockMatrix& structure);
+    void takeMatrix(const BlockMatrix& matrix);
+    void eliminateBefore(const Panel& panel);
+    bool eliminateWithin(const Panel& panel);
+
+    EliminationKernel kernel_;
+    std::vector<std::int32_t> place_{};  ///< of each row in the order of elimination
+    std::vector<std::size_t> begin_{};   ///< of each column's structure in row_; one more at the end
+    std::vector<std::int32_t> row_{};    ///< rows below the diagonal, ascending
+    std::vector<Panel> panels_{};
+    std::vector<Reach> reach_{};
+    std::vector<Entry> entries_{};
     Mat6s diagonal_inverse_{}, lower_{}, upper_{};
-    Mat6s work_lower_{}, work_upper_{};
+    // What the kernel is told.
+    std::vector<std::int32_t> row_place_{}, places_{}, next_{};
+    std::vector<EliminatedColumn> columns_{};
+    std::vector<EliminationTarget> targets_{};
 };
 
 }  // namespace talus::equilibrium

@@ -98,7 +98,7 @@ class Solver {
 
     void takeContacts() {
         Balance next = makeBalance(state_);
-        if (!lu_ || next.matrix.edges != balance_.matrix.edges) lu_.emplace(next.matrix);
+        if (!lu_ || next.matrix.edges != balance_.matrix.edges) lu_.emplace(next.matrix, state_.instructions);
         balance_ = std::move(next);
         at_ = {posesOf(state_), Vec6s(balance_.block.size(), Vec6::Zero())};
     }

@@ -6,6 +6,7 @@
 #include <random>
 
 using namespace talus::equilibrium;
+namespace simd = talus::simd;
 
 namespace {
 
@@ -50,7 +51,7 @@ Eigen::VectorXd flat(const Vec6s& x) {
 TEST_SUITE("equilibrium") {
     TEST_CASE("block factors solve what a dense solver solves; the structure serves for other values") {
         for (const auto& [rows, edges] :
-             {std::pair<std::size_t, std::size_t>{1, 0}, {2, 1}, {12, 20}, {40, 80}}) {
+             {std::pair<std::size_t, std::size_t>{1, 0}, {2, 1}, {12, 20}, {40, 80}, {30, 800}, {90, 300}}) {
             const BlockMatrix first = randomMatrix(rows, edges, 3);
             BlockLu lu(first);
             BlockMatrix second = first;
@@ -64,6 +65,25 @@ TEST_SUITE("equilibrium") {
                 CHECK((flat(x) - exact).norm() < 1e-9 * exact.norm());
                 matrix.multiply(x, product);
                 CHECK((flat(product).array() - 1).matrix().norm() < 1e-9);
+            }
+        }
+    }
+
+    TEST_CASE("each build of the products gives the same bits") {
+        using simd::InstructionSet;
+        for (const auto& [rows, edges] : {std::pair<std::size_t, std::size_t>{30, 800}, {90, 300}}) {
+            const BlockMatrix matrix = randomMatrix(rows, edges, 7);
+            BlockLu scalar(matrix, InstructionSet::scalar);
+            REQUIRE(scalar.factorise(matrix));
+            Vec6s expected(rows, Vec6::Ones());
+            scalar.solve(expected);
+            for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+                if (!simd::isAvailable(set)) continue;
+                BlockLu lu(matrix, set);
+                REQUIRE(lu.factorise(matrix));
+                Vec6s x(rows, Vec6::Ones());
+                lu.solve(x);
+                for (std::size_t r = 0; r < rows; ++r) CHECK((x[r].array() == expected[r].array()).all());
             }
         }
     }
