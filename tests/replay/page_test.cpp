@@ -30,11 +30,26 @@ std::string rockfallText() {
            "[26.8, 12.9, 22] }\n";
 }
 
-/// What a script finds in the page of a scenario's run.
-void look(const std::string& script, const std::string& scenario, const std::string& word, int tests) {
+/// Two blocks on a plane that tilts by 25 degrees, one rougher than the other.
+std::string unequalText() {
+    return "[gravity]\ntilt_deg = 25.0\n[material.rock]\ndensity = 2600.0\n"
+           "[joint.default]\nnormal_stiffness = 1e11\nshear_stiffness = 1e10\nfriction_deg = 30.0\n"
+           "[joint.rough]\nnormal_stiffness = 1e11\nshear_stiffness = 1e10\nfriction_deg = 40.0\n"
+           "[[block]]\nname = \"floor\"\nfixed = true\nbox = { min = [-2, 0, -1], max = [6, 1, 0] }\n"
+           "[[block]]\nname = \"low\"\nbox = { min = [-1, 0, 0], max = [0, 1, 0.2] }\n"
+           "[[block]]\nname = \"high\"\nbox = { min = [3, 0, 0], max = [4, 1, 0.2] }\n"
+           "[[interface]]\nbetween = [\"floor\", \"high\"]\njoint = \"rough\"\n";
+}
+
+/// What a script finds in the page of what a command writes.
+void lookAt(const std::string& script, const std::string& scenario, const std::vector<std::string>& command,
+            const std::string& option, const std::string& word, int tests) {
     const TemporaryFolder folder;
     const std::string run = folder / "slope.mcap", page = folder / "slope.html";
-    REQUIRE(runTalus({"run", folder.write("slope.toml", scenario), "-o", run, "--quiet"}).exit_code == 0);
+    std::vector<std::string> arguments = command;
+    arguments.insert(arguments.begin() + 1, folder.write("slope.toml", scenario));
+    arguments.insert(arguments.end(), {option, run, "--quiet"});
+    REQUIRE(runTalus(arguments).exit_code == 0);
     REQUIRE(runTalus({"replay", run, "-o", page}).exit_code == 0);
     const ScriptOutcome seen = runScript(script, "'" + page + "' \"$CHROMIUM\" " + word);
     if (seen.is_skipped)
@@ -44,9 +59,25 @@ void look(const std::string& script, const std::string& scenario, const std::str
     CHECK(seen.said.find(std::to_string(tests) + " passed, 0 failed") != std::string::npos);
 }
 
+/// In that of a scenario's run.
+void look(const std::string& script, const std::string& scenario, const std::string& word, int tests) {
+    lookAt(script, scenario, {"run"}, "-o", word, tests);
+}
+
 }  // namespace
 
 TEST_SUITE("slow: replay page") {
+    TEST_CASE("the page shows the groups of a factor of safety, and the mechanism of a limit analysis") {
+        SUBCASE("groups") {
+            lookAt("replay/kept.test.mjs", unequalText(), {"safety-factor", "--groups", "3"}, "--keep-run",
+                   "groups", 3);
+        }
+        SUBCASE("mechanism") {
+            lookAt("replay/kept.test.mjs", unequalText(), {"limit-analysis", "--for", "factor"},
+                   "--keep-mechanism", "mechanism", 3);
+        }
+    }
+
     TEST_CASE("the page plays, seeks, picks and tells why in headless Chromium") {
         look("replay/page.test.mjs", slopeText(), "", 9);
     }

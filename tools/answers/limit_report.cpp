@@ -5,12 +5,6 @@
 
 namespace talus::tools {
 
-const VariedQuantity* variedNamed(std::string_view name) {
-    for (const VariedQuantity& quantity : variedQuantities())
-        if (name == quantity.name) return &quantity;
-    return nullptr;
-}
-
 namespace {
 
 Json mechanismJson(const LimitResult& result) {

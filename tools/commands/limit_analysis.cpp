@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 
 #include "answers/limit_report.h"
 #include "cli/block_names.h"
@@ -12,6 +13,8 @@
 #include "cli/scenario.h"
 #include "cli/text.h"
 #include "commands/commands.h"
+#include "recording/keep_mechanism.h"
+#include "report/numbers.h"
 
 namespace talus::tools {
 
@@ -22,6 +25,7 @@ struct LimitOptions {
     ScenarioInput scenario;
     const VariedQuantity* load = nullptr;
     std::size_t max_points = LimitSettings{}.max_contact_points;
+    KeepMechanismOptions keep;
 };
 
 std::string answerText(const LimitOptions& options, const LimitResult& result) {
@@ -71,6 +75,7 @@ int exitCode(SearchStatus status) {
 
 int analyse(const LimitOptions& options) {
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    MechanismKeeper keeper(options.keep, options.common, scenario);
     ProgressPrinter progress(options.common);
     LimitSettings settings;
     settings.max_contact_points = options.max_points;
@@ -78,10 +83,15 @@ int analyse(const LimitOptions& options) {
         limitAnalysis(scenario.model, options.load->varied, controlOf(options.common, progress), settings),
         scenario);
     progress.finish();
-    if (options.common.json)
-        printJson(limitJson(*options.load, result, options.common, options.scenario.name()));
-    else
-        printText(toText(options, result));
+    std::optional<KeptMechanism> kept;
+    if (keeper.wanted()) kept = keeper.keep(result, *options.load);
+    if (options.common.json) {
+        Json json = limitJson(*options.load, result, options.common, options.scenario.name());
+        if (kept) json["kept_mechanism"] = keptMechanismJson(*kept);
+        printJson(json);
+    } else {
+        printText(toText(options, result) + (kept ? row("mechanism", keptMechanismText(*kept)) : ""));
+    }
     return exitCode(result.status);
 }
 
@@ -106,11 +116,14 @@ Command addLimitAnalysis(CLI::App& root) {
         ->required();
     app->add_option("--max-points", options->max_points, "Refuse models with more contact points")
         ->capture_default_str();
+    addKeepMechanism(*app, options->keep);
     addCommon(*app, options->common);
     app->footer(
         "Example:\n  talus limit-analysis slope.toml --for factor\n  talus limit-analysis arch.toml --for "
         "tilt "
-        "--json | jq .upper\n\nA linear programme over the contact points as they are at the start, with "
+        "--json | jq .upper\n  talus limit-analysis arch.toml --for tilt --keep-mechanism arch.mcap\n"
+        "  talus replay arch.mcap -o arch.html\n\nA linear programme over the contact points as they are at "
+        "the start, with "
         "joints that open by\ntan(phi) of their slide. No equilibrium of real joints lies above it. It is "
         "near where blocks\nhinge or slide, and far where they interlock. `lower` and `upper` bracket it "
         "(friction cones as\npyramids from inside and from outside).");

@@ -11,6 +11,7 @@
 #include "cli/text.h"
 #include "commands/commands.h"
 #include "inspect/views.h"
+#include "recording/keep_mechanism.h"
 #include "recording/verify.h"
 #include "replay/page.h"
 #include "replay/terminal.h"
@@ -81,6 +82,10 @@ Json stretchesJson(const Verification& found) {
 }
 
 int verify(formats::SnapshotReader& reader, const ReplayOptions& options) {
+    const auto& failure = reader.header().failure;
+    if (failure && mechanismLoad(failure->analysis) != nullptr)
+        throw BadInput(Error{"--verify", "found the mechanism of a limit analysis: nothing in it was run",
+                             options.file});
     const bool same = sameBuild(reader.header());
     if (!same)
         note(options.common, "warning: the file was written by another build (" +

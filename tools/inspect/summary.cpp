@@ -9,6 +9,7 @@
 #include "cli/json.h"
 #include "cli/text.h"
 #include "inspect/views.h"
+#include "recording/keep_mechanism.h"
 #include "talus/searches.h"
 
 namespace talus::tools {
@@ -84,9 +85,11 @@ Json failureJson(const formats::SnapshotHeader& header) {
         if (failure.roles[b] == FailureMode::sliding) slides.push_back(header.names[b]);
         if (failure.roles[b] == FailureMode::toppling) topples.push_back(header.names[b]);
     }
-    const LoadSearch* search = loadSearch(failure.analysis);  // nullptr: of a later version
+    const LoadSearch* search = loadSearch(failure.analysis);
+    // nullptr: of a later version
+    const VariedQuantity* load = search ? search->load : mechanismLoad(failure.analysis);
     return {{"analysis", failure.analysis},
-            {search ? search->load->key : "load", number(failure.load / (search ? search->load->scale : 1))},
+            {load ? load->key : "load", number(failure.load / (load ? load->scale : 1))},
             {"mode", toString(failure.mode)},
             {"slides", compactNames(slides)},
             {"topples", compactNames(topples)}};

@@ -10,6 +10,7 @@
 #include "cli/scenario.h"
 #include "python/computing.h"
 #include "python/module.h"
+#include "report/numbers.h"
 
 namespace talus::python {
 

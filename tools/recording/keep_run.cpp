@@ -61,6 +61,20 @@ void addRoles(const SearchResult& result, const Model& model, KeptRun& kept) {
     }
 }
 
+/// The factor at which each block goes, in the order of the model's blocks; empty where no group is known.
+std::vector<double> factorsOf(const SearchResult& result, const Model& model) {
+    if (result.groups.empty()) return {};
+    std::unordered_map<std::string, double> factors;
+    for (const BlockGroup& group : result.groups)
+        for (const std::string& block : group.blocks) factors.emplace(block, group.factor);
+    std::vector<double> list;
+    for (const Block& block : model.blocks) {
+        const auto found = factors.find(block.name);
+        list.push_back(found == factors.end() ? 0.0 : found->second);
+    }
+    return list;
+}
+
 std::string remarkOn(const formats::Scenario& scenario, const FailingState& failing, const KeptRun& kept) {
     std::string remark = scenario.path + " as it fails: " + loadText(kept) +
                          ", just beyond the first that fails.\nWritten by talus " + kept.search->name +
@@ -152,7 +166,7 @@ KeptRun FailureKeeper::keep(const SearchResult& result, const LoadSearch& search
         kept.reason = whyNothing(result);
         return kept;
     }
-    kept.failure = {search.name, result.failing->load, result.mode, {}};
+    kept.failure = {search.name, result.failing->load, result.mode, {}, factorsOf(result, scenario_.model)};
     addRoles(result, scenario_.model, kept);
     try {
         play(*result.failing, kept, control);

@@ -9,6 +9,7 @@
 
 #include "cli/failures.h"
 #include "cli/json.h"
+#include "recording/keep_mechanism.h"
 #include "recording/snapshot_view.h"
 #include "talus/formats/scenario.h"
 #include "talus/motion_roles.h"
@@ -99,14 +100,15 @@ std::string motionRule() {
     return "<script id=\"motion-rule\" type=\"application/json\">" + rule.dump() + "</script>\n";
 }
 
-/// How the page says at which load a search's failure was kept, by the searches' names.
+/// How the page says at which load a failure was kept, by the names of searches and of limit analyses.
 std::string searchWords() {
     Json words = Json::object();
-    for (const LoadSearch& search : loadSearches())
-        words[search.name] = {{"text", search.load->text},
-                              {"unit", search.load->unit},
-                              {"scale", search.load->scale},
-                              {"decimals", search.load->decimals + 1}};
+    const auto add = [&](const std::string& name, const VariedQuantity& load) {
+        words[name] = {
+            {"text", load.text}, {"unit", load.unit}, {"scale", load.scale}, {"decimals", load.decimals + 1}};
+    };
+    for (const LoadSearch& search : loadSearches()) add(search.name, *search.load);
+    for (const VariedQuantity& load : variedQuantities()) add(mechanismSource(load), load);
     return "<script id=\"searches\" type=\"application/json\">" + words.dump() + "</script>\n";
 }
 

@@ -20,6 +20,12 @@ std::string typeset(std::string number) {
     return number;
 }
 
+const VariedQuantity* variedNamed(std::string_view name) {
+    for (const VariedQuantity& quantity : variedQuantities())
+        if (name == quantity.name) return &quantity;
+    return nullptr;
+}
+
 std::string loadFigure(const LoadSearch& search, double load, int decimals) {
     return text(load / search.load->scale, decimals);
 }

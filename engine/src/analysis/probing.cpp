@@ -13,6 +13,8 @@ namespace {
 constexpr std::int64_t kFirstSteps = 6'000;
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
+// And of the one that a failure hangs on: what creeps before it fails takes more.
+constexpr std::int64_t kPatientFactors = 1'500;
 // Rest is near when it is no farther than this times the way the assembly has come, from rest to rest (engine/README.md says
 // what smaller and larger ones do).
 constexpr double kNear = 1.5;
@@ -75,7 +77,9 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
                         bool patiently = false) {
     const bool doubtful = patiently || p.implicit_first || !p.has_stood;
     const std::int64_t most_factors =
-        doubtful ? kMostFactors : std::clamp(p.steps / kStepsPerFactor, kLeastFactors, kMostFactors);
+        patiently  ? kPatientFactors
+        : doubtful ? kMostFactors
+                   : std::clamp(p.steps / kStepsPerFactor, kLeastFactors, kMostFactors);
     State state = p.last_stable;
     ramp(state, 1.0);
     report(p, stage, load, "solving");
@@ -135,7 +139,7 @@ Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ram
 
 Verdict restAt(Probing& p, double load) {
     const Probing::NoNearRest& known = p.no_near_rest;
-    if (known.load == load && known.most_factors == kMostFactors &&
+    if (known.load == load && known.most_factors >= kMostFactors &&
         known.states_at_rest == p.states_at_rest) {
         p.stands_elsewhere = known.is_elsewhere;
         return Verdict::failing;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "equilibrium/elimination_kernel.h"
+#include "equilibrium/elimination_view.h"
 #include "equilibrium/interface_response.h"
 #include "simd/instruction_set.h"
 

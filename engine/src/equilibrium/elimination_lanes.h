@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "equilibrium/elimination_kernel.h"
+#include "equilibrium/elimination_view.h"
 #include "simd/scalar.h"
 #ifdef __AVX512F__
 #include <immintrin.h>

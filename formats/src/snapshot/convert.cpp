@@ -266,6 +266,7 @@ fb::FailureT toMessage(const SnapshotFailure& failure) {
     m.load = failure.load;
     m.mode = static_cast<std::uint8_t>(failure.mode);
     for (const FailureMode role : failure.roles) m.role.push_back(static_cast<std::uint8_t>(role));
+    m.factor = failure.factors;
     return m;
 }
 
@@ -278,6 +279,7 @@ bool fromMessage(const fb::FailureT& m, SnapshotFailure& failure) {
     failure.load = m.load;
     failure.mode = static_cast<FailureMode>(m.mode);
     for (const std::uint8_t role : m.role) failure.roles.push_back(static_cast<FailureMode>(role));
+    failure.factors = m.factor;
     return true;
 }
 

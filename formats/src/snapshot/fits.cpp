@@ -58,6 +58,8 @@ bool fits(const SnapshotHeader& header) {
         return false;
     if (!supportsFit(g.supports, n)) return false;
     if (header.failure && header.failure->roles.size() != n) return false;
+    if (header.failure && !header.failure->factors.empty() && header.failure->factors.size() != n)
+        return false;
     for (const Motion motion : header.motions)
         if (motion > Motion::driven) return false;
     for (const Water& water : header.waters) {

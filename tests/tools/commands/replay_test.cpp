@@ -76,20 +76,23 @@ TEST_CASE("replay -o: the page holds the file, byte for byte, and nothing from e
     CHECK(runTalus({"replay", file().path, "-o", file().page}).exit_code == 0);  // a page may be made again
 }
 
-TEST_CASE("the page has words for the load of every search") {
+TEST_CASE("the page has words for the load of every search and every limit analysis") {
     const std::string page = talus::tools::replayPage("");
     std::smatch match;
     REQUIRE(std::regex_search(
         page, match, std::regex("<script id=\"searches\" type=\"application/json\">([^<]*)</script>")));
     const json words = json::parse(match[1].str());
-    for (const talus::LoadSearch& search : talus::loadSearches()) {
-        CAPTURE(search.name);
-        const json& said = words.at(search.name);
-        CHECK(said.at("text") == search.load->text);
-        CHECK(said.at("unit") == search.load->unit);
-        CHECK(said.at("scale").get<double>() == search.load->scale);
-    }
-    CHECK(words.size() == talus::loadSearches().size());
+    const auto check = [&](const std::string& name, const talus::VariedQuantity& load) {
+        CAPTURE(name);
+        const json& said = words.at(name);
+        CHECK(said.at("text") == load.text);
+        CHECK(said.at("unit") == load.unit);
+        CHECK(said.at("scale").get<double>() == load.scale);
+    };
+    for (const talus::LoadSearch& search : talus::loadSearches()) check(search.name, *search.load);
+    for (const talus::VariedQuantity& load : talus::variedQuantities())
+        check(std::string("limit-analysis --for ") + load.name, load);
+    CHECK(words.size() == talus::loadSearches().size() + talus::variedQuantities().size());
 }
 
 TEST_CASE("replay -o: bytes of any length survive base64, large files go in pieces") {

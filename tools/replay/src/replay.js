@@ -2,6 +2,7 @@
 
 import { add, get, norm, poseOf, radiiOf, sub, turn } from "./data/poses.js";
 import { prepareFull } from "./data/contacts.js";
+import { groupsOf, heatOfGroups } from "./data/groups.js";
 import { headingOf, motionText, movingBlocks, sphereAround } from "./data/moving.js";
 import { overallMode, rolesAt, setOffTime } from "./data/roles.js";
 import { Player } from "./player.js";
@@ -33,6 +34,8 @@ export class Replay {
     this.fullIndex = -1, (this.full = null);
     this.valuesOf = { frame: [], values: [] };
     const roles = rolesAt(this.header, this.frames.at(-1), this.radius);
+    this.groups = groupsOf(this.header);
+    this.heatOfGroups = heatOfGroups(this.header);
     this.mode = overallMode(this.header, roles);
     this.moving = movingBlocks(roles);
     this.motionText = motionText(this.header, this.frames, this.mode, this.moving);
@@ -198,9 +201,9 @@ export class Replay {
 
   uploadFrames(a, b) {
     const colouring = this.look.colouring;
-    const values = (frame) => (colouring === "role" ? this.roles : magnitudes(frame[colouring]));
+    const values = (frame) => (colouring === "role" ? this.roles : colouring === "factor" ? this.heatOfGroups : magnitudes(frame[colouring]));
     this.motion.set(a, b, values(a), values(b));
-    const most = colouring === "role" ? 1 : this.look.ownScale ? this.largest(a, colouring) : this.ranges[colouring];
+    const most = colouring === "role" || colouring === "factor" ? 1 : this.look.ownScale ? this.largest(a, colouring) : this.ranges[colouring];
     this.range = [0, most > 0 ? most : 1e-12];
     this.blocks.uniforms.range.value.set(...this.range);
     this.blocks.uniforms.categories.value = colouring === "role";

@@ -62,6 +62,7 @@ const failureOf = (failure) => failure && {
   ...failure,
   analysis: failure.analysis ?? "",
   mode: ["none", "sliding", "toppling", "mixed"][failure.mode] ?? "none",
+  factor: failure.factor ?? [],
 };
 
 const waterOf = (water) => ({

@@ -4,7 +4,7 @@ export function readAddress(replay, hash) {
   const asked = new URLSearchParams(hash.slice(1));
   const { look, player } = replay;
   const colour = asked.get("colour");
-  if (["displacement", "velocity", "rotation", "role"].includes(colour)) look.colouring = colour;
+  if (["displacement", "velocity", "rotation", "role", "factor"].includes(colour) && (colour !== "factor" || replay.groups.length > 0)) look.colouring = colour;
   for (const layer of ["water", "forces", "joints", "edges", "fixed", "paths"])
     if (asked.has(layer)) look[layer] = !["0", "no"].includes(asked.get(layer));
   const times = Number(asked.get("exaggerate"));

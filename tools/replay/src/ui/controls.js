@@ -11,7 +11,7 @@ import { blockText, interfaceText, runText } from "./selection.js";
 import { readAddress } from "./address.js";
 
 const element = (id) => document.getElementById(id);
-const colourKeys = { 1: "displacement", 2: "velocity", 3: "rotation", 4: "role" };
+const colourKeys = { 1: "displacement", 2: "velocity", 3: "rotation", 4: "role", 5: "factor" };
 const layerKeys = { w: "water", f: "forces", j: "joints", e: "edges", b: "fixed", y: "paths" };
 const viewKeys = { o: "iso", s: "front", t: "toe", p: "top" };
 const kClickPixels = 5; // farther is a drag
@@ -28,6 +28,7 @@ export class Controls {
     this.film = new Recorder(replay, element("picture"), element("film"));
     this.connectPointer();
     this.makeCurves();
+    element("curves").hidden = replay.header.failure?.analysis.startsWith("limit-analysis"); // no forces drive a mechanism
     addEventListener("keydown", (event) => this.onKey(event));
     new ResizeObserver(() => this.resize()).observe(element("stage"));
     new ResizeObserver(() => this.prepareCurves()).observe(element("curves"));
@@ -221,6 +222,7 @@ export class Controls {
     };
     const action = actions[key] ?? actions[letter];
     if (action) return action(), true;
+    if (colourKeys[key] === "factor" && replay.groups.length === 0) return false;
     if (colourKeys[key]) return (look.colouring = colourKeys[key]), replay.invalidate("look"), true;
     if (layerKeys[letter]) return element(layerKeys[letter]).disabled || press(layerKeys[letter]);
     if (viewKeys[letter]) return replay.home(viewKeys[letter]), true;
@@ -262,6 +264,7 @@ export class Controls {
     element("clock").innerHTML = `<b>t = ${quantity(player.time, "s")}</b><span class="long"> of ${quantity(player.last, "s")} · frame ${shown} of ${frames.length - 1} · ` +
       `tilt ${angle(now.a.tilt, 4)}</span>`;
     element("speed").value = speeds.indexOf(player.speed);
+    if (element("curves").hidden) return;
     const { times, series } = this.energy;
     element("energy-key").querySelectorAll("button span").forEach((span, k) => {
       span.textContent = quantity(valueAt(times, series[k].values, player.time), "J", 3);
@@ -275,7 +278,8 @@ export class Controls {
     document.querySelector(`[value=${look.colouring}]`).checked = true;
     for (const layer of Object.values(layerKeys)) element(layer).checked = look[layer];
     element("own-scale").checked = look.ownScale;
-    element("scale-row").hidden = look.colouring === "role";
+    element("scale-row").hidden = look.colouring === "role" || look.colouring === "factor";
+    element("factor-row").hidden = replay.groups.length === 0;
     element("exaggeration").value = Math.log10(look.exaggeration);
     element("exaggeration-value").textContent = `× ${Number(look.exaggeration.toPrecision(3))}`;
     element("opacity").value = look.opacity;
@@ -290,7 +294,7 @@ export class Controls {
     element("arrow-row").hidden = !arrows;
     element("arrow-size-value").textContent = `× ${Number(look.arrowSize.toPrecision(2))}`;
     const html = legendHtml({
-      colouring: look.colouring, range: replay.range, ownScale: look.ownScale, roles: look.colouring === "role" ? replay.roles : [], joints: look.joints,
+      colouring: look.colouring, range: replay.range, ownScale: look.ownScale, roles: look.colouring === "role" ? replay.roles : [], groups: replay.groups, joints: look.joints,
       forces: arrows, reference: replay.arrows.reference, arrowPixels: this.arrowPixels(), fullTime: replay.full?.time ?? null, time: replay.player.time,
       exaggeration: look.exaggeration, selected: replay.selected.block >= 0,
       supports: replay.supports.supports.length > 0,

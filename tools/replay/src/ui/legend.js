@@ -1,7 +1,7 @@
 // The legend over the scene: what colours and arrows mean, with units; and the axes with gravity.
 
 import { degrees, quantity } from "../units.js";
-import { forceColours, gradientOf, openJoint, roleColours } from "../view/colours.js";
+import { forceColours, gradientOf, heatText, openJoint, roleColours } from "../view/colours.js";
 import { roleNames } from "../data/roles.js";
 
 const titles = { displacement: "Displacement", velocity: "Velocity", rotation: "Rotation" };
@@ -9,15 +9,27 @@ const item = (colour, text) => `<li><i style="background:${colour}"></i>${text}<
 const unitOf = (kind) => (value) =>
   kind === "rotation" ? `${Number(degrees(value).toPrecision(3))}°` : quantity(value, kind === "velocity" ? "m/s" : "m", 3);
 
-/** The colours' meaning in words, for pictures. */
-export const colourCaption = ({ colouring }, range) =>
-  colouring === "role" ? { items: [], scale: null } : { title: titles[colouring], most: unitOf(colouring)(range[1]), scale: "heat" };
+const kGroupsListed = 8;
 
-export function legendHtml({ colouring, range, ownScale, roles, joints, forces, reference, arrowPixels, fullTime, time, exaggeration, selected, supports }) {
+/** Colour and words of each group that goes together, and of what stands. */
+export function groupItems(groups) {
+  const listed = groups.slice(0, kGroupsListed).map(({ factor, blocks, share }) =>
+    [heatText(share), `at ${factor.toFixed(3)}: ${blocks} block${blocks === 1 ? "" : "s"}`]);
+  if (groups.length > kGroupsListed) listed.push([heatText(groups.at(-1).share), `... to ${groups.at(-1).factor.toFixed(3)}`]);
+  return [...listed, [heatText(0), "not known to go"]];
+}
+
+/** The colours' meaning in words, for pictures. */
+export const colourCaption = ({ colouring }, range, groups) =>
+  colouring === "factor" ? { items: groupItems(groups), scale: null } : colouring === "role" ? { items: [], scale: null } : { title: titles[colouring], most: unitOf(colouring)(range[1]), scale: "heat" };
+
+export function legendHtml({ colouring, range, ownScale, roles, groups, joints, forces, reference, arrowPixels, fullTime, time, exaggeration, selected, supports }) {
   const parts = [];
   if (colouring === "role") {
     const present = [...new Set(roles)].sort();
     parts.push(`Failure role<ul>${present.map((role) => item(roleColours[role], roleNames[role])).join("")}</ul>`);
+  } else if (colouring === "factor") {
+    parts.push(`Factor of safety at which blocks go<ul>${groupItems(groups).map(([colour, text]) => item(colour, text)).join("")}</ul>`);
   } else {
     const text = unitOf(colouring);
     parts.push(`${titles[colouring]}${ownScale ? " (scale of this frame)" : ""}<div class="bar" style="background:${gradientOf("heat")}"></div>` +

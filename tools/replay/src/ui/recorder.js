@@ -33,7 +33,7 @@ export class Recorder {
         ...(look.joints && replay.full ? [`joints at t = ${quantity(replay.full.time, "s")}: green little, yellow half, red all of the friction used, grey open`] : []),
         ...(look.exaggeration !== 1 ? [`displacement drawn × ${Number(look.exaggeration.toPrecision(3))}`] : [])],
       colours: roles ? { ...colourCaption(look, replay.range), items: present.map((role) => [roleColours[role], roleNames[role]]) }
-        : colourCaption(look, replay.range),
+        : colourCaption(look, replay.range, replay.groups),
       scale: scaleBar(stage.metresPerPixel()),
     });
   }

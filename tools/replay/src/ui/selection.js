@@ -32,6 +32,8 @@ export function blockText({ header, full, frames, block, roles, setOff }) {
     ["Centroid", metres(pose.position)],
     ["Mass, weight", `${quantity(header.mass[block] * 1000, "g")}, ${quantity(header.mass[block] * header.gravity, "N")}`],
   ];
+  const goesAt = header.failure?.factor[block];
+  if (goesAt > 0) rows.push(["Goes at a factor of", goesAt.toFixed(4)]);
   if (full) rows.push(["Out of balance", quantity(norm(get(full.force, block)), "N")]);
   return `<h2><span>Block ${escape(header.names[block])} ${badge}</span>${close}</h2>` +
     why(whyBlock({ header, full, frames, block, role, setOff })) + facts(rows) + neighbourTable(header, full, block);

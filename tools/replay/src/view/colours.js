@@ -24,6 +24,7 @@ function along(stops, x) {
   return a.map((value, i) => value + (b[i] - value) * (at - k));
 }
 export const heat = (x) => along(kHeat, x);
+export const heatText = (x) => `rgb(${heat(x).map((v) => Math.round(255 * v)).join()})`;
 export const used = (x) => along(kUsed, x);
 export const gradientOf = (scale) => `linear-gradient(90deg,${gradientStops(scale).join(",")})`;
 

@@ -1,0 +1,68 @@
+// What the replay page shows of a failure that an analysis has kept: the groups of a factor of safety, the mechanism of a limit analysis.
+// `node kept.test.mjs PAGE.html CHROMIUM KIND`: KIND is "groups" or "mechanism"; exit code 0 when all holds.
+
+import { deepEqual, equal, ok } from "node:assert/strict";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const [page_path, executablePath, kind] = process.argv.slice(2);
+const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--enable-unsafe-swiftshader"] });
+const faults = [];
+const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, offline: true });
+const page = await context.newPage();
+page.setDefaultTimeout(120_000);
+page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
+page.on("pageerror", (error) => faults.push(error.stack));
+const drawn = () => page.waitForFunction(() => window.replay.dirty.size === 0);
+const text = (selector) => page.locator(selector).innerText();
+let passed = 0;
+
+async function open(hash) {
+  await page.goto(pathToFileURL(page_path).href + hash);
+  await page.reload();
+  await page.waitForFunction(() => document.documentElement.dataset.state === "ready" && window.replay.pictures > 0);
+  await drawn();
+}
+
+async function test(name, body) {
+  await body();
+  ++passed;
+  console.log(`ok: ${name}`);
+}
+
+const groups = () => page.evaluate(() => window.replay.groups);
+
+await test("blocks have the colour of the factor at which they go, and the legend lists them", async () => {
+  await open("#t=0");
+  equal((await groups()).length, kind === "groups" ? 2 : 0);
+  equal(await page.locator("#factor-row").isVisible(), kind === "groups");
+  await page.keyboard.press("5");
+  await drawn();
+  equal(await page.evaluate(() => window.replay.look.colouring), kind === "groups" ? "factor" : "displacement");
+  if (kind !== "groups") return;
+  const [first, second] = await groups();
+  ok(first.factor < second.factor && first.share > second.share, "the first to go is the hottest");
+  const legend = await text("#legend");
+  for (const { factor, blocks } of [first, second]) ok(legend.includes(`at ${factor.toFixed(3)}: ${blocks} block`), legend);
+  ok(!(await page.locator("#scale-row").isVisible()));
+  const heat = await page.evaluate(() => [...window.replay.heatOfGroups]);
+  equal(heat.filter((share) => share > 0).length, first.blocks + second.blocks);
+});
+
+await test("the address asks for it, and a block says at which factor it goes", async () => {
+  const name = await page.evaluate(() => window.replay.header.names[window.replay.header.motion.findIndex((m) => m === 0)]);
+  await open(`#colour=factor&select=${encodeURIComponent(name)}`);
+  equal(await page.evaluate(() => window.replay.look.colouring), kind === "groups" ? "factor" : "displacement");
+  equal((await text("#selection")).includes("Goes at a factor of"), kind === "groups");
+});
+
+await test("a mechanism has no energies to show; a run has", async () => {
+  equal(await page.locator("#curves").isVisible(), kind === "groups");
+  await page.keyboard.press("End");
+  await drawn();
+  ok((await page.evaluate(() => window.replay.motionText)).length > 0);
+});
+
+await browser.close();
+deepEqual(faults, []);
+console.log(`${passed} passed, ${faults.length} failed`);

@@ -1,0 +1,214 @@
+#include "recording/keep_mechanism.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "cli/failures.h"
+#include "cli/json.h"
+#include "cli/text.h"
+#include "report/numbers.h"
+#include "talus/formats/failing.h"
+#include "talus/motion_roles.h"
+
+namespace talus::tools {
+
+namespace {
+
+constexpr int kFrames = 48;         // behind the first
+constexpr double kSeconds = 2.0;    // they last
+constexpr double kWayOfSize = 0.3;  // of the moving blocks' median size: how far the fastest corner goes
+constexpr const char* kSource = "limit-analysis --for ";
+
+/// What a run of the model begins with.
+struct Start {
+    RunGeometry geometry;
+    LightFrame frame;
+};
+
+Start startOf(Model model) {
+    model.run.start = RunSettings::Start::unstressed;  // nothing is to be found before the first frame
+    const std::atomic<bool> stop{true};
+    Control control;
+    control.stop = &stop;
+    Start start;
+    RunOutput output;
+    output.begin = [&](const RunGeometry& geometry) { start.geometry = geometry; };
+    output.light = [&](LightFrame&& frame) {
+        if (frame.time == 0) start.frame = std::move(frame);
+    };
+    valueOf(run(model, control, output));
+    return start;
+}
+
+/// Of each of the model's blocks; those that are not free stay.
+struct Velocity {
+    Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();  ///< [m/s, rad/s]
+    bool moving = false;
+};
+
+std::vector<Velocity> velocitiesOf(const LimitResult& result, const Model& model) {
+    std::vector<Velocity> velocities;
+    auto next = result.mechanism.begin();
+    for (const Block& block : model.blocks) {
+        velocities.emplace_back();
+        if (next == result.mechanism.end() || next->block != block.name) continue;
+        velocities.back() = {next->velocity, next->spin, next->moving};
+        ++next;
+    }
+    return velocities;
+}
+
+double medianSize(const Start& start, const std::vector<Velocity>& velocities) {
+    std::vector<double> sizes;
+    for (std::size_t b = 0; b < velocities.size(); ++b)
+        if (velocities[b].moving) sizes.push_back(start.geometry.size[b]);
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    return *middle;
+}
+
+double radiusOf(const RunGeometry& geometry, std::size_t block) {
+    const auto at = [](const VectorList<double>& list, std::size_t k) {
+        return Vec3(list.x[k], list.y[k], list.z[k]);
+    };
+    double radius = 0;
+    for (auto v = geometry.vertex_begin[block]; v < geometry.vertex_begin[block + 1]; ++v)
+        radius = std::max(
+            radius, (at(geometry.vertex, static_cast<std::size_t>(v)) - at(geometry.centroid, block)).norm());
+    return radius;
+}
+
+/// By the rule of searches, from where the blocks are at the end.
+formats::SnapshotFailure failureOf(const Start& start, const Model& model,
+                                   const std::vector<Velocity>& velocities, double way) {
+    std::vector<BlockWay> ways;
+    for (std::size_t b = 0; b < velocities.size(); ++b)
+        ways.push_back({.free = model.blocks[b].motion == Motion::free,
+                        .position = Vec3(start.geometry.centroid.x[b], start.geometry.centroid.y[b],
+                                         start.geometry.centroid.z[b]) +
+                                    way * velocities[b].velocity,
+                        .radius = radiusOf(start.geometry, b),
+                        .translation = way * velocities[b].velocity.norm(),
+                        .rotation = way * velocities[b].spin.norm(),
+                        .mass = start.geometry.mass[b]});
+    formats::SnapshotFailure failure;
+    failure.roles = motionRoles(ways, 0);
+    failure.mode = overallMode(ways, failure.roles);
+    return failure;
+}
+
+/// The blocks a share of their way on.
+LightFrame frameAt(const LightFrame& start, const std::vector<Velocity>& velocities, double way, int k) {
+    const double share = static_cast<double>(k) / kFrames;
+    LightFrame frame = start;
+    frame.step = k;
+    frame.time = share * kSeconds;
+    frame.kinetic_energy = frame.elastic_energy = frame.gravity_energy = frame.out_of_balance = 0;
+    frame.displacement = frame.rotation = frame.velocity = {};
+    for (const Velocity& block : velocities) {
+        frame.displacement.push_back(share * way * block.velocity);
+        frame.rotation.push_back(share * way * block.spin);
+        frame.velocity.push_back(way / kSeconds * block.velocity);
+    }
+    return frame;
+}
+
+std::string remarkOn(const formats::Scenario& scenario, const VariedQuantity& load) {
+    return scenario.path +
+           " at the limit of its rigid blocks.\nWritten by talus limit-analysis --keep-mechanism: how the "
+           "blocks move by the linear programme (" +
+           std::string(load.limit) + "), for their first way only. No forces drive them.";
+}
+
+}  // namespace
+
+void addKeepMechanism(CLI::App& app, KeepMechanismOptions& options) {
+    auto* file = app.add_option(
+        "--keep-mechanism", options.file,
+        "FILE.mcap: how the blocks move at the limit, as a motion for talus replay, inspect and export");
+    app.add_flag("--force", options.force,
+                 "Replace the file of --keep-mechanism even if it is finished or of another kind")
+        ->needs(file);
+}
+
+std::string mechanismSource(const VariedQuantity& load) { return std::string(kSource) + load.name; }
+
+const VariedQuantity* mechanismLoad(const std::string& analysis) {
+    if (!analysis.starts_with(kSource)) return nullptr;
+    return variedNamed(std::string_view(analysis).substr(std::string_view(kSource).size()));
+}
+
+MechanismKeeper::MechanismKeeper(const KeepMechanismOptions& options, const Common& common,
+                                 const formats::Scenario& scenario)
+    : options_(options), scenario_(scenario) {
+    if (options.file.empty()) return;
+    if (!options.file.ends_with(".mcap"))
+        throw BadInput(
+            Error{"--keep-mechanism", "found \"" + options.file + "\", allowed: a file named *.mcap"});
+    run_options_ = {.common = common,
+                    .scenario = {scenario.path, {}},
+                    .output = options.file,
+                    .resume = "",
+                    .force = options.force,
+                    .frames_per_full = kFrames,
+                    .output_option = "--keep-mechanism"};
+    recorder_ = std::make_unique<RunRecorder>(run_options_, at_limit_, nullptr);
+}
+
+void MechanismKeeper::write(const LimitResult& result, const VariedQuantity& load, double limit,
+                            KeptMechanism& kept) {
+    formats::FailingLoad failing;
+    failing.varied = load.varied;
+    failing.value = limit;
+    failing.duration = kSeconds;
+    failing.frame_interval = kSeconds / kFrames;
+    at_limit_ = valueOf(formats::failingScenario(scenario_, failing, remarkOn(scenario_, load)));
+    const Start start = startOf(at_limit_.model);
+    const std::vector<Velocity> velocities = velocitiesOf(result, at_limit_.model);
+    kept.way = kWayOfSize * medianSize(start, velocities);
+    formats::SnapshotFailure failure = failureOf(start, at_limit_.model, velocities, kept.way);
+    failure.analysis = mechanismSource(load);
+    failure.load = limit;
+    kept.mode = failure.mode;
+
+    const RunOutput output = recorder_->output(std::move(failure));
+    output.begin(start.geometry);
+    for (int k = 0; k <= kFrames; ++k) output.light(frameAt(start.frame, velocities, kept.way, k));
+    kept.frames = kFrames + 1;
+    RunResult end;
+    end.steps = kFrames;
+    end.simulated_seconds = kSeconds;
+    end.state_hash = start.frame.state_hash;
+    recorder_->finish(end);
+    kept.bytes = recorder_->bytes();
+    kept.file = options_.file;
+}
+
+KeptMechanism MechanismKeeper::keep(const LimitResult& result, const VariedQuantity& load) {
+    KeptMechanism kept;
+    if (result.moving_blocks.empty()) {
+        kept.reason =
+            result.status == SearchStatus::stable_to_stop ? "nothing fails" : "no mechanism was found";
+        return kept;
+    }
+    // What stands at no load fails where the load begins.
+    write(result, load, std::isfinite(result.upper) ? result.upper : result.lower, kept);
+    return kept;
+}
+
+Json keptMechanismJson(const KeptMechanism& kept) {
+    if (kept.file.empty()) return {{"file", nullptr}, {"reason", kept.reason}};
+    return {{"file", kept.file},           {"reason", nullptr},
+            {"mode", toString(kept.mode)}, {"farthest_way_m", number(kept.way)},
+            {"frames", kept.frames},       {"bytes", kept.bytes}};
+}
+
+std::string keptMechanismText(const KeptMechanism& kept) {
+    if (kept.file.empty()) return "none: " + kept.reason;
+    return kept.file + ": " + toString(kept.mode) + ", " + std::to_string(kept.frames) +
+           " frames up to a way of " + text(kept.way, 3) + " m";
+}
+
+}  // namespace talus::tools
