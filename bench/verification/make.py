@@ -510,7 +510,46 @@ of intersection. Wedge formula of limit equilibrium: factor of safety {factor:g}
               f"[seismic]\nhorizontal = {coefficient:g}\ndirection_deg = {number(down)}\n", body("wedge-phi-40"))
 
 
+def rock_slopes():
+    """bench/examples/rock-slope.toml with other spacings, and the same slope between sets whose spacing and orientation scatter."""
+    example = (pathlib.Path(__file__).parents[1] / "examples" / "rock-slope.toml").read_text()
+    body = example[example.index("[material.limestone]"):]
+    for blocks, share in ((148, 1.45), (842, 0.68)):
+        name = f"rock-slope-{blocks}"
+        text = body
+        for spacing, after in (("2.0", "\norigin = [0.0, 0.0"), ("2.4", ""), ("2.0", "\norigin = [0.0, 1.3")):
+            text = text.replace(f"spacing = {spacing}{after}", f"spacing = {number(float(spacing) * share)}{after}", 1)
+        text = text.replace("min_thickness = 0.1 ", f"min_thickness = {number(0.1 * min(1, share))} ")
+        write(name, f"""
+The slope of bench/examples/rock-slope.toml between joints {share:g} times as far apart: {blocks} blocks.
+  talus safety-factor bench/verification/{name}.toml""", text)
+    region = body[body.index("region ="):body.index("min_thickness")]
+    fixed = body[body.index("fixed ="):body.index("names =")]
+    for blocks, share in ((225, 1.55), (513, 1.1)):
+        name = f"random-slope-{blocks}"
+        sets = "".join(f"""
+[[joint_set]]
+name = "{set_name}"
+dip_deg = {dip}
+dip_direction_deg = {direction}
+spacing = {number(spacing * share)}
+spacing_law = "exponential"
+fisher = 50
+""" for set_name, dip, direction, spacing in (("a", 28, 270, 1.9), ("b", 80, 85, 2.2), ("c", 87, 355, 1.9)))
+        write(name, f"""
+The slope of bench/examples/rock-slope.toml between three sets with exponential spacing whose orientations scatter (fisher 50):
+{blocks} blocks.
+  talus safety-factor bench/verification/{name}.toml""", f"""[material.rock]
+density = 2600.0
+
+{joint("default", 40.0, 1e10, 1e9)}
+[rock_mass]
+{region}min_thickness = 0.05            # m
+{fixed}{sets}""")
+
+
 if __name__ == "__main__":
     for figure in (columns, arches, brick_walls, goodman_bray, goodman_bray_held, alejano_alonso, barla_table, slabs,
-                   bilinear_slab, parallel_slabs, rock_bridges, plane_blocks, large_slopes, wedge, high_slope, daylighting, short_cable, earthquakes):
+                   bilinear_slab, parallel_slabs, rock_bridges, plane_blocks, large_slopes, wedge, high_slope, daylighting, short_cable, earthquakes,
+                   rock_slopes):
         figure()
