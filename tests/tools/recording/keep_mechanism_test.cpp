@@ -48,11 +48,11 @@ TEST_CASE("a mechanism is kept as the motion that the result names: sliding, hin
         std::string scenario, load;
         const char* mode;
     };
-    for (const auto& [scenario, load, mode] :
-         {Case{folder.write("slides.toml", blockScenario(0, 20)), "tilt", "sliding"},
-          {folder.write("steep.toml", blockScenario(25, 20)), "factor", "sliding"},
-          {kVerification + "column-10.toml", "tilt", "toppling"},
-          {kVerification + "arch-27-1.5m.toml", "horizontal", "toppling"}}) {
+    for (const Case& one : {Case{folder.write("slides.toml", blockScenario(0, 20)), "tilt", "sliding"},
+                            {folder.write("steep.toml", blockScenario(25, 20)), "factor", "sliding"},
+                            {kVerification + "column-10.toml", "tilt", "toppling"},
+                            {kVerification + "arch-27-1.5m.toml", "horizontal", "toppling"}}) {
+        const std::string &scenario = one.scenario, &load = one.load, mode = one.mode;
         CAPTURE(scenario);
         const std::string file = folder / "mechanism.mcap";
         const Outcome outcome = runTalus({"limit-analysis", scenario, "--for", load, "--keep-mechanism", file,
