@@ -97,7 +97,9 @@ Resumed readResumed(const RunOptions& options) {
     if (inPlace(options)) held.emplace(formats::OutputFile::openExisting(options.resume));
     auto reader = valueOf(formats::SnapshotReader::open(options.resume));
     if (held) throwIfRefused(held->errors());
-    if (options.output.empty() && reader.end() && reader.end()->ended == "finished")
+    // Without its index, as it is when it was killed in its last moment, a finished run is finished once more.
+    if (options.output.empty() && reader.end() && reader.end()->ended == "finished" &&
+        reader.faults().empty())
         throw BadInput(
             Error{"--resume", "holds a finished run: there is nothing left to do", options.resume});
     for (const std::string& fault : reader.faults())

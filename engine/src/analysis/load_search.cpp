@@ -124,14 +124,31 @@ class Search {
         } else if (rests(load)) {
             return false;
         }
+        const State failing = probing_.last_moving;
         if (probing_.implicit_first || no_rest_) continueToFailure();
         // What stands again only where it is jammed has failed, whether or not the motion is seen to get there.
         result_.confirmed = result_.confirmed || probing_.stands_elsewhere;
+        if (result_.confirmed || interrupted(probing_)) return true;
+        if (restsGivenTime(failing, load)) return false;
         if (result_.confirmed || interrupted(probing_)) return true;
         State moved = probing_.last_moving;
         axis_.apply(moved, load);
         takeBack(moved, probing_.work);
         return !settles(probing_, moved, load);
+    }
+
+    /// Of a failure that was not seen to be one, while the implicit solve knew nothing: asks that once more, with more time. Where
+    /// it finds no rest either, what the assembly has crept is not asked for again, and the failure is let go anew.
+    bool restsGivenTime(const State& failing, double load) {
+        if (no_rest_ || probing_.stands_elsewhere) return false;
+        State moved = probing_.last_moving;
+        const Verdict found = restAt(probing_, load, kPatientFactors);
+        if (found == Verdict::stable) return true;
+        no_rest_ = found == Verdict::failing && !probing_.stands_elsewhere;
+        result_.confirmed = probing_.stands_elsewhere;
+        probing_.last_moving = no_rest_ ? failing : std::move(moved);
+        if (no_rest_) continueToFailure();
+        return false;
     }
 
     /// Whether there is rest at the failing load by the implicit solve, or where that knows nothing by watching for longer.

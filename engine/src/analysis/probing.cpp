@@ -13,8 +13,6 @@ namespace {
 constexpr std::int64_t kFirstSteps = 6'000;
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
-// And of the one that a failure hangs on: what creeps before it fails takes more.
-constexpr std::int64_t kPatientFactors = 1'500;
 // Rest is near when it is no farther than this times the way the assembly has come, from rest to rest (engine/README.md says
 // what smaller and larger ones do).
 constexpr double kNear = 1.5;
@@ -72,14 +70,13 @@ double wayBetween(const State& from, const State& to) {
     return farthest;
 }
 
-/// From the last stable state, the whole change of load at once.
+/// From the last stable state, the whole change of load at once. \param asked_factors  most factorisations; 0: what is due
 Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const Ramp& ramp,
-                        bool patiently = false) {
-    const bool doubtful = patiently || p.implicit_first || !p.has_stood;
-    const std::int64_t most_factors =
-        patiently  ? kPatientFactors
-        : doubtful ? kMostFactors
-                   : std::clamp(p.steps / kStepsPerFactor, kLeastFactors, kMostFactors);
+                        std::int64_t asked_factors = 0) {
+    const bool doubtful = p.implicit_first || !p.has_stood;
+    const std::int64_t own_factors =
+        doubtful ? kMostFactors : std::clamp(p.steps / kStepsPerFactor, kLeastFactors, kMostFactors);
+    const std::int64_t most_factors = asked_factors > 0 ? asked_factors : own_factors;
     State state = p.last_stable;
     ramp(state, 1.0);
     report(p, stage, load, "solving");
@@ -137,7 +134,7 @@ Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ram
     return verdict;
 }
 
-Verdict restAt(Probing& p, double load) {
+Verdict restAt(Probing& p, double load, std::int64_t most_factors) {
     const Probing::NoNearRest& known = p.no_near_rest;
     if (known.load == load && known.most_factors >= kMostFactors &&
         known.states_at_rest == p.states_at_rest) {
@@ -146,7 +143,7 @@ Verdict restAt(Probing& p, double load) {
     }
     State moving = p.last_moving;
     const Verdict found = probeImplicitly(
-        p, "equilibrium", load, [&](State& state, double) { p.axis.apply(state, load); }, true);
+        p, "equilibrium", load, [&](State& state, double) { p.axis.apply(state, load); }, most_factors);
     if (found == Verdict::stable)
         p.implicit_first = true;
     else

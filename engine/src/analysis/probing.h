@@ -14,6 +14,8 @@ namespace talus::analysis {
 
 /// Factorisations of one implicit solve that is given its time.
 inline constexpr std::int64_t kMostFactors = 600;
+/// And of one on which hangs whether a failure is one that was not seen to be one: what creeps before it fails takes more.
+inline constexpr std::int64_t kPatientFactors = 1'500;
 /// A block that has gone this share of its size has left its place.
 inline constexpr double kSeenShare = 2e-4;
 
@@ -55,7 +57,7 @@ Verdict probe(Probing& probing, const std::string& stage, double load, const Ram
 
 /// What the implicit solve finds at a failing load, given its time: blocks that topple may have been shaken there by the
 /// explicit steps. Failing: no rest near, though `stands_elsewhere` may say that there is another.
-Verdict restAt(Probing& probing, double load);
+Verdict restAt(Probing& probing, double load, std::int64_t most_factors = kMostFactors);
 
 /// Whether a state that moves at a load comes to rest when it is watched for longer; it is the last stable one then. A
 /// mode many times slower than the slowest known one looks like failure for a while: close below the load at which a
