@@ -63,6 +63,32 @@ TEST_CASE("kill -9 at random moments: complete frames are read back, --resume en
     }
 }
 
+TEST_CASE("a run that was cut off anywhere behind its last frame is finished once more, and only then") {
+    const TemporaryFolder folder;
+    const std::string scenario = folder.write("run.toml", talus::test::runScenarioText("0.2"));
+    const std::string path = folder / "whole.mcap", cut = folder / "cut.mcap";
+    const Outcome whole = runTalus({"run", scenario, "-o", path, "--json", "--quiet"});
+    REQUIRE(whole.exit_code == 0);
+    CHECK(runTalus({"run", "--resume", path, "--quiet"}).exit_code == 2);  // nothing left to do
+    const auto size = std::filesystem::file_size(path);
+    int finished_before = 0;
+    for (const std::uintmax_t missing : {1, 8, 9, 37, 100, 300, 600, 900, 1200, 1500, 2000, 3000, 5000}) {
+        CAPTURE(missing);
+        std::filesystem::copy_file(path, cut, std::filesystem::copy_options::overwrite_existing);
+        std::filesystem::resize_file(cut, size - missing);
+        finished_before += inspectSnapshot(cut) == SnapshotFile::finished;
+        const Outcome resumed = runTalus({"run", "--resume", cut, "--json", "--quiet"});
+        REQUIRE(resumed.exit_code == 0);
+        CHECK(hashOf(resumed) == hashOf(whole));
+        auto completed = SnapshotReader::open(cut);
+        REQUIRE(completed.ok());
+        CHECK(completed->verify().empty());
+        CHECK(completed->end()->ended == "finished");
+        CHECK(completed->frames().size() == SnapshotReader::open(path)->frames().size());
+    }
+    CHECK(finished_before > 0);  // their last word was there, the index was not
+}
+
 TEST_CASE("an interrupted run is resumed in a copy; the file it came from stays") {
     const TemporaryFolder folder;
     const std::string scenario = folder.write("run.toml", talus::test::runScenarioText("0.3"));
