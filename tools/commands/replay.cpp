@@ -83,9 +83,9 @@ Json stretchesJson(const Verification& found) {
 
 int verify(formats::SnapshotReader& reader, const ReplayOptions& options) {
     const auto& failure = reader.header().failure;
-    if (failure && mechanismLoad(failure->analysis) != nullptr)
-        throw BadInput(Error{"--verify", "found the mechanism of a limit analysis: nothing in it was run",
-                             options.file});
+    const bool was_run = !failure || mechanismLoad(failure->analysis) == nullptr;
+    const char* found_instead = "found the mechanism of a limit analysis: nothing in it was run";
+    if (!was_run) throw BadInput(Error{"--verify", found_instead, options.file});
     const bool same = sameBuild(reader.header());
     if (!same)
         note(options.common, "warning: the file was written by another build (" +

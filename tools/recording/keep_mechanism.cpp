@@ -7,6 +7,7 @@
 
 #include "cli/failures.h"
 #include "cli/json.h"
+#include "cli/outputs.h"
 #include "cli/text.h"
 #include "report/numbers.h"
 #include "talus/formats/failing.h"
@@ -69,14 +70,14 @@ double medianSize(const Start& start, const std::vector<Velocity>& velocities) {
     return *middle;
 }
 
+Vec3 at(const VectorList<double>& list, std::size_t k) { return {list.x[k], list.y[k], list.z[k]}; }
+
 double radiusOf(const RunGeometry& geometry, std::size_t block) {
-    const auto at = [](const VectorList<double>& list, std::size_t k) {
-        return Vec3(list.x[k], list.y[k], list.z[k]);
-    };
     double radius = 0;
-    for (auto v = geometry.vertex_begin[block]; v < geometry.vertex_begin[block + 1]; ++v)
-        radius = std::max(
-            radius, (at(geometry.vertex, static_cast<std::size_t>(v)) - at(geometry.centroid, block)).norm());
+    for (auto v = geometry.vertex_begin[block]; v < geometry.vertex_begin[block + 1]; ++v) {
+        const Vec3 arm = at(geometry.vertex, static_cast<std::size_t>(v)) - at(geometry.centroid, block);
+        radius = std::max(radius, arm.norm());
+    }
     return radius;
 }
 
@@ -84,15 +85,15 @@ double radiusOf(const RunGeometry& geometry, std::size_t block) {
 formats::SnapshotFailure failureOf(const Start& start, const Model& model,
                                    const std::vector<Velocity>& velocities, double way) {
     std::vector<BlockWay> ways;
-    for (std::size_t b = 0; b < velocities.size(); ++b)
+    for (std::size_t b = 0; b < velocities.size(); ++b) {
+        const Vec3 moved = way * velocities[b].velocity;
         ways.push_back({.free = model.blocks[b].motion == Motion::free,
-                        .position = Vec3(start.geometry.centroid.x[b], start.geometry.centroid.y[b],
-                                         start.geometry.centroid.z[b]) +
-                                    way * velocities[b].velocity,
+                        .position = at(start.geometry.centroid, b) + moved,
                         .radius = radiusOf(start.geometry, b),
-                        .translation = way * velocities[b].velocity.norm(),
+                        .translation = moved.norm(),
                         .rotation = way * velocities[b].spin.norm(),
                         .mass = start.geometry.mass[b]});
+    }
     formats::SnapshotFailure failure;
     failure.roles = motionRoles(ways, 0);
     failure.mode = overallMode(ways, failure.roles);
@@ -144,9 +145,7 @@ MechanismKeeper::MechanismKeeper(const KeepMechanismOptions& options, const Comm
                                  const formats::Scenario& scenario)
     : options_(options), scenario_(scenario) {
     if (options.file.empty()) return;
-    if (!options.file.ends_with(".mcap"))
-        throw BadInput(
-            Error{"--keep-mechanism", "found \"" + options.file + "\", allowed: a file named *.mcap"});
+    requireEnding("--keep-mechanism", options.file, {".mcap"});
     run_options_ = {.common = common,
                     .scenario = {scenario.path, {}},
                     .output = options.file,

@@ -98,10 +98,11 @@ Resumed readResumed(const RunOptions& options) {
     auto reader = valueOf(formats::SnapshotReader::open(options.resume));
     if (held) throwIfRefused(held->errors());
     // Without its index, as it is when it was killed in its last moment, a finished run is finished once more.
-    if (options.output.empty() && reader.end() && reader.end()->ended == "finished" &&
-        reader.faults().empty())
+    const bool is_finished = reader.end() && reader.end()->ended == "finished" && reader.faults().empty();
+    if (options.output.empty() && is_finished) {
         throw BadInput(
             Error{"--resume", "holds a finished run: there is nothing left to do", options.resume});
+    }
     for (const std::string& fault : reader.faults())
         note(options.common, "note: " + options.resume + ": " + fault);
     noteOtherBuild(options, reader.header().build);

@@ -141,13 +141,13 @@ class Search {
     /// it finds no rest either, what the assembly has crept is not asked for again, and the failure is let go anew.
     bool restsGivenTime(const State& failing, double load) {
         if (no_rest_ || probing_.stands_elsewhere) return false;
-        State moved = probing_.last_moving;
         const Verdict found = restAt(probing_, load, kPatientFactors);
         if (found == Verdict::stable) return true;
         no_rest_ = found == Verdict::failing && !probing_.stands_elsewhere;
         result_.confirmed = probing_.stands_elsewhere;
-        probing_.last_moving = no_rest_ ? failing : std::move(moved);
-        if (no_rest_) continueToFailure();
+        if (!no_rest_) return false;
+        probing_.last_moving = failing;
+        continueToFailure();
         return false;
     }
 

@@ -197,9 +197,8 @@ bool BlockLu::eliminateWithin(const Panel& panel) {
         const std::size_t first = begin_[i] * Mat6::SizeAtCompileTime;
         const EliminationTarget target{diagonal_inverse_[i].data(), numbers(lower_) + first,
                                        numbers(upper_) + first};
-        if (!columns_.empty())
-            kernel_(
-                {columns_.data(), columns_.size(), next_.data(), begin_[i + 1] - begin_[i] + 1, &target, 1});
+        const std::size_t count = begin_[i + 1] - begin_[i] + 1;
+        if (!columns_.empty()) kernel_({columns_.data(), columns_.size(), next_.data(), count, &target, 1});
         const Eigen::PartialPivLU<Mat6> pivots(diagonal_inverse_[i]);
         const double determinant = pivots.determinant();
         if (determinant == 0 || !std::isfinite(determinant)) return false;
