@@ -92,7 +92,7 @@ int analyse(const LimitOptions& options) {
     } else {
         printText(toText(options, result) + (kept ? row("mechanism", keptMechanismText(*kept)) : ""));
     }
-    return exitCode(result.status);
+    return kept && kept->exit_code != kDone ? kept->exit_code : exitCode(result.status);
 }
 
 }  // namespace

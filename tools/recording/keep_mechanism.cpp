@@ -7,7 +7,6 @@
 
 #include "cli/failures.h"
 #include "cli/json.h"
-#include "cli/outputs.h"
 #include "cli/text.h"
 #include "report/numbers.h"
 #include "talus/formats/failing.h"
@@ -145,14 +144,8 @@ MechanismKeeper::MechanismKeeper(const KeepMechanismOptions& options, const Comm
                                  const formats::Scenario& scenario)
     : options_(options), scenario_(scenario) {
     if (options.file.empty()) return;
-    requireEnding("--keep-mechanism", options.file, {".mcap"});
-    run_options_ = {.common = common,
-                    .scenario = {scenario.path, {}},
-                    .output = options.file,
-                    .resume = "",
-                    .force = options.force,
-                    .frames_per_full = kFrames,
-                    .output_option = "--keep-mechanism"};
+    run_options_ =
+        optionsToKeep(common, scenario.path, options.file, options.force, kFrames, "--keep-mechanism");
     recorder_ = std::make_unique<RunRecorder>(run_options_, at_limit_, nullptr);
 }
 
@@ -193,7 +186,12 @@ KeptMechanism MechanismKeeper::keep(const LimitResult& result, const VariedQuant
         return kept;
     }
     // What stands at no load fails where the load begins.
-    write(result, load, std::isfinite(result.upper) ? result.upper : result.lower, kept);
+    try {
+        write(result, load, std::isfinite(result.upper) ? result.upper : result.lower, kept);
+    } catch (const FileRefused& refused) {
+        kept.exit_code = kFileRefused, kept.reason = refused.what();
+        note(run_options_.common, "error: the mechanism is not kept: " + kept.reason);
+    }
     return kept;
 }
 

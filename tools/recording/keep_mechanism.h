@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/failures.h"
 #include "cli/json_fwd.h"
 #include "recording/run_output.h"
 #include "talus/formats/scenario.h"
@@ -30,6 +31,7 @@ void addKeepMechanism(CLI::App& app, KeepMechanismOptions& options);
 struct KeptMechanism {
     std::string file;    ///< empty when nothing was kept
     std::string reason;  ///< why nothing was kept
+    int exit_code = kDone;
     FailureMode mode = FailureMode::none;
     double way = 0;  ///< of the fastest block's farthest corner at the end [m]
     std::size_t frames = 0;
@@ -48,7 +50,7 @@ class MechanismKeeper {
 
     bool wanted() const { return recorder_ != nullptr; }
 
-    /// \pre wanted()
+    /// What the file system refuses is told in the result, so that what was found is not lost with it. \pre wanted()
     KeptMechanism keep(const LimitResult& result, const VariedQuantity& load);
 
  private:

@@ -114,15 +114,8 @@ FailureKeeper::FailureKeeper(const KeepRunOptions& options, const Common& common
                              const formats::Scenario& scenario)
     : options_(options), scenario_(scenario) {
     if (options.file.empty()) return;
-    if (!options.file.ends_with(".mcap"))
-        throw BadInput(Error{"--keep-run", "found \"" + options.file + "\", allowed: a file named *.mcap"});
-    run_options_ = {.common = common,
-                    .scenario = {scenario.path, {}},
-                    .output = options.file,
-                    .resume = "",
-                    .force = options.force,
-                    .frames_per_full = kFramesPerFull,
-                    .output_option = "--keep-run"};
+    run_options_ =
+        optionsToKeep(common, scenario.path, options.file, options.force, kFramesPerFull, "--keep-run");
     recorder_ = std::make_unique<RunRecorder>(run_options_, as_it_fails_, nullptr);
 }
 

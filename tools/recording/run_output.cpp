@@ -92,6 +92,18 @@ formats::SnapshotWriter continued(formats::OutputFile file, std::size_t full) {
 
 }  // namespace
 
+RunOptions optionsToKeep(const Common& common, const std::string& scenario, const std::string& file,
+                         bool force, int frames_per_full, const char* option) {
+    requireEnding(option, file, {".mcap"});
+    return {.common = common,
+            .scenario = {scenario, {}},
+            .output = file,
+            .resume = "",
+            .force = force,
+            .frames_per_full = frames_per_full,
+            .output_option = option};
+}
+
 Resumed readResumed(const RunOptions& options) {
     std::optional<Result<formats::OutputFile>> held;  // before it is read: nobody may change it any more
     if (inPlace(options)) held.emplace(formats::OutputFile::openExisting(options.resume));

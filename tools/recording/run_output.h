@@ -27,6 +27,10 @@ struct RunOptions {
     std::function<void()> give_up = requestStop;  ///< called once its file can no longer be written
 };
 
+/// Of a file that an analysis keeps beside its answer. Throws BadInput for a name that is not a snapshot's.
+RunOptions optionsToKeep(const Common& common, const std::string& scenario, const std::string& file,
+                         bool force, int frames_per_full, const char* option);
+
 /// An earlier run that goes on: its scenario, and the last of its full states that can be read.
 struct Resumed {
     formats::Scenario scenario;

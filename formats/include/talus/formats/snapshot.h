@@ -29,9 +29,8 @@ inline constexpr int kFormatWithLaws =
 
 /// What a search says of the failing run that it keeps.
 struct SnapshotFailure {
-    std::string
-        analysis;  ///< "critical-angle", "safety-factor", ...; "limit-analysis --for tilt", ... of a mechanism
-    double load = 0;  ///< tilt [rad] or factor of safety of this run
+    std::string analysis;  ///< "critical-angle", ...; of a mechanism "limit-analysis --for tilt", ...
+    double load = 0;       ///< tilt [rad] or factor of safety of this run
     FailureMode mode = FailureMode::none;
     std::vector<FailureMode> roles;  ///< per block: how the search saw it move
     /// per block: the factor of safety at which it goes, 0 where that is not known; empty without any
