@@ -185,11 +185,11 @@ struct SearchRemarks {
     std::vector<Error> grid{};          ///< the first patch that is no rectangle where the rule asks for one
 };
 
-SearchRemarks appendInterfaces(State& state, double margin, const PlacePairs& with_places, bool initial,
-                               bool parallel) {
+SearchRemarks appendInterfaces(State& state, const SearchRange& range, const PlacePairs& with_places,
+                               bool initial, bool parallel) {
     SearchRemarks remarks;
     InterfaceWindow window;
-    examinePairs(state, margin, with_places, initial, parallel, [&](const PairFinding& finding) {
+    examinePairs(state, range, with_places, initial, parallel, [&](const PairFinding& finding) {
         if (finding.overlaps)
             remarks.overlaps.push_back({{},
                                         finding.block_a,
@@ -231,7 +231,7 @@ std::vector<Error> makeInterfaces(State& state, double margin, double ahead, boo
     const std::vector<PairEnergy> held =
         state.springs == Springs::keep_energy ? energyOfPairs(contactsOf(state)) : std::vector<PairEnergy>{};
     const OldInterfaces old = takeInterfaces(state);
-    const SearchRemarks remarks = appendInterfaces(state, margin, with_places, initial, parallel);
+    const SearchRemarks remarks = appendInterfaces(state, {margin, ahead}, with_places, initial, parallel);
     if (initial) {
         std::vector<Error> errors = overlapErrors(state, remarks.overlaps);
         if (errors.empty()) errors = remarks.grid;

@@ -12,6 +12,8 @@ inline constexpr double kClosedGap = 1e-4;
 // What a search foresees; a block that has gone farther has its neighbours searched again.
 inline constexpr double kTravelLimit = 0.01;  // of a block's own size
 inline constexpr double kTurnLimit = 0.01;    // [rad]
+inline constexpr double kShareOfMargin =
+    0.25;  // of the margin, likewise: two blocks may come towards each other
 
 /// Faces meet as faces up to this angle from parallel, and the more the deeper they are pressed into each other (per
 /// share of the smaller block's size) [rad]. Beyond that only the patch's lowest edge or vertex carries (the contact

@@ -8,6 +8,7 @@
 #include "contacts/limits.h"
 #include "contacts/vertex_edge_points.h"
 #include "geometry/separation.h"
+#include "state/block_motion.h"
 #include "state/incidence.h"
 #include "state/placed_shape.h"
 #include "state/range.h"
@@ -15,6 +16,7 @@
 namespace talus {
 namespace {
 
+constexpr double kFaster = 4.0;         // than now a pair may get before the next search
 constexpr double kMostFaceAngle = 0.8;  // [rad] however deep: then a box always has one such face
 
 Box boundingBox(const WorldShape& shape, double margin) {
@@ -171,8 +173,15 @@ PlacePairs pairsWithPlaces(const Geometry& geometry, const Interfaces& f) {
 
 namespace {
 
-PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair pair, double margin,
-                        const PlacePairs& with_places, bool initial) {
+/// How far a block may go before it makes a search, with what it is over when that is noticed [m].
+double wayAhead(const State& state, std::size_t block, double margin) {
+    constexpr double kNoticed = 1.5;
+    if (state.blocks.motion[block] == Motion::fixed) return 0.0;
+    return kNoticed * std::min(kTravelLimit * state.geometry->size[block], kShareOfMargin * margin);
+}
+
+PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair pair,
+                        const SearchRange& range, const PlacePairs& with_places, bool initial) {
     PairFinding finding;
     const auto part_1 = static_cast<std::size_t>(pair.first), part_2 = static_cast<std::size_t>(pair.second);
     const std::size_t first = placed.blockOf(part_1), second = placed.blockOf(part_2);
@@ -189,16 +198,18 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     const double closed = kClosedGap * size;
     const WorldShape placed_a = placed.world(first_is_a ? part_1 : part_2),
                      placed_b = placed.world(first_is_a ? part_2 : part_1);
-    const VertexEdgeLimits sharp = vertexEdgeLimits(*state.geometry, a, b, margin);
-    const double travel = 2.0 * (kTravelLimit + kTurnLimit) * size;
-    if (!initial && areApart(placed_a, placed_b, sharp.reach + travel)) return finding;
-    finding.faces = findFacePairs(
-        placed_a, placed_b, {.max_gap = margin, .max_overlap = 0.5 * size, .max_angle = kMostFaceAngle});
+    if (!initial && areApart(placed_a, placed_b, range.margin)) return finding;
+    finding.faces =
+        findFacePairs(placed_a, placed_b,
+                      {.max_gap = range.margin, .max_overlap = 0.5 * size, .max_angle = kMostFaceAngle});
     dropTilted(placed_a, placed_b, size, finding);
     dropFalsePairs(placed_a, placed_b, closed, finding);
     dropCovered(placed_a, placed_b, finding);
     const bool slivers = dropSlivers(state, a, b, size, finding, initial);
     // A pair that has places keeps them as long as it is near.
+    const double fast = kFaster * range.ahead * (speedBound(state, a) + speedBound(state, b));
+    const VertexEdgeLimits sharp = vertexEdgeLimits(*state.geometry, a, b, fast);
+    const double travel = wayAhead(state, a, range.margin) + wayAhead(state, b, range.margin);
     finding.may_meet_by_vertices =
         slivers || hadPlaces(with_places, pair) ||
         approachOf(placed_a, placed_b, sharp, travel, 2.0 * kTurnLimit) == Approach::vertex_edge;
@@ -226,18 +237,18 @@ std::vector<BoxPair> nearPairs(const PlacedShapes& placed, double margin, bool p
 
 }  // namespace
 
-void examinePairs(const State& state, double margin, const PlacePairs& with_places, bool initial,
+void examinePairs(const State& state, const SearchRange& range, const PlacePairs& with_places, bool initial,
                   bool parallel, const std::function<void(const PairFinding&)>& take) {
     constexpr std::size_t kPiece = 16384;
-    assert(margin > 0 && std::is_sorted(with_places.begin(), with_places.end()));
+    assert(range.margin > 0 && range.ahead >= 0 && std::is_sorted(with_places.begin(), with_places.end()));
     const PlacedShapes placed = placeShapes(state, parallel);
-    const std::vector<BoxPair> pairs = nearPairs(placed, margin, parallel);
+    const std::vector<BoxPair> pairs = nearPairs(placed, range.margin, parallel);
     std::vector<PairFinding> findings;
     for (std::size_t begin = 0; begin < pairs.size(); begin += kPiece) {
         findings.assign(std::min(kPiece, pairs.size() - begin), {});
-        forRange(findings.size(), 64, parallel, [&](Range range) {
-            for (std::size_t k = range.begin; k < range.end; ++k)
-                findings[k] = examinePair(state, placed, pairs[begin + k], margin, with_places, initial);
+        forRange(findings.size(), 64, parallel, [&](Range piece) {
+            for (std::size_t k = piece.begin; k < piece.end; ++k)
+                findings[k] = examinePair(state, placed, pairs[begin + k], range, with_places, initial);
         });
         for (const PairFinding& finding : findings) take(finding);
     }

@@ -26,12 +26,18 @@ struct PairFinding {
 using PlacePairs = std::vector<BoxPair>;
 PlacePairs pairsWithPlaces(const Geometry& geometry, const Interfaces& interfaces);
 
-/// \pre margin > 0
-/// Examines all pairs of parts of different blocks nearer than `margin` [m] and hands what it finds to `take`, pair by pair in order. In
+/// What a search foresees.
+struct SearchRange {
+    double margin = 0;  ///< pairs of faces nearer than this count [m]
+    double ahead = 0;   ///< time until the next look, not negative [s]
+};
+
+/// \pre range.margin > 0
+/// Examines all pairs of parts of different blocks nearer than `range.margin` and hands what it finds to `take`, pair by pair in order. In
 /// pieces: of a million blocks' thirteen million pairs all findings at once would take more memory than the state.
 /// \param with_places pairs that keep their places as long as they are near, sorted
 /// \param initial    whether the blocks stand as the model has them: then overlaps are looked for
-void examinePairs(const State& state, double margin, const PlacePairs& with_places, bool initial,
+void examinePairs(const State& state, const SearchRange& range, const PlacePairs& with_places, bool initial,
                   bool parallel, const std::function<void(const PairFinding&)>& take);
 
 }  // namespace talus

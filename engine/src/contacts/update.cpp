@@ -45,8 +45,8 @@ bool movedTooFar(const State& state, double margin) {
         most_turned = std::max(most_turned, turn);
     }
     if (most_turned > kTurnLimit) return true;
-    // Two blocks may come towards each other: half the margin each, less what they may go before the next look.
-    if (farthest > 0.25 * state.search_margin || margin > 1.001 * state.search_margin) return true;
+    // Half the margin each, less what they may go before the next look.
+    if (farthest > kShareOfMargin * state.search_margin || margin > 1.001 * state.search_margin) return true;
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
         if (isVertexEdge(f, i)) continue;

@@ -227,23 +227,63 @@ bool isInner(const WorldShape& shape, const Edge& edge) {
            shape.isInner(static_cast<std::size_t>(edge.right));
 }
 
+/// What the two may do to each other before they are looked at again.
+struct Ahead {
+    double travel = 0;  ///< any point against any other [m]
+    double turn = 0;    ///< [rad]
+};
+
+/// From a point to a line between two others, seen along a unit vector [m].
+double distanceSeenAlong(const Vec3& axis, const Vec3& x, const Vec3& from, const Vec3& to) {
+    const auto seen = [&](const Vec3& v) -> Vec3 { return v - axis.dot(v) * axis; };
+    const Vec3 line = seen(to - from), way = seen(x - from);
+    const double square = line.squaredNorm();
+    const double share = square > 0 ? std::clamp(way.dot(line) / square, 0.0, 1.0) : 0.0;
+    return (way - share * line).norm();
+}
+
+/// Whether two edges that do not cross between their ends may come to. Seen along the axis, what will lie on it is apart by what
+/// the two travel and by how far the axis leaves its direction along the way between the edges: by their turn over the sine of
+/// the angle between them.
+bool mayCross(const Pair& pair, const SeparatingAxis& axis, const Ahead& ahead) {
+    const Edge& e = pair.first_edges[static_cast<std::size_t>(axis.face)];
+    const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
+    const Vec3 &a = vertexOf(pair.first, e.from), &b = vertexOf(pair.first, e.to),
+               &c = vertexOf(pair.second, f.from), &d = vertexOf(pair.second, f.to);
+    const double apart =
+        std::min({distanceSeenAlong(axis.normal, a, c, d), distanceSeenAlong(axis.normal, b, c, d),
+                  distanceSeenAlong(axis.normal, c, a, b), distanceSeenAlong(axis.normal, d, a, b)});
+    const double tilt = std::min(1.0, ahead.turn / e.direction.cross(f.direction).norm());
+    return apart <= ahead.travel + (std::abs(axis.distance) + ahead.travel) * tilt;
+}
+
+bool isOutermost(const WorldShape& shape, const Vec3& x, const Vec3& out, double turn) {
+    return !shape.body || shape.body->isOutermost(x, out, turn);
+}
+
+/// Whether an edge is one of the body somewhere along it.
+bool isSharp(const WorldShape& shape, const Edge& edge, const Vec3& out, double turn) {
+    return !shape.body ||
+           shape.body->isOutermostAlong(vertexOf(shape, edge.from), vertexOf(shape, edge.to), out, turn);
+}
+
 /// Whether the bodies, and not only these parts of them, can touch along an axis: parts meet their neighbours of the same
 /// body in faces, edges and vertices that nothing else can touch. The other's lowest vertex becomes one that can be touched.
 /// \param tie of its vertices, those this much higher than the lowest count, too [m]
-/// \param slack angle by which the axis may turn [rad]; then edges may also come to cross that do not yet
-bool isReal(const Pair& pair, SeparatingAxis& axis, double tie, double slack) {
+/// \param ahead edges that do not cross yet may come to
+bool isReal(const Pair& pair, SeparatingAxis& axis, double tie, const Ahead& ahead) {
     if (!pair.first.body && !pair.second.body) return true;
-    const auto isOutermost = [&](const WorldShape& shape, const Vec3& x, const Vec3& out) {
-        return !shape.body || shape.body->isOutermost(x, out, slack);
-    };
     if (axis.is_edges) {
-        if (isInner(pair.first, pair.first_edges[static_cast<std::size_t>(axis.face)]) ||
-            isInner(pair.second, pair.second_edges[static_cast<std::size_t>(axis.other)]))
-            return false;
+        const Edge& e = pair.first_edges[static_cast<std::size_t>(axis.face)];
+        const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
+        if (isInner(pair.first, e) || isInner(pair.second, f)) return false;
         const Crossing crossing = crossingOf(pair, axis);
-        if (!crossing.within) return slack > 0;
-        return isOutermost(pair.first, crossing.first, axis.normal) &&
-               isOutermost(pair.second, crossing.second, -axis.normal);
+        if (ahead.turn > 0)
+            return (crossing.within || mayCross(pair, axis, ahead)) &&
+                   isSharp(pair.first, e, axis.normal, ahead.turn) &&
+                   isSharp(pair.second, f, -axis.normal, ahead.turn);
+        return crossing.within && isOutermost(pair.first, crossing.first, axis.normal, 0.0) &&
+               isOutermost(pair.second, crossing.second, -axis.normal, 0.0);
     }
     const WorldShape &reference = pair.shape(axis.second_is_reference),
                      &other = pair.shape(!axis.second_is_reference);
@@ -252,7 +292,7 @@ bool isReal(const Pair& pair, SeparatingAxis& axis, double tie, double slack) {
     const double lowest = axis.normal.dot(vertexOf(other, axis.other));
     for (std::size_t v = 0; v < other.vertices.size(); ++v) {
         if (axis.normal.dot(other.vertices[v]) > lowest + tie) continue;
-        if (!isOutermost(other, other.vertices[v], -axis.normal)) continue;
+        if (!isOutermost(other, other.vertices[v], -axis.normal, ahead.turn)) continue;
         if (incidentFace(other, static_cast<std::int32_t>(v), axis.normal) < 0) continue;
         axis.other = static_cast<std::int32_t>(v);
         return true;
@@ -290,6 +330,10 @@ struct Meeting {
 /// axis is no more than this deeper, times the tie.
 constexpr double kDeeperThanParts = 200.0;
 
+double deepestReal(double parts, const VertexEdgeLimits& limits) {
+    return parts - kDeeperThanParts * limits.tie;
+}
+
 Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
     Meeting best;
     double most = -std::numeric_limits<double>::infinity();
@@ -299,7 +343,7 @@ Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
         if (best.apart) return false;
         most = std::max(most, axis.distance);
         if (axis.distance <= best.sharp.distance && axis.distance <= best.faces.distance) return true;
-        if (!isReal(pair, axis, limits.tie, 0.0)) return true;
+        if (!isReal(pair, axis, limits.tie, {})) return true;
         if (meetsFaceToFace(pair, axis, limits)) {
             if (axis.distance > best.faces.distance) best.faces = axis;
         } else if (axis.distance >
@@ -308,8 +352,7 @@ Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
         }
         return true;
     });
-    const double deepest = most - kDeeperThanParts * limits.tie;
-    best.met = best.apart || std::max(best.sharp.distance, best.faces.distance) >= deepest;
+    best.met = best.apart || std::max(best.sharp.distance, best.faces.distance) >= deepestReal(most, limits);
     return best;
 }
 
@@ -483,17 +526,19 @@ Approach approachOf(const WorldShape& first, const WorldShape& second, const Ver
     VertexEdgeLimits narrow = limits;
     narrow.face_angle -= turn;
     narrow.angle_per_depth = 0;
-    double most = -std::numeric_limits<double>::infinity(), sharpest = most;
+    double parts = -std::numeric_limits<double>::infinity(), most = parts, sharpest = parts;
     bool apart = false;
     forEachAxis(pair, [&](SeparatingAxis axis) {
         apart = axis.distance > limits.reach + travel;
         if (apart) return false;
-        if (axis.distance <= most - travel || !isReal(pair, axis, limits.tie + travel, turn)) return true;
+        parts = std::max(parts, axis.distance);
+        if (axis.distance <= most - travel || !isReal(pair, axis, limits.tie + travel, {travel, turn}))
+            return true;
         most = std::max(most, axis.distance);
         if (axis.distance > sharpest && !meetsFaceToFace(pair, axis, narrow)) sharpest = axis.distance;
         return true;
     });
-    if (apart) return Approach::apart;
+    if (apart || most + travel < deepestReal(parts - travel, limits)) return Approach::apart;
     return sharpest > most - travel ? Approach::vertex_edge : Approach::faces;
 }
 

@@ -186,6 +186,27 @@ double reachBeyond(const Polyhedron& shape, const ConvexPart& part, const Vec3& 
     return most;
 }
 
+/// Of the way from one point to another.
+struct Share {
+    double begin = 0, end = 1;
+};
+
+/// What of it a convex part holds, within a distance; empty when begin > end.
+Share heldBetween(const Polyhedron& shape, const ConvexPart& part, const Vec3& from, const Vec3& to,
+                  double distance) {
+    Share held;
+    for (std::size_t f = 0; f < faceCount(part) && held.begin <= held.end; ++f) {
+        const std::size_t face = static_cast<std::size_t>(part.first_face) + f;
+        const Vec3 normal = shape.faceNormal(face),
+                   &on_face = shape.vertices[static_cast<std::size_t>(shape.faces[face][0])];
+        const double a = normal.dot(from - on_face) - distance, b = normal.dot(to - on_face) - distance;
+        if (a > 0 && b > 0) return {1, 0};
+        if (a > 0) held.begin = std::max(held.begin, a / (a - b));
+        if (b > 0) held.end = std::min(held.end, a / (a - b));
+    }
+    return held;
+}
+
 }  // namespace
 
 Result<Polyhedron> joinParts(const std::vector<Polyhedron>& parts) {
@@ -277,6 +298,31 @@ bool PartOfBody::isOutermost(const Vec3& point, const Vec3& direction, double sl
         const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
         return reachBeyond(shape, other, x, along, slack) > tolerance && holds(shape, other, x, tolerance);
     });
+}
+
+bool PartOfBody::isOutermostAlong(const Vec3& from, const Vec3& to, const Vec3& direction,
+                                  double slack) const {
+    const Vec3 a = own(from), b = own(to), along = turn.transpose() * direction;
+    const auto& parts = shape.faces.parts();
+    std::vector<Share> covered;  // by parts that reach farther, seen from both ends of what they hold
+    for (const std::int32_t beside : parts[part].beside) {
+        const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
+        const Share held = heldBetween(shape, other, a, b, tolerance);
+        if (held.begin > held.end) continue;
+        const auto reachesFrom = [&](double share) {
+            return reachBeyond(shape, other, a + share * (b - a), along, slack) > tolerance;
+        };
+        if (reachesFrom(held.begin) && reachesFrom(held.end)) covered.push_back(held);
+    }
+    std::sort(covered.begin(), covered.end(),
+              [](const Share& s, const Share& t) { return s.begin < t.begin; });
+    const double least = tolerance / std::max(tolerance, (b - a).norm());
+    double done = 0;
+    for (const Share& share : covered) {
+        if (share.begin > done + least) return true;
+        done = std::max(done, share.end);
+    }
+    return done < 1 - least;
 }
 
 bool PartOfBody::goesOnFlat(const Vec3& point, const Vec3& outward, const Vec3& normal) const {

@@ -31,6 +31,9 @@ struct PartOfBody {
     /// \param slack angle by which it may [rad]
     bool isOutermost(const Vec3& point, const Vec3& direction, double slack = 0) const;
 
+    /// Whether that holds anywhere between two points of one of the part's edges; where it may, too.
+    bool isOutermostAlong(const Vec3& from, const Vec3& to, const Vec3& direction, double slack) const;
+
     /// Whether a surface with this normal goes on flat, in another part, from a point on the part's outline.
     bool goesOnFlat(const Vec3& point, const Vec3& outward, const Vec3& normal) const;
 

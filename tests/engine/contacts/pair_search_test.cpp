@@ -9,10 +9,14 @@
 
 #include "build/build.h"
 #include "contacts/limits.h"
+#include "contacts/vertex_edge_points.h"
 #include "engine/geometry/random_shapes.h"
 #include "geometry/separation.h"
 #include "state/placed_shape.h"
+#include "support/bodies.h"
 #include "support/models.h"
+#include "support/terrains.h"
+#include "talus/surface.h"
 
 using namespace talus;
 using namespace talus::test;
@@ -25,7 +29,7 @@ Findings examine(const State& state, double margin, bool initial, bool parallel,
                  const PlacePairs& with_places = {}) {
     Findings findings;
     BoxPair last{-1, -1};
-    examinePairs(state, margin, with_places, initial, parallel, [&](const PairFinding& finding) {
+    examinePairs(state, {margin, 0.0}, with_places, initial, parallel, [&](const PairFinding& finding) {
         if (finding.block_a == finding.block_b) return;  // neither of the two can move
         const BoxPair pair = std::minmax(finding.block_a, finding.block_b);
         CHECK(last < pair);  // in order, each once
@@ -79,6 +83,51 @@ void forAllPairs(const State& state, const Each& each) {
 double smallerSize(const State& state, std::int32_t a, std::int32_t b) {
     return std::min(state.geometry->size[static_cast<std::size_t>(a)],
                     state.geometry->size[static_cast<std::size_t>(b)]);
+}
+
+/// A rough hillside cut by three joint sets: bodies of many parts beside each other.
+Model jointedTerrain(Ground ground, double spacing) {
+    RockMass rock;
+    rock.region = closeTerrain(terrainOf(ground, 8), -4)->surface;
+    for (const auto& [dip, direction] :
+         {std::pair(20.0, 270.0), std::pair(75.0, 80.0), std::pair(85.0, 0.0)}) {
+        JointSet set;
+        set.dip = radians(dip);
+        set.dip_direction = radians(direction);
+        set.spacing = spacing;
+        rock.sets.push_back(set);
+    }
+    Model model = floorModel(30);
+    model.blocks.clear();
+    const CutRockMass cut = *cutRockMass(rock);
+    for (const CutBlock& block : cut.blocks)
+        addBody(model, "b" + std::to_string(model.blocks.size()), block.shape,
+                block.volume > 100 ? Motion::fixed : Motion::free);
+    return model;
+}
+
+/// As far as a block may go, and turn, before it makes a search.
+void moveByChance(State& state, std::size_t b, double margin, Random& random) {
+    if (state.blocks.motion[b] == Motion::fixed) return;
+    const double far = std::min(kTravelLimit * state.geometry->size[b], kShareOfMargin * margin);
+    const double turn = random.uniform(0, std::min(kTurnLimit, far / state.geometry->radius[b]));
+    const Vec3 axis = random.rotation() * Vec3::UnitX(), way = random.rotation() * Vec3::UnitX();
+    const Eigen::Quaterniond old(state.blocks.orientation.matrix(b)),
+        now = Eigen::Quaterniond(Eigen::AngleAxisd(turn, axis)) * old;
+    state.blocks.orientation[b] = {now.w(), now.x(), now.y(), now.z()};
+    state.blocks.position.set(b,
+                              state.blocks.position.get(b) + (far - turn * state.geometry->radius[b]) * way);
+}
+
+/// How deep two parts are in each other by vertices and edges; 0 where they are not [m].
+double vertexEdgeDepth(const State& state, const PairFinding& pair) {
+    const PlacedPart first(state, pair.part_a), second(state, pair.part_b);
+    const VertexEdgeLimits limits = vertexEdgeLimits(*state.geometry, static_cast<std::size_t>(pair.block_a),
+                                                     static_cast<std::size_t>(pair.block_b), 0.0);
+    double deepest = 0;
+    const VertexEdgePoints points = findVertexEdgePoints(first.world(), second.world(), limits);
+    for (const VertexEdgePoint& point : points) deepest = std::max(deepest, -point.gap);
+    return deepest;
 }
 
 bool has(const Findings& findings, BoxPair pair) {
@@ -183,6 +232,47 @@ TEST_SUITE("contacts") {
                 CHECK(area(found->second.faces[0].patch) == within(1e-9, area(expected[0].patch)));
             });
         CHECK(faces == 4 * 4 * 3 + 5 * 3 * 3 + 5 * 3 + 5 * 4 * 2);
+    }
+
+    TEST_CASE("examinePairs: a pair without places meets by no vertex or edge before the next search") {
+        Random random(93);
+        std::vector<State> states;
+        for (const double spread : {2.0, 2.6, 3.2}) states.push_back(packing(random, 30, spread));
+        for (const Ground ground : kGrounds)
+            for (const double spacing : {2.5, 4.0})
+                states.push_back(*buildState(jointedTerrain(ground, spacing), false));
+        std::size_t met = 0, looked_at = 0, with_places = 0;
+        for (const State& state : states) {
+            const double margin = 0.05 * state.geometry->length_scale;
+            std::vector<PairFinding> without;
+            examinePairs(state, {margin, 0.0}, {}, false, false, [&](const PairFinding& pair) {
+                if (pair.block_a == pair.block_b) return;
+                if (pair.may_meet_by_vertices) ++with_places;
+                if (!pair.may_meet_by_vertices) without.push_back(pair);
+            });
+            State moved = state;
+            for (const PairFinding& pair : without) {
+                CAPTURE(pair.part_a);
+                CAPTURE(pair.part_b);
+                const auto a = static_cast<std::size_t>(pair.block_a),
+                           b = static_cast<std::size_t>(pair.block_b);
+                for (int trial = 0; trial < 20; ++trial, ++looked_at) {
+                    for (const std::size_t block : {a, b}) {
+                        moved.blocks.position.set(block, state.blocks.position.get(block));
+                        moved.blocks.orientation[block] = state.blocks.orientation[block];
+                        moveByChance(moved, block, margin, random);
+                    }
+                    if (vertexEdgeDepth(moved, pair) > 0) ++met;
+                }
+                for (const std::size_t block : {a, b}) {
+                    moved.blocks.position.set(block, state.blocks.position.get(block));
+                    moved.blocks.orientation[block] = state.blocks.orientation[block];
+                }
+            }
+        }
+        CHECK(met == 0);
+        CHECK(looked_at > 300000);
+        CHECK(with_places > 1000);  // the others are not simply all of them
     }
 
     TEST_CASE("examinePairs: a pair keeps its places for vertices and edges as long as it is near") {
