@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "contacts/update.h"
 #include "forces/contact_forces.h"
@@ -16,6 +17,9 @@ namespace talus::analysis {
 namespace {
 
 constexpr double kDashpot = 0.5;  // damping ratio of the fastest mode: takes out the rattle only
+// Blocks with more than this times the median frequency are given inertia: one splinter of rock would set the time step of
+// all. Where it is pushed along, its inertia is nothing; where it fails by itself, it goes as far in as many steps.
+constexpr double kStiffest = 4.0;
 // The motion is looked at when it has gone these many times the deflection at rest, doubling, until two looks agree:
 // close to toppling, elastic rocking takes part in a slide at first and is left behind by it.
 constexpr double kFirstTarget = 10.0, kLastTarget = 640.0;
@@ -42,22 +46,27 @@ BlockWay waySince(const State& state, const Poses& start, std::size_t b) {
             .mass = state.blocks.mass[b]};
 }
 
-/// True inertia, at rest, with dashpots that only take out the rattle. Returns the time step [s].
-double makeDynamic(State& state, bool parallel) {
-    setInertia(state, std::vector<double>(state.blocks.size(), 1.0));
-    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
-        if (state.blocks.motion[b] != Motion::free) continue;
-        state.blocks.velocity.set(b, Vec3::Zero());
-        state.blocks.angular_momentum.set(b, Vec3::Zero());
-    }
-    const std::vector<double> bounds = frequencyBounds(state, parallel);
-    const double bound = *std::max_element(bounds.begin(), bounds.end());
-    const double omega_squared = bound > 0 ? bound : 1.0;
-    state.damping = {.contact = 2.0 * kDashpot / std::sqrt(omega_squared)};
-    state.release = 1.0;
-    updateForces(state, parallel);
-    return kContinuationStepSafety * stableTimeStep(omega_squared, state.damping.contact);
+/// The squared frequency up to which blocks keep their true inertia [1/s^2]: that of the stiffest, or a multiple of the median.
+double frequencyCap(const std::vector<double>& bounds) {
+    std::vector<double> free;
+    std::copy_if(bounds.begin(), bounds.end(), std::back_inserter(free),
+                 [](double bound) { return bound > 0; });
+    if (free.empty()) return 1.0;
+    const double highest = *std::max_element(free.begin(), free.end());
+    const auto middle = free.begin() + static_cast<std::ptrdiff_t>(free.size() / 2);
+    std::nth_element(free.begin(), middle, free.end());
+    return std::min(highest, kStiffest * kStiffest * *middle);
 }
+
+/// Blocks stiffer than the cap get the inertia that takes them there. \return whether there are any
+bool scaleStiffest(State& state, const std::vector<double>& bounds, double cap) {
+    std::vector<double> scale;
+    for (const double bound : bounds) scale.push_back(std::max(1.0, bound / cap));
+    setInertia(state, scale);
+    return std::any_of(scale.begin(), scale.end(), [](double s) { return s > 1.0; });
+}
+
+double dashpots(double omega_squared) { return 2.0 * kDashpot / std::sqrt(omega_squared); }
 
 /// Shares of open area and of mobilised friction over a block's contact points.
 void addContactEvidence(const State& state, std::size_t block, BlockMotion& motion) {
@@ -137,7 +146,7 @@ class Continuation {
  public:
     Continuation(State& state, const Evidence& wanted, const Control& control, bool parallel)
         : state_(state), wanted_(wanted), control_(control), parallel_(parallel) {
-        failure_.time_step = makeDynamic(state, parallel);
+        makeDynamic();
         start_ = {state.blocks.position, state.blocks.orientation};
     }
 
@@ -162,6 +171,20 @@ class Continuation {
     }
 
  private:
+    /// True inertia but for the stiffest blocks, at rest, with dashpots that only take out the rattle.
+    void makeDynamic() {
+        setAtRest(state_.blocks);
+        const std::vector<double> bounds = frequencyBounds(state_, parallel_);
+        cap_ = frequencyCap(bounds);
+        is_scaled_ = scaleStiffest(state_, bounds, cap_);
+        const double highest = *std::max_element(bounds.begin(), bounds.end());
+        failure_.contact_damping = dashpots(highest > 0 ? highest : cap_);
+        state_.damping = {.contact = dashpots(cap_)};
+        state_.release = 1.0;
+        updateForces(state_, parallel_);
+        failure_.time_step = kContinuationStepSafety * stableTimeStep(cap_, state_.damping.contact);
+    }
+
     bool interrupted() const {
         return control_.stop != nullptr && control_.stop->load(std::memory_order_relaxed);
     }
@@ -169,7 +192,8 @@ class Continuation {
     void goOn() {
         advance(state_, {failure_.time_step, parallel_}, kStepsPerLook);
         failure_.steps += kStepsPerLook;
-        refreshInterfaces(state_, parallel_, kStepsPerLook * failure_.time_step);
+        if (refreshInterfaces(state_, parallel_, kStepsPerLook * failure_.time_step) && is_scaled_)
+            scaleStiffest(state_, frequencyBounds(state_, parallel_), cap_);
         measure();
         const double energy = kineticEnergy(state_);
         if (failure_.steps % kStepsPerRestCheck == 0) failure_.at_rest = energy < kAtRest * most_energy_;
@@ -235,6 +259,8 @@ class Continuation {
     std::vector<double> ways_{};  ///< of the farthest-moved block, at each look [m]
     double share_ = 0;            ///< largest way of a block over its own size
     double most_energy_ = 0;
+    double cap_ = 0;          ///< squared frequency that no block exceeds [1/s^2]
+    bool is_scaled_ = false;  ///< some blocks have more than their true inertia
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// How an assembly fails: a short continuation with true inertia and without local damping, then each block's motion
+// How an assembly fails: a short continuation with true inertia (but for blocks far stiffer than most) and without local damping, then each block's motion
 // read as sliding or toppling.
 
 #include <string>
@@ -19,6 +19,7 @@ struct Failure {
     std::vector<BlockMotion> motions;        ///< one per free block
     double seconds = 0;                      ///< simulated
     double time_step = 0;                    ///< [s]
+    double contact_damping = 0;              ///< of the same motion with every block's true inertia [s]
     std::int64_t steps = 0;
     double motion = 0;                 ///< of the farthest-moved block [m]
     bool confirmed = false;            ///< it went as far as was wanted and gathers speed

@@ -44,11 +44,11 @@ class Search {
 
     /// Gravity and water; what fails goes on until it is seen to. True when the assembly stands.
     bool start() {
-        const Verdict verdict = loadGravityAndWater(probing_);
+        const Verdict verdict = loadGravityAndWater(probing_, [&] { return isSeenToFail(); });
         if (verdict == Verdict::stable) return true;
         if (verdict != Verdict::failing) return false;
         result_.status = SearchStatus::unstable_at_start;
-        if (interrupted(probing_)) return false;
+        if (result_.confirmed || interrupted(probing_)) return false;
         continueToFailure();
         if (result_.confirmed || interrupted(probing_) || !restsAfterAll(probing_)) return false;
         result_.status = SearchStatus::undecided;
@@ -151,6 +151,14 @@ class Search {
         return false;
     }
 
+    /// Lets what moves at the start go, and takes it back where that shows no failure.
+    bool isSeenToFail() {
+        State moving = probing_.last_moving;
+        continueToFailure();
+        if (!result_.confirmed) probing_.last_moving = std::move(moving);
+        return result_.confirmed;
+    }
+
     /// Whether there is rest at the failing load by the implicit solve, or where that knows nothing by watching for longer.
     bool rests(double load) {
         const Verdict found = restAt(probing_, load);
@@ -185,7 +193,7 @@ class Search {
         result_.supports = supportReports(moving);
         Failure failure = continueFailure(moving, evidence(), control_, parallel_);
         if (failing) {
-            failing->contact_damping = moving.damping.contact;
+            failing->contact_damping = failure.contact_damping;
             failing->block_size = moving.geometry->length_scale;
         }
         result_.failing = failure.confirmed ? std::move(failing) : nullptr;

@@ -40,10 +40,11 @@ Verdict loadGravityInParts(Probing& p) {
                           [tilt](State& state, double share) { state.load.tilt = share * tilt; });
 }
 
-Verdict loadGravity(Probing& p) {
+Verdict loadGravity(Probing& p, const std::function<bool()>& is_seen_to_fail) {
     const State unloaded = p.last_stable;
     Verdict verdict = probe(p, "gravity", p.axis.start,
                             [](State& state, double share) { state.load.gravity_share = share; });
+    if (verdict == Verdict::failing && !interrupted(p) && is_seen_to_fail()) return verdict;
     if (verdict == Verdict::failing && settles(p, p.last_moving, p.axis.start, kStartPeriods)) {
         learnPeriod(p.work, unloaded, p.last_stable);
         verdict = Verdict::stable;
@@ -62,11 +63,11 @@ Verdict loadWater(Probing& p) {
 
 }  // namespace
 
-Verdict loadGravityAndWater(Probing& p) {
+Verdict loadGravityAndWater(Probing& p, const std::function<bool()>& is_seen_to_fail) {
     p.axis.apply(p.last_stable, p.axis.start);
     p.start_tilt = p.last_stable.load.tilt;
     p.last_stable.load.gravity_share = p.last_stable.load.water_share = 0;
-    Verdict verdict = loadGravity(p);
+    Verdict verdict = loadGravity(p, is_seen_to_fail);
     if (verdict == Verdict::stable && p.last_stable.geometry->model.hasWater()) verdict = loadWater(p);
     p.has_stood = verdict == Verdict::stable;
     p.settlement = deflection(p);

@@ -89,8 +89,8 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
         state = p.last_stable;
         ramp(state, 1.0);
     }
-    if (found.verdict == Verdict::failing)
-        p.no_near_rest = {load, most_factors, p.states_at_rest, is_elsewhere};
+    if (found.verdict != Verdict::stable)
+        p.no_near_rest = {load, most_factors, p.states_at_rest, found.verdict, is_elsewhere};
     return keep(p, stage, load, found, state);
 }
 
@@ -136,10 +136,10 @@ Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ram
 
 Verdict restAt(Probing& p, double load, std::int64_t most_factors) {
     const Probing::NoNearRest& known = p.no_near_rest;
-    if (known.load == load && known.most_factors >= kMostFactors &&
-        known.states_at_rest == p.states_at_rest) {
+    const std::int64_t asked = known.verdict == Verdict::failing ? kMostFactors : most_factors;
+    if (known.load == load && known.most_factors >= asked && known.states_at_rest == p.states_at_rest) {
         p.stands_elsewhere = known.is_elsewhere;
-        return Verdict::failing;
+        return known.verdict;
     }
     State moving = p.last_moving;
     const Verdict found = probeImplicitly(

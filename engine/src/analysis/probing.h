@@ -41,6 +41,7 @@ struct Probing {
         double load = -std::numeric_limits<double>::infinity();
         std::int64_t most_factors = 0;
         std::int64_t states_at_rest = 0;
+        Verdict verdict = Verdict::failing;  ///< undecided: it used up its factorisations
         bool is_elsewhere = false;
     } no_near_rest{};
 };
