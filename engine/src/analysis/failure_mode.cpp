@@ -227,12 +227,14 @@ class Continuation {
         return same;
     }
 
-    /// A block that falls, slides or topples gathers speed; one that settles has gone through its greatest speed.
+    /// A block that falls, slides or topples gathers speed; one that settles has gone through its greatest speed, and one that a
+    /// jolt has moved goes no third of its way in the last third of the time.
     bool gathersSpeed() const {
         const std::size_t n = ways_.size();
         if (n < 3) return false;
         const double first = ways_[n / 3], second = ways_[2 * n / 3];
-        return ways_.back() - second > kGathers * (second - first);
+        const double last = ways_.back() - second;
+        return last > kGathers * (second - first) && 3.0 * last >= ways_.back();
     }
 
     /// What goes on is a failure, and so is what has moved by far more than it gives at rest, though it stands again.

@@ -23,6 +23,27 @@ constexpr int kMostReopenings = 12;  // times a failing motion may come to rest 
 constexpr double kSeenAtStart = 0.01;
 // Steps of the continuation: as many as the probes took, but a number that shows something, and not without bound.
 constexpr std::int64_t kLeastSteps = 120'000, kMostSteps = 400'000, kMostStepsAtStart = 100'000;
+// What is let go before it was watched patiently has to leave its place: a splinter may jump by some hundredths of its size.
+constexpr double kLeavesItsPlace = 0.1;
+constexpr std::int64_t kFirstLookAtStart = 20'000;  // what falls is seen to in 4,000 to 15,000
+
+/// Blocks that are not at rest, when they are next to nothing of what is free: squeezed between others they may chatter without end.
+std::vector<std::size_t> restlessSplinters(const State& state) {
+    constexpr double kRestless = 0.01;      // of the block's own weight
+    constexpr double kMostRestless = 1e-3;  // of the free blocks' mass
+    const Vec3 acceleration = bodyAcceleration(state);
+    std::vector<std::size_t> restless;
+    double all = 0, part = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        all += state.blocks.mass[b];
+        if (!(outOfBalanceRatio(state, b, acceleration) > kRestless)) continue;
+        part += state.blocks.mass[b];
+        restless.push_back(b);
+    }
+    if (part > kMostRestless * all) restless.clear();
+    return restless;
+}
 
 class Search {
  public:
@@ -50,7 +71,11 @@ class Search {
         result_.status = SearchStatus::unstable_at_start;
         if (result_.confirmed || interrupted(probing_)) return false;
         continueToFailure();
-        if (result_.confirmed || interrupted(probing_) || !restsAfterAll(probing_)) return false;
+        if (result_.confirmed || interrupted(probing_)) return false;
+        if (!restsAfterAll(probing_)) {
+            restless_ = restlessSplinters(probing_.last_moving);
+            return false;
+        }
         result_.status = SearchStatus::undecided;
         probing_.has_stood = true;
         return true;
@@ -60,6 +85,7 @@ class Search {
 
     /// Blocks that were seen to fall in the continuation.
     const std::vector<std::size_t>& falling() const { return falling_; }
+    const std::vector<std::size_t>& restless() const { return restless_; }
 
  private:
     Verdict probeAt(std::int64_t cell) {
@@ -154,7 +180,7 @@ class Search {
     /// Lets what moves at the start go, and takes it back where that shows no failure.
     bool isSeenToFail() {
         State moving = probing_.last_moving;
-        continueToFailure();
+        continueToFailure({.deflection = 0, .share = kLeavesItsPlace, .most_steps = kFirstLookAtStart});
         if (!result_.confirmed) probing_.last_moving = std::move(moving);
         return result_.confirmed;
     }
@@ -181,7 +207,9 @@ class Search {
         return {.deflection = deflected, .share = kSeenShare, .most_steps = most};
     }
 
-    void continueToFailure() {
+    void continueToFailure() { continueToFailure(evidence()); }
+
+    void continueToFailure(const Evidence& wanted) {
         // A few cells beyond the failing load, because at it the motion would start as slowly as the bracket is fine.
         const double failing_load = bracket_.high() ? axis_.load(*bracket_.high()) : axis_.start;
         const double load = failing_load + axis_.overload * axis_.cell;
@@ -191,7 +219,7 @@ class Search {
         if (control_.keep_failing_state)
             failing = std::make_shared<FailingState>(FailingState{fullFrameOf(moving), load});
         result_.supports = supportReports(moving);
-        Failure failure = continueFailure(moving, evidence(), control_, parallel_);
+        Failure failure = continueFailure(moving, wanted, control_, parallel_);
         if (failing) {
             failing->contact_damping = failure.contact_damping;
             failing->block_size = moving.geometry->length_scale;
@@ -249,7 +277,7 @@ class Search {
     Bracket bracket_;
     Probing probing_;
     SearchResult result_;
-    std::vector<std::size_t> falling_{};
+    std::vector<std::size_t> falling_{}, restless_{};
     bool no_rest_ = false;  ///< at the failing load, nearby or elsewhere
     std::int64_t continuation_steps_ = 0;
 };
@@ -260,7 +288,7 @@ Outcome searchLoad(const State& state, const LoadAxis& axis, const Control& cont
                    const QuasiStatic& settings, bool parallel) {
     Search search(state, axis, control, settings, parallel);
     SearchResult result = search.run();
-    return {std::move(result), search.falling()};
+    return {std::move(result), search.falling(), search.restless()};
 }
 
 Start loadStart(const State& state, const LoadAxis& axis, const Control& control, const QuasiStatic& settings,

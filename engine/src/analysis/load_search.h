@@ -12,6 +12,9 @@ namespace talus::analysis {
 struct Outcome {
     SearchResult result;
     std::vector<std::size_t> falling;  ///< blocks of the state that were seen to fall
+    /// splinters that alone have kept it from rest at the start, though they were not seen to fall; empty: there are others, or
+    /// it came to rest
+    std::vector<std::size_t> restless{};
 };
 
 /// Weight and water at the start, then up until it fails or the end is reached, then down to the bracket, and the failure

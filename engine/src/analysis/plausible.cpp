@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ constexpr double kMostExtents = 10.0;
 // Beyond, verdicts follow it: a slab of 150 m from the origin was right to four digits at 2.7 times the tolerance, and stood
 // above its ceiling, undecided, at 27.
 constexpr double kMostRounding = 5.0;
+constexpr double kSlowed = 10.0;  // times the median block's frequency: worth a word
 
 std::string formatted(const char* format, double value) {
     char text[64];
@@ -167,6 +169,26 @@ std::optional<Error> roundingDecides(const State& state, double load_tolerance, 
                      " Pa/m, or a wider tolerance"};
 }
 
+/// The block whose stiffness for its mass makes a history's steps many times shorter than the median block would.
+std::optional<std::string> slowedByOne(const State& state, bool parallel) {
+    const std::vector<double> bounds = frequencyBounds(state, parallel);
+    std::vector<double> free;
+    std::copy_if(bounds.begin(), bounds.end(), std::back_inserter(free),
+                 [](double bound) { return bound > 0; });
+    if (free.empty()) return std::nullopt;
+    const auto middle = free.begin() + static_cast<std::ptrdiff_t>(free.size() / 2);
+    std::nth_element(free.begin(), middle, free.end());
+    const auto highest = std::max_element(bounds.begin(), bounds.end());
+    const double times = std::sqrt(*highest / *middle);
+    if (!(times > kSlowed)) return std::nullopt;
+    const auto block = static_cast<std::size_t>(highest - bounds.begin());
+    return "block \"" + state.geometry->model.blocks[block].name + "\" asks for time steps " +
+           formatted("%.0f", times) +
+           " times as short as the median block: a history takes as many times its steps (of a rock mass, a "
+           "greater "
+           "min_thickness leaves such pieces with their neighbours; searches are not slowed)";
+}
+
 }  // namespace
 
 double roundingLevel(const State& state, const std::vector<double>& bounds) {
@@ -188,6 +210,12 @@ std::vector<std::string> doubts(const State& state) {
     for (Error& doubt : dryWater(state.geometry->model)) all.push_back(std::move(doubt));
     std::vector<std::string> told;
     for (const Error& doubt : all) told.push_back(doubt.field + ": " + doubt.message);
+    return told;
+}
+
+std::vector<std::string> doubtsOfHistory(const State& state, bool parallel) {
+    std::vector<std::string> told = doubts(state);
+    if (auto slowed = slowedByOne(state, parallel)) told.push_back(std::move(*slowed));
     return told;
 }
 

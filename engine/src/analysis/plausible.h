@@ -22,6 +22,9 @@ std::vector<Error> implausible(const State& state);
 /// that wets nothing.
 std::vector<std::string> doubts(const State& state);
 
+/// The same, and the block that makes a history's steps many times shorter than the median block would.
+std::vector<std::string> doubtsOfHistory(const State& state, bool parallel);
+
 /// Faults of a search whose answer a change of the out-of-balance force over the weight by `load_tolerance` decides: that has
 /// to be more than rounding, joints stiff enough that a block's own weight does not move it as far as a failure does, and
 /// something has to hold the blocks.

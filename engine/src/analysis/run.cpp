@@ -357,7 +357,8 @@ Result<RunResult> history(const Model& model, const Control& control, const RunO
         if (!built) return built.errors();
         const bool parallel = analysis::worthThreads(*built, control.threads);
         if (std::vector<Error> errors = analysis::implausible(*built); !errors.empty()) return errors;
-        for (std::string& doubt : analysis::doubts(*built)) built->warnings.push_back(std::move(doubt));
+        for (std::string& doubt : analysis::doubtsOfHistory(*built, parallel))
+            built->warnings.push_back(std::move(doubt));
         TimeHistory history(std::move(*built), control, output, parallel);
         if (std::vector<Error> errors = begin(history); !errors.empty()) return errors;
         Result<RunResult> result = history.run();
@@ -459,7 +460,7 @@ std::vector<Error> checkModel(const Model& model, int threads, ModelCheck* found
         if (!built) return built.errors();
         if (found) {
             const ContactCount contacts = countContacts(built->interfaces);
-            *found = {analysis::doubts(*built), contacts.interfaces, contacts.points,
+            *found = {analysis::doubtsOfHistory(*built, threads != 1), contacts.interfaces, contacts.points,
                       built->interfaces.size() - contacts.interfaces};
         }
         return analysis::implausible(*built);

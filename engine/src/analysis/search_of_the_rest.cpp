@@ -42,11 +42,12 @@ Outcome searchConfirmed(const State& state, const LoadAxis& axis, const Control&
         result.steps += steps;
         result.factors += factors;
         if (!claimsFailure(result) || result.confirmed) return outcome;
-        if (attempt == (result.status == SearchStatus::found ? kAttempts : kAttemptsAtStart)) {
+        if (!outcome.restless.empty() ||
+            attempt == (result.status == SearchStatus::found ? kAttempts : kAttemptsAtStart)) {
             result.status = SearchStatus::undecided;
             result.warnings.push_back(
                 "the failing motion is not borne out by the continuation with true inertia");
-            return {std::move(result), {}};
+            return {std::move(result), {}, std::move(outcome.restless)};
         }
         if (stopped(control)) {
             result.status = SearchStatus::interrupted;
@@ -104,6 +105,11 @@ class SearchOfTheRest {
             for (std::string& doubt : doubts(*built)) built->warnings.push_back(std::move(doubt));
             warnOfFreeBlocks(*built);
             Outcome outcome = searchConfirmed(*built, axis_, control_, settings_, parallel);
+            if (letGo(outcome.restless)) {
+                steps += outcome.result.steps;
+                restless_ += outcome.restless.size();
+                continue;
+            }
             if (outcome.result.status == SearchStatus::unstable_at_start && !axis_.strongest_at_start)
                 outcome.falling = fallingAtStrongest(*built, parallel, steps);
             outcome.result.steps += steps;
@@ -160,9 +166,12 @@ class SearchOfTheRest {
         std::sort(result.fallen_at_start.begin(), result.fallen_at_start.end());
         if (result.fallen_at_start.empty()) return result;
         result.failing = nullptr;  // its blocks are not the model's
+        const std::string splinters = restless_ == 0 ? ""
+                                                     : ", or as splinters come neither to rest nor fall, " +
+                                                           std::to_string(restless_) + " of them";
         result.warnings.push_back(std::to_string(result.fallen_at_start.size()) +
-                                  " of the blocks fall at the start whatever the strength (" +
-                                  result.fallen_at_start.front() +
+                                  " of the blocks fall at the start whatever the strength" + splinters +
+                                  " (" + result.fallen_at_start.front() +
                                   " for one): the answer is for the rest, without them");
         return result;
     }
@@ -173,6 +182,7 @@ class SearchOfTheRest {
     const QuasiStatic& settings_;
     std::vector<char> gone_;     ///< per block: not in the search
     std::vector<char> loose_{};  ///< per block: because it falls; empty: none
+    std::size_t restless_ = 0;   ///< of those: taken out because they come neither to rest nor fall
     std::vector<std::string> warnings_{};
 };
 

@@ -53,6 +53,11 @@ void addParts(const Polyhedron& shape, Geometry& geometry) {
     const auto block = static_cast<std::int32_t>(geometry.first_part.size()) - 1;
     geometry.part_block.insert(geometry.part_block.end(), shape.partCount(), block);
     geometry.first_part.push_back(static_cast<std::int32_t>(geometry.part_block.size()));
+    if (shape.partCount() > 1) {
+        const std::vector<FacePlane> planes = facePlanes(shape);
+        geometry.part_planes.insert(geometry.part_planes.end(), planes.begin(), planes.end());
+    }
+    geometry.first_plane.push_back(geometry.part_planes.size());
 }
 
 void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<Error>& errors) {

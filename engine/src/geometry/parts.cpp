@@ -168,13 +168,9 @@ class Joiner {
 };
 
 /// Whether a convex part holds a point, within a distance.
-bool holds(const Polyhedron& shape, const ConvexPart& part, const Vec3& point, double distance) {
-    for (std::size_t f = 0; f < faceCount(part); ++f) {
-        const std::size_t face = static_cast<std::size_t>(part.first_face) + f;
-        const Vec3& on_face = shape.vertices[static_cast<std::size_t>(shape.faces[face][0])];
-        if (shape.faceNormal(face).dot(point - on_face) > distance) return false;
-    }
-    return true;
+bool holds(std::span<const FacePlane> part, const Vec3& point, double distance) {
+    return std::all_of(part.begin(), part.end(),
+                       [&](const FacePlane& face) { return !(face.normal.dot(point - face.at) > distance); });
 }
 
 /// How far a part reaches beyond a point along a direction, less `slack` for each metre of the way [m].
@@ -192,17 +188,15 @@ struct Share {
 };
 
 /// What of it a convex part holds, within a distance; empty when begin > end.
-Share heldBetween(const Polyhedron& shape, const ConvexPart& part, const Vec3& from, const Vec3& to,
-                  double distance) {
+Share heldBetween(std::span<const FacePlane> part, const Vec3& from, const Vec3& to, double distance) {
     Share held;
-    for (std::size_t f = 0; f < faceCount(part) && held.begin <= held.end; ++f) {
-        const std::size_t face = static_cast<std::size_t>(part.first_face) + f;
-        const Vec3 normal = shape.faceNormal(face),
-                   &on_face = shape.vertices[static_cast<std::size_t>(shape.faces[face][0])];
-        const double a = normal.dot(from - on_face) - distance, b = normal.dot(to - on_face) - distance;
+    for (const FacePlane& face : part) {
+        const double a = face.normal.dot(from - face.at) - distance,
+                     b = face.normal.dot(to - face.at) - distance;
         if (a > 0 && b > 0) return {1, 0};
         if (a > 0) held.begin = std::max(held.begin, a / (a - b));
         if (b > 0) held.end = std::min(held.end, a / (a - b));
+        if (held.begin > held.end) break;
     }
     return held;
 }
@@ -228,12 +222,23 @@ std::vector<Polyhedron> partsOf(const Polyhedron& shape) {
     return parts;
 }
 
+std::vector<FacePlane> facePlanes(const Polyhedron& shape) {
+    std::vector<FacePlane> planes;
+    planes.reserve(shape.faces.size());
+    for (std::size_t face = 0; face < shape.faces.size(); ++face)
+        planes.push_back(
+            {shape.faceNormal(face), shape.vertices[static_cast<std::size_t>(shape.faces[face][0])]});
+    return planes;
+}
+
 bool contains(const Polyhedron& shape, const Vec3& point, double tolerance) {
-    const ConvexPart whole{0, static_cast<std::int32_t>(shape.vertices.size()), 0, shape.faces};
-    if (shape.partCount() == 1) return holds(shape, whole, point, tolerance);
+    const std::vector<FacePlane> planes = facePlanes(shape);
+    if (shape.partCount() == 1) return holds(planes, point, tolerance);
     const auto& parts = shape.faces.parts();
-    return std::any_of(parts.begin(), parts.end(),
-                       [&](const ConvexPart& part) { return holds(shape, part, point, tolerance); });
+    return std::any_of(parts.begin(), parts.end(), [&](const ConvexPart& part) {
+        return holds(std::span(planes).subspan(static_cast<std::size_t>(part.first_face), faceCount(part)),
+                     point, tolerance);
+    });
 }
 
 std::vector<std::int32_t> sideTowards(const Polyhedron& shape, const Vec3& direction) {
@@ -296,7 +301,7 @@ bool PartOfBody::isOutermost(const Vec3& point, const Vec3& direction, double sl
     const auto& parts = shape.faces.parts();
     return std::none_of(parts[part].beside.begin(), parts[part].beside.end(), [&](std::int32_t beside) {
         const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
-        return reachBeyond(shape, other, x, along, slack) > tolerance && holds(shape, other, x, tolerance);
+        return holds(planesOf(other), x, tolerance) && reachBeyond(shape, other, x, along, slack) > tolerance;
     });
 }
 
@@ -307,7 +312,7 @@ bool PartOfBody::isOutermostAlong(const Vec3& from, const Vec3& to, const Vec3& 
     std::vector<Share> covered;  // by parts that reach farther, seen from both ends of what they hold
     for (const std::int32_t beside : parts[part].beside) {
         const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
-        const Share held = heldBetween(shape, other, a, b, tolerance);
+        const Share held = heldBetween(planesOf(other), a, b, tolerance);
         if (held.begin > held.end) continue;
         const auto reachesFrom = [&](double share) {
             return reachBeyond(shape, other, a + share * (b - a), along, slack) > tolerance;
@@ -332,7 +337,7 @@ bool PartOfBody::goesOnFlat(const Vec3& point, const Vec3& outward, const Vec3& 
     const auto& parts = shape.faces.parts();
     return std::any_of(parts[part].beside.begin(), parts[part].beside.end(), [&](std::int32_t beside) {
         const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
-        return reachBeyond(shape, other, x, up, 0.0) <= tolerance && holds(shape, other, x, tolerance);
+        return holds(planesOf(other), x, tolerance) && reachBeyond(shape, other, x, up, 0.0) <= tolerance;
     });
 }
 
@@ -340,7 +345,7 @@ bool PartOfBody::isInOther(const Vec3& point) const {
     const Vec3 x = own(point);
     const auto& parts = shape.faces.parts();
     return std::any_of(parts[part].beside.begin(), parts[part].beside.end(), [&](std::int32_t beside) {
-        return holds(shape, parts[static_cast<std::size_t>(beside)], x, tolerance);
+        return holds(planesOf(parts[static_cast<std::size_t>(beside)]), x, tolerance);
     });
 }
 

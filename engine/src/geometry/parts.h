@@ -1,6 +1,7 @@
 #pragma once
 // Shapes of several convex parts: where these lie on each other, and what of a part is surface of the whole.
 
+#include <span>
 #include <vector>
 
 #include "geometry/polygon.h"
@@ -17,9 +18,17 @@ Polygon outlineOf(const Polyhedron& shape, std::size_t face);
 /// Which part a face belongs to.
 std::size_t partOf(const FaceList& faces, std::size_t face);
 
+/// A face's plane: outward unit normal, and a point of it [m].
+struct FacePlane {
+    Vec3 normal, at;
+};
+/// Of all faces of a shape, in its own frame.
+std::vector<FacePlane> facePlanes(const Polyhedron& shape);
+
 /// A part of a body in the world: what tells real vertices and edges of the body from those where parts meet.
 struct PartOfBody {
-    const Polyhedron& shape;  ///< of the body, in its own frame
+    const Polyhedron& shape;            ///< of the body, in its own frame
+    std::span<const FacePlane> planes;  ///< of the shape's faces
     std::size_t part;
     Mat3 turn;             ///< own frame to the world
     Vec3 position;         ///< of the own origin [m]
@@ -42,6 +51,9 @@ struct PartOfBody {
 
  private:
     Vec3 own(const Vec3& point) const { return turn.transpose() * (point - position); }
+    std::span<const FacePlane> planesOf(const ConvexPart& other) const {
+        return planes.subspan(static_cast<std::size_t>(other.first_face), other.faces.size());
+    }
 };
 
 }  // namespace talus

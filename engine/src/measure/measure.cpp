@@ -61,17 +61,19 @@ double gravityEnergy(const State& state) {
     return sum - workOfDeadForces(state);
 }
 
+double outOfBalanceRatio(const State& state, std::size_t block, const Vec3& acceleration) {
+    const Wrench sum = outOfBalance(state, block, acceleration);
+    const double magnitude = state.geometry->model.gravity.magnitude;
+    const double weight = state.blocks.mass[block] * (magnitude > 0 ? magnitude : 1.0);
+    return std::max(sum.force.norm() / weight, sum.torque.norm() / (weight * state.geometry->radius[block]));
+}
+
 double outOfBalanceRatio(const State& state) {
     const Vec3 g = bodyAcceleration(state);
-    const double magnitude = state.geometry->model.gravity.magnitude;
     double largest = 0;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
-        if (state.blocks.motion[b] != Motion::free) continue;
-        const Wrench sum = outOfBalance(state, b, g);
-        const double weight = state.blocks.mass[b] * (magnitude > 0 ? magnitude : 1.0);
-        largest = std::max(
-            {largest, sum.force.norm() / weight, sum.torque.norm() / (weight * state.geometry->radius[b])});
-    }
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free)
+            largest = std::max(largest, outOfBalanceRatio(state, b, g));
     return largest;
 }
 

@@ -17,6 +17,8 @@ double gravityEnergy(const State& state);
 
 /// Largest out-of-balance force of a free block over its weight; torque counts over weight times the block's radius.
 double outOfBalanceRatio(const State& state);
+/// Of one block. \param acceleration  bodyAcceleration of the state
+double outOfBalanceRatio(const State& state, std::size_t block, const Vec3& acceleration);
 
 /// Whether positions and velocities are numbers still.
 bool isFinite(const State& state);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/parts.h"
 #include "geometry/pressure.h"
 #include "law/law.h"
 #include "model/joint_choice.h"
@@ -240,6 +241,8 @@ struct Geometry {
     /// Convex parts of the blocks, numbered block by block; most blocks are one.
     std::vector<std::int32_t> first_part{0};  ///< of each block; one more at the end
     std::vector<std::int32_t> part_block;     ///< which block each is of
+    std::vector<FacePlane> part_planes;       ///< of the faces of all blocks of several parts, own frame
+    std::vector<std::size_t> first_plane{0};  ///< of each block; one more at the end
     std::vector<double> size;                 ///< smallest extent of each block [m]
     std::vector<double> radius;               ///< farthest vertex from the centroid [m]
     std::vector<double> face_area;            ///< mean of the faces of each block's surface [m^2]

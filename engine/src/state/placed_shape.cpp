@@ -57,8 +57,12 @@ std::optional<PartOfBody> partOfBody(const State& state, std::int32_t part) {
     const Geometry& geometry = *state.geometry;
     if (isWhole(geometry, part)) return std::nullopt;
     const auto block = static_cast<std::size_t>(geometry.part_block[static_cast<std::size_t>(part)]);
-    return PartOfBody{geometry.shape[block], static_cast<std::size_t>(part - geometry.first_part[block]),
-                      state.blocks.orientation.matrix(block), state.blocks.position.get(block),
+    return PartOfBody{geometry.shape[block],
+                      std::span(geometry.part_planes)
+                          .subspan(geometry.first_plane[block], geometry.shape[block].faces.size()),
+                      static_cast<std::size_t>(part - geometry.first_part[block]),
+                      state.blocks.orientation.matrix(block),
+                      state.blocks.position.get(block),
                       kTouch * geometry.radius[block]};
 }
 
@@ -83,7 +87,8 @@ PlacedPart::PlacedPart(const State& state, std::int32_t part)
     normals_.reserve(faces_->size());
     for (const Vec3& v : vertices) vertices_.push_back(position + turn * v);
     for (std::size_t face = 0; face < faces_->size(); ++face)
-        normals_.push_back(turn * own.faceNormal(static_cast<std::size_t>(first_face_) + face));
+        normals_.push_back(turn * (body_ ? body_->planes[static_cast<std::size_t>(first_face_) + face].normal
+                                         : own.faceNormal(static_cast<std::size_t>(first_face_) + face)));
 }
 
 WorldShape PlacedPart::world() const {

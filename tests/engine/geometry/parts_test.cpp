@@ -103,8 +103,9 @@ TEST_CASE("parts: what is in the body, and which corners another body can touch"
     CHECK(contains(shape, {0.1, 0.2, 0.7}));
     CHECK(contains(shape, {0.9, 0.2, 0.1}));
     CHECK_FALSE(contains(shape, {0.9, 0.2, 0.7}));
-    const PartOfBody foot{shape, 0, Mat3::Identity(), Vec3::Zero(), 1e-9},
-        upright{shape, 1, Mat3::Identity(), Vec3::Zero(), 1e-9};
+    const std::vector<FacePlane> planes = facePlanes(shape);
+    const PartOfBody foot{shape, planes, 0, Mat3::Identity(), Vec3::Zero(), 1e-9},
+        upright{shape, planes, 1, Mat3::Identity(), Vec3::Zero(), 1e-9};
     const Vec3 up = Vec3::UnitZ(), right = Vec3::UnitX();
     // The reflex edge, from either part, in any direction.
     for (const Vec3& direction : {up, right, Vec3((up + right).normalized()), Vec3(-up)}) {
