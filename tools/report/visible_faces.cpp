@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 namespace talus::tools {
@@ -12,6 +13,7 @@ namespace {
 constexpr double kInset = 0.002;  // of the way to the middle: points of a face that are looked at
 constexpr double kFlat = 1e-4;    // of a normal: faces that differ by less lie in one plane
 constexpr double kCrease = 0.9;   // cosine: edges that turn less are no rims
+constexpr int kGrid = 8;          // points a side of a face that its own body covers in part
 constexpr double kBeside = 0.02;  // of an edge: how far beside it what lies there is looked at
 
 struct Bounds {
@@ -95,6 +97,17 @@ bool isCovered(const BlockFinder& finder, const Polyhedron& shape, std::size_t f
         for (const double share : {0.0, 0.25, 0.5, 0.75})
             if (!covered(a + share * (b - a))) return false;
     }
+    // What other parts of the body cover in part may be free anywhere.
+    const bool is_partly = !shape.faces.covers().empty() && shape.faces.covers()[f] == Cover::partly;
+    for (std::size_t i = 1; is_partly && i + 1 < outline.size(); ++i) {
+        const Vec3& origin = shape.vertices[static_cast<std::size_t>(outline[0])];
+        const Vec3 one = shape.vertices[static_cast<std::size_t>(outline[i])] - origin,
+                   other = shape.vertices[static_cast<std::size_t>(outline[i + 1])] - origin;
+        for (int m = 0; m < kGrid; ++m)
+            for (int n = 0; m + n < kGrid; ++n)
+                if (!finder.isInside(origin + (m + 0.3) / kGrid * one + (n + 0.3) / kGrid * other + off))
+                    return false;
+    }
     return true;
 }
 
@@ -116,27 +129,12 @@ class EdgeTeller {
         for (std::size_t f = 0; f < shape.faces.size(); ++f) normals_.push_back(shape.faceNormal(f));
     }
 
+    /// A neighbour narrower than the first look is found by a nearer one.
     Side side(std::size_t f, const Vec3& a, const Vec3& b) const {
-        const Vec3 middle = 0.5 * (a + b), out = (b - a).cross(normals_[f]).normalized();
-        const double step = kBeside * (b - a).norm();
-        Side found = Side::rim;
-        bool is_joint = false;
-        for (std::size_t g = 0; g < normals_.size(); ++g) {
-            if (g == f || shape_.isInner(g)) continue;
-            const Vec3& normal = normals_[g];
-            if (std::abs(normal.dot(middle - corner(g))) > 1e-6 * finder_.size()) continue;
-            const bool flat = (normal - normals_[f]).norm() < kFlat;
-            // Into the neighbour: in its own plane, away from this face.
-            const Vec3 into =
-                flat ? out : Vec3((-normals_[f] + normals_[f].dot(normal) * normal).normalized());
-            const Vec3 beside = middle + step * into;
-            if (!isInOutline(shape_, g, normal, beside)) continue;
-            if (flat) return Side::none;
-            // A face that other parts of the body cover in part is no joint where the surface goes on beside it.
-            is_joint = is_joint || finder_.isInside(beside + 1e-5 * finder_.size() * normal);
-            if (normal.dot(normals_[f]) > kCrease) found = Side::crease;
-        }
-        return is_joint ? Side::joint : found;
+        const double length = (b - a).norm();
+        for (const double step : {kBeside * length, 0.05 * kBeside * length})
+            if (const auto found = sideAt(f, a, b, step)) return *found;
+        return Side::rim;
     }
 
     /// An edge's ends and, between them, corners of the block's other faces that lie on it: there what is beside it changes.
@@ -162,6 +160,30 @@ class EdgeTeller {
     }
 
  private:
+    /// Nothing: no face of the block goes on so far beside the edge.
+    std::optional<Side> sideAt(std::size_t f, const Vec3& a, const Vec3& b, double step) const {
+        const Vec3 middle = 0.5 * (a + b), out = (b - a).cross(normals_[f]).normalized();
+        std::optional<Side> found;
+        bool is_joint = false;
+        for (std::size_t g = 0; g < normals_.size(); ++g) {
+            if (g == f || shape_.isInner(g)) continue;
+            const Vec3& normal = normals_[g];
+            if (std::abs(normal.dot(middle - corner(g))) > 1e-6 * finder_.size()) continue;
+            const bool flat = (normal - normals_[f]).norm() < kFlat;
+            // Into the neighbour, in its own plane: down behind a ridge, up beyond a valley.
+            const Vec3 down = (-normals_[f] + normals_[f].dot(normal) * normal).normalized();
+            for (const Vec3& into : flat ? std::array{out, out} : std::array{down, Vec3(-down)}) {
+                const Vec3 beside = middle + step * into, above = beside + 1e-5 * finder_.size() * normal;
+                // Of a face that other parts of the body cover in part only what is free is surface.
+                if (!isInOutline(shape_, g, normal, beside) || contains(shape_, above)) continue;
+                if (flat) return Side::none;
+                is_joint = is_joint || finder_.isInside(above);
+                found = normal.dot(normals_[f]) > kCrease ? Side::crease : found.value_or(Side::rim);
+            }
+        }
+        return is_joint ? Side::joint : found;
+    }
+
     const Vec3& corner(std::size_t g) const {
         return shape_.vertices[static_cast<std::size_t>(shape_.faces[g].front())];
     }

@@ -232,12 +232,20 @@ std::vector<FacePlane> facePlanes(const Polyhedron& shape) {
 }
 
 bool contains(const Polyhedron& shape, const Vec3& point, double tolerance) {
-    const std::vector<FacePlane> planes = facePlanes(shape);
-    if (shape.partCount() == 1) return holds(planes, point, tolerance);
+    // Face by face: most are told apart by the first few.
+    const auto isWithin = [&](std::size_t face) {
+        return !(shape.faceNormal(face).dot(
+                     point - shape.vertices[static_cast<std::size_t>(shape.faces[face][0])]) > tolerance);
+    };
+    const auto isHeld = [&](std::size_t first, std::size_t count) {
+        std::size_t face = first;
+        while (face < first + count && isWithin(face)) ++face;
+        return face == first + count;
+    };
+    if (shape.partCount() == 1) return isHeld(0, shape.faces.size());
     const auto& parts = shape.faces.parts();
     return std::any_of(parts.begin(), parts.end(), [&](const ConvexPart& part) {
-        return holds(std::span(planes).subspan(static_cast<std::size_t>(part.first_face), faceCount(part)),
-                     point, tolerance);
+        return isHeld(static_cast<std::size_t>(part.first_face), faceCount(part));
     });
 }
 
