@@ -11,6 +11,7 @@
 #include "cli/json.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
+#include "cli/scenario.h"
 #include "cli/signals.h"
 #include "cli/text.h"
 #include "commands/commands.h"
@@ -108,10 +109,14 @@ Json exportGltf(formats::SnapshotReader& reader, const ExportOptions& options) {
     std::vector<std::size_t> wanted = chosen(reader, options.every);
     if (!options.frame.empty()) wanted = {frameIndex(reader, options.frame, options.file)};
     if (wanted.empty()) throw BadInput(Error{"", "holds no frames", options.file});
-    std::vector<LightFrame> frames;
-    for (const std::size_t k : wanted) frames.push_back(valueOf(reader.frame(k)));
-    writeFile(options.gltf, formats::gltfBlocks(reader.header(), frames));
-    return {{"file", options.gltf}, {"frames", frames.size()}};
+    const std::string bytes = [&] {
+        const EndsAtOnce reading = whileReading(options.file, options.common);
+        std::vector<LightFrame> frames;
+        for (const std::size_t k : wanted) frames.push_back(valueOf(reader.frame(k)));
+        return formats::gltfBlocks(reader.header(), frames);
+    }();
+    writeFile(options.gltf, bytes);
+    return {{"file", options.gltf}, {"frames", wanted.size()}};
 }
 
 int exportSnapshot(const ExportOptions& options) {

@@ -5,6 +5,7 @@
 
 #include "cli/failures.h"
 #include "cli/json.h"
+#include "cli/scenario.h"
 #include "cli/text.h"
 #include "commands/commands.h"
 #include "inspect/views.h"
@@ -83,6 +84,7 @@ std::string tableText(const Table& table) {
 
 int inspect(const InspectOptions& options) {
     formats::SnapshotReader reader = openSnapshot(options.file);
+    const EndsAtOnce reading = whileReading(options.file, options.common);
     const View view = viewOf(reader, options);
     for (const std::string& fault : reader.faults())
         note(options.common, "note: " + options.file + ": " + fault);

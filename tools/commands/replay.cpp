@@ -8,6 +8,7 @@
 #include "cli/json.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
+#include "cli/scenario.h"
 #include "cli/text.h"
 #include "commands/commands.h"
 #include "inspect/views.h"
@@ -32,7 +33,10 @@ struct ReplayOptions {
 
 int writePage(formats::SnapshotReader& reader, const ReplayOptions& options) {
     refuseToReplace(options.output, options.file, options.force);
-    const std::string page = replayPage(snapshotBytes(reader, options.file, options.choice));
+    const std::string page = [&] {
+        const EndsAtOnce reading = whileReading(options.file, options.common);
+        return replayPage(snapshotBytes(reader, options.file, options.choice));
+    }();
     writeFile(options.output, page);
     if (static_cast<double>(page.size()) > kHeavyPageBytes)
         note(options.common, "note: a page of " + text(static_cast<double>(page.size()) / 1e6, 0) +

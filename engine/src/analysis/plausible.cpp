@@ -118,9 +118,29 @@ std::optional<Error> farAway(const Water& water, const Heights& model) {
                                   " m"};
 }
 
+Heights levelsOf(const PhreaticSurface& table) {
+    Heights levels;
+    for (const PhreaticSurface::Point& point : table.line) levels.take(point.z);
+    for (const Vec3& v : table.mesh.vertices) levels.take(v.z());
+    return levels;
+}
+
+std::optional<Error> tableFarAway(const PhreaticSurface& table, const Heights& model) {
+    const Heights level = levelsOf(table);
+    const double reach = kMostExtents * (model.high - model.low);
+    if (level.low <= model.high + reach && level.high >= model.low - reach) return std::nullopt;
+    return Error{table.field + ".surface",
+                 "found a water table at " + formatted("%g", level.low) + " to " +
+                     formatted("%g", level.high) + " m, allowed: near the model, which reaches from " +
+                     formatted("%.4g", model.low) + " to " + formatted("%.4g", model.high) + " m"};
+}
+
 /// Water with its table below its own base wets nothing. (Where the model is tilted, heights are not along z.)
 std::vector<Error> dryWater(const Model& model) {
     std::vector<Error> doubts;
+    if (model.phreatic && levelsOf(*model.phreatic).high <= heightsOf(model, 0).low)
+        doubts.push_back({model.phreatic->field + ".surface",
+                          "found a water table below the whole model: it wets nothing"});
     if (model.gravity.tilt != 0) return doubts;
     for (const Water& water : model.waters) {
         const double level = levelsOf(water).high;
@@ -135,9 +155,12 @@ std::vector<Error> dryWater(const Model& model) {
 
 std::vector<Error> waterFarAway(const State& state) {
     const Model& model = state.geometry->model;
-    if (model.waters.empty()) return {};
+    if (!model.hasWater()) return {};
     const Heights heights = heightsOf(model, model.gravity.tilt);
     std::vector<Error> errors;
+    if (model.phreatic)
+        if (auto fault = tableFarAway(*model.phreatic, heightsOf(model, 0)))
+            errors.push_back(std::move(*fault));
     for (const Water& water : model.waters)
         if (auto fault = farAway(water, heights)) errors.push_back(std::move(*fault));
     return errors;

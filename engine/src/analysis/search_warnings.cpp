@@ -1,5 +1,6 @@
 #include "analysis/search_warnings.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "forces/contact_forces.h"
@@ -44,12 +45,37 @@ std::optional<std::string> ofSoftJoints(const Probing& p, const State& state) {
            "give higher values";
 }
 
+/// At the start nothing is known of what blocks move at rest, but how far what lies on them presses their joints.
+std::optional<std::string> ofJointsPressedIn(const State& state) {
+    constexpr double kPressed = 5e-3;  // of the smaller block's size
+    double most = 0, size = 1;
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
+        if (isIdle(state.interfaces, i)) continue;
+        const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
+        const double smaller =
+            std::min(state.geometry->size[static_cast<std::size_t>(state.interfaces.block_a[i])],
+                     state.geometry->size[static_cast<std::size_t>(state.interfaces.block_b[i])]);
+        for (const ContactPoint& point : contactPoints(state, i)) {
+            const double pressed = point.force.normal / (law.normal_stiffness * point.area);
+            if (pressed * size > most * smaller) most = pressed, size = smaller;
+        }
+    }
+    if (most <= kPressed * size) return std::nullopt;
+    return "the joints give by " + formatted("%.2g", most) + " m under what lies on them, " +
+           formatted("%.2g", 100 * most / size) +
+           " % of a block: on joints so soft columns lean and overturn by themselves, whatever their "
+           "friction; is "
+           "normal_stiffness in Pa/m?";
+}
+
 }  // namespace
 
 std::vector<std::string> searchWarnings(const Probing& probing, const State& last, bool fails) {
     std::vector<std::string> warnings = last.warnings;
     if (auto soft = ofSoftJoints(probing, last)) warnings.push_back(std::move(*soft));
     if (!fails) return warnings;
+    if (!probing.has_stood)
+        if (auto pressed = ofJointsPressedIn(last)) warnings.push_back(std::move(*pressed));
     if (auto lost = ofLostCohesion(lostCohesion(last))) warnings.push_back(std::move(*lost));
     return warnings;
 }
