@@ -160,7 +160,7 @@ class Continuation {
                 clear = look();
                 next_look = 2 * progress;
             }
-            const bool far = progress >= kLastTarget / kFirstTarget || share_ >= kFarEnough;
+            const bool far = progress >= kLastTarget / kFirstTarget || share_of_farthest_ >= kFarEnough;
             if ((clear || far) && borneOut()) break;
         }
         failure_.confirmed = borneOut();
@@ -201,12 +201,15 @@ class Continuation {
     }
 
     void measure() {
-        failure_.motion = share_ = 0;
+        failure_.motion = share_ = share_of_farthest_ = 0;
         for (std::size_t b = 0; b < state_.blocks.size(); ++b) {
             if (state_.blocks.motion[b] != Motion::free) continue;
             const double way = waySince(state_, start_, b).way();
-            failure_.motion = std::max(failure_.motion, way);
-            share_ = std::max(share_, way / state_.geometry->size[b]);
+            const double share = way / state_.geometry->size[b];
+            share_ = std::max(share_, share);
+            if (way <= failure_.motion) continue;
+            failure_.motion = way;
+            share_of_farthest_ = share;
         }
         ways_.push_back(failure_.motion);
     }
@@ -260,6 +263,8 @@ class Continuation {
     Failure failure_{};
     std::vector<double> ways_{};  ///< of the farthest-moved block, at each look [m]
     double share_ = 0;            ///< largest way of a block over its own size
+    double share_of_farthest_ =
+        0;  ///< of the block that has gone farthest: a splinter that moves little says nothing of the whole
     double most_energy_ = 0;
     double cap_ = 0;          ///< squared frequency that no block exceeds [1/s^2]
     bool is_scaled_ = false;  ///< some blocks have more than their true inertia

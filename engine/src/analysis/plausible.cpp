@@ -199,7 +199,7 @@ std::optional<std::string> slowedByOne(const State& state, bool parallel) {
     std::copy_if(bounds.begin(), bounds.end(), std::back_inserter(free),
                  [](double bound) { return bound > 0; });
     if (free.empty()) return std::nullopt;
-    const auto middle = free.begin() + static_cast<std::ptrdiff_t>(free.size() / 2);
+    const auto middle = free.begin() + static_cast<std::ptrdiff_t>((free.size() - 1) / 2);
     std::nth_element(free.begin(), middle, free.end());
     const auto highest = std::max_element(bounds.begin(), bounds.end());
     const double times = std::sqrt(*highest / *middle);

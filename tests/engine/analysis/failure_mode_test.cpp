@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 
 #include "build/build.h"
@@ -107,6 +108,34 @@ TEST_SUITE("analysis") {
         CHECK_FALSE(failure.motions[0].moving);
         CHECK((failure.motions[0].mode == FailureMode::none));
         CHECK((failure.motions[1].mode == FailureMode::sliding));
+    }
+
+    TEST_CASE(
+        "continueFailure: splinters on a sliding row cost no steps, and change neither mode nor names") {
+        const auto rowWith = [](double splinter) {
+            Model model = floorModel(20, 1e8);
+            for (int k = 0; k < 5; ++k)
+                addBox(model, "b" + std::to_string(k), {0.5 + 2.0 * k, 0, 0}, {1, 1, 0.3}, kDensity);
+            if (splinter > 0) addBox(model, "splinter", {12, 0, 0}, Vec3(1, 1, 0.3) * splinter, kDensity);
+            model.gravity.tilt = radians(30);
+            State state = *buildState(model, false);
+            return continued(state, 0.3);
+        };
+        const Failure without = rowWith(0);
+        CHECK(without.confirmed);
+        for (const double splinter : {1e-1, 1e-2, 1e-3}) {
+            CAPTURE(splinter);
+            const Failure with = rowWith(splinter);
+            CHECK(with.confirmed);
+            CHECK((with.mode == FailureMode::sliding));
+            for (int k = 0; k < 5; ++k) {
+                const std::string name = "b" + std::to_string(k);
+                CHECK(std::count(with.moving_blocks.begin(), with.moving_blocks.end(), name) == 1);
+            }
+            // A box of that size has a frequency 1/sqrt(size) times as high: up to 32 times.
+            CHECK(with.time_step > 0.2 * without.time_step);
+            CHECK(with.steps < 6 * without.steps);
+        }
     }
 
     TEST_CASE("continueFailure: a column that topples beside a block that slides is mixed") {

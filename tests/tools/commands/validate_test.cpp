@@ -78,6 +78,11 @@ TEST_CASE("what cannot be meant is refused, with the slip that is likely") {
     const std::string water = "[[water]]\nblock = \"key\"\nface = \"+x\"\n";
     refused(blockScenario(10, 20, water + "elevation = 500.0\n"), "water[0]", "near the model");
     refused(blockScenario(10, 20, water + "depth = 500.0\n"), "water[0]", "is it in m?");
+    refused(blockScenario(10, 20, "[[water]]\nsurface = [[-1.0, 500.0], [3.0, 505.0]]\n"), "water[0]",
+            "near the model");
+    for (const char* step : {"0.6", "1e-13"})
+        refused(blockScenario(10, 20, std::string("[run]\nduration_s = 1.0\ntime_step_s = ") + step + "\n"),
+                "run.time_step_s", "at most half of it");
 }
 
 TEST_CASE("what is allowed but hardly meant is let pass with a warning") {
@@ -95,6 +100,11 @@ TEST_CASE("what is allowed but hardly meant is let pass with a warning") {
                "[[stack]]\nname = \"s\"\norigin = [10.0, 0.0, 0.0]\ncolumns = 2\nrows = 1\nslices = 1\n"
                "block = [0.2, 0.1, 0.1]\n[[water]]\nstack = \"s\"\nfissure = 1\nelevation = -0.02\n"),
            "it wets nothing");
+    warned(blockScenario(0, 20, "[[water]]\nsurface = [[-1.0, -3.0], [3.0, -3.0]]\n"), "it wets nothing");
+    warned(blockScenario(
+               0, 20,
+               "[[block]]\nname = \"splinter\"\nbox = { min = [3, 0, 0], max = [3.001, 0.001, 0.001] }\n"),
+           "block \"splinter\" asks for time steps");
 }
 TEST_CASE("Ctrl-C while a large file is read ends the command at once, and is said") {
     std::string text = "[material.r]\ndensity = 2600\n";

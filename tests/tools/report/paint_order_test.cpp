@@ -4,13 +4,17 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "report/blocks_files.h"
 #include "report/visible_faces.h"
+#include "support/bodies.h"
 #include "support/properties.h"
+#include "support/terrains.h"
 #include "talus/formats/scenario.h"
+#include "talus/surface.h"
 
 using namespace talus;
 using namespace talus::tools;
@@ -130,5 +134,41 @@ TEST_SUITE("paint order") {
         }
         CHECK(drawn == doctest::Approx(8.0));     // around the L
         CHECK(left_out == doctest::Approx(1.0));  // half a metre of each
+    }
+
+    TEST_CASE("pictures of rough ground have no holes, and no joints where none are") {
+        constexpr int kSquares = 6;
+        constexpr double kPlan = 4.0 * kSquares * kSquares;  // squares of 2 m
+        for (const test::Ground ground : test::kGrounds)
+            for (const bool jointed : {false, true}) {
+                CAPTURE(static_cast<int>(ground));
+                CAPTURE(jointed);
+                RockMass rock;
+                rock.region = closeTerrain(test::terrainOf(ground, kSquares), -4)->surface;
+                if (jointed) {
+                    JointSet set;
+                    set.dip = 1.3;
+                    set.dip_direction = 0.4;
+                    set.spacing = 3;
+                    rock.sets.push_back(set);
+                }
+                const CutRockMass cut = *cutRockMass(rock);
+                Model model = test::floorModel(30);
+                model.blocks.clear();
+                for (const CutBlock& block : cut.blocks) test::addBody(model, "b", block.shape);
+                const VisibleFaces visible = visibleFaces(model, Camera({0, 1.5707963}));  // from above
+                double painted = 0;
+                bool joints = false;
+                for (const PaintedPolygon& polygon : visible.polygons) {
+                    for (std::size_t k = 1; k + 1 < polygon.corners.size(); ++k)
+                        painted += 0.5 * (polygon.corners[k] - polygon.corners[0])
+                                             .cross(polygon.corners[k + 1] - polygon.corners[0])
+                                             .z();
+                    joints =
+                        joints || std::count(polygon.sides.begin(), polygon.sides.end(), Side::joint) > 0;
+                }
+                CHECK(painted >= kPlan * (1 - 1e-9));
+                CHECK(joints == jointed);
+            }
     }
 }
