@@ -112,6 +112,7 @@ Json exportGltf(formats::SnapshotReader& reader, const ExportOptions& options) {
     const std::string bytes = [&] {
         const EndsAtOnce reading = whileReading(options.file, options.common);
         std::vector<LightFrame> frames;
+        frames.reserve(wanted.size());
         for (const std::size_t k : wanted) frames.push_back(valueOf(reader.frame(k)));
         return formats::gltfBlocks(reader.header(), frames);
     }();

@@ -103,10 +103,12 @@ bool isCovered(const BlockFinder& finder, const Polyhedron& shape, std::size_t f
         const Vec3& origin = shape.vertices[static_cast<std::size_t>(outline[0])];
         const Vec3 one = shape.vertices[static_cast<std::size_t>(outline[i])] - origin,
                    other = shape.vertices[static_cast<std::size_t>(outline[i + 1])] - origin;
-        for (int m = 0; m < kGrid; ++m)
-            for (int n = 0; m + n < kGrid; ++n)
+        for (int m = 0; m < kGrid; ++m) {
+            for (int n = 0; m + n < kGrid; ++n) {
                 if (!finder.isInside(origin + (m + 0.3) / kGrid * one + (n + 0.3) / kGrid * other + off))
                     return false;
+            }
+        }
     }
     return true;
 }

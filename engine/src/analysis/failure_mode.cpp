@@ -61,6 +61,7 @@ double frequencyCap(const std::vector<double>& bounds) {
 /// Blocks stiffer than the cap get the inertia that takes them there. \return whether there are any
 bool scaleStiffest(State& state, const std::vector<double>& bounds, double cap) {
     std::vector<double> scale;
+    scale.reserve(bounds.size());
     for (const double bound : bounds) scale.push_back(std::max(1.0, bound / cap));
     setInertia(state, scale);
     return std::any_of(scale.begin(), scale.end(), [](double s) { return s > 1.0; });

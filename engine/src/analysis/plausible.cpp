@@ -138,9 +138,10 @@ std::optional<Error> tableFarAway(const PhreaticSurface& table, const Heights& m
 /// Water with its table below its own base wets nothing. (Where the model is tilted, heights are not along z.)
 std::vector<Error> dryWater(const Model& model) {
     std::vector<Error> doubts;
-    if (model.phreatic && levelsOf(*model.phreatic).high <= heightsOf(model, 0).low)
+    if (model.phreatic && levelsOf(*model.phreatic).high <= heightsOf(model, 0).low) {
         doubts.push_back({model.phreatic->field + ".surface",
                           "found a water table below the whole model: it wets nothing"});
+    }
     if (model.gravity.tilt != 0) return doubts;
     for (const Water& water : model.waters) {
         const double level = levelsOf(water).high;
@@ -158,9 +159,10 @@ std::vector<Error> waterFarAway(const State& state) {
     if (!model.hasWater()) return {};
     const Heights heights = heightsOf(model, model.gravity.tilt);
     std::vector<Error> errors;
-    if (model.phreatic)
+    if (model.phreatic) {
         if (auto fault = tableFarAway(*model.phreatic, heightsOf(model, 0)))
             errors.push_back(std::move(*fault));
+    }
     for (const Water& water : model.waters)
         if (auto fault = farAway(water, heights)) errors.push_back(std::move(*fault));
     return errors;

@@ -278,10 +278,11 @@ bool isReal(const Pair& pair, SeparatingAxis& axis, double tie, const Ahead& ahe
         const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
         if (isInner(pair.first, e) || isInner(pair.second, f)) return false;
         const Crossing crossing = crossingOf(pair, axis);
-        if (ahead.turn > 0)
+        if (ahead.turn > 0) {
             return (crossing.within || mayCross(pair, axis, ahead)) &&
                    isSharp(pair.first, e, axis.normal, ahead.turn) &&
                    isSharp(pair.second, f, -axis.normal, ahead.turn);
+        }
         return crossing.within && isOutermost(pair.first, crossing.first, axis.normal, 0.0) &&
                isOutermost(pair.second, crossing.second, -axis.normal, 0.0);
     }
@@ -330,10 +331,6 @@ struct Meeting {
 /// axis is no more than this deeper, times the tie.
 constexpr double kDeeperThanParts = 200.0;
 
-double deepestReal(double parts, const VertexEdgeLimits& limits) {
-    return parts - kDeeperThanParts * limits.tie;
-}
-
 Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
     Meeting best;
     double most = -std::numeric_limits<double>::infinity();
@@ -352,7 +349,8 @@ Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
         }
         return true;
     });
-    best.met = best.apart || std::max(best.sharp.distance, best.faces.distance) >= deepestReal(most, limits);
+    const double deepest = most - kDeeperThanParts * limits.tie;
+    best.met = best.apart || std::max(best.sharp.distance, best.faces.distance) >= deepest;
     return best;
 }
 
@@ -526,19 +524,18 @@ Approach approachOf(const WorldShape& first, const WorldShape& second, const Ver
     VertexEdgeLimits narrow = limits;
     narrow.face_angle -= turn;
     narrow.angle_per_depth = 0;
-    double parts = -std::numeric_limits<double>::infinity(), most = parts, sharpest = parts;
+    double most = -std::numeric_limits<double>::infinity(), sharpest = most;
     bool apart = false;
     forEachAxis(pair, [&](SeparatingAxis axis) {
         apart = axis.distance > limits.reach + travel;
         if (apart) return false;
-        parts = std::max(parts, axis.distance);
         if (axis.distance <= most - travel || !isReal(pair, axis, limits.tie + travel, {travel, turn}))
             return true;
         most = std::max(most, axis.distance);
         if (axis.distance > sharpest && !meetsFaceToFace(pair, axis, narrow)) sharpest = axis.distance;
         return true;
     });
-    if (apart || most + travel < deepestReal(parts - travel, limits)) return Approach::apart;
+    if (apart) return Approach::apart;
     return sharpest > most - travel ? Approach::vertex_edge : Approach::faces;
 }
 

@@ -53,7 +53,7 @@ VertexEdgePoints findVertexEdgePoints(const WorldShape& first, const WorldShape&
 
 /// What two blocks may come to within moves of up to `travel` [m] and turns of up to `turn` [rad].
 enum class Approach : std::uint8_t {
-    apart,       ///< farther from each other than the limits' reach, or nowhere where bodies touch
+    apart,       ///< farther from each other than the limits' reach
     faces,       ///< face to face at most
     vertex_edge  ///< findVertexEdgePoints may find something
 };

@@ -225,27 +225,28 @@ std::vector<Polyhedron> partsOf(const Polyhedron& shape) {
 std::vector<FacePlane> facePlanes(const Polyhedron& shape) {
     std::vector<FacePlane> planes;
     planes.reserve(shape.faces.size());
-    for (std::size_t face = 0; face < shape.faces.size(); ++face)
+    for (std::size_t face = 0; face < shape.faces.size(); ++face) {
         planes.push_back(
             {shape.faceNormal(face), shape.vertices[static_cast<std::size_t>(shape.faces[face][0])]});
+    }
     return planes;
 }
 
 bool contains(const Polyhedron& shape, const Vec3& point, double tolerance) {
     // Face by face: most are told apart by the first few.
-    const auto isWithin = [&](std::size_t face) {
+    const auto is_within = [&](std::size_t face) {
         return !(shape.faceNormal(face).dot(
                      point - shape.vertices[static_cast<std::size_t>(shape.faces[face][0])]) > tolerance);
     };
-    const auto isHeld = [&](std::size_t first, std::size_t count) {
+    const auto is_held = [&](std::size_t first, std::size_t count) {
         std::size_t face = first;
-        while (face < first + count && isWithin(face)) ++face;
+        while (face < first + count && is_within(face)) ++face;
         return face == first + count;
     };
-    if (shape.partCount() == 1) return isHeld(0, shape.faces.size());
+    if (shape.partCount() == 1) return is_held(0, shape.faces.size());
     const auto& parts = shape.faces.parts();
     return std::any_of(parts.begin(), parts.end(), [&](const ConvexPart& part) {
-        return isHeld(static_cast<std::size_t>(part.first_face), faceCount(part));
+        return is_held(static_cast<std::size_t>(part.first_face), faceCount(part));
     });
 }
 
@@ -322,10 +323,10 @@ bool PartOfBody::isOutermostAlong(const Vec3& from, const Vec3& to, const Vec3& 
         const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
         const Share held = heldBetween(planesOf(other), a, b, tolerance);
         if (held.begin > held.end) continue;
-        const auto reachesFrom = [&](double share) {
+        const auto reaches_from = [&](double share) {
             return reachBeyond(shape, other, a + share * (b - a), along, slack) > tolerance;
         };
-        if (reachesFrom(held.begin) && reachesFrom(held.end)) covered.push_back(held);
+        if (reaches_from(held.begin) && reaches_from(held.end)) covered.push_back(held);
     }
     std::sort(covered.begin(), covered.end(),
               [](const Share& s, const Share& t) { return s.begin < t.begin; });

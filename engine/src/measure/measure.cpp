@@ -71,9 +71,10 @@ double outOfBalanceRatio(const State& state, std::size_t block, const Vec3& acce
 double outOfBalanceRatio(const State& state) {
     const Vec3 g = bodyAcceleration(state);
     double largest = 0;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] == Motion::free)
             largest = std::max(largest, outOfBalanceRatio(state, b, g));
+    }
     return largest;
 }
 

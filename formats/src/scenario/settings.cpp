@@ -80,11 +80,12 @@ void readRun(TableReader& root, Model& model) {
     run.duration = table->number("duration_s", kDuration).value_or(run.duration);
     run.time_step = table->number("time_step_s", kDuration);
     run.frame_interval = table->number("frame_interval_s", kDuration).value_or(run.frame_interval);
-    if (run.time_step && (*run.time_step > 0.5 * run.duration || *run.time_step < run.duration / kMaxSteps))
+    if (run.time_step && (*run.time_step > 0.5 * run.duration || *run.time_step < run.duration / kMaxSteps)) {
         table->error("time_step_s", "found " + numberText(*run.time_step) + " s in a run of " +
                                         numberText(run.duration) +
                                         " s, allowed: at most half of it and no more than " +
                                         numberText(kMaxSteps) + " steps; without the key it is chosen");
+    }
     if (run.duration / run.frame_interval > kMaxFrames)
         table->error("frame_interval_s", "found " + numberText(run.frame_interval) + " s in a run of " +
                                              numberText(run.duration) + " s, allowed: at most " +
