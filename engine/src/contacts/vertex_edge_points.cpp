@@ -242,9 +242,13 @@ double distanceSeenAlong(const Vec3& axis, const Vec3& x, const Vec3& from, cons
     return (way - share * line).norm();
 }
 
+/// How far the cross product of two edges may turn: by their turn over the sine of the angle between them [rad].
+double tiltOf(const Edge& first, const Edge& second, const Ahead& ahead) {
+    return std::min(1.0, ahead.turn / first.direction.cross(second.direction).norm());
+}
+
 /// Whether two edges that do not cross between their ends may come to. Seen along the axis, what will lie on it is apart by what
-/// the two travel and by how far the axis leaves its direction along the way between the edges: by their turn over the sine of
-/// the angle between them.
+/// the two travel and by how far the axis leaves its direction along the way between the edges.
 bool mayCross(const Pair& pair, const SeparatingAxis& axis, const Ahead& ahead) {
     const Edge& e = pair.first_edges[static_cast<std::size_t>(axis.face)];
     const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
@@ -253,8 +257,7 @@ bool mayCross(const Pair& pair, const SeparatingAxis& axis, const Ahead& ahead) 
     const double apart =
         std::min({distanceSeenAlong(axis.normal, a, c, d), distanceSeenAlong(axis.normal, b, c, d),
                   distanceSeenAlong(axis.normal, c, a, b), distanceSeenAlong(axis.normal, d, a, b)});
-    const double tilt = std::min(1.0, ahead.turn / e.direction.cross(f.direction).norm());
-    return apart <= ahead.travel + (std::abs(axis.distance) + ahead.travel) * tilt;
+    return apart <= ahead.travel + (std::abs(axis.distance) + ahead.travel) * tiltOf(e, f, ahead);
 }
 
 bool isOutermost(const WorldShape& shape, const Vec3& x, const Vec3& out, double turn) {
@@ -280,8 +283,8 @@ bool isReal(const Pair& pair, SeparatingAxis& axis, double tie, const Ahead& ahe
         const Crossing crossing = crossingOf(pair, axis);
         if (ahead.turn > 0) {
             return (crossing.within || mayCross(pair, axis, ahead)) &&
-                   isSharp(pair.first, e, axis.normal, ahead.turn) &&
-                   isSharp(pair.second, f, -axis.normal, ahead.turn);
+                   isSharp(pair.first, e, axis.normal, tiltOf(e, f, ahead)) &&
+                   isSharp(pair.second, f, -axis.normal, tiltOf(e, f, ahead));
         }
         return crossing.within && isOutermost(pair.first, crossing.first, axis.normal, 0.0) &&
                isOutermost(pair.second, crossing.second, -axis.normal, 0.0);
