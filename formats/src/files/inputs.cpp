@@ -1,21 +1,46 @@
 #include "talus/formats/inputs.h"
 
+#include <fcntl.h>
+#include <linux/fs.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <map>
 #include <mutex>
-#include <set>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace talus::formats {
 
 namespace {
 
-/// Device and number on it: what a file is, under all of its names.
-using Identity = std::pair<dev_t, ino_t>;
+/// Device and number on it: what a file is, under all of its names, as long as it exists. The number of one that is gone goes to
+/// the next that is made, with another time of birth or, in the same tick of the clock, another generation.
+struct Identity {
+    std::uint64_t device = 0, number = 0;
+    auto operator<=>(const Identity&) const = default;
+};
+
+struct Found {
+    Identity identity;
+    std::optional<std::pair<std::int64_t, std::uint32_t>> born;  ///< [s, ns]; not every file system knows
+};
+
+/// An input as it was read.
+struct Input {
+    Found file;
+    std::optional<int> generation;
+    std::vector<std::string> paths;  ///< absolute
+};
 
 struct Inputs {
     std::mutex mutex;
-    std::set<Identity> files;
+    std::map<Identity, Input> files;
 };
 
 Inputs& inputs() {
@@ -23,27 +48,61 @@ Inputs& inputs() {
     return all;
 }
 
-bool identify(const std::string& path, Identity& identity) {
-    struct stat info {};
-    if (::stat(path.c_str(), &info) != 0 || !S_ISREG(info.st_mode)) return false;
-    identity = {info.st_dev, info.st_ino};
-    return true;
+std::optional<Found> find(const std::string& path) {
+    struct statx info {};
+    if (::statx(AT_FDCWD, path.c_str(), 0, STATX_TYPE | STATX_INO | STATX_BTIME, &info) != 0 ||
+        !S_ISREG(info.stx_mode))
+        return std::nullopt;
+    Found found{{std::uint64_t{info.stx_dev_major} << 32 | info.stx_dev_minor, info.stx_ino}, {}};
+    if ((info.stx_mask & STATX_BTIME) != 0) found.born = {info.stx_btime.tv_sec, info.stx_btime.tv_nsec};
+    return found;
+}
+
+/// What tells apart the files that have had one number, one after the other; not every file system has it.
+std::optional<int> generationOf(const std::string& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) return std::nullopt;
+    int generation = 0;
+    const bool told = ::ioctl(file, FS_IOC_GETVERSION, &generation) == 0;
+    ::close(file);
+    if (!told) return std::nullopt;
+    return generation;
+}
+
+/// Whether a file with the number of an input is still that one: where nobody knows when it was born, as long as a name of it
+/// leads there.
+bool isStill(const Input& input, const Found& now, const std::string& path) {
+    if (input.file.born && now.born) {
+        if (*input.file.born != *now.born) return false;
+        const std::optional<int> generation = generationOf(path);
+        return !input.generation || !generation || *input.generation == *generation;
+    }
+    return std::any_of(input.paths.begin(), input.paths.end(), [&](const std::string& path) {
+        const std::optional<Found> there = find(path);
+        return there && there->identity == now.identity;
+    });
 }
 
 }  // namespace
 
 void rememberInput(const std::string& path) {
-    Identity identity;
-    if (!identify(path, identity)) return;
+    const std::optional<Found> found = find(path);
+    if (!found) return;
+    std::error_code unknown;
+    std::string absolute = std::filesystem::absolute(path, unknown).string();
     const std::lock_guard lock(inputs().mutex);
-    inputs().files.insert(identity);
+    Input& input = inputs().files[found->identity];
+    if (!isStill(input, *found, path)) input = {*found, generationOf(path), {}};
+    if (std::find(input.paths.begin(), input.paths.end(), absolute) == input.paths.end())
+        input.paths.push_back(std::move(absolute));
 }
 
 bool isInput(const std::string& path) {
-    Identity identity;
-    if (!identify(path, identity)) return false;
+    const std::optional<Found> found = find(path);
+    if (!found) return false;
     const std::lock_guard lock(inputs().mutex);
-    return inputs().files.contains(identity);
+    const auto input = inputs().files.find(found->identity);
+    return input != inputs().files.end() && isStill(input->second, *found, path);
 }
 
 }  // namespace talus::formats

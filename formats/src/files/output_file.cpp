@@ -52,7 +52,7 @@ Result<OutputFile> OutputFile::open(const std::string& path, bool may_create) {
         bool created = false;
         const int file = openOrMake(path, may_create, created);
         if (file < 0) return refusal(path, errno);
-        OutputFile output(file, created, path);
+        OutputFile output(file, path);
         if (!isRegular(file)) return output;
         const int refused = setLock(file, LockMode::exclusive, kWriter, false);
         if (lockIsHeld(refused))
@@ -60,6 +60,8 @@ Result<OutputFile> OutputFile::open(const std::string& path, bool may_create) {
                          "is being written by another process; wait for its end, or choose another file"};
         if (refused != 0 && !noLocksHere(refused)) return refusal(path, refused);
         output.reach_ = refused != 0 ? LockReach::none : formats::lockReach(file);
+        // Not before: between making and locking somebody else may have opened it, and writes.
+        output.created_ = created;
         // Between opening and locking, who had the file may have taken it away.
         if (output.isAtItsPath()) return output;
     }

@@ -4,7 +4,13 @@
 
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <linux/fs.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
 
 #include "support/files.h"
 #include "talus/formats/inputs.h"
@@ -44,6 +50,31 @@ TEST_CASE("a file that got nothing is taken away, one that was replaced meanwhil
     CHECK(folder.files() == 1);
 }
 
+TEST_CASE("of two that make one file at the same moment one has it, and the other leaves it alone") {
+    const TemporaryFolder folder;
+    constexpr int kRounds = 10000;
+    std::atomic<int> ready = 0, done = 0, writers = 0, lost = 0;
+    const auto meet = [](std::atomic<int>& count, int round) {
+        ++count;
+        while (count < 2 * (round + 1)) std::this_thread::yield();
+    };
+    const auto write = [&](int delay) {
+        for (int k = 0; k < kRounds; ++k) {
+            meet(ready, k);
+            for (volatile int wait = delay * (k % 40); wait > 0;) wait = wait - 1;
+            const auto file = OutputFile::open(folder / std::to_string(k));
+            if (file.ok()) {
+                writers += ::write(file->file(), "x", 1) == 1;
+            }
+            meet(done, k);  // both have had their go: what one of them wrote is still there
+            lost += file.ok() && !std::filesystem::exists(file->path());
+        }
+    };
+    { const std::jthread one(write, 0), two(write, 100); }
+    CHECK(lost.load() == 0);
+    CHECK(writers.load() == kRounds);
+}
+
 TEST_CASE("a link that leads to nothing is not followed to a new file") {
     const TemporaryFolder folder;
     std::filesystem::create_symlink(folder / "elsewhere", folder / "link");
@@ -74,4 +105,21 @@ TEST_CASE("an input is known under every name that leads to it") {
     for (const std::string name : {"slope.toml", "symbolic", "hard"}) CHECK(isInput(folder / name));
     CHECK_FALSE(isInput(other));
     CHECK_FALSE(isInput(folder / "absent"));
+}
+
+TEST_CASE("what takes the place on the disk of an input that is gone is none") {
+    const TemporaryFolder folder;
+    int generation = 0;
+    const int probe = ::open(folder.write("probe", "x").c_str(), O_RDONLY);
+    const bool has_generations = ::ioctl(probe, FS_IOC_GETVERSION, &generation) == 0;
+    ::close(probe);
+    for (int k = 0; k < 30; ++k) {
+        const std::string input = folder.write("input-" + std::to_string(k), "x");
+        rememberInput(input);
+        CHECK(isInput(input));
+        std::filesystem::remove(input);
+        // Without generations only the time of birth tells them apart, and clocks of file systems tick every few ms.
+        if (!has_generations) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        CHECK_FALSE(isInput(folder.write("output-" + std::to_string(k), "y")));
+    }
 }

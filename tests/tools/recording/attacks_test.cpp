@@ -74,7 +74,9 @@ struct WholeRun {
     }
 
     void checkFinished(const std::string& at) const {
-        for (const std::string& fault : SnapshotReader::open(at)->verify()) FAIL_CHECK(fault);
+        auto reader = SnapshotReader::open(at);
+        REQUIRE(reader.ok());
+        for (const std::string& fault : reader->verify()) FAIL_CHECK(fault);
         CHECK(hashesOf(at) == hashes);
     }
 };

@@ -30,13 +30,12 @@ class OutputFile {
     int sync() const;
 
  private:
-    OutputFile(int file, bool created, std::string path)
-        : file_(file), created_(created), path_(std::move(path)) {}
+    OutputFile(int file, std::string path) : file_(file), path_(std::move(path)) {}
     static Result<OutputFile> open(const std::string& path, bool may_create);
     bool isAtItsPath() const;
 
     int file_ = -1;
-    bool created_ = false;
+    bool created_ = false;  ///< here, and nobody else has it
     LockReach reach_ = LockReach::every_machine;
     std::string path_;
 };
