@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "contacts/update.h"
 #include "forces/contact_forces.h"
@@ -48,14 +47,8 @@ BlockWay waySince(const State& state, const Poses& start, std::size_t b) {
 
 /// The squared frequency up to which blocks keep their true inertia [1/s^2]: that of the stiffest, or a multiple of the median.
 double frequencyCap(const std::vector<double>& bounds) {
-    std::vector<double> free;
-    std::copy_if(bounds.begin(), bounds.end(), std::back_inserter(free),
-                 [](double bound) { return bound > 0; });
-    if (free.empty()) return 1.0;
-    const double highest = *std::max_element(free.begin(), free.end());
-    const auto middle = free.begin() + static_cast<std::ptrdiff_t>(free.size() / 2);
-    std::nth_element(free.begin(), middle, free.end());
-    return std::min(highest, kStiffest * kStiffest * *middle);
+    const double highest = *std::max_element(bounds.begin(), bounds.end());
+    return highest > 0 ? std::min(highest, kStiffest * kStiffest * medianBound(bounds)) : 1.0;
 }
 
 /// Blocks stiffer than the cap get the inertia that takes them there. \return whether there are any
@@ -265,7 +258,7 @@ class Continuation {
     std::vector<double> ways_{};  ///< of the farthest-moved block, at each look [m]
     double share_ = 0;            ///< largest way of a block over its own size
     double share_of_farthest_ =
-        0;  ///< of the block that has gone farthest: a splinter that moves little says nothing of the whole
+        0;  ///< of the block that has gone farthest: what a splinter has gone says nothing of the whole
     double most_energy_ = 0;
     double cap_ = 0;          ///< squared frequency that no block exceeds [1/s^2]
     bool is_scaled_ = false;  ///< some blocks have more than their true inertia

@@ -1,6 +1,6 @@
 #pragma once
-// How an assembly fails: a short continuation with true inertia (but for blocks far stiffer than most) and without local damping, then each block's motion
-// read as sliding or toppling.
+// How an assembly fails: a short continuation with true inertia (but for blocks far stiffer than most) and without local
+// damping, then each block's motion read as sliding or toppling.
 
 #include <string>
 #include <vector>

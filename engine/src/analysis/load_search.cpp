@@ -27,7 +27,8 @@ constexpr std::int64_t kLeastSteps = 120'000, kMostSteps = 400'000, kMostStepsAt
 constexpr double kLeavesItsPlace = 0.1;
 constexpr std::int64_t kFirstLookAtStart = 20'000;  // what falls is seen to in 4,000 to 15,000
 
-/// Blocks that are not at rest, when they are next to nothing of what is free: squeezed between others they may chatter without end.
+/// Blocks that are not at rest, when they are next to nothing of what is free: squeezed between others they may chatter
+/// without end.
 std::vector<std::size_t> restlessSplinters(const State& state) {
     constexpr double kRestless = 0.01;      // of the block's own weight
     constexpr double kMostRestless = 1e-3;  // of the free blocks' mass

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -197,14 +196,10 @@ std::optional<Error> roundingDecides(const State& state, double load_tolerance, 
 /// The block whose stiffness for its mass makes a history's steps many times shorter than the median block would.
 std::optional<std::string> slowedByOne(const State& state, bool parallel) {
     const std::vector<double> bounds = frequencyBounds(state, parallel);
-    std::vector<double> free;
-    std::copy_if(bounds.begin(), bounds.end(), std::back_inserter(free),
-                 [](double bound) { return bound > 0; });
-    if (free.empty()) return std::nullopt;
-    const auto middle = free.begin() + static_cast<std::ptrdiff_t>((free.size() - 1) / 2);
-    std::nth_element(free.begin(), middle, free.end());
+    const double median = medianBound(bounds);
+    if (median == 0) return std::nullopt;
     const auto highest = std::max_element(bounds.begin(), bounds.end());
-    const double times = std::sqrt(*highest / *middle);
+    const double times = std::sqrt(*highest / median);
     if (!(times > kSlowed)) return std::nullopt;
     const auto block = static_cast<std::size_t>(highest - bounds.begin());
     return "block \"" + state.geometry->model.blocks[block].name + "\" asks for time steps " +

@@ -12,6 +12,7 @@ inline constexpr double kClosedGap = 1e-4;
 // What a search foresees; a block that has gone farther has its neighbours searched again.
 inline constexpr double kTravelLimit = 0.01;  // of a block's own size
 inline constexpr double kTurnLimit = 0.01;    // [rad]
+inline constexpr double kFasterAhead = 4.0;   // than now blocks may get before the next look
 inline constexpr double kShareOfMargin =
     0.25;  // of the margin, likewise: two blocks may come towards each other
 

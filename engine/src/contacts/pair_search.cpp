@@ -16,7 +16,6 @@
 namespace talus {
 namespace {
 
-constexpr double kFaster = 4.0;         // than now a pair may get before the next search
 constexpr double kMostFaceAngle = 0.8;  // [rad] however deep: then a box always has one such face
 
 Box boundingBox(const WorldShape& shape, double margin) {
@@ -207,7 +206,7 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     dropCovered(placed_a, placed_b, finding);
     const bool slivers = dropSlivers(state, a, b, size, finding, initial);
     // A pair that has places keeps them as long as it is near.
-    const double fast = kFaster * range.ahead * (speedBound(state, a) + speedBound(state, b));
+    const double fast = kFasterAhead * range.ahead * (speedBound(state, a) + speedBound(state, b));
     const VertexEdgeLimits sharp = vertexEdgeLimits(*state.geometry, a, b, fast);
     const double travel = wayAhead(state, a, range.margin) + wayAhead(state, b, range.margin);
     finding.may_meet_by_vertices =

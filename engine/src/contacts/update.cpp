@@ -29,7 +29,7 @@ constexpr double kSlideLimit =
 double searchMargin(const State& state, double ahead) {
     double fastest = 0;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) fastest = std::max(fastest, speedBound(state, b));
-    return std::max(kSearchMargin * state.geometry->length_scale, 4.0 * fastest * ahead);
+    return std::max(kSearchMargin * state.geometry->length_scale, kFasterAhead * fastest * ahead);
 }
 
 /// Far enough that a contact could be missed, or that a patch has slid or turned too far over its partner.

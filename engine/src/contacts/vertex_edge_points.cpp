@@ -4,153 +4,18 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
+#include "contacts/separating_axes.h"
 #include "geometry/parts.h"
 
 namespace talus {
 namespace {
 
-constexpr double kParallel =
-    1e-6;  // sine of the angle below which two edges have no cross product worth the name
+using axes::Edge, axes::Pair, axes::SeparatingAxis;
+using axes::edgesOf, axes::faceAxis, axes::forEachAxis, axes::vertexOf;
+
 constexpr double kOnOutline = 1e-9;  // of the face's longest edge: a vertex this far outside counts as inside
-
-struct Edge {
-    std::int32_t from, to;     // vertices
-    std::int32_t left, right;  // faces
-    Vec3 direction;            // unit
-    Vec3 arc;                  // cross product of the two faces' normals
-};
-
-/// An edge as one of its faces lists it. A whole number sorts faster than three, by lower vertex, higher vertex and face.
-class HalfEdge {
- public:
-    HalfEdge(std::int32_t from, std::int32_t to, std::size_t face)
-        : key_(static_cast<std::uint64_t>(std::min(from, to)) << 2 * kBits |
-               static_cast<std::uint64_t>(std::max(from, to)) << kBits | face) {}
-
-    std::int32_t low() const { return static_cast<std::int32_t>(key_ >> 2 * kBits); }
-    std::int32_t high() const { return static_cast<std::int32_t>(key_ >> kBits & kMask); }
-    std::int32_t face() const { return static_cast<std::int32_t>(key_ & kMask); }
-    bool operator<(const HalfEdge& other) const { return key_ < other.key_; }
-
- private:
-    static constexpr unsigned kBits = 21;  // of vertices and faces of one convex part
-    static constexpr std::uint64_t kMask = (std::uint64_t{1} << kBits) - 1;
-    std::uint64_t key_;
-};
-
-/// Edges in the order of their vertices.
-std::vector<Edge> edgesOf(const WorldShape& shape) {
-    std::vector<HalfEdge> halves;
-    halves.reserve(2 * (shape.vertices.size() + shape.faces.size()));  // Euler: twice their number less 2
-    for (std::size_t face = 0; face < shape.faces.size(); ++face) {
-        const auto& outline = shape.faces[face];
-        for (std::size_t i = 0; i < outline.size(); ++i)
-            halves.emplace_back(outline[i], outline[i + 1 < outline.size() ? i + 1 : 0], face);
-    }
-    std::sort(halves.begin(), halves.end());
-    std::vector<Edge> edges;
-    edges.reserve(halves.size() / 2);
-    for (std::size_t i = 0; i + 1 < halves.size(); i += 2) {  // each edge belongs to two faces
-        const HalfEdge &left = halves[i], &right = halves[i + 1];
-        const Vec3 along = shape.vertices[static_cast<std::size_t>(left.high())] -
-                           shape.vertices[static_cast<std::size_t>(left.low())];
-        edges.push_back({left.low(), left.high(), left.face(), right.face(), along.normalized(),
-                         shape.normals[static_cast<std::size_t>(left.face())].cross(
-                             shape.normals[static_cast<std::size_t>(right.face())])});
-    }
-    return edges;
-}
-
-struct Pair {
-    const WorldShape &first, &second;
-    std::vector<Edge> first_edges{}, second_edges{};
-
-    const WorldShape& shape(bool is_second) const { return is_second ? second : first; }
-};
-
-/// An axis along which the two may be told apart.
-struct SeparatingAxis {
-    double distance = -std::numeric_limits<double>::infinity();
-    bool is_edges = false;
-    bool second_is_reference = false;  // whose face it is
-    std::int32_t face = -1;            // its index; of edges: the first block's edge
-    std::int32_t other = -1;           // the other block's lowest vertex; of edges: the second block's edge
-    Vec3 normal = Vec3::Zero();        // from the reference (of edges: the first) to the other
-};
-
-const Vec3& vertexOf(const WorldShape& shape, std::int32_t v) {
-    return shape.vertices[static_cast<std::size_t>(v)];
-}
-
-SeparatingAxis faceAxis(const Pair& pair, bool second_is_reference, std::size_t face) {
-    const WorldShape& reference = pair.shape(second_is_reference);
-    const WorldShape& other = pair.shape(!second_is_reference);
-    SeparatingAxis axis{std::numeric_limits<double>::infinity(), false, second_is_reference,
-                        static_cast<std::int32_t>(face),         -1,    reference.normals[face]};
-    const Vec3& origin = vertexOf(reference, reference.faces[face][0]);
-    for (std::size_t v = 0; v < other.vertices.size(); ++v) {
-        const double height = axis.normal.dot(other.vertices[v] - origin);
-        if (height < axis.distance) axis.distance = height, axis.other = static_cast<std::int32_t>(v);
-    }
-    return axis;
-}
-
-/// One block's face normals along the arcs of the other's edges.
-class AlongArcs {
- public:
-    AlongArcs(const std::vector<Edge>& edges, std::span<const Vec3> normals) : faces_(normals.size()) {
-        along_.reserve(edges.size() * faces_);
-        for (const Edge& edge : edges)
-            for (const Vec3& normal : normals) along_.push_back(normal.dot(edge.arc));
-    }
-    double at(std::size_t edge, std::int32_t face) const {
-        return along_[edge * faces_ + static_cast<std::size_t>(face)];
-    }
-
- private:
-    std::size_t faces_;
-    std::vector<double> along_;
-};
-
-/// Pairs of edges that are the two blocks' outermost along their cross product: the arc between the normals of one edge's
-/// faces and that between the opposites of the other's cross on the unit sphere (the Gauss map; Gregorius 2013).
-class GaussMap {
- public:
-    explicit GaussMap(const Pair& pair)
-        : pair_(pair),
-          second_along_first_(pair.first_edges, pair.second.normals),
-          first_along_second_(pair.second_edges, pair.first.normals) {}
-
-    bool cross(std::size_t e, std::size_t f) const {
-        const Edge &first = pair_.first_edges[e], &second = pair_.second_edges[f];
-        const double second_left = second_along_first_.at(e, second.left);
-        if (second_left * second_along_first_.at(e, second.right) >= 0) return false;
-        const double first_right = first_along_second_.at(f, first.right);
-        return first_along_second_.at(f, first.left) * first_right < 0 && second_left * first_right < 0;
-    }
-
- private:
-    const Pair& pair_;
-    AlongArcs second_along_first_, first_along_second_;
-};
-
-/// The cross product of two edges; none of those that are as good as parallel.
-SeparatingAxis edgeAxis(const Pair& pair, std::size_t e, std::size_t f) {
-    const Edge &first = pair.first_edges[e], &second = pair.second_edges[f];
-    Vec3 normal = first.direction.cross(second.direction);
-    const double sine = normal.norm();
-    if (sine < kParallel) return {};
-    normal /= sine;
-    const auto& normals = pair.first.normals;
-    const Vec3 outwards =
-        normals[static_cast<std::size_t>(first.left)] + normals[static_cast<std::size_t>(first.right)];
-    if (normal.dot(outwards) < 0) normal = -normal;
-    const double distance = normal.dot(vertexOf(pair.second, second.from) - vertexOf(pair.first, first.from));
-    return {distance, true, false, static_cast<std::int32_t>(e), static_cast<std::int32_t>(f), normal};
-}
 
 /// Of the body's faces around a vertex the one that looks most against a direction; -1: none, it lies inside.
 std::int32_t incidentFace(const WorldShape& shape, std::int32_t vertex, const Vec3& direction) {
@@ -302,24 +167,6 @@ bool isReal(const Pair& pair, SeparatingAxis& axis, double tie, const Ahead& ahe
         return true;
     }
     return false;
-}
-
-/// Calls each(axis) for all axes until it returns false.
-template <class Each>
-void forEachAxis(Pair& pair, const Each& each) {
-    for (std::size_t face = 0; face < pair.first.faces.size(); ++face)
-        if (!each(faceAxis(pair, false, face))) return;
-    for (std::size_t face = 0; face < pair.second.faces.size(); ++face)
-        if (!each(faceAxis(pair, true, face))) return;
-    pair.first_edges = edgesOf(pair.first);
-    pair.second_edges = edgesOf(pair.second);
-    const GaussMap map(pair);
-    for (std::size_t e = 0; e < pair.first_edges.size(); ++e)
-        for (std::size_t f = 0; f < pair.second_edges.size(); ++f) {
-            if (!map.cross(e, f)) continue;
-            const SeparatingAxis axis = edgeAxis(pair, e, f);
-            if (axis.is_edges && !each(axis)) return;
-        }
 }
 
 /// The axes they meet along, at best.

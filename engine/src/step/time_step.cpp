@@ -1,6 +1,7 @@
 #include "step/time_step.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "forces/contact_forces.h"
@@ -128,6 +129,14 @@ std::vector<double> frequencyBounds(const State& state, bool parallel) {
         for (std::size_t b = range.begin; b < range.end; ++b) bounds[b] = frequencyBound(state, b);
     });
     return bounds;
+}
+
+double medianBound(std::vector<double> bounds) {
+    std::erase_if(bounds, [](double bound) { return !(bound > 0); });
+    if (bounds.empty()) return 0.0;
+    const auto middle = bounds.begin() + static_cast<std::ptrdiff_t>((bounds.size() - 1) / 2);
+    std::nth_element(bounds.begin(), middle, bounds.end());
+    return *middle;
 }
 
 double stableTimeStep(double omega_squared, double contact_damping) {

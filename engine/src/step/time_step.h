@@ -16,6 +16,9 @@ namespace talus {
 /// All contact points count as closed: opening and slipping only soften.
 std::vector<double> frequencyBounds(const State& state, bool parallel);
 
+/// The median of the free blocks' bounds, the lower one of two [1/s^2]; 0: there are none.
+double medianBound(std::vector<double> bounds);
+
 /// Time step for a bound of omega^2 and contact damping c_k = contact * k: central differences with damping taken half
 /// a step late are stable for dt <= 2/omega (sqrt(1 + xi^2) - xi), xi = contact omega / 2 (Belytschko 1983).
 double stableTimeStep(double omega_squared, double contact_damping);
