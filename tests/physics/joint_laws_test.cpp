@@ -121,6 +121,16 @@ TEST_SUITE("physics") {
         CHECK(table->moving_blocks == coulomb->moving_blocks);
     }
 
+    TEST_CASE("what the load only presses together keeps its bonds on the way to rest") {
+        // The whole stack turns about its toe. Bonds that broke as it came to rest let it slide at 19.5 degrees.
+        Model model = stackModel(4, 6, 1, 19.5, {0.25, 0.1, 0.1});
+        for (Joint& joint : model.joints) joint.cohesion = 1e9;
+        const auto topples = criticalAngle(model);
+        REQUIRE(topples.ok());
+        CHECK(topples->answer == doctest::Approx(std::atan(0.25 / 0.6)).epsilon(1e-3));
+        CHECK((topples->mode == FailureMode::toppling));
+    }
+
     TEST_CASE("limit analysis says that it is for straight envelopes") {
         const Model model = planeModel("power");
         const auto ceiling = limitCeiling(model, Varied::factor, false);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "analysis/plausible.h"
 #include "contacts/update.h"
 #include "equilibrium/find_equilibrium.h"
 #include "forces/sum.h"
+#include "law/law.h"
 #include "measure/measure.h"
 #include "state/block_motion.h"
 #include "step/step.h"
@@ -263,11 +265,78 @@ void stopDrivenBlocks(State& state) {
     if (any) state.warnings.push_back("driven blocks stand still in this analysis");
 }
 
+/// Strength that is lost for good must not be lost on a way that rock does not go: what is laid on within some periods, and
+/// comes to rest under a drag, overshoots, and opens joints that the load only presses together. So rest is found with
+/// all that is whole held together, and what the load is too much for then breaks from there.
+class HeldBonds {
+ public:
+    explicit HeldBonds(State& state)
+        : state_(state), any_(std::any_of(state.laws.begin(), state.laws.end(), contact::isBrittle)) {
+        hold();
+    }
+    ~HeldBonds() { letGo(); }
+    HeldBonds(const HeldBonds&) = delete;
+    HeldBonds& operator=(const HeldBonds&) = delete;
+
+    explicit operator bool() const { return any_; }
+
+    void hold() {
+        if (!any_ || held_) return;
+        laws_ = state_.laws;
+        std::transform(laws_.begin(), laws_.end(), state_.laws.begin(), contact::held);
+        held_ = true;
+    }
+    void letGo() {
+        if (!held_) return;
+        state_.laws.swap(laws_);
+        held_ = false;
+    }
+
+ private:
+    State& state_;
+    std::vector<contact::JointLaw> laws_{};
+    bool any_, held_ = false;
+};
+
 void takeSteps(State& state, QuasiStaticWork& work, Probe& probe, const SetLoad& set_load = {}) {
     advance(state, {work.time_step, work.parallel}, kStepsPerSample, set_load);
     probe.steps += kStepsPerSample;
     work.steps += kStepsPerSample;
     if (refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step)) fitToContacts(state, work);
+}
+
+/// Where a probe begins.
+struct Start {
+    PositionArray position;
+    QuaternionArray orientation;
+    double reach;  ///< of the bolts [m]
+};
+
+/// The load stays as it is.
+void watchUntilDecided(State& state, QuasiStaticWork& work, const Start& start, Probe& probe) {
+    Watch watch(state, work);
+    DragTuner tuner(state);
+    const auto steps_per_tuning =
+        std::max<std::int64_t>(20, std::llround(0.25 * work.slow_period / work.time_step));
+    std::int64_t next_tuning = probe.steps + steps_per_tuning;
+    bool decided = false;
+    while (!decided && !interrupted(work) && probe.steps < work.settings.max_steps_per_probe) {
+        takeSteps(state, work, probe);
+        decided = watch.look(probe);
+        if (!decided && probe.steps % kStepsPerGlance == 0 &&
+            hasGone(state, start.position, start.orientation, start.reach)) {
+            probe.verdict = Verdict::failing;
+            probe.reason = describe("a block has left its place: out-of-balance force", probe.out_of_balance,
+                                    probe.steps);
+            decided = true;
+        }
+        if (probe.steps < next_tuning) continue;
+        tuner.tune(state, work);
+        next_tuning = probe.steps + steps_per_tuning;
+    }
+    if (!decided)
+        probe.reason = interrupted(work) ? "interrupted"
+                                         : describe("still moving with", probe.out_of_balance, probe.steps);
 }
 
 }  // namespace
@@ -323,55 +392,49 @@ void takeBack(State& state, const QuasiStaticWork& work) {
 Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     Probe probe;
     DragTuner::setDrag(state, work, work.slow_period);
-    const PositionArray position = state.blocks.position;
-    const QuaternionArray orientation = state.blocks.orientation;
+    const Start start{state.blocks.position, state.blocks.orientation, tieReach(state)};
     const ExternalLoad before = externalLoad(state);
-    const double reach = tieReach(state);
     const auto ramp_samples = std::max<std::int64_t>(
         2, std::llround(work.settings.ramp_periods * work.slow_period / (kStepsPerSample * work.time_step)));
     const auto ramp_steps = static_cast<double>(ramp_samples * kStepsPerSample);
+    HeldBonds bonds(state);
     const SetLoad set_load = [&](int k) {
+        bonds.letGo();
         ramp(state, static_cast<double>(probe.steps + k + 1) / ramp_steps);
+        bonds.hold();
     };
     for (std::int64_t sample = 0; sample < ramp_samples && !interrupted(work); ++sample)
         takeSteps(state, work, probe, set_load);
-    Watch watch(state, work);
-    DragTuner tuner(state);
-    const auto steps_per_tuning =
-        std::max<std::int64_t>(20, std::llround(0.25 * work.slow_period / work.time_step));
-    std::int64_t next_tuning = probe.steps + steps_per_tuning;
-    bool decided = false;
-    while (!decided && !interrupted(work) && probe.steps < work.settings.max_steps_per_probe) {
-        takeSteps(state, work, probe);
-        decided = watch.look(probe);
-        if (!decided && probe.steps % kStepsPerGlance == 0 && hasGone(state, position, orientation, reach)) {
-            probe.verdict = Verdict::failing;
-            probe.reason = describe("a block has left its place: out-of-balance force", probe.out_of_balance,
-                                    probe.steps);
-            decided = true;
-        }
-        if (probe.steps < next_tuning) continue;
-        tuner.tune(state, work);
-        next_tuning = probe.steps + steps_per_tuning;
+    watchUntilDecided(state, work, start, probe);
+    if (bonds && probe.verdict == Verdict::stable) {
+        bonds.letGo();
+        probe.verdict = Verdict::undecided;
+        watchUntilDecided(state, work, start, probe);
     }
-    if (!decided)
-        probe.reason = interrupted(work) ? "interrupted"
-                                         : describe("still moving with", probe.out_of_balance, probe.steps);
-    probe.displacement = largestMotion(state, position, orientation);
+    probe.displacement = largestMotion(state, start.position, start.orientation);
     if (probe.verdict == Verdict::stable) {
         setAtRest(state.blocks);
-        const double period = observedPeriod(state, position, before);
+        const double period = observedPeriod(state, start.position, before);
         work.slow_period = std::clamp(period, work.slow_period, work.slow_period_limit);
     }
     return probe;
 }
 
 Probe findRest(State& state, QuasiStaticWork& work, std::int64_t most_factors) {
-    const equilibrium::Equilibrium found =
-        equilibrium::findEquilibrium(state, {.limit = work.out_of_balance_limit,
-                                             .most_factors = most_factors,
-                                             .parallel = work.parallel,
-                                             .stop = work.control->stop});
+    equilibrium::Options options{.limit = work.out_of_balance_limit,
+                                 .most_factors = most_factors,
+                                 .parallel = work.parallel,
+                                 .stop = work.control->stop};
+    HeldBonds bonds(state);
+    equilibrium::Equilibrium found = equilibrium::findEquilibrium(state, options);
+    if (bonds && found.verdict == Verdict::stable) {
+        bonds.letGo();
+        options.most_factors -= found.factors;
+        const equilibrium::Equilibrium whole =
+            std::exchange(found, equilibrium::findEquilibrium(state, options));
+        found.factors += whole.factors;
+        found.displacement = std::max(found.displacement, whole.displacement);
+    }
     work.factors += found.factors;
     fitToContacts(state, work);
     Probe probe{.verdict = found.verdict,

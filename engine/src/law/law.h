@@ -17,12 +17,29 @@
 
 namespace talus::contact {
 
+/// Whether Coulomb's strength is less once it has slipped.
+inline bool falls(const JointLaw& joint) {
+    return joint.residual_tan_friction != joint.tan_friction || joint.residual_cohesion != joint.cohesion;
+}
+
 /// Whether contact points of this joint have to remember more than their plastic slide: strength that is lost for
 /// good, dilation.
 inline bool hasMemory(const JointLaw& joint) {
-    const bool falls =
-        joint.residual_tan_friction != joint.tan_friction || joint.residual_cohesion != joint.cohesion;
-    return joint.bonded || (joint.curved ? joint.residual_factor != 1 : falls) || joint.tan_dilation != 0;
+    return joint.bonded || (joint.curved ? joint.residual_factor != 1 : falls(joint)) ||
+           joint.tan_dilation != 0;
+}
+
+/// Whether it has strength to lose that `held` can hold.
+inline bool isBrittle(const JointLaw& joint) { return !joint.curved && (joint.bonded || falls(joint)); }
+
+/// The same joint where nothing that is whole breaks, whatever the load: elastic in shear, and in tension where it is bonded.
+/// What is broken has its residual strength as before.
+inline JointLaw held(JointLaw joint) {
+    constexpr double kUnbroken = 1e30;  // [Pa]
+    if (!isBrittle(joint)) return joint;
+    joint.cohesion = kUnbroken;
+    if (joint.bonded) joint.tensile_strength = kUnbroken;
+    return joint;
 }
 
 /// Whether it opens as it slips.

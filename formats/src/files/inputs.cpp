@@ -21,10 +21,7 @@ namespace {
 
 /// Device and number on it: what a file is, under all of its names, as long as it exists. The number of one that is gone goes to
 /// the next that is made, with another time of birth or, in the same tick of the clock, another generation.
-struct Identity {
-    std::uint64_t device = 0, number = 0;
-    auto operator<=>(const Identity&) const = default;
-};
+using Identity = std::pair<std::uint64_t, std::uint64_t>;
 
 struct Found {
     Identity identity;
