@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "step/time_step.h"
 
@@ -21,7 +24,8 @@ constexpr double kMostExtents = 10.0;
 // Beyond, verdicts follow it: a slab of 150 m from the origin was right to four digits at 2.7 times the tolerance, and stood
 // above its ceiling, undecided, at 27.
 constexpr double kMostRounding = 5.0;
-constexpr double kSlowed = 10.0;  // times the median block's frequency: worth a word
+constexpr double kMostOverBound = 2.0;  // of a time step that is asked for
+constexpr double kSlowed = 10.0;        // times the median block's frequency: worth a word
 
 std::string formatted(const char* format, double value) {
     char text[64];
@@ -30,46 +34,67 @@ std::string formatted(const char* format, double value) {
 }
 
 /// A joint made from one of the file's ("default@18.5deg") is told as that.
-std::string stiffnessField(const Joint& joint) {
-    return "joint." + joint.name.substr(0, joint.name.find('@')) + ".normal_stiffness";
+std::string fieldOf(const Joint& joint, std::string_view key) {
+    return "joint." + joint.name.substr(0, joint.name.find('@')) + "." + std::string(key);
 }
 
-/// The stiffest joint of each block; -1 for blocks that touch nothing.
-std::vector<std::int32_t> stiffestJoints(const State& state) {
+/// The joint of each block that has the most of a stiffness; -1 for blocks that touch nothing.
+std::vector<std::int32_t> stiffestJoints(const State& state, double Joint::*stiffness) {
     const Interfaces& f = state.interfaces;
     const std::vector<Joint>& joints = state.geometry->model.joints;
-    const auto stiffness = [&](std::int32_t j) {
-        return joints[static_cast<std::size_t>(j)].normal_stiffness;
-    };
+    const auto of = [&](std::int32_t j) { return joints[static_cast<std::size_t>(j)].*stiffness; };
     std::vector<std::int32_t> stiffest(state.blocks.size(), -1);
     for (std::size_t i = 0; i < f.size(); ++i)
         for (const std::int32_t block : {f.block_a[i], f.block_b[i]}) {
             std::int32_t& best = stiffest[static_cast<std::size_t>(block)];
-            if (best < 0 || stiffness(f.joint[i]) > stiffness(best)) best = f.joint[i];
+            if (best < 0 || of(f.joint[i]) > of(best)) best = f.joint[i];
         }
     return stiffest;
 }
 
-/// A block of height h sinks by rho g h / k: a share of itself that does not depend on its size.
-std::vector<Error> softJoints(const State& state) {
+/// A block of height h sinks by rho g h / k_n, and on a slope goes by as much times k_n / k_s before it slides: a share of itself
+/// that does not depend on its size.
+void addSoftJoints(const State& state, double Joint::*stiffness, std::string_view key, const char* does,
+                   std::vector<Error>& errors) {
     const Model& model = state.geometry->model;
-    const std::vector<std::int32_t> stiffest = stiffestJoints(state);
+    const std::vector<std::int32_t> stiffest = stiffestJoints(state, stiffness);
     std::vector<char> told(model.joints.size(), 0);
-    std::vector<Error> errors;
     for (std::size_t b = 0; b < stiffest.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free || stiffest[b] < 0) continue;
         const auto j = static_cast<std::size_t>(stiffest[b]);
         const Joint& joint = model.joints[j];
         const double weight = model.blocks[b].density * model.gravity.magnitude;  // of a cubic metre [N]
-        if (!(weight > kMostSink * joint.normal_stiffness) || told[j]) continue;
+        if (!(weight > kMostSink * joint.*stiffness) || told[j]) continue;
         told[j] = 1;
         errors.push_back(
-            {stiffnessField(joint),
-             "found " + formatted("%g", joint.normal_stiffness) + " Pa/m, on which block \"" +
-                 model.blocks[b].name + "\" sinks by " + formatted("%.2g", weight / joint.normal_stiffness) +
+            {fieldOf(joint, key),
+             "found " + formatted("%g", joint.*stiffness) + " Pa/m, on which block \"" +
+                 model.blocks[b].name + "\" " + does + " by " + formatted("%.2g", weight / joint.*stiffness) +
                  " of its height under its own weight, allowed: at least " +
                  formatted("%.1e", weight / kMostSink) + " Pa/m there; is it in kPa/m or MPa/m?"});
     }
+}
+
+std::vector<Error> softJoints(const State& state) {
+    std::vector<Error> errors;
+    addSoftJoints(state, &Joint::normal_stiffness, "normal_stiffness", "sinks", errors);
+    addSoftJoints(state, &Joint::shear_stiffness, "shear_stiffness", "shifts", errors);
+    return errors;
+}
+
+/// A joint that opens by more per slip than friction takes per load gains work as it slides: it pushes itself downhill.
+/// (J. Vermeer and R. de Borst, Heron 29(3), 1984: the angle of dilation is well below that of friction.)
+std::vector<Error> dilatesTooMuch(const Model& model) {
+    std::vector<Error> errors;
+    for (const Joint& joint : model.joints)
+        if (joint.law == StrengthLaw::coulomb && joint.dilation > joint.friction) {
+            constexpr double kDegrees = 180 / M_PI;
+            errors.push_back({fieldOf(joint, "dilation_deg"),
+                              "found " + formatted("%g", joint.dilation * kDegrees) +
+                                  " with an angle of friction of " +
+                                  formatted("%g", joint.friction * kDegrees) +
+                                  ": it gains work as it slides, allowed: at most the angle of friction"});
+        }
     return errors;
 }
 
@@ -153,6 +178,21 @@ std::vector<Error> dryWater(const Model& model) {
     return doubts;
 }
 
+/// A fissure holds water to its top; higher, it is a reservoir's.
+std::vector<Error> highWater(const Model& model) {
+    constexpr double kHigh = 2.0;  // times the model's own height
+    std::vector<Error> doubts;
+    const Heights heights = heightsOf(model, model.gravity.tilt);
+    const double height = heights.high - heights.low;
+    for (const Water& water : model.waters) {
+        const double level = levelsOf(water).high;
+        if (water.kind != Water::Level::elevation && level > kHigh * height)
+            doubts.push_back({water.field, "found water " + formatted("%g", level) + " m deep in a model " +
+                                               formatted("%.3g", height) + " m high"});
+    }
+    return doubts;
+}
+
 std::vector<Error> waterFarAway(const State& state) {
     const Model& model = state.geometry->model;
     if (!model.hasWater()) return {};
@@ -184,13 +224,21 @@ std::optional<Error> roundingDecides(const State& state, double load_tolerance, 
     const auto stiffest = std::max_element(
         model.joints.begin(), model.joints.end(),
         [](const Joint& a, const Joint& b) { return a.normal_stiffness < b.normal_stiffness; });
-    return Error{stiffnessField(*stiffest),
+    return Error{fieldOf(*stiffest, "normal_stiffness"),
                  "found " + formatted("%g", stiffest->normal_stiffness) +
                      " Pa/m, with which rounding leaves the out-of-balance force at " +
                      formatted("%.2g", level) + " of the weight, but a tolerance this fine needs it below " +
                      formatted("%.2g", kMostRounding * load_tolerance) + ", allowed: at most " +
                      formatted("%.1e", stiffest->normal_stiffness * kMostRounding * load_tolerance / level) +
                      " Pa/m, or a wider tolerance"};
+}
+
+std::optional<Error> explodingSteps(const State& state, bool parallel) {
+    const Model& model = state.geometry->model;
+    if (!model.run.time_step) return std::nullopt;
+    const double highest = highestFrequency(state, parallel);
+    if (!(highest > 0)) return std::nullopt;
+    return stepTooLong(*model.run.time_step, stableTimeStep(highest, model.damping.contact));
 }
 
 /// The block whose stiffness for its mass makes a history's steps many times shorter than the median block would.
@@ -211,6 +259,15 @@ std::optional<std::string> slowedByOne(const State& state, bool parallel) {
 
 }  // namespace
 
+std::optional<Error> stepTooLong(double step, double bound) {
+    if (!(step > kMostOverBound * bound)) return std::nullopt;
+    return Error{"run.time_step_s",
+                 "found " + formatted("%g", step) + ", " + formatted("%.2g", step / bound) +
+                     " times the stability bound, where explicit steps gain energy without "
+                     "end, allowed: at most " +
+                     formatted("%.3g", bound) + " (leave the key out to have it chosen)"};
+}
+
 double roundingLevel(const State& state, const std::vector<double>& bounds) {
     const double g = state.geometry->model.gravity.magnitude;
     if (!(g > 0)) return 0.0;
@@ -223,12 +280,24 @@ double roundingLevel(const State& state, const std::vector<double>& bounds) {
     return level;
 }
 
-std::vector<Error> implausible(const State& state) { return waterFarAway(state); }
+std::vector<Error> implausibleHistory(const State& state, bool parallel) {
+    std::vector<Error> errors = waterFarAway(state);
+    if (auto fault = explodingSteps(state, parallel)) errors.push_back(std::move(*fault));
+    return errors;
+}
 
 std::vector<std::string> doubts(const State& state) {
+    const Model& model = state.geometry->model;
     std::vector<Error> all = softJoints(state);
-    for (Error& doubt : dryWater(state.geometry->model)) all.push_back(std::move(doubt));
+    const auto add = [&](std::vector<Error> more) {
+        std::move(more.begin(), more.end(), std::back_inserter(all));
+    };
+    add(dilatesTooMuch(model));
+    add(dryWater(model));
+    add(highWater(model));
+    if (auto falls = nothingHolds(model)) all.push_back(std::move(*falls));
     std::vector<std::string> told;
+    told.reserve(all.size());
     for (const Error& doubt : all) told.push_back(doubt.field + ": " + doubt.message);
     return told;
 }
@@ -240,8 +309,9 @@ std::vector<std::string> doubtsOfHistory(const State& state, bool parallel) {
 }
 
 std::vector<Error> implausibleSearch(const State& state, double load_tolerance, bool parallel) {
-    std::vector<Error> errors = implausible(state);
+    std::vector<Error> errors = waterFarAway(state);
     for (Error& error : softJoints(state)) errors.push_back(std::move(error));
+    for (Error& error : dilatesTooMuch(state.geometry->model)) errors.push_back(std::move(error));
     if (auto error = nothingHolds(state.geometry->model)) errors.push_back(std::move(*error));
     if (auto error = roundingDecides(state, load_tolerance, parallel)) errors.push_back(std::move(*error));
     return errors;

@@ -46,11 +46,6 @@ bool expectsImpacts(const State& state) {
     return false;
 }
 
-double highestFrequency(const State& state, bool parallel) {
-    const std::vector<double> bounds = frequencyBounds(state, parallel);
-    return *std::max_element(bounds.begin(), bounds.end());
-}
-
 BlockReport reportOn(const State& state, std::size_t b) {
     BlockReport report;
     report.name = state.geometry->model.blocks[b].name;
@@ -144,10 +139,10 @@ class TimeHistory {
     }
 
     Result<RunResult> run() {
-        while (state_.time < settings_.duration - 0.5 * progress_.time_step && !interrupted() && finite_ &&
+        while (state_.time < settings_.duration - 0.5 * progress_.time_step && !interrupted() && !fault_ &&
                !went_far_)
             goOn(stepsAhead(settings_.duration));
-        if (!finite_ || !isFinite(state_)) return becameInfinite();
+        if (auto fault = faultNow()) return *fault;
         handOut(true);
         return result();
     }
@@ -157,9 +152,9 @@ class TimeHistory {
         open_ended_ = true;
         interrupted_ = false;
         const std::int64_t last = state_.step + count;
-        while (state_.step < last && !interrupted() && finite_)
+        while (state_.step < last && !interrupted() && !fault_)
             goOn(static_cast<int>(std::min<std::int64_t>(stepsAhead(kInfinity), last - state_.step)));
-        if (!finite_ || !isFinite(state_)) return {becameInfinite()};
+        if (auto fault = faultNow()) return {*fault};
         return {};
     }
 
@@ -169,6 +164,11 @@ class TimeHistory {
     HistoryRecord record() const { return recordOf(state_, watched_); }
 
  private:
+    std::optional<Error> faultNow() const {
+        if (fault_ || isFinite(state_)) return fault_;
+        return becameInfinite();
+    }
+
     Error becameInfinite() const {
         return {"run.time_step_s", "the motion became infinite before t = " + std::to_string(state_.time) +
                                        " s with a step of " + std::to_string(progress_.time_step * 1e6) +
@@ -235,6 +235,8 @@ class TimeHistory {
         progress_.stability_bound = bound;
         if (settings_.time_step) {
             progress_.time_step = *settings_.time_step;
+            if (!(highest > 0)) return;
+            fault_ = analysis::stepTooLong(progress_.time_step, bound);
             if (progress_.time_step > bound && !progress_.warned_of_step) {
                 state_.warnings.push_back("run.time_step_s is above the stability bound of " +
                                           std::to_string(bound * 1e6) + " us");
@@ -268,7 +270,7 @@ class TimeHistory {
 
     void goOn(int steps) {
         computeSteps(steps);
-        if (finite_ && state_.time >= progress_.next_frame - 0.5 * progress_.time_step) frameIsDue();
+        if (!fault_ && state_.time >= progress_.next_frame - 0.5 * progress_.time_step) frameIsDue();
     }
 
     void computeSteps(int steps) {
@@ -281,8 +283,10 @@ class TimeHistory {
         });
         if (kept) takeBack(state_, totalEnergy(state_, parallel_) - energy, steps * dt, parallel_);
         if (state_.step % kStepsPerLook == 0) {
-            finite_ = isFinite(state_);
-            if (!finite_) return;
+            if (!isFinite(state_)) {
+                fault_ = becameInfinite();
+                return;
+            }
             lookAtBlockForces(state_);
             if (refreshInterfaces(state_, parallel_, kStepsPerLook * progress_.time_step)) chooseTimeStep();
         }
@@ -343,9 +347,18 @@ class TimeHistory {
     double far_enough_ = kInfinity;
     bool went_far_ = false;
     bool interrupted_ = false;
-    bool finite_ = true;
+    std::optional<Error> fault_{};
     bool open_ended_ = false;  // steps are asked for, whatever the duration
 };
+
+/// Faults of the model; its doubts go among the state's warnings.
+std::vector<Error> look(State& built, bool parallel) {
+    std::vector<Error> errors = analysis::implausibleHistory(built, parallel);
+    if (!errors.empty()) return errors;
+    for (std::string& doubt : analysis::doubtsOfHistory(built, parallel))
+        built.warnings.push_back(std::move(doubt));
+    return {};
+}
 
 /// Builds the model, lets `begin` put its history at its start, and runs it.
 template <class Begin>
@@ -356,9 +369,7 @@ Result<RunResult> history(const Model& model, const Control& control, const RunO
         Result<State> built = buildState(keptByCaller(model), control.threads != 1);
         if (!built) return built.errors();
         const bool parallel = analysis::worthThreads(*built, control.threads);
-        if (std::vector<Error> errors = analysis::implausible(*built); !errors.empty()) return errors;
-        for (std::string& doubt : analysis::doubtsOfHistory(*built, parallel))
-            built->warnings.push_back(std::move(doubt));
+        if (std::vector<Error> errors = look(*built, parallel); !errors.empty()) return errors;
         TimeHistory history(std::move(*built), control, output, parallel);
         if (std::vector<Error> errors = begin(history); !errors.empty()) return errors;
         Result<RunResult> result = history.run();
@@ -406,6 +417,7 @@ Result<Simulation> Simulation::begin(std::shared_ptr<const Model> model, const C
         Result<State> built = buildState(keptByCaller(*history->model), control.threads != 1);
         if (!built) return built.errors();
         const bool parallel = analysis::worthThreads(*built, control.threads);
+        if (std::vector<Error> errors = look(*built, parallel); !errors.empty()) return errors;
         history->taken.emplace(std::move(*built), history->control, history->output, parallel);
         history->taken->start();
         return {};
@@ -463,7 +475,7 @@ std::vector<Error> checkModel(const Model& model, int threads, ModelCheck* found
             *found = {analysis::doubtsOfHistory(*built, threads != 1), contacts.interfaces, contacts.points,
                       built->interfaces.size() - contacts.interfaces};
         }
-        return analysis::implausible(*built);
+        return analysis::implausibleHistory(*built, threads != 1);
     });
 }
 

@@ -131,6 +131,11 @@ std::vector<double> frequencyBounds(const State& state, bool parallel) {
     return bounds;
 }
 
+double highestFrequency(const State& state, bool parallel) {
+    const std::vector<double> bounds = frequencyBounds(state, parallel);
+    return *std::max_element(bounds.begin(), bounds.end());
+}
+
 double medianBound(std::vector<double> bounds) {
     std::erase_if(bounds, [](double bound) { return !(bound > 0); });
     if (bounds.empty()) return 0.0;

@@ -16,6 +16,9 @@ namespace talus {
 /// All contact points count as closed: opening and slipping only soften.
 std::vector<double> frequencyBounds(const State& state, bool parallel);
 
+/// The largest of them.
+double highestFrequency(const State& state, bool parallel);
+
 /// The median of the free blocks' bounds, the lower one of two [1/s^2]; 0: there are none.
 double medianBound(std::vector<double> bounds);
 

@@ -26,6 +26,7 @@ struct NumberField {
 
 // Geotechnical centrifuges reach some 1000 g.
 inline constexpr Interval kGravity{0, 1e5};
+inline constexpr Slip kGravitySlip{9700, 9900, "mm/s^2"};
 // The lightest blocks anybody piles are of foam, 10 kg/m^3; osmium has 22590.
 inline constexpr Interval kDensity{10, 30000};
 inline constexpr Slip kDensitySlip{0, 100, "g/cm3, t/m3 or kN/m3"};
@@ -38,7 +39,7 @@ inline constexpr Interval kSpeed{-1000, 1000};  ///< [m/s]
 inline constexpr Interval kDuration = Interval::positive(1e9);  ///< [s]
 
 inline constexpr std::array kGravityFields{
-    NumberField<Gravity>{"magnitude", &Gravity::magnitude, "m/s^2", kGravity},
+    NumberField<Gravity>{"magnitude", &Gravity::magnitude, "m/s^2", kGravity, kGravitySlip},
     NumberField<Gravity>{"tilt_deg", &Gravity::tilt, "deg", kTiltDeg}};
 
 inline constexpr std::array kSeismicFields{

@@ -122,6 +122,19 @@ TEST_CASE("a search that rounding would decide, or in which nothing holds, is re
     CHECK(sinking.exit_code == 2);
     CHECK(sinking.err.find("of its height under its own weight") != std::string::npos);
 
+    std::string yielding = blockScenario(0, 20);
+    yielding.replace(yielding.find("shear_stiffness = ") + 18, 3, "1e4");
+    const Outcome shifting = runTalus({"critical-angle", folder.write("yielding.toml", yielding)});
+    CHECK(shifting.exit_code == 2);
+    CHECK(shifting.err.find("joint.default.shear_stiffness") != std::string::npos);
+    CHECK(shifting.err.find("of its height under its own weight") != std::string::npos);
+
+    std::string rising = blockScenario(0, 20);
+    rising.insert(rising.find("friction_deg"), "dilation_deg = 25.0\n");
+    const Outcome gaining = runTalus({"safety-factor", folder.write("rising.toml", rising)});
+    CHECK(gaining.exit_code == 2);
+    CHECK(gaining.err.find("at most the angle of friction") != std::string::npos);
+
     std::string loose = blockScenario(0, 20);
     loose.replace(loose.find("fixed = true"), 12, "fixed = false");
     const Outcome falling = runTalus({"safety-factor", folder.write("loose.toml", loose)});

@@ -83,6 +83,8 @@ TEST_CASE("what cannot be meant is refused, with the slip that is likely") {
     for (const char* step : {"0.6", "1e-13"})
         refused(blockScenario(10, 20, std::string("[run]\nduration_s = 1.0\ntime_step_s = ") + step + "\n"),
                 "run.time_step_s", "at most half of it");
+    refused(blockScenario(10, 20, "[run]\nduration_s = 1.0\ntime_step_s = 0.01\n"), "run.time_step_s",
+            "times the stability bound");
 }
 
 TEST_CASE("what is allowed but hardly meant is let pass with a warning") {
@@ -101,6 +103,17 @@ TEST_CASE("what is allowed but hardly meant is let pass with a warning") {
                "block = [0.2, 0.1, 0.1]\n[[water]]\nstack = \"s\"\nfissure = 1\nelevation = -0.02\n"),
            "it wets nothing");
     warned(blockScenario(0, 20, "[[water]]\nsurface = [[-1.0, -3.0], [3.0, -3.0]]\n"), "it wets nothing");
+    warned(blockScenario(0, 20, "[[water]]\nblock = \"key\"\nface = \"+x\"\ndepth = 5.0\n"),
+           "m deep in a model");
+    std::string text = blockScenario(0, 20);
+    text.insert(text.find("tilt_deg"), "magnitude = 9810.0\n");
+    warned(text, "is it in mm/s^2?");
+    text = blockScenario(0, 20);
+    REQUIRE(text.find("fixed = true") != std::string::npos);
+    warned(text.replace(text.find("fixed = true"), 12, "fixed = false"), "no fixed or driven block");
+    text = blockScenario(0, 20);
+    text.insert(text.find("friction_deg"), "dilation_deg = 25.0\n");
+    warned(text, "it gains work as it slides");
     warned(blockScenario(
                0, 20,
                "[[block]]\nname = \"splinter\"\nbox = { min = [3, 0, 0], max = [3.001, 0.001, 0.001] }\n"),
