@@ -86,7 +86,7 @@ std::vector<Error> softJoints(const State& state) {
 /// (J. Vermeer and R. de Borst, Heron 29(3), 1984: the angle of dilation is well below that of friction.)
 std::vector<Error> dilatesTooMuch(const Model& model) {
     std::vector<Error> errors;
-    for (const Joint& joint : model.joints)
+    for (const Joint& joint : model.joints) {
         if (joint.law == StrengthLaw::coulomb && joint.dilation > joint.friction) {
             constexpr double kDegrees = 180 / M_PI;
             errors.push_back({fieldOf(joint, "dilation_deg"),
@@ -95,6 +95,7 @@ std::vector<Error> dilatesTooMuch(const Model& model) {
                                   formatted("%g", joint.friction * kDegrees) +
                                   ": it gains work as it slides, allowed: at most the angle of friction"});
         }
+    }
     return errors;
 }
 
@@ -186,9 +187,10 @@ std::vector<Error> highWater(const Model& model) {
     const double height = heights.high - heights.low;
     for (const Water& water : model.waters) {
         const double level = levelsOf(water).high;
-        if (water.kind != Water::Level::elevation && level > kHigh * height)
+        if (water.kind != Water::Level::elevation && level > kHigh * height) {
             doubts.push_back({water.field, "found water " + formatted("%g", level) + " m deep in a model " +
                                                formatted("%.3g", height) + " m high"});
+        }
     }
     return doubts;
 }

@@ -334,9 +334,10 @@ void watchUntilDecided(State& state, QuasiStaticWork& work, const Start& start, 
         tuner.tune(state, work);
         next_tuning = probe.steps + steps_per_tuning;
     }
-    if (!decided)
+    if (!decided) {
         probe.reason = interrupted(work) ? "interrupted"
                                          : describe("still moving with", probe.out_of_balance, probe.steps);
+    }
 }
 
 }  // namespace
