@@ -24,8 +24,7 @@ constexpr double kMostExtents = 10.0;
 // Beyond, verdicts follow it: a slab of 150 m from the origin was right to four digits at 2.7 times the tolerance, and stood
 // above its ceiling, undecided, at 27.
 constexpr double kMostRounding = 5.0;
-constexpr double kMostOverBound = 2.0;  // of a time step that is asked for
-constexpr double kSlowed = 10.0;        // times the median block's frequency: worth a word
+constexpr double kSlowed = 10.0;  // times the median block's frequency: worth a word
 
 std::string formatted(const char* format, double value) {
     char text[64];
@@ -235,14 +234,6 @@ std::optional<Error> roundingDecides(const State& state, double load_tolerance, 
                      " Pa/m, or a wider tolerance"};
 }
 
-std::optional<Error> explodingSteps(const State& state, bool parallel) {
-    const Model& model = state.geometry->model;
-    if (!model.run.time_step) return std::nullopt;
-    const double highest = highestFrequency(state, parallel);
-    if (!(highest > 0)) return std::nullopt;
-    return stepTooLong(*model.run.time_step, stableTimeStep(highest, model.damping.contact));
-}
-
 /// The block whose stiffness for its mass makes a history's steps many times shorter than the median block would.
 std::optional<std::string> slowedByOne(const State& state, bool parallel) {
     const std::vector<double> bounds = frequencyBounds(state, parallel);
@@ -261,15 +252,6 @@ std::optional<std::string> slowedByOne(const State& state, bool parallel) {
 
 }  // namespace
 
-std::optional<Error> stepTooLong(double step, double bound) {
-    if (!(step > kMostOverBound * bound)) return std::nullopt;
-    return Error{"run.time_step_s",
-                 "found " + formatted("%g", step) + ", " + formatted("%.2g", step / bound) +
-                     " times the stability bound, where explicit steps gain energy without "
-                     "end, allowed: at most " +
-                     formatted("%.3g", bound) + " (leave the key out to have it chosen)"};
-}
-
 double roundingLevel(const State& state, const std::vector<double>& bounds) {
     const double g = state.geometry->model.gravity.magnitude;
     if (!(g > 0)) return 0.0;
@@ -282,11 +264,7 @@ double roundingLevel(const State& state, const std::vector<double>& bounds) {
     return level;
 }
 
-std::vector<Error> implausibleHistory(const State& state, bool parallel) {
-    std::vector<Error> errors = waterFarAway(state);
-    if (auto fault = explodingSteps(state, parallel)) errors.push_back(std::move(*fault));
-    return errors;
-}
+std::vector<Error> implausible(const State& state) { return waterFarAway(state); }
 
 std::vector<std::string> doubts(const State& state) {
     const Model& model = state.geometry->model;
@@ -311,7 +289,7 @@ std::vector<std::string> doubtsOfHistory(const State& state, bool parallel) {
 }
 
 std::vector<Error> implausibleSearch(const State& state, double load_tolerance, bool parallel) {
-    std::vector<Error> errors = waterFarAway(state);
+    std::vector<Error> errors = implausible(state);
     for (Error& error : softJoints(state)) errors.push_back(std::move(error));
     for (Error& error : dilatesTooMuch(state.geometry->model)) errors.push_back(std::move(error));
     if (auto error = nothingHolds(state.geometry->model)) errors.push_back(std::move(*error));

@@ -2,7 +2,6 @@
 // What no range of a single number can say: quantities of a built model held against each other. Each fault is one of the
 // model's fields.
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,14 +14,9 @@ namespace talus::analysis {
 /// largest of the free blocks. \param bounds  as `frequencyBounds` gives them
 double roundingLevel(const State& state, const std::vector<double>& bounds);
 
-/// What a time step asked for has to say for itself. Explicit steps gain energy soon above their stability bound: a stack of 106
-/// blocks stood still at 1.2 times the bound, crept at 1.6, and had 3e43 J at 6. The bound is no tight one, so steps up to
-/// twice that are the user's own risk. \param step, bound  [s]
-std::optional<Error> stepTooLong(double step, double bound);
-
-/// Faults of a history: water far outside the model, steps that explode.
+/// Faults of a history: water far outside the model.
 /// \pre here and below: the state is as `buildState` gives it
-std::vector<Error> implausibleHistory(const State& state, bool parallel);
+std::vector<Error> implausible(const State& state);
 
 /// What may be meant, but hardly is: joints so soft that a block sinks a tenth of itself under its own weight, water that wets
 /// nothing or stands high above the model, nothing that holds the blocks, joints that dilate by more than their friction.

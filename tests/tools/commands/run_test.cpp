@@ -98,6 +98,24 @@ TEST_CASE("bad input leaves no history behind") {
     CHECK_FALSE(std::filesystem::exists(folder / "history.csv"));
 }
 
+TEST_CASE("a step far above the stability bound ends the run as soon as blocks gain energy") {
+    const TemporaryFolder folder;
+    for (const std::string water : {"", "[[water]]\nblock = \"key\"\nface = \"+x\"\ndepth = 0.3\n"}) {
+        const auto runWith = [&](const std::string& step) {
+            const std::string path = folder.write(
+                "run.toml",
+                blockScenario(10, 20, "[run]\nduration_s = 0.3\ntime_step_s = " + step + "\n" + water));
+            return runTalus({"run", path, "-o", folder / "h.csv", "--force"});
+        };
+        CHECK(runWith("1e-5").exit_code == 0);
+        const Outcome outcome = runWith("8e-3");
+        CHECK(outcome.exit_code == 2);
+        CHECK(outcome.err.find("run.time_step_s") != std::string::npos);
+        CHECK(outcome.err.find(water.empty() ? "out of nothing" : "explode") != std::string::npos);
+        CHECK(outcome.err.find("at most the stability bound") != std::string::npos);
+    }
+}
+
 TEST_CASE("SIGINT and SIGTERM end a run with 130 and keep its rows; killed, the rows are there as well") {
     const TemporaryFolder folder;
     const std::string path = folder.write("long.toml", slidingScenario("10000.0"));
