@@ -115,7 +115,8 @@ Resumed readResumed(const RunOptions& options) {
         throw BadInput(
             Error{"--resume", "holds a finished run: there is nothing left to do", options.resume});
     }
-    for (const std::string& fault : reader.faults())
+    // A copy takes the damage along; in place nothing before the last full state is touched.
+    for (const std::string& fault : held ? reader.faults() : reader.verify())
         note(options.common, "note: " + options.resume + ": " + fault);
     noteOtherBuild(options, reader.header().build);
     const formats::SnapshotHeader& header = reader.header();

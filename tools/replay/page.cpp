@@ -132,7 +132,12 @@ void appendBase64(std::string_view bytes, std::string& out) {
 std::string snapshotBytes(formats::SnapshotReader& reader, const std::string& path,
                           const FrameChoice& choice) {
     if (reader.frames().empty()) throw BadInput(Error{"", "holds no frames", path});
-    if (choice.all() && reader.end() && reader.faults().empty()) return contentOf(path);
+    if (choice.all() && reader.end() && reader.faults().empty()) {
+        // The bytes go into the page as they are: what is damaged would only be found by who opens it.
+        if (const std::vector<std::string> damage = reader.verify(); !damage.empty())
+            throw BadInput(Error{"", damage.front() + "; --from and --to leave it out", path});
+        return contentOf(path);
+    }
     return repacked(reader, path, choice);
 }
 

@@ -211,7 +211,10 @@ std::vector<std::string> SnapshotReader::verify() {
     std::vector<std::string> faults = file_->mcap.verify();
     constexpr std::size_t kMostFaults = 20;
     const auto add = [&](const std::vector<Error>& errors) {
-        if (!errors.empty() && faults.size() < kMostFaults) faults.push_back(errors.front().message);
+        if (errors.empty() || faults.size() >= kMostFaults) return;
+        // All frames of a damaged chunk say the same.
+        const std::string& fault = errors.front().message;
+        if (std::find(faults.begin(), faults.end(), fault) == faults.end()) faults.push_back(fault);
     };
     for (std::size_t k = 0; k < frames().size(); ++k) {
         const auto light = frame(k);

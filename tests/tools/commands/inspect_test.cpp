@@ -143,8 +143,16 @@ TEST_CASE("inspect: a cut file is read as far as it goes, a damaged one is not s
     CHECK(outcome.json().at("faults").size() == 2);
     CHECK(outcome.err.find("no whole record") != std::string::npos);
     CHECK(runTalus({"inspect", cut, "--verify"}).exit_code == 2);
-    bytes[bytes.size() / 3] ^= 0x10;
-    CHECK(runTalus({"inspect", folder.write("damaged.mcap", bytes), "--verify"}).exit_code == 2);
+    bytes[bytes.size() / 2] ^= 0x10;
+    const std::string damaged = folder.write("damaged.mcap", bytes);
+    CHECK(runTalus({"inspect", damaged, "--verify"}).exit_code == 2);
+    // A page would hold the damage as it is.
+    const Outcome page = runTalus({"replay", damaged, "-o", folder / "page.html"});
+    CHECK(page.exit_code == 2);
+    CHECK(page.err.find("is damaged; --from and --to leave it out") != std::string::npos);
+    // A copy that goes on takes it along, and says so.
+    CHECK(runTalus({"run", "--resume", damaged, "-o", folder / "copy.mcap"}).err.find("is damaged") !=
+          std::string::npos);
     CHECK(runTalus({"inspect", folder / "absent.mcap"}).exit_code == 2);
     CHECK(runTalus({"inspect", file().path, "--top", "2", "--verify"}).exit_code == 2);
 }
