@@ -35,17 +35,29 @@ bool isAbout(const Error& error, const std::string& changed) {
     return inside || (error.line == 0 && !error.field.empty() && (around || beside));
 }
 
-/// Puts the values into the document; faults of paths that lead nowhere.
+/// \return what is wrong with a change, or nothing
+std::optional<std::string> change(Document& document, const FieldChange& wish) {
+    const auto path = toml::parseField(wish.field);
+    if (!path) {
+        return "is not the path of a field, allowed: one such as joint.default.friction_deg or "
+               "water[0].depth";
+    }
+    if (!wish.value.starts_with('[') && !wish.value.starts_with('{'))
+        return document.set(*path, toml::scalarOf(wish.value));
+    const auto parsed = Document::parse("value = " + wish.value, kChangedBy);
+    if (!parsed) {
+        return "found " + toml::quoted(wish.value) +
+               ", allowed: an array or a table as the file would have it, such as [0.2, 0.1, 0.1] or "
+               "[\"c1r2s1\"]";
+    }
+    return document.set(*path, *parsed->root().find("value"));
+}
+
+/// Puts the values into the document; faults of values and of paths that lead nowhere.
 std::vector<Error> change(Document& document, const std::vector<FieldChange>& changes) {
     std::vector<Error> faults;
-    for (const FieldChange& wish : changes) {
-        const auto path = toml::parseField(wish.field);
-        const auto fault =
-            path ? document.set(*path, toml::scalarOf(wish.value))
-                 : "is not the path of a field, allowed: one such as joint.default.friction_deg "
-                   "or water[0].depth";
-        if (fault) faults.push_back({wish.field, *fault, kChangedBy});
-    }
+    for (const FieldChange& wish : changes)
+        if (const auto fault = change(document, wish)) faults.push_back({wish.field, *fault, kChangedBy});
     return faults;
 }
 

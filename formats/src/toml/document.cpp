@@ -64,6 +64,31 @@ class Step {
     const PathPart& part_;
 };
 
+/// Hands the last step of a path to `put`, and makes what is missing on the way. \return what is wrong with the path, or nothing
+template <class Put>
+std::optional<std::string> putAt(void* root, const std::vector<PathPart>& path, bool may_append,
+                                 const Put& put) {
+    ::toml::node* node = static_cast<::toml::node*>(root);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const Step step(*node, path[i]);
+        if (auto fault = step.fault(may_append)) return fault;
+        if (i + 1 == path.size()) {
+            put(step);
+            return std::nullopt;
+        }
+        if (!step.find()) {
+            if (std::holds_alternative<std::string>(path[i + 1]))
+                step.put(::toml::table{});
+            else if (may_append)
+                step.put(::toml::array{});
+            else
+                return "there is no such array";
+        }
+        node = step.find();
+    }
+    return "the path is empty";
+}
+
 Error syntaxError(const std::string& path, Place place, std::string message) {
     return {"", std::move(message), path, place.line, place.column};
 }
@@ -175,25 +200,14 @@ Result<Document> Document::parse(const std::string& text, const std::string& pat
 
 std::optional<std::string> Document::set(const std::vector<PathPart>& path, const Scalar& value,
                                          bool may_append) {
-    ::toml::node* node = static_cast<::toml::node*>(root_.get());
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        const Step step(*node, path[i]);
-        if (auto fault = step.fault(may_append)) return fault;
-        if (i + 1 == path.size()) {
-            std::visit([&](const auto& scalar) { step.put(scalar); }, value);
-            return std::nullopt;
-        }
-        if (!step.find()) {
-            if (std::holds_alternative<std::string>(path[i + 1]))
-                step.put(::toml::table{});
-            else if (may_append)
-                step.put(::toml::array{});
-            else
-                return "there is no such array";
-        }
-        node = step.find();
-    }
-    return "the path is empty";
+    return putAt(root_.get(), path, may_append,
+                 [&](const Step& step) { std::visit([&](const auto& scalar) { step.put(scalar); }, value); });
+}
+
+std::optional<std::string> Document::set(const std::vector<PathPart>& path, const Node& value) {
+    return putAt(root_.get(), path, false, [&](const Step& step) {
+        raw(value.node_).visit([&](const auto& node) { step.put(node); });
+    });
 }
 
 void Document::erase(const std::vector<PathPart>& path) {

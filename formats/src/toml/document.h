@@ -40,6 +40,7 @@ class Node {
     std::vector<Entry> entries() const;                    ///< of a table, in the order of the file
 
  private:
+    friend class Document;
     const void* node_;  ///< a toml::node
 };
 
@@ -73,6 +74,8 @@ class Document {
     /// Returns what is wrong with the path, or nothing. Copies of a document share its nodes.
     std::optional<std::string> set(const std::vector<PathPart>& path, const Scalar& value,
                                    bool may_append = false);
+    /// The same with a copy of another document's node.
+    std::optional<std::string> set(const std::vector<PathPart>& path, const Node& value);
 
     /// Takes a key out of its table; nothing happens where there is none.
     void erase(const std::vector<PathPart>& path);

@@ -49,6 +49,20 @@ TEST_SUITE("scenario changes") {
         CHECK(changed("material.\"granite\".density", "2500")->model.blocks[1].density == 2500);
     }
 
+    TEST_CASE("arrays and tables as the file would have them, in the model and in the text that is kept") {
+        const auto sized = changed("stack[0].block", "[0.4, 0.1, 0.2]");
+        REQUIRE(sized.ok());
+        CHECK(parseScenario(sized->text, "kept.toml")->model.blocks[1].shape.vertices ==
+              sized->model.blocks[1].shape.vertices);
+        CHECK(changed("run.watch", "[\"c1r2s1\", \"c2r1s1\"]")->model.run.watch.size() == 2);
+        CHECK(changed("water", "[{ fissure = 2, depth = 0.05 }]")->model.waters.size() == 1);
+        CHECK(fault("stack[0].block", "[0.4, 0.1]") ==
+              "--set: error: stack[0].block: found an array of 2 values, allowed: an array of 3 numbers");
+        CHECK(fault("stack[0].block", "[0.4, x]").starts_with("--set: error: stack[0].block: found "));
+        CHECK(
+            fault("stack[0].block", "[0.4, -1, 2]").starts_with("--set: error: stack[0].block[1]: found -1"));
+    }
+
     TEST_CASE("any friction angle that is allowed arrives to the bit") {
         test::checkProperty("value of --set", 100, [] {
             const double value = *test::numberIn(0, 80);

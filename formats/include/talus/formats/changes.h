@@ -12,7 +12,9 @@ namespace talus::formats {
 /// A field that is to have another value than its file gives; it may be one that the file leaves out.
 struct FieldChange {
     std::string field;  ///< as a user writes it: water[0].depth
-    std::string value;  ///< an integer, a number, true or false, else text; in double quotes always text
+    /// an integer, a number, true or false, an array in [] or a table in {} as TOML writes them, else text; in double quotes
+    /// always text
+    std::string value;
 };
 
 /// What messages name in place of the file where a changed field is wrong.
