@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -72,6 +73,11 @@ TEST_SUITE("physics") {
             CHECK((result->answer == low || result->answer == high));
             CHECK(low > 0.95 * std::atan(0.2 / (0.1 * rows)));  // of a single column on rigid joints
             CHECK(result->range_reason.find("friction remembers") != std::string::npos);
+            const bool warned =
+                std::any_of(result->warnings.begin(), result->warnings.end(), [](const std::string& w) {
+                    return w.starts_with("the answer is the upper end of its range");
+                });
+            CHECK(warned == (result->answer == high && high - low > 0.01 * high));
         }
     }
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::int64_t kNoDifference = 2;  // [cells] answers as near as that are the same
 constexpr double kShareBeforeRange = 0.9;  // of the progress of the whole
+constexpr double kWorthAWarning = 0.01;    // of the answer
 constexpr double kFarEnough = 0.5;         // of the answer: no farther is looked
 
 /// Loads that are brought on afresh, on the search's own cells.
@@ -107,6 +108,13 @@ void addHistoryRange(const State& built, const LoadAxis& axis, const Control& co
         result.range_reason = "friction remembers how a load was reached: " + axis.say(result.answer) +
                               " when it grows step by step, " + axis.say(other) +
                               " when weight is brought on at that load";
+        const double below = (result.answer - other) / std::abs(result.answer);
+        if (below > kWorthAWarning)
+            result.warnings.push_back(
+                "the answer is the upper end of its range: with weight brought on at that load the "
+                "assembly fails at " +
+                axis.say(other) + ", " + formatted("%.0f", 100 * below) +
+                " % below; count on the lower end unless the load grows as the search has it");
     }
 }
 
