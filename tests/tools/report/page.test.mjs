@@ -59,6 +59,27 @@ function inspect() {
   };
 }
 
+/** What of the tables cannot be read where they are wider than the screen; runs in the page. */
+async function inspectTables() {
+  const faults = [], pictured = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  for (const box of document.querySelectorAll(".scroll")) {
+    const name = box.getAttribute("aria-label"), cell = box.querySelector("tbody td");
+    const is_cut = box.scrollWidth > box.clientWidth;
+    if (is_cut && innerWidth > 1200) faults.push(`${name}: ${box.scrollWidth} px wide in ${box.clientWidth} px`);
+    if ((getComputedStyle(box).maskImage !== "none") !== is_cut) faults.push(`${name}: nothing shows whether it goes on to the right`);
+    if (!is_cut) continue;
+    const { left, width } = cell.getBoundingClientRect();
+    const beside = Math.max(...[...box.querySelectorAll("tbody tr:first-child td:not(:first-child)")].map((one) => one.offsetWidth), 0);
+    if (width + beside > box.clientWidth + 1) faults.push(`${name}: a column of ${beside} px cannot be read beside the first one`);
+    box.scrollLeft = box.scrollWidth;
+    await pictured();
+    if (Math.abs(cell.getBoundingClientRect().left - left) > 1) faults.push(`${name}: what a row is about is not to be seen beside its end`);
+    if (getComputedStyle(box).maskImage !== "none") faults.push(`${name}: its end is faded`);
+    box.scrollLeft = 0;
+  }
+  return faults;
+}
+
 for (const path of paths) {
   for (const width of [390, 1400]) {
     const faults = [];
@@ -73,6 +94,7 @@ for (const path of paths) {
     equal(found.state, "ready");
     deepEqual([...found.faults, ...faults], []);
     ok(found.wider <= 0, `${path} is ${found.wider} px wider than a screen of ${width} px: ${await page.evaluate(widest)}`);
+    deepEqual(await page.evaluate(inspectTables), [], `${path} at ${width} px`);
     ok(found.title);
     deepEqual(found.headings, found.titles);
     equal(found.tables[0], found.tables[1]);
