@@ -30,6 +30,16 @@ std::string rockfallText() {
            "[26.8, 12.9, 22] }\n";
 }
 
+/// Two rocks that go down a slope of a hundred times their size and beyond it.
+std::string farRockfallText() {
+    return "[run]\nduration_s = 5.0\nframe_interval_s = 0.05\n[damping]\ncontact = 1e-5\n[material.granite]\n"
+           "density = 2700.0\n[joint.default]\nnormal_stiffness = 1e8\nshear_stiffness = 1e8\n"
+           "friction_deg = 30\n[[block]]\nname = \"slope\"\nfixed = true\nvertices = [[0, 0, 0], [40, 0, 0], "
+           "[0, 30, 0], [40, 30, 0], [40, 0, 30], [40, 30, 30]]\n[[block]]\nname = \"rock\"\nbox = { min = "
+           "[37, 15, 36], max = [37.6, 15.7, 36.8] }\n[[block]]\nname = \"second\"\nbox = { min = [38, 12, "
+           "40], max = [38.5, 12.5, 40.4] }\n";
+}
+
 /// Two blocks on a plane that tilts by 25 degrees, one rougher than the other.
 std::string unequalText() {
     return "[gravity]\ntilt_deg = 25.0\n[material.rock]\ndensity = 2600.0\n"
@@ -80,6 +90,12 @@ TEST_SUITE("slow: replay page") {
 
     TEST_CASE("the page plays, seeks, picks and tells why in headless Chromium") {
         look("replay/page.test.mjs", slopeText(), "", 9);
+    }
+
+    TEST_CASE("the page frames what moves beside its legends, and says why by the numbers that decide") {
+        SUBCASE("a slope of blocks") { look("replay/framing.test.mjs", slopeText(), "", 5); }
+        SUBCASE("a rockfall") { look("replay/framing.test.mjs", rockfallText(), "", 5); }
+        SUBCASE("a rockfall that goes far") { look("replay/framing.test.mjs", farRockfallText(), "", 5); }
     }
 
     TEST_CASE("the page opens on what moves, cuts sections, shows ways, saves pictures and films") {

@@ -3,10 +3,11 @@
 import { add, get, norm, poseOf, radiiOf, sub, turn } from "./data/poses.js";
 import { prepareFull } from "./data/contacts.js";
 import { groupsOf, heatOfGroups } from "./data/groups.js";
-import { headingOf, motionText, movingBlocks, sphereAround } from "./data/moving.js";
+import { falls, headingOf, motionText, movingBlocks } from "./data/moving.js";
 import { overallMode, rolesAt, setOffTime } from "./data/roles.js";
 import { Player } from "./player.js";
 import { ArrowsView } from "./view/arrows.js";
+import { outermost, pointsInView } from "./view/framing.js";
 import { BlocksView } from "./view/blocks.js";
 import { MotionTextures } from "./view/motion.js";
 import { PathsView } from "./view/paths.js";
@@ -19,7 +20,6 @@ import { Controls } from "./ui/controls.js";
 
 const magnitudes = (list) => Float32Array.from(list.x, (_, b) => Math.hypot(list.x[b], list.y[b], list.z[b]));
 const median = (values) => values.slice().sort((a, b) => a - b)[Math.floor(values.length / 2)];
-const kRoundSize = 3; // a fixed block this many times as large as the free ones is ground: it is not put in view
 
 export class Replay {
   constructor(file) {
@@ -49,7 +49,7 @@ export class Replay {
   }
 
   buildScene() {
-    this.stage = new Stage(document.getElementById("scene"), () => this.invalidate("camera"));
+    this.stage = new Stage(document.getElementById("scene"), () => this.invalidate("camera"), () => (this.framed = null));
     this.motion = new MotionTextures(this.header);
     this.blocks = new BlocksView(this.header, this.motion);
     this.joints = new JointsView(this.header, this.motion);
@@ -87,39 +87,27 @@ export class Replay {
     return Math.sqrt(most);
   }
 
-  /** Sphere around the free blocks where they start and where they end, and fixed ones that are not ground. */
-  extent() {
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    const free = this.freeBlocks();
-    const typical = Math.max(...free.map((b) => this.radius[b]).slice(0, 10000));
-    const end = this.frames.at(-1);
-    this.header.names.forEach((_, b) => {
-      if (this.header.motion[b] !== 0 && this.radius[b] > kRoundSize * typical) return;
-      const from = get(this.header.centroid, b), way = get(end.displacement, b);
-      // A block that flies off must not make the rest a dot.
-      const to = norm(way) < 20 * typical ? add(from, way) : from;
-      for (const at of [from, to])
-        for (let k = 0; k < 3; ++k) {
-          low[k] = Math.min(low[k], at[k] - this.radius[b] * 0.7);
-          high[k] = Math.max(high[k], at[k] + this.radius[b] * 0.7);
-        }
-    });
-    return { centre: low.map((v, k) => (v + high[k]) / 2), radius: (norm(sub(high, low)) / 2) * 0.95 };
-  }
-
-  home(view) {
+  /** Looks from one of the named views at what is to be seen; by a `moment` of the run at where it is then. */
+  home(view, moment = null) {
     this.view = view;
-    this.stage.setTilt(this.frames[0].tilt);
-    const { centre, radius } = this.focus();
-    this.stage.look(view, centre, radius, headingOf(this.header, this.frames.at(-1), this.moving) ?? undefined);
+    this.moment = moment;
+    this.framed = outermost(pointsInView({ header: this.header, frames: this.frames, radius: this.radius,
+      free: this.freeBlocks(), moving: this.moving }, view !== "top", moment));
+    this.frameAgain();
   }
 
-  /** What is put in view: all of the model, or what moves, with as much again around it, where that is much smaller. */
-  focus() {
-    const all = this.extent();
-    if (this.moving.length === 0 || this.view === "top") return all;
-    const moving = sphereAround(this.header, this.frames, this.radius, this.moving);
-    return 2 * moving.radius < all.radius * 0.8 ? { centre: moving.centre, radius: 2 * moving.radius } : all;
+  /** Puts what is to be seen beside the legends as they are now, unless the reader has taken the camera since. */
+  frameAgain() {
+    if (!this.framed) return;
+    this.stage.setTilt((this.moment ?? this.frames[0]).tilt);
+    this.stage.look(this.view, this.framed, this.controls?.overlays() ?? [],
+      headingOf(this.header, this.frames.at(-1), this.moving) ?? undefined);
+    if (this.now) this.stage.setTilt(this.tiltNow());
+  }
+
+  tiltNow() {
+    const { a, b, share } = this.now;
+    return a.tilt + (b.tilt - a.tilt) * share;
   }
 
   /** Whether a block is drawn. */
@@ -148,9 +136,10 @@ export class Replay {
     this.dirty = new Set();
     const shape = ["all", "time", "look", "selection", "full"].some((what) => dirty.has(what));
     if (shape) this.updateScene(dirty);
+    this.controls.update(dirty);
+    if (dirty.has("all") || dirty.has("framing")) this.frameAgain();
     this.stage.render();
     this.controls.film?.take();
-    this.controls.update(dirty);
     this.pictures = (this.pictures ?? 0) + 1;
   }
 
@@ -158,7 +147,7 @@ export class Replay {
     const now = this.player.between();
     this.now = now;
     const { a, b } = now;
-    this.stage.setTilt(a.tilt + (b.tilt - a.tilt) * now.share);
+    this.stage.setTilt(this.tiltNow());
     this.motion.uniforms.share.value = now.share;
     this.motion.uniforms.exaggeration.value = this.look.exaggeration;
     const newFrame = this.shownFrame !== a || dirty.has("look") || dirty.has("all");
@@ -304,9 +293,11 @@ export class Replay {
     return isCut(this.plane ?? null, this.placeOf(block, offset));
   }
 
-  setOffOf(block) {
-    this.setOffs ??= new Map();
-    if (!this.setOffs.has(block)) this.setOffs.set(block, setOffTime(this.header, this.frames, block, this.radius));
-    return this.setOffs.get(block);
+  /** When a block has set off, and whether it flies in a good part of its motion. */
+  historyOf(block) {
+    this.histories ??= new Map();
+    if (!this.histories.has(block))
+      this.histories.set(block, { setOff: setOffTime(this.header, this.frames, block, this.radius), falls: falls(this.header, this.frames, block) });
+    return this.histories.get(block);
   }
 }

@@ -11,20 +11,6 @@ const kMoves = 0.02; // of the fastest speed of the run: slower does not count a
 export const movingBlocks = (roles) =>
   Array.from(roles.keys()).filter((b) => roles[b] === Role.slides || roles[b] === Role.topples);
 
-/** Sphere around blocks, where they are at the first and the last of these frames and halfway. */
-export function sphereAround(header, frames, radius, blocks) {
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (const frame of new Set([frames[0], frames[Math.floor(frames.length / 2)], frames.at(-1)]))
-    for (const b of blocks) {
-      const at = add(get(header.centroid, b), get(frame.displacement, b));
-      for (let k = 0; k < 3; ++k) {
-        low[k] = Math.min(low[k], at[k] - radius[b]);
-        high[k] = Math.max(high[k], at[k] + radius[b]);
-      }
-    }
-  return { centre: low.map((v, k) => (v + high[k]) / 2), radius: norm(sub(high, low)) / 2 };
-}
-
 /** Level direction in which the mass goes, or null when it goes nowhere. */
 export function headingOf(header, frame, blocks) {
   let sum = [0, 0, 0], all = 0;

@@ -8,7 +8,7 @@ import { get, norm } from "./poses.js";
 export const Role = { fixed: 0, driven: 1, stands: 2, slides: 3, topples: 4 };
 export const roleNames = ["fixed", "driven", "stands", "slides", "topples"];
 
-const rule = JSON.parse(document.getElementById("motion-rule")?.textContent ?? "{}");
+export const rule = JSON.parse(document.getElementById("motion-rule")?.textContent ?? "{}");
 const kStandingShare = rule.deflections * rule.deflectionOfSize; // of a block's size: less is no motion
 
 /** Way of a block since the start, of its farthest corner [m]. */
@@ -18,6 +18,7 @@ export const motionOf = (frame, block, radius) =>
 const smallestFree = (header) =>
   header.size.reduce((least, size, b) => (header.motion[b] === 0 ? Math.min(least, size) : least), Infinity);
 
+/** Diagonal of the box around the blocks that move [m]. */
 function movingExtent(header, frame, radius, moving) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   moving.forEach((moves, b) => {
@@ -31,6 +32,15 @@ function movingExtent(header, frame, radius, moving) {
   return norm([high[0] - low[0], high[1] - low[1], high[2] - low[2]]);
 }
 
+/** What the rule reads from a frame: each block's way, which of them move, the size of the group that does. */
+export function motionAt(header, frame, radius) {
+  const motion = header.names.map((_, b) => (header.motion[b] === 0 ? motionOf(frame, b, radius) : 0));
+  const largest = motion.reduce((most, value) => Math.max(most, value), 0);
+  const least = Math.max(kStandingShare * smallestFree(header), rule.share * largest);
+  const moving = motion.map((way) => way > least);
+  return { motion, largest, moving, extent: movingExtent(header, frame, radius, moving) };
+}
+
 const rolesOfSearch = [Role.stands, Role.slides, Role.topples, Role.topples]; // in the order of the schema
 
 /** Role of every block as the search saw it that kept this run, else by its motion up to this frame, as a Uint8Array. */
@@ -38,11 +48,7 @@ export function rolesAt(header, frame, radius) {
   if (header.failure)
     return Uint8Array.from(header.motion, (motion, b) =>
       motion === 1 ? Role.fixed : motion === 2 ? Role.driven : rolesOfSearch[header.failure.role[b]] ?? Role.stands);
-  const motion = header.names.map((_, b) => (header.motion[b] === 0 ? motionOf(frame, b, radius) : 0));
-  const largest = motion.reduce((most, value) => Math.max(most, value), 0);
-  const least = Math.max(kStandingShare * smallestFree(header), rule.share * largest);
-  const moving = motion.map((way) => way > least);
-  const extent = movingExtent(header, frame, radius, moving);
+  const { motion, moving, extent } = motionAt(header, frame, radius);
   return Uint8Array.from(motion, (way, b) => {
     if (header.motion[b] === 1) return Role.fixed;
     if (header.motion[b] === 2) return Role.driven;

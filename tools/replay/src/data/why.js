@@ -2,23 +2,40 @@
 
 import { dot, get, norm, poseOf, sub, upOf } from "./poses.js";
 import { neighboursOf, waterForce } from "./contacts.js";
-import { Role } from "./roles.js";
+import { motionAt, Role, rule } from "./roles.js";
 import { angle, percent, quantity } from "../units.js";
 
 const kUsedUp = 0.98; // share of the strength from which a joint counts as slipping as a whole
 const kAtEdge = 0.85; // of the way from a patch's centroid to its edge
 
+const words = { [Role.stands]: "Stands", [Role.slides]: "Slides", [Role.topples]: "Topples" };
+
 const listed = (names, most = 3) =>
   names.slice(0, most).join(", ") + (names.length > most ? ` and ${names.length - most} more` : "");
 
-function motionSentence(role, moved, turned, setOff) {
-  const since = setOff === null ? "" : `, since t = ${quantity(setOff, "s")}`;
-  if (role === Role.fixed) return "Fixed: it cannot move.";
-  if (role === Role.driven) return "Driven: its velocity is prescribed.";
-  if (role === Role.slides) return `Slides: ${quantity(moved, "m")} moved and only ${angle(turned)} turned${since}.`;
-  if (role === Role.topples)
-    return `Topples: rotation makes up much of its way (${angle(turned)} turned, ${quantity(moved, "m")} moved)${since}.`;
-  return `Stands: what it moves (${quantity(moved, "m")}) is below a tenth of the farthest block's way.`;
+/**
+ * What a block does, with the numbers that decide it: its farthest corner's way, and its rotation times the size of the
+ * group that moves, which is how far the pivot that it turns about lets it go (roles.js). A search that kept the run has
+ * judged by the motion of the failure itself: where that differs from the motion up to the frame, both are said.
+ */
+function motionSentences({ header, frame, radius, block, role, setOff, falls }) {
+  if (role === Role.fixed) return ["Fixed: it cannot move."];
+  if (role === Role.driven) return ["Driven: its velocity is prescribed."];
+  const { motion, largest, moving, extent } = motionAt(header, frame, radius);
+  const way = motion[block], turned = norm(get(frame.rotation, block)), swing = turned * extent;
+  const shown = !moving[block] ? Role.stands : swing > rule.toppling * way ? Role.topples : Role.slides;
+  const since = setOff === null || setOff > frame.time ? "" : `, since t = ${quantity(setOff, "s")}`;
+  const numbers = `${angle(turned)} turned over the ${quantity(extent, "m", 3)} of what moves make ${quantity(swing, "m", 3)}, ` +
+    `${swing > rule.toppling * way ? "more" : "less"} than ${percent(rule.toppling)} of its way of ${quantity(way, "m", 3)}${since}.`;
+  const flies = falls && shown !== Role.stands;
+  const said = shown === Role.topples ? `${flies ? "Counts as toppling" : "Topples"}: ${numbers}`
+    : shown === Role.slides ? `${flies ? "Counts as sliding" : "Slides"}: ${numbers}`
+    : way > rule.share * largest ? `Stands: its way of ${quantity(way, "m", 3)} is no more than joints give.`
+    : `Stands: its way of ${quantity(way, "m", 3)} is below ${percent(rule.share)} of the farthest block's.`;
+  const flight = flies ? ["Falls: in a part of its way gravity alone changes its velocity."] : [];
+  if (shown === role) return [...flight, said];
+  return [`${words[role]} at the failure, as the search found that kept this run.`, ...flight,
+    `By its motion up to here: ${said[0].toLowerCase()}${said.slice(1)}`];
 }
 
 /** Facts on the contacts of a block: what is used up, open, pressed on an edge, pushed by water. */
@@ -51,14 +68,12 @@ function waterSentence(header, full, block, pose) {
   return `Water pushes it with ${quantity(norm(thrust), "N")}, ${percent(norm(thrust) / weight)} of its weight.`;
 }
 
-export function whyBlock({ header, full, frames, block, role, setOff }) {
-  const { a, b, share } = frames;
-  const pose = poseOf(header, frames, block);
-  const moved = norm(sub(pose.position, get(header.centroid, block)));
-  const turned = norm(get((share < 0.5 ? a : b).rotation, block));
-  const sentences = [motionSentence(role, moved, turned, setOff)];
+/** `radius`: of all blocks; `falls`: it flies in a good part of its motion; the role is that of frame `frames.a`. */
+export function whyBlock({ header, full, frames, block, radius, role, setOff, falls }) {
+  const { a } = frames;
+  const sentences = motionSentences({ header, frame: a, radius, block, role, setOff, falls });
   if (!full || role === Role.fixed) return sentences;
-  const water = waterSentence(header, full, block, pose);
+  const water = waterSentence(header, full, block, poseOf(header, frames, block));
   return [...sentences, ...contactSentences(header, full, block, upOf(a.tilt)), ...(water ? [water] : [])];
 }
 

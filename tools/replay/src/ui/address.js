@@ -11,9 +11,10 @@ export function readAddress(replay, hash) {
   if (times >= 1) look.exaggeration = Math.min(times, 1e4);
   const [axis, share] = (asked.get("section") ?? "").split(":"); // section=y:0.5
   if (["x", "y", "z"].includes(axis)) Object.assign(look.section, { axis, share: Math.min(1, Math.max(0, Number(share ?? 0.5))) || 0 });
-  if (["iso", "front", "toe", "top"].includes(asked.get("view"))) replay.home(asked.get("view"));
   if (asked.get("t") === "end") player.seek(player.last);
   else if (asked.has("t") && Number.isFinite(Number(asked.get("t")))) player.seek(Number(asked.get("t")));
+  const view = ["iso", "front", "toe", "top"].includes(asked.get("view")) ? asked.get("view") : replay.view;
+  if (asked.has("t") || view !== replay.view) replay.home(view, asked.has("t") ? player.between().a : null);
   if (replay.header.names.includes(asked.get("select"))) replay.select(asked.get("select"));
   if (asked.has("play")) player.play();
 }

@@ -1,12 +1,13 @@
 // Buttons, sliders, keys, curves and labels of the page: they change the replay's look and time, and follow it.
 
 import { speeds } from "../player.js";
-import { angle, quantity, ratio } from "../units.js";
+import { rule } from "../data/roles.js";
+import { angle, percent, quantity, ratio } from "../units.js";
 import { Curve, valueAt } from "./curves.js";
 import { Recorder } from "./recorder.js";
 import { compassSvg, scaleBar, scaleSvg, viewText } from "./scale.js";
 import { planeText } from "../view/section.js";
-import { axesSvg, legendHtml } from "./legend.js";
+import { legendHtml } from "./legend.js";
 import { blockText, interfaceText, runText } from "./selection.js";
 import { readAddress } from "./address.js";
 
@@ -23,6 +24,7 @@ export class Controls {
     this.canvas = element("scene");
     this.darkQuery = matchMedia("(prefers-color-scheme: dark)");
     this.describeRun();
+    for (const place of document.querySelectorAll("[data-rule]")) place.textContent = percent(rule[place.dataset.rule]);
     this.connectTransport();
     this.connectPanel();
     this.film = new Recorder(replay, element("picture"), element("film"));
@@ -184,7 +186,14 @@ export class Controls {
   resize() {
     const { clientWidth, clientHeight } = element("stage");
     this.replay.stage.resize(clientWidth, clientHeight);
-    this.replay.invalidate("camera");
+    this.replay.invalidate("framing");
+  }
+
+  /** Rectangles of the scene that something stands over. */
+  overlays() {
+    const stage = element("stage").getBoundingClientRect();
+    return ["legend", "orientation", "scale"].map((id) => element(id).getBoundingClientRect()).filter((box) => box.width > 0)
+      .map((box) => ({ left: box.left - stage.left, right: box.right - stage.left, top: box.top - stage.top, bottom: box.bottom - stage.top }));
   }
 
   onKey(event) {
@@ -244,13 +253,13 @@ export class Controls {
     const { replay } = this, { look, player } = replay;
     if (["all", "look", "time", "full", "selection"].some((what) => dirty.has(what))) {
       this.updateTime();
-      this.updateLook();
+      this.updateLook(dirty);
       this.updateSelection(dirty);
     }
     const axes = replay.stage.axes(replay.now.a.tilt);
-    element("axes").innerHTML = compassSvg(replay.stage.compass()) + axesSvg(axes);
+    element("axes").innerHTML = compassSvg(replay.stage.compass(), axes);
     element("view-text").textContent = viewText(replay.stage.direction());
-    element("scale").innerHTML = scaleSvg(scaleBar(replay.stage.metresPerPixel()));
+    element("scale").innerHTML = scaleSvg(scaleBar(replay.stage.metresPerPixel(), element("stage").clientWidth));
     this.updateLabels(look.water);
     element("play").classList.toggle("playing", player.playing);
     element("play").setAttribute("aria-label", player.playing ? "Pause" : "Play");
@@ -273,7 +282,7 @@ export class Controls {
     this.energy.draw(player.time), this.balance.draw(player.time);
   }
 
-  updateLook() {
+  updateLook(dirty) {
     const { replay } = this, { look } = replay;
     document.querySelector(`[value=${look.colouring}]`).checked = true;
     for (const layer of Object.values(layerKeys)) element(layer).checked = look[layer];
@@ -283,9 +292,9 @@ export class Controls {
     element("exaggeration").value = Math.log10(look.exaggeration);
     element("exaggeration-value").textContent = `× ${Number(look.exaggeration.toPrecision(3))}`;
     element("opacity").value = look.opacity;
-    const percent = (share) => `${Math.round(share * 100)} %`, drawn = replay.rockOpacity();
+    const whole = (share) => `${Math.round(share * 100)} %`, drawn = replay.rockOpacity();
     element("opacity-value").textContent =
-      percent(look.opacity) + (drawn < look.opacity ? `, ${percent(drawn)} with ${look.joints ? "joints" : "forces"}` : "");
+      whole(look.opacity) + (drawn < look.opacity ? `, ${whole(drawn)} with ${look.joints ? "joints" : "forces"}` : "");
     element("section").value = look.section.axis, (element("section-share").value = look.section.share);
     element("section-flip").checked = look.section.flipped;
     element("section-share").disabled = element("section-flip").disabled = !replay.plane;
@@ -299,7 +308,11 @@ export class Controls {
       exaggeration: look.exaggeration, selected: replay.selected.block >= 0,
       supports: replay.supports.supports.length > 0,
     });
-    if (html !== this.legendShown) element("legend").innerHTML = this.legendShown = html;
+    if (html === this.legendShown) return;
+    const legend = element("legend"), { offsetWidth: width, offsetHeight: height } = legend;
+    legend.innerHTML = this.legendShown = html;
+    // A click that selects must not shift what was clicked.
+    if (dirty.has("look") && (legend.offsetWidth > width || legend.offsetHeight > height)) replay.invalidate("framing");
   }
 
   /** Length of the legend's arrow at the middle of the view. */
@@ -315,7 +328,7 @@ export class Controls {
     if (replay.player.playing && !dirty.has("selection") && since < 1000 / kPanelPerSecond) return;
     this.selectionAt = performance.now();
     const context = { header: replay.header, full: replay.full, frames: replay.now };
-    const html = selected.block >= 0 ? blockText({ ...context, roles: replay.roles, block: selected.block, setOff: replay.setOffOf(selected.block) })
+    const html = selected.block >= 0 ? blockText({ ...context, radius: replay.radius, roles: replay.roles, block: selected.block, ...replay.historyOf(selected.block) })
       : selected.interface >= 0 && replay.full ? interfaceText({ ...context, i: selected.interface })
       : `<p class="note">Click a block, or with <em>Joints</em> shown a joint, to see its numbers and why it fails or stands.</p>`;
     if (html !== this.selectionShown) element("selection").innerHTML = this.selectionShown = html;

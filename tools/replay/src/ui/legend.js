@@ -1,4 +1,4 @@
-// The legend over the scene: what colours and arrows mean, with units; and the axes with gravity.
+// The legend over the scene: what colours and arrows mean, with units.
 
 import { degrees, quantity } from "../units.js";
 import { forceColours, gradientOf, heatText, openJoint, roleColours } from "../view/colours.js";
@@ -51,19 +51,4 @@ export function legendHtml({ colouring, range, ownScale, roles, groups, joints, 
       `<div class="ends"><span>0</span><span>½</span><span>all</span></div><ul>${item(openJoint, "broken")}</ul>`);
   if (exaggeration !== 1) parts.push(`Displacement drawn × ${Number(exaggeration.toPrecision(3))}`);
   return parts.map((part) => `<div>${part}</div>`).join("");
-}
-
-/** SVG content: axes x (uphill), y, z and gravity as seen from the camera. */
-export function axesSvg(axes) {
-  const colours = { x: "#c0392b", y: "#2e8b57", z: "#2f6fd0", g: "currentColor" };
-  return Object.entries(axes)
-    .sort(([, a], [, b]) => a[2] - b[2])
-    .map(([name, [x, y]]) => {
-      const length = name === "g" ? 27 : 22;
-      const [u, v] = [x * length, -y * length];
-      const dash = name === "g" ? ' stroke-dasharray="3 2"' : "";
-      return `<g stroke="${colours[name]}" fill="${colours[name]}"><path d="M0 0L${u.toFixed(1)} ${v.toFixed(1)}" stroke-width="2"${dash}/>` +
-        `<text x="${(u * 1.32).toFixed(1)}" y="${(v * 1.32 + 4).toFixed(1)}" text-anchor="middle" stroke="none">${name}</text></g>`;
-    })
-    .join("");
 }

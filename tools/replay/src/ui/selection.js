@@ -15,7 +15,7 @@ const metres = (v) => `(${v.map((value) => value.toFixed(4).replace("-", "−"))
 const close = `<button class="quiet" data-close aria-label="Select nothing">✕</button>`;
 const inked = new Set(["#dedad0"]);
 
-export function blockText({ header, full, frames, block, roles, setOff }) {
+export function blockText({ header, full, frames, block, radius, roles, setOff, falls }) {
   const { a, b, share } = frames;
   const frame = share < 0.5 ? a : b;
   const pose = poseOf(header, frames, block);
@@ -36,7 +36,7 @@ export function blockText({ header, full, frames, block, roles, setOff }) {
   if (goesAt > 0) rows.push(["Goes at a factor of", goesAt.toFixed(4)]);
   if (full) rows.push(["Out of balance", quantity(norm(get(full.force, block)), "N")]);
   return `<h2><span>Block ${escape(header.names[block])} ${badge}</span>${close}</h2>` +
-    why(whyBlock({ header, full, frames, block, role, setOff })) + facts(rows) + neighbourTable(header, full, block);
+    why(whyBlock({ header, full, frames, block, radius, role, setOff, falls })) + facts(rows) + neighbourTable(header, full, block);
 }
 
 function neighbourTable(header, full, block) {

@@ -3,13 +3,14 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { frameBeside } from "./framing.js";
 
 const views = { // direction from the middle to the camera; z is up, the toe on the left
   iso: [-0.55, -0.95, 0.5], front: [0.0001, -1, 0.02], toe: [-1, -0.0001, 0.1], top: [0, -0.02, 1],
 };
 
 export class Stage {
-  constructor(canvas, onChange) {
+  constructor(canvas, onChange, onTaken) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.autoClear = false;
@@ -22,7 +23,8 @@ export class Stage {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", onChange);
-    this.sphere = new THREE.Sphere();
+    this.controls.addEventListener("start", onTaken);
+    this.middle = [0, 0]; // where on the canvas the camera looks to, from its middle [px]
   }
 
   setTilt(tilt) {
@@ -31,25 +33,35 @@ export class Stage {
 
   resize(width, height) {
     this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / Math.max(1, height);
-    this.camera.updateProjectionMatrix();
+    this.setMiddle(...this.middle);
+  }
+
+  setMiddle(x, y) {
+    const { x: width, y: height } = this.renderer.getSize(new THREE.Vector2());
+    this.middle = [x, y];
+    this.camera.setViewOffset(width, Math.max(1, height), -x, -y, width, Math.max(1, height)); // sets the aspect, too
   }
 
   /**
-   * Looks at a sphere (centre in the model frame) from one of the named views; the oblique one is turned so that what goes
-   * in the direction `heading` (from east towards north, in radians) comes towards the reader as a slope's toe does.
+   * Looks at points of the model frame from one of the named views, so that all are seen beside what stands over the scene
+   * (rectangles of the canvas). The oblique view is turned so that what goes in the direction `heading` (from east towards
+   * north, in radians) comes towards the reader as a slope's toe does.
    */
-  look(view, centre, radius, heading = Math.PI) {
-    const middle = new THREE.Vector3(...centre).applyMatrix4(this.model.matrixWorld);
-    const angle = (Math.PI / 180) * this.camera.fov;
-    const narrow = Math.min(angle, 2 * Math.atan(Math.tan(angle / 2) * this.camera.aspect));
-    const distance = radius / Math.sin(narrow / 2);
-    this.camera.position.copy(middle).addScaledVector(new THREE.Vector3(...views[view]).normalize()
-      .applyAxisAngle(new THREE.Vector3(0, 0, 1), view === "iso" ? heading - Math.PI : 0), distance);
+  look(view, points, overlays, heading = Math.PI) {
+    const up = new THREE.Vector3(0, 0, 1);
+    const towards = new THREE.Vector3(...views[view]).normalize().applyAxisAngle(up, view === "iso" ? heading - Math.PI : 0);
+    const right = up.clone().cross(towards).normalize(), upwards = towards.clone().cross(right);
+    const placed = points.map((point) => new THREE.Vector3(...point).applyMatrix4(this.model.matrixWorld));
+    const sphere = new THREE.Box3().setFromPoints(placed).getBoundingSphere(new THREE.Sphere());
+    const seen = placed.map((point) => point.sub(sphere.center)).map((p) => [p.dot(right), p.dot(upwards), p.dot(towards)]);
+    const { x: width, y: height } = this.renderer.getSize(new THREE.Vector2());
+    const pixel = (2 * Math.tan((Math.PI / 360) * this.camera.fov)) / Math.max(1, height);
+    const { distance, shift, middle } = frameBeside(seen, overlays, width, height, pixel);
+    this.controls.target.copy(sphere.center).addScaledVector(right, shift[0]).addScaledVector(upwards, shift[1]);
+    this.camera.position.copy(this.controls.target).addScaledVector(towards, distance);
     this.camera.near = distance / 100, (this.camera.far = distance * 100);
-    this.camera.updateProjectionMatrix();
-    this.controls.target.copy(middle);
-    this.controls.minDistance = radius / 50, (this.controls.maxDistance = radius * 30);
+    this.setMiddle(middle[0] - width / 2, middle[1] - height / 2);
+    this.controls.minDistance = sphere.radius / 50, (this.controls.maxDistance = Math.max(sphere.radius * 30, 2 * distance));
     this.controls.update();
   }
 
