@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "cli/files.h"
@@ -100,34 +101,59 @@ std::string content(const BlocksOptions& options, const Model& model) {
                      "Blocks of " + options.scenario.name());
 }
 
-/// Pictures and table of the joints that cut the blocks.
-void writeJoints(const BlocksOptions& options, const formats::Scenario& scenario) {
-    if (options.stereonet.empty() && options.sizes.empty() && options.fractures.empty()) return;
+struct JointsFile {
+    const char* option;
+    const std::string& path;
+    const char* ending;
+};
+
+std::array<JointsFile, 3> jointsFiles(const BlocksOptions& options) {
+    return {{{"--stereonet", options.stereonet, ".svg"},
+             {"--sizes", options.sizes, ".svg"},
+             {"--fractures", options.fractures, ".csv"}}};
+}
+
+std::string discsCsv(const BlocksOptions& options, const std::vector<formats::RockJoint>& joints) {
+    std::vector<std::pair<std::string, Fracture>> discs;
+    for (const formats::RockJoint& joint : joints)
+        if (joint.disc) discs.emplace_back(joint.set, *joint.disc);
+    return provenanceComments(options.common, options.scenario.name()) + formats::fracturesCsv(discs);
+}
+
+/// Pictures and table of the joints that cut the blocks. Returns warnings: what there are no joints for. Where nothing
+/// else is asked for, that is an error.
+std::vector<std::string> writeJoints(const BlocksOptions& options, const formats::Scenario& scenario) {
+    std::vector<const char*> asked;
+    for (const JointsFile& file : jointsFiles(options))
+        if (!file.path.empty()) asked.push_back(file.option);
+    if (asked.empty()) return {};
     const auto joints = formats::rockJoints(scenario);
     if (!joints) throw BadInput(joints.errors());
-    const auto want = [&](const std::string& file, const char* option, const char* ending) {
-        requireEnding(option, file, {ending});
-        if (joints->empty())
-            throw BadInput(Error{option, "found no rock mass in " + options.scenario.name() +
-                                             ", allowed: a scenario with [rock_mass] and joints"});
-        return true;
-    };
-    if (!options.stereonet.empty() && want(options.stereonet, "--stereonet", ".svg"))
+    if (joints->empty()) {
+        const std::string found = "no joint set in " + options.scenario.name();
+        if (options.output.empty())
+            throw BadInput(
+                Error{asked[0], "found " + found + ", allowed: a scenario with [rock_mass] and joints"});
+        std::vector<std::string> warnings;
+        for (const char* option : asked)
+            warnings.push_back(std::string(option) + ": " + found + " to plot, left out");
+        for (const std::string& warning : warnings) note(options.common, "warning: " + warning);
+        return warnings;
+    }
+    if (!options.stereonet.empty())
         writeFile(options.stereonet, stereonetSvg(*joints, "Joints of " + options.scenario.name()));
-    if (!options.sizes.empty() && want(options.sizes, "--sizes", ".svg"))
+    if (!options.sizes.empty())
         writeFile(options.sizes, sizesSvg(*joints, scenario.model, "Sizes in " + options.scenario.name()));
-    if (options.fractures.empty() || !want(options.fractures, "--fractures", ".csv")) return;
-    std::vector<std::pair<std::string, Fracture>> discs;
-    for (const formats::RockJoint& joint : *joints)
-        if (joint.disc) discs.emplace_back(joint.set, *joint.disc);
-    writeFile(options.fractures,
-              provenanceComments(options.common, options.scenario.name()) + formats::fracturesCsv(discs));
+    if (!options.fractures.empty()) writeFile(options.fractures, discsCsv(options, *joints));
+    return {};
 }
 
 int blocks(const BlocksOptions& options) {
     if (!options.output.empty()) requireEnding("--output", options.output, {".obj", ".csv", ".svg"});
+    for (const JointsFile& file : jointsFiles(options))
+        if (!file.path.empty()) requireEnding(file.option, file.path, {file.ending});
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
-    writeJoints(options, scenario);
+    const std::vector<std::string> warnings = writeJoints(options, scenario);
     if (!options.output.empty()) writeFile(options.output, content(options, scenario.model));
     const Sizes sizes = sizesOf(scenario.model);
     if (!options.common.json) {
@@ -136,6 +162,7 @@ int blocks(const BlocksOptions& options) {
     }
     Json result = json(scenario.model, sizes, scenario.finite_cuts);
     result["warnings"] = scenario.warnings;
+    for (const std::string& warning : warnings) result["warnings"].push_back(warning);
     result["provenance"] = provenance(options.common, options.scenario.name());
     printJson(result);
     return kDone;

@@ -17,9 +17,9 @@ namespace talus::tools {
 namespace {
 
 constexpr double kWidth = 900, kMargin = 20, kFoot = 56;  // [px]
-constexpr std::size_t kFewBlocks = 40;                    // free ones, whose names have room
 constexpr double kLeastLine = 0.7;                        // [px] shorter is a speck
-constexpr double kLetter = 6.2, kLine = 12;               // of names [px]
+constexpr double kLetter = 6.8, kLine = 12;               // of names, with the gap beside them [px]
+constexpr double kCompass = 0.036;                        // radius, of the picture's larger side
 constexpr std::string_view kStyle = R"css(
 .page{fill:#fff}
 .block{stroke-width:.9;stroke-linejoin:round}
@@ -124,19 +124,51 @@ std::optional<Vec3> placeOfName(const std::vector<PaintedPolygon>& painted, std:
     return middle;
 }
 
-/// Of blocks that have room for theirs, where there are few.
+/// A piece of a block's face that is as wide and high as its name.
+struct NamePlace {
+    std::size_t piece;
+    double area;  ///< [m2]
+};
+
+double areaOf(const PaintedPolygon& polygon) {
+    double twice = 0;
+    const auto& corners = polygon.corners;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Vec3 &a = corners[k], &b = corners[(k + 1) % corners.size()];
+        twice += a.x() * b.y() - b.x() * a.y();
+    }
+    return 0.5 * std::abs(twice);
+}
+
+bool isAsLarge(const PaintedPolygon& polygon, double wide, double high) {
+    Vec3 low = Vec3::Constant(kInfinity), top = -low;
+    for (const Vec3& corner : polygon.corners) {
+        low = low.cwiseMin(corner);
+        top = top.cwiseMax(corner);
+    }
+    return top.x() - low.x() >= wide && top.y() - low.y() >= high;
+}
+
+/// Of every block that has room for its name on a face that can be seen, on the largest. A name stays within what is
+/// seen of its own block, so that none lies on another.
 void drawNames(const Model& model, const VisibleFaces& visible, const std::vector<PaintedPolygon>& painted,
                const Sheet& sheet, SvgWriter& svg) {
-    const auto free = std::count_if(model.blocks.begin(), model.blocks.end(),
-                                    [](const Block& block) { return block.motion == Motion::free; });
-    if (static_cast<std::size_t>(free) > kFewBlocks) return;
+    const auto blockOf = [&](std::size_t piece) { return visible.faces[painted[piece].source].block; };
+    std::vector<NamePlace> places;
+    for (std::size_t k = 0; k < painted.size(); ++k) {
+        const double letters = static_cast<double>(model.blocks[blockOf(k)].name.size());
+        if (isAsLarge(painted[k], kLetter * letters / sheet.scale(), kLine / sheet.scale()))
+            places.push_back({k, areaOf(painted[k])});
+    }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const NamePlace& a, const NamePlace& b) { return a.area > b.area; });
     std::set<std::size_t> named;
-    for (std::size_t k = painted.size(); k-- > 0;) {  // the nearest first
-        const std::size_t block = visible.faces[painted[k].source].block;
+    for (const NamePlace& place : places) {
+        const std::size_t block = blockOf(place.piece);
         const std::string& name = model.blocks[block].name;
         if (named.contains(block)) continue;
-        if (const auto place = placeOfName(painted, k, name.size(), sheet.scale())) {
-            const Spot spot = sheet.spot(*place);
+        if (const auto middle = placeOfName(painted, place.piece, name.size(), sheet.scale())) {
+            const Spot spot = sheet.spot(*middle);
             svg.label({spot.x, spot.y + 4}, name, "middle", "name");
             named.insert(block);
         }
@@ -159,19 +191,27 @@ void drawScale(const Sheet& sheet, double base, SvgWriter& svg) {
     svg.label({end + 8, base + 4}, lengthText(bar));
 }
 
-/// The ring of the horizon as it is seen, with north; in plan a circle.
-void drawCompass(const Camera& camera, Spot middle, SvgWriter& svg) {
-    constexpr double kRadius = 20;
+/// The ring of the horizon as it is seen, with north; in plan a circle. It grows with the picture.
+struct Compass {
+    double radius, high;  ///< of the ring, of half of it with its letter [px]
+
+    Compass(const Camera& camera, double width, double height)
+        : radius(std::clamp(kCompass * std::max(width, height), 28.0, 64.0)),
+          high((radius + 9) * std::abs(camera.towards.z()) + 12) {}
+};
+
+void drawCompass(const Camera& camera, const Compass& compass, Spot middle, SvgWriter& svg) {
+    const double radius = compass.radius;
     const auto at = [&](double bearing, double size) {
         const Vec3 seen = camera.seen({std::sin(bearing), std::cos(bearing), 0});
         return Spot{middle.x + size * seen.x(), middle.y - size * seen.y()};
     };
     std::vector<Spot> ring;
-    for (int k = 0; k <= 48; ++k) ring.push_back(at(k * M_PI / 24, kRadius));
+    for (int k = 0; k <= 48; ++k) ring.push_back(at(k * M_PI / 24, radius));
     svg.shape(ring, true, "bar");
-    svg.shape({at(0, kRadius), at(M_PI * 0.9, 0.45 * kRadius), middle, at(-M_PI * 0.9, 0.45 * kRadius)},
-              false, "needle", "north");
-    const Spot letter = at(0, kRadius + 9);
+    svg.shape({at(0, radius), at(M_PI * 0.9, 0.45 * radius), middle, at(-M_PI * 0.9, 0.45 * radius)}, false,
+              "needle", "north");
+    const Spot letter = at(0, radius + 9);
     svg.label({letter.x, letter.y + 4}, "N", "middle");
 }
 
@@ -234,10 +274,11 @@ std::string blocksSvg(const Model& model, const View& view, std::string_view tit
     for (const auto& line : waterTable(model)) svg.shape(seen(line), true, "table");
     drawNames(model, visible, painted, sheet, svg);
     const double foot = sheet.foot();
+    const Compass compass(camera, kWidth, foot);
     drawScale(sheet, foot + 10, svg);
     drawLegend(legendOf(model, visible, !wet.empty(), camera), foot + 40, svg);
-    drawCompass(camera, {kWidth - kMargin - 30, foot + 14}, svg);
-    return svg.file(kWidth, foot + kFoot, title, "", kStyle);
+    drawCompass(camera, compass, {kWidth - kMargin - compass.radius - 16, foot + compass.high}, svg);
+    return svg.file(kWidth, foot + std::max(kFoot, 2 * compass.high + 8), title, "", kStyle);
 }
 
 }  // namespace talus::tools

@@ -1,0 +1,50 @@
+// talus blocks: what it draws of a scenario that has nothing to plot on a net.
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "cli/json.h"
+#include "tools/program.h"
+
+using namespace talus::tools;
+using namespace talus::tools::testing;
+
+namespace {
+
+constexpr const char* kStack =
+    "[material.granite]\ndensity = 2700.0\n[joint.default]\nnormal_stiffness = 1e10\n"
+    "shear_stiffness = 1e10\nfriction_deg = 30.0\n[[stack]]\ncolumns = 2\nrows = 2\nslices = 1\n"
+    "block = [0.2, 0.1, 0.1]\n";
+
+}  // namespace
+
+TEST_CASE("blocks: without joint sets the picture is drawn and the stereonet left out, with a warning") {
+    const TemporaryFolder folder;
+    const std::string scenario = folder.write("stack.toml", kStack);
+    const std::string picture = folder / "stack.svg", net = folder / "poles.svg";
+    const Outcome outcome =
+        runTalus({"blocks", scenario, "-o", picture, "--stereonet", net, "--sizes", folder / "sizes.svg"});
+    CHECK(outcome.exit_code == 0);
+    CHECK(contentOf(picture).find("<svg") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(net));
+    CHECK(outcome.err.find("warning: --stereonet: no joint set in " + scenario) != std::string::npos);
+    CHECK(outcome.err.find("warning: --sizes: no joint set in " + scenario) != std::string::npos);
+
+    const Outcome said =
+        runTalus({"blocks", scenario, "-o", picture, "--stereonet", net, "--json", "--quiet"});
+    REQUIRE(said.exit_code == 0);
+    CHECK(Json::parse(said.out).at("warnings").dump().find("no joint set") != std::string::npos);
+}
+
+TEST_CASE("blocks: a stereonet alone needs a joint set, and a file's name is looked at first") {
+    const TemporaryFolder folder;
+    const std::string scenario = folder.write("stack.toml", kStack), net = folder / "poles.svg";
+    const Outcome outcome = runTalus({"blocks", scenario, "--stereonet", net});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("--stereonet: found no joint set in " + scenario) != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(net));
+    const Outcome wrong = runTalus({"blocks", folder / "none", "--stereonet", folder / "poles.png"});
+    CHECK(wrong.exit_code == 2);
+    CHECK(wrong.err.find("allowed: a name that ends in") != std::string::npos);
+}
