@@ -57,20 +57,21 @@ Json largestJson(const formats::Scenario& scenario, const RunResult& result) {
 
 Json runJson(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
              const RunRecorder& recorder) {
-    Json json{{"steps", result.steps},
-              {"simulated_seconds", number(result.simulated_seconds)},
-              {"time_step_s", number(result.time_step)},
-              {"start", options.resume.empty() ? Json(toString(result.start)) : Json(nullptr)},
-              {"blocks", result.blocks},
-              {"interfaces", result.interfaces},
-              {"contact_points", result.contact_points},
-              {"kinetic_energy_j", number(result.kinetic_energy)},
-              {"state_hash", hashText(result.state_hash)},
-              {"wall_seconds", number(result.wall_seconds)},
-              {"watch", watchJson(result)},
-              {"displacements_m",
-               scenario.model.ground_motion.empty() ? Json(nullptr) : displacementsJson(scenario, result)},
-              {"largest_displacement", largestJson(scenario, result)}};
+    Json json{
+        {"steps", result.steps},
+        {"simulated_seconds", number(result.simulated_seconds)},
+        {"time_step_s", number(result.time_step)},
+        {"start", options.resume.empty() && result.began ? Json(toString(result.start)) : Json(nullptr)},
+        {"blocks", result.blocks},
+        {"interfaces", result.interfaces},
+        {"contact_points", result.contact_points},
+        {"kinetic_energy_j", number(result.kinetic_energy)},
+        {"state_hash", hashText(result.state_hash)},
+        {"wall_seconds", number(result.wall_seconds)},
+        {"watch", watchJson(result)},
+        {"displacements_m",
+         scenario.model.ground_motion.empty() ? Json(nullptr) : displacementsJson(scenario, result)},
+        {"largest_displacement", largestJson(scenario, result)}};
     addSupports(result.supports, json);
     json["interrupted"] = result.interrupted;
     json["warnings"] = result.warnings;

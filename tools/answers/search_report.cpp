@@ -57,12 +57,16 @@ std::string scientific(double value) {
     return buffer;
 }
 
-/// "stands at 19.498, fails at 19.508"; an open end is left out.
+/// "stands at 19.498, fails at 19.508"; an open end is left out. What an interrupted search has seen moving may still come to
+/// rest.
 std::string bracketText(const SearchReport& report) {
     const bool stands = std::isfinite(report.result.low), fails = std::isfinite(report.result.high);
     if (!stands && !fails) return "nothing is known yet";
     return (stands ? "stands at " + figureOf(report, report.result.low) : "") +
-           (stands && fails ? ", " : "") + (fails ? "fails at " + figureOf(report, report.result.high) : "");
+           (stands && fails ? ", " : "") +
+           (fails ? (wasInterrupted(report.result) ? "seems to fail at " : "fails at ") +
+                        figureOf(report, report.result.high)
+                  : "");
 }
 
 std::string answerText(const SearchReport& report) {
@@ -163,6 +167,7 @@ std::string methodText(const SearchResult& result) {
 }
 
 std::string sizeText(const SearchResult& result) {
+    if (wasInterrupted(result) && result.interfaces == 0) return std::to_string(result.blocks) + " blocks";
     return std::to_string(result.blocks) + " blocks, " + std::to_string(result.interfaces) + " interfaces, " +
            std::to_string(result.contact_points) + " contact points";
 }
@@ -301,13 +306,17 @@ Json searchJson(const SearchReport& report) {
 
 std::string searchText(const SearchReport& report, bool verbose) {
     const SearchResult& result = report.result;
-    std::string table =
-        row("scenario", report.scenario.path) + row(report.search.answer, answerText(report)) +
-        theoryText(report) + ceilingText(report) + cohesionText(report) + rangeText(report) +
-        row("failure mode", toString(result.mode)) + row("moving blocks", movingText(result)) +
-        fallenText(result) + groupsText(result) + supportsText(result) + row("model", sizeText(result)) +
-        row("method", methodText(result)) + row("cost", costText(result)) +
-        row("state hash", hashText(result.state_hash));
+    // Without an answer there is nothing beside it.
+    const std::string beside = wasInterrupted(result)
+                                   ? ""
+                                   : theoryText(report) + ceilingText(report) + cohesionText(report) +
+                                         rangeText(report) + row("failure mode", toString(result.mode)) +
+                                         row("moving blocks", movingText(result));
+    const std::string method = wasInterrupted(result) ? "" : row("method", methodText(result));
+    std::string table = row("scenario", report.scenario.path) +
+                        row(report.search.answer, answerText(report)) + beside + fallenText(result) +
+                        groupsText(result) + supportsText(result) + row("model", sizeText(result)) + method +
+                        row("cost", costText(result)) + row("state hash", hashText(result.state_hash));
     for (const std::string& warning : result.warnings) table += row("warning", warning);
     if (report.kept)
         for (const auto& [label, content] : keptRunLines(*report.kept)) table += row(label, content);

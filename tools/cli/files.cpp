@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -21,16 +22,24 @@ bool isDeviceOrPipe(const std::string& path) {
     return ::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
 }
 
-/// Brings it to the disk, too. 0, or the errno of what was refused. Closes the file in any case.
-int writeAndClose(int file, std::string_view content) {
+bool isStopped(const std::atomic<bool>* stop) {
+    return stop != nullptr && stop->load(std::memory_order_relaxed);
+}
+
+/// Brings it to the disk, too, so that the last piece need not wait for all before it. 0, or the errno of what was refused;
+/// ECANCELED when stopped. Closes the file in any case.
+int writeAndClose(int file, std::string_view content, const std::atomic<bool>* stop = nullptr) {
+    constexpr std::size_t kPiece = std::size_t{1} << 24;
     int error = 0;
     while (!content.empty() && error == 0) {
-        const ssize_t written = ::write(file, content.data(), content.size());
+        const ssize_t written = ::write(file, content.data(), std::min(content.size(), kPiece));
         if (written >= 0) {
             content.remove_prefix(static_cast<std::size_t>(written));
+            if (stop != nullptr && content.size() > kPiece) ::fdatasync(file);
         } else if (errno != EINTR) {
             error = errno;
         }
+        if (error == 0 && isStopped(stop)) error = ECANCELED;
     }
     if (error == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != ENOTSUP) error = errno;
     if (::close(file) != 0 && error == 0) error = errno;
@@ -63,17 +72,24 @@ void writeInPlace(const std::string& path, std::string_view content) {
 
 }  // namespace
 
-void writeFile(const std::string& path, std::string_view content) {
+bool writeFile(const std::string& path, std::string_view content, const std::atomic<bool>* stop) {
     refuseInput("", path);
-    if (isDeviceOrPipe(path)) return writeInPlace(path, content);
+    if (isDeviceOrPipe(path)) {
+        writeInPlace(path, content);
+        return true;
+    }
     const std::string target = behindLinks(path);
     std::string temporary;
     const int file = openTemporary(target, temporary);
     if (file < 0) throw FileRefused(path, "cannot be opened for writing", errno);
-    int error = writeAndClose(file, content);
+    int error = writeAndClose(file, content, stop);
     if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
-    if (error == 0) return formats::syncFolderOf(target);
+    if (error == 0) {
+        formats::syncFolderOf(target);
+        return true;
+    }
     ::unlink(temporary.c_str());
+    if (error == ECANCELED) return false;
     throw FileRefused(path, "cannot be written", error);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Files are written whole or not at all.
 
+#include <atomic>
 #include <string>
 #include <string_view>
 
@@ -8,7 +9,8 @@ namespace talus::tools {
 
 /// Writes a whole file: into a temporary one beside it, then renamed, so that no half-written file is ever left. What
 /// is not a regular file (a device, a pipe) is written in place. Throws FileRefused.
-void writeFile(const std::string& path, std::string_view content);
+/// \param stop  ends the writing of a large file early: then there is none, and the result is false
+bool writeFile(const std::string& path, std::string_view content, const std::atomic<bool>* stop = nullptr);
 
 /// Makes a folder and its parents if needed; throws FileRefused.
 void makeFolder(const std::string& path);

@@ -1,5 +1,7 @@
 // What goes to stdout, and numbers and errors as text and JSON.
 
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -9,6 +11,7 @@
 
 #include "cli/failures.h"
 #include "cli/json.h"
+#include "cli/terminal.h"
 #include "cli/text.h"
 
 namespace talus::tools {
@@ -20,6 +23,10 @@ void printText(const std::string& text) {
     errno = 0;
     const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
     if (!written || std::fflush(stdout) != 0) throw FileRefused("stdout", "cannot be written", errno);
+}
+
+void printResult(const std::string& text) {
+    printText(::isatty(STDOUT_FILENO) != 0 ? fitted(text, columnsOf(STDOUT_FILENO, 80)) : text);
 }
 
 // Names come from files, so they may hold bytes that are not UTF-8; those must not stop a result from being printed.

@@ -160,7 +160,9 @@ Control controlOf(const Common& common, ProgressPrinter& progress) {
 }
 
 void note(const Common& common, const std::string& line) {
-    if (!common.quiet) std::fprintf(stderr, "%s\n", line.c_str());
+    if (common.quiet) return;
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    std::fprintf(stderr, "%s\n", (terminal ? fitted(line, columnsOf(STDERR_FILENO, 80)) : line).c_str());
 }
 
 }  // namespace talus::tools

@@ -1,6 +1,9 @@
 #include "cli/scenario.h"
 
+#include <unistd.h>
+
 #include "cli/json.h"
+#include "cli/progress.h"
 #include "talus/formats/changes.h"
 
 namespace talus::tools {
@@ -30,15 +33,20 @@ formats::FieldChange changeOf(const std::string& set) {
 
 EndsAtOnce whileReading(const std::string& name, const Common& common) {
     const Error interrupted{"", "interrupted while " + name + " was read"};
-    return EndsAtOnce(common.json ? errorsJson({interrupted}).dump(2) + "\n" : "",
-                      "error: " + interrupted.message + "\n");
+    return EndsAtOnce(
+        common.json ? errorsJson({interrupted}).dump(2) + "\n" : "",
+        // over the progress, if there is any
+        (isatty(STDERR_FILENO) != 0 ? "\r\x1b[2Kerror: " : "error: ") + interrupted.message + "\n");
 }
 
 formats::Scenario loadScenario(const ScenarioInput& input, const Common& common) {
     std::vector<formats::FieldChange> changes;
     for (const std::string& set : input.sets) changes.push_back(changeOf(set));
     const EndsAtOnce reading = whileReading(input.name(), common);
-    formats::Scenario scenario = valueOf(formats::readScenario(input.path, changes));
+    ProgressPrinter progress(common);
+    formats::Scenario scenario =
+        valueOf(formats::readScenario(input.path, changes, nullptr, progress.callback()));
+    progress.finish();
     for (const std::string& warning : scenario.warnings)
         note(common, "warning: " + input.name() + ": " + warning);
     return scenario;

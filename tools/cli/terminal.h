@@ -13,4 +13,8 @@ std::size_t columnsOf(int stream, std::size_t otherwise);
 /// space; lines that begin with spaces, examples, stay lines of their own and go on further in.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent = 0);
 
+/// Lines longer than `width` broken at spaces (longer words stay whole). What goes on begins where its line's content does:
+/// behind a label and its gap of two spaces or more, else a little further in than the line.
+std::string fitted(const std::string& text, std::size_t width);
+
 }  // namespace talus::tools

@@ -88,7 +88,7 @@ int showPlan(const BatchOptions& options, const formats::Sweep& sweep) {
                    {"identity", info.identity},
                    {"first", samples}});
     else
-        printText(lines);
+        printResult(lines);
     return kDone;
 }
 
@@ -122,7 +122,7 @@ int runBatch(const BatchOptions& options) {
     if (options.common.json)
         printJson(batchJson(outcome, request));
     else
-        printText(toText(options, outcome));
+        printResult(toText(options, outcome));
     return exitCode(outcome);
 }
 

@@ -157,7 +157,7 @@ int blocks(const BlocksOptions& options) {
     if (!options.output.empty()) writeFile(options.output, content(options, scenario.model));
     const Sizes sizes = sizesOf(scenario.model);
     if (!options.common.json) {
-        printText(summary(scenario.model, sizes, scenario.finite_cuts));
+        printResult(summary(scenario.model, sizes, scenario.finite_cuts));
         return kDone;
     }
     Json result = json(scenario.model, sizes, scenario.finite_cuts);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "cli/failures.h"
 #include "cli/files.h"
@@ -46,29 +47,88 @@ std::vector<std::size_t> chosen(const formats::SnapshotReader& reader, std::size
 
 bool stopped() { return stopRequested().load(std::memory_order_relaxed); }
 
-Json exportVtk(formats::SnapshotReader& reader, const ExportOptions& options, ProgressPrinter& progress) {
-    makeFolder(options.vtk);
-    const std::filesystem::path folder = options.vtk;
-    std::vector<std::pair<double, std::string>> blocks, contacts;
-    const std::vector<std::size_t> frames = chosen(reader, options.every);
-    for (const std::size_t k : frames) {
-        if (stopped()) break;
-        const double time = reader.frames()[k].time;
-        blocks.emplace_back(time, numbered("blocks", k));
-        writeFile(folder / blocks.back().second,
-                  formats::vtpBlocks(reader.header(), valueOf(reader.frame(k))));
-        if (reader.frames()[k].full) {
-            contacts.emplace_back(time, numbered("contacts", k));
-            writeFile(folder / contacts.back().second,
-                      formats::vtpContacts(valueOf(reader.full(*reader.frames()[k].full))));
-        }
-        progress.show(
-            {"export", static_cast<double>(blocks.size()) / static_cast<double>(frames.size()), ""});
-    }
-    writeFile(folder / "blocks.pvd", formats::pvdSeries(blocks));
-    writeFile(folder / "contacts.pvd", formats::pvdSeries(contacts));
-    return {{"folder", options.vtk}, {"block_files", blocks.size()}, {"contact_files", contacts.size()}};
+std::string vtkText(const Json& vtk) {
+    return vtk["block_files"].dump() + " frames and " + vtk["contact_files"].dump() +
+           " sets of contacts in " + vtk["folder"].get<std::string>() +
+           " (open blocks.pvd and contacts.pvd)\n";
 }
+
+/// Files of the frames, and the lists of them that ParaView opens. Where a single frame takes long the lists are kept up to date,
+/// so that the work on it can be ended at once.
+class VtkExport {
+ public:
+    VtkExport(formats::SnapshotReader& reader, const ExportOptions& options)
+        : reader_(reader), options_(options), folder_(options.vtk) {}
+
+    Json run(ProgressPrinter& progress) {
+        makeFolder(options_.vtk);
+        const std::vector<std::size_t> frames = chosen(reader_, options_.every);
+        for (const std::size_t k : frames) {
+            if (isLarge()) writeLists();
+            if (stopped() || !exportFrame(k)) break;
+            progress.show(
+                {"export", static_cast<double>(blocks_.size()) / static_cast<double>(frames.size()), ""});
+        }
+        writeLists();
+        return facts();
+    }
+
+ private:
+    using Files = std::vector<std::pair<double, std::string>>;
+
+    bool isLarge() const {
+        constexpr std::size_t kLarge = 2000;  // blocks: some hundredths of a second a frame
+        return reader_.header().names.size() > kLarge;
+    }
+
+    Json facts() const {
+        return {
+            {"folder", options_.vtk}, {"block_files", blocks_.size()}, {"contact_files", contacts_.size()}};
+    }
+
+    void writeLists() {
+        writeFile(folder_ / "blocks.pvd", formats::pvdSeries(blocks_));
+        writeFile(folder_ / "contacts.pvd", formats::pvdSeries(contacts_));
+    }
+
+    /// False when it is stopped.
+    bool exportFrame(std::size_t k) {
+        const double time = reader_.frames()[k].time;
+        const auto blocks = [&] { return formats::vtpBlocks(reader_.header(), valueOf(reader_.frame(k))); };
+        if (!write(time, numbered("blocks", k), blocks, blocks_)) return false;
+        if (!reader_.frames()[k].full) return true;
+        if (isLarge()) writeLists();
+        const auto contacts = [&] {
+            return formats::vtpContacts(valueOf(reader_.full(*reader_.frames()[k].full)));
+        };
+        return write(time, numbered("contacts", k), contacts, contacts_);
+    }
+
+    template <class Make>
+    bool write(double time, const std::string& name, const Make& make, Files& files) {
+        std::string bytes;
+        {
+            std::optional<EndsAtOnce> making;
+            if (isLarge()) making.emplace(onStdout(), "interrupted: only what was finished is exported\n");
+            if (stopped()) return false;
+            bytes = make();
+        }
+        if (!writeFile(folder_ / name, bytes, &stopRequested())) return false;
+        files.emplace_back(time, name);
+        return true;
+    }
+
+    /// What is told when it ends at once.
+    std::string onStdout() const {
+        const Json json = {{"frames", reader_.frames().size()}, {"vtk", facts()}, {"interrupted", true}};
+        return options_.common.json ? json.dump(2) + "\n" : vtkText(json["vtk"]);
+    }
+
+    formats::SnapshotReader& reader_;
+    const ExportOptions& options_;
+    std::filesystem::path folder_;
+    Files blocks_{}, contacts_{};
+};
 
 /// One row a frame and block.
 Json exportCsv(formats::SnapshotReader& reader, const ExportOptions& options) {
@@ -76,19 +136,23 @@ Json exportCsv(formats::SnapshotReader& reader, const ExportOptions& options) {
     Table table;
     table.columns = {"frame", "time_s", "block",  "x_m",    "y_m",    "z_m",    "dx_m",   "dy_m",
                      "dz_m",  "vx_m_s", "vy_m_s", "vz_m_s", "rx_deg", "ry_deg", "rz_deg", "failure_role"};
-    for (const std::size_t k : chosen(reader, options.every)) {
-        const LightFrame frame = valueOf(reader.frame(k));
-        const std::vector<FailureMode> roles = formats::failureRoles(header, frame);
-        for (std::size_t b = 0; b < header.names.size(); ++b) {
-            const Vec3 moved = get(frame.displacement, b), x = get(header.geometry.centroid, b) + moved;
-            const Vec3 v = get(frame.velocity, b), r = get(frame.rotation, b) / kDegree;
-            table.rows.push_back({k, number(frame.time), header.names[b], number(x.x()), number(x.y()),
-                                  number(x.z()), number(moved.x()), number(moved.y()), number(moved.z()),
-                                  number(v.x()), number(v.y()), number(v.z()), number(r.x()), number(r.y()),
-                                  number(r.z()), toString(roles[b])});
+    const std::string rows = [&] {
+        const EndsAtOnce reading = whileReading(options.file, options.common);
+        for (const std::size_t k : chosen(reader, options.every)) {
+            const LightFrame frame = valueOf(reader.frame(k));
+            const std::vector<FailureMode> roles = formats::failureRoles(header, frame);
+            for (std::size_t b = 0; b < header.names.size(); ++b) {
+                const Vec3 moved = get(frame.displacement, b), x = get(header.geometry.centroid, b) + moved;
+                const Vec3 v = get(frame.velocity, b), r = get(frame.rotation, b) / kDegree;
+                table.rows.push_back({k, number(frame.time), header.names[b], number(x.x()), number(x.y()),
+                                      number(x.z()), number(moved.x()), number(moved.y()), number(moved.z()),
+                                      number(v.x()), number(v.y()), number(v.z()), number(r.x()),
+                                      number(r.y()), number(r.z()), toString(roles[b])});
+            }
         }
-    }
-    writeFile(options.csv, table.csv());
+        return table.csv();
+    }();
+    writeFile(options.csv, rows);
     return {{"file", options.csv}, {"rows", table.rows.size()}};
 }
 
@@ -100,7 +164,11 @@ Json exportFrame(formats::SnapshotReader& reader, const ExportOptions& options, 
     const std::string path = !options.output.empty() ? options.output
                                                      : std::filesystem::path(options.file).stem().string() +
                                                            "-" + std::to_string(frame) + ending;
-    writeFile(path, bytes(reader.header(), valueOf(reader.frame(frame))));
+    const std::string content = [&] {
+        const EndsAtOnce reading = whileReading(options.file, options.common);
+        return bytes(reader.header(), valueOf(reader.frame(frame)));
+    }();
+    writeFile(path, content);
     return {{"file", path}, {"frame", frame}};
 }
 
@@ -131,12 +199,15 @@ int exportSnapshot(const ExportOptions& options) {
     if (!options.csv.empty()) requireEnding("--csv", options.csv, {".csv"});
     if (!options.output.empty())
         requireEnding("--output", options.output, {options.stl.empty() ? ".ply" : ".stl"});
-    formats::SnapshotReader reader = openSnapshot(options.file);
+    formats::SnapshotReader reader = [&] {
+        const EndsAtOnce reading = whileReading(options.file, options.common);
+        return openSnapshot(options.file);
+    }();
     for (const std::string& fault : reader.faults())
         note(options.common, "note: " + options.file + ": " + fault);
     ProgressPrinter progress(options.common, Fraction::of_time);
     Json json = {{"frames", reader.frames().size()}};
-    if (!options.vtk.empty()) json["vtk"] = exportVtk(reader, options, progress);
+    if (!options.vtk.empty()) json["vtk"] = VtkExport(reader, options).run(progress);
     if (!options.csv.empty() && !stopped()) json["csv"] = exportCsv(reader, options);
     if (!options.stl.empty() && !stopped())
         json["stl"] = exportFrame(reader, options, options.stl, ".stl", formats::stlBlocks);
@@ -149,14 +220,12 @@ int exportSnapshot(const ExportOptions& options) {
         printJson(json);
     } else {
         std::string lines;
-        if (json.contains("vtk"))
-            lines += json["vtk"]["block_files"].dump() + " frames and " +
-                     json["vtk"]["contact_files"].dump() + " sets of contacts in " + options.vtk +
-                     " (open blocks.pvd and contacts.pvd)\n";
+        if (json.contains("vtk")) lines += vtkText(json["vtk"]);
         if (json.contains("csv")) lines += json["csv"]["rows"].dump() + " rows in " + options.csv + "\n";
         for (const char* kind : {"stl", "ply", "gltf"})
             if (json.contains(kind)) lines += "blocks in " + json[kind]["file"].get<std::string>() + "\n";
-        printText(lines);
+        printResult(lines);
+        if (stopped()) note(options.common, "interrupted: only what was finished is exported");
     }
     return stopped() ? kInterrupted : kDone;
 }

@@ -83,8 +83,8 @@ std::string tableText(const Table& table) {
 }
 
 int inspect(const InspectOptions& options) {
-    formats::SnapshotReader reader = openSnapshot(options.file);
     const EndsAtOnce reading = whileReading(options.file, options.common);
+    formats::SnapshotReader reader = openSnapshot(options.file);
     const View view = viewOf(reader, options);
     for (const std::string& fault : reader.faults())
         note(options.common, "note: " + options.file + ": " + fault);
@@ -96,7 +96,8 @@ int inspect(const InspectOptions& options) {
     } else if (options.csv) {
         printText(view.table.csv());
     } else {
-        printText(view.title + "\n" + factsText(view.facts) + tableText(view.table));
+        printResult(view.title + "\n" + factsText(view.facts));
+        printText(tableText(view.table));
     }
     const bool unsound = options.verify && !view.facts.at("sound").get<bool>();
     return unsound ? kBadInput : kDone;

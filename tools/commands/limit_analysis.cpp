@@ -3,6 +3,7 @@
 #include "talus/limit_analysis.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -41,9 +42,15 @@ std::string answerText(const LimitOptions& options, const LimitResult& result) {
             return "none: no forces balance the loads at the start";
         case SearchStatus::stable_to_stop:
             return "none: forces balance the loads up to " + say(result.lower);
-        default:
+        case SearchStatus::interrupted:
+            break;
+        case SearchStatus::undecided:
             return "undecided";
     }
+    const std::string least = std::isfinite(result.lower) ? "at least " + say(result.lower) : "";
+    const std::string most = std::isfinite(result.upper) ? "at most " + say(result.upper) : "";
+    if (least.empty() && most.empty()) return "interrupted before anything was known";
+    return "interrupted; so far: " + least + (least.empty() || most.empty() ? "" : ", ") + most;
 }
 
 std::string row(std::string label, const std::string& content) {
@@ -90,7 +97,7 @@ int analyse(const LimitOptions& options) {
         if (kept) json["kept_mechanism"] = keptMechanismJson(*kept);
         printJson(json);
     } else {
-        printText(toText(options, result) + (kept ? row("mechanism", keptMechanismText(*kept)) : ""));
+        printResult(toText(options, result) + (kept ? row("mechanism", keptMechanismText(*kept)) : ""));
     }
     return kept && kept->exit_code != kDone ? kept->exit_code : exitCode(result.status);
 }

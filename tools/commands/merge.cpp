@@ -70,9 +70,9 @@ int merge(const MergeOptions& options) {
                    {"results", folder + "/results.csv"},
                    {"page", folder + "/report.html"}});
     else
-        printText(std::to_string(runs.size()) + " of " + std::to_string(all.info.runs) + " runs" +
-                  (failed ? ", " + std::to_string(failed) + " of them failed" : "") + ", report in " +
-                  folder + "/report.html\n");
+        printResult(std::to_string(runs.size()) + " of " + std::to_string(all.info.runs) + " runs" +
+                    (failed ? ", " + std::to_string(failed) + " of them failed" : "") + ", report in " +
+                    folder + "/report.html\n");
     return missing > 0 || failed > 0 ? kUndecided : kDone;
 }
 

@@ -48,8 +48,8 @@ int writePage(formats::SnapshotReader& reader, const ReplayOptions& options) {
                    {"bytes", page.size()},
                    {"frames_in_file", reader.frames().size()}});
     } else {
-        printText(options.output + ": " + text(static_cast<double>(page.size()) / 1e6, 2) +
-                  " MB, opens in any browser, also without a network\n");
+        printResult(options.output + ": " + text(static_cast<double>(page.size()) / 1e6, 2) +
+                    " MB, opens in any browser, also without a network\n");
     }
     return kDone;
 }
@@ -70,7 +70,8 @@ int showCourse(formats::SnapshotReader& reader, const ReplayOptions& options) {
                        std::to_string(reader.header().names.size()) + " blocks, " +
                        std::to_string(reader.frames().size()) + " frames, " +
                        (end ? end->ended : "not finished: still running, or killed") + "\n\n";
-    printText(head + courseText(view.table, options.rows, terminalSpeaksUnicode()));
+    printResult(head);
+    printText(courseText(view.table, options.rows, terminalSpeaksUnicode()));
     return kDone;
 }
 
@@ -113,11 +114,11 @@ int verify(formats::SnapshotReader& reader, const ReplayOptions& options) {
                     text(stretch.from, 6) + " s to " + text(stretch.to, 6) + " s: " + stretch.fault + "\n";
         const std::string what = std::to_string(found.frames) + " frames in " +
                                  std::to_string(found.stretches.size()) + " stretches computed again: ";
-        printText(options.file + ": " + what +
-                  (found.interrupted ? "interrupted\n"
-                   : found.equal()   ? "every state hash is the same\n"
-                                     : "they differ\n") +
-                  lines);
+        printResult(options.file + ": " + what +
+                    (found.interrupted ? "interrupted\n"
+                     : found.equal()   ? "every state hash is the same\n"
+                                       : "they differ\n") +
+                    lines);
     }
     return found.interrupted ? kInterrupted : found.equal() ? kDone : kBadInput;
 }

@@ -55,14 +55,17 @@ std::string drainsText(const Model& model) {
 
 std::string toText(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
                    const RunRecorder& recorder) {
-    std::string lines = (options.resume.empty() ? options.scenario.name() : options.resume) + ": " +
-                        (result.interrupted ? "interrupted after " : "") + text(result.simulated_seconds, 6) +
-                        " s simulated in " + std::to_string(result.steps) + " steps of " +
-                        text(result.time_step * 1e6, 4) + " us, " + text(result.wall_seconds, 2) + " s\n" +
-                        std::to_string(result.blocks) + " blocks, " + std::to_string(result.interfaces) +
-                        " interfaces, " + std::to_string(result.contact_points) + " contact points\n" +
-                        "kinetic energy " + text(result.kinetic_energy, 9) + " J, state hash " +
-                        hashText(result.state_hash) + "\n";
+    const std::string name = options.resume.empty() ? options.scenario.name() : options.resume;
+    if (!result.began)
+        return name + ": interrupted before the run began" + (options.resume.empty() ? ", " : " again, ") +
+               text(result.wall_seconds, 2) + " s; nothing more is written\n";
+    std::string lines =
+        name + ": " + (result.interrupted ? "interrupted after " : "") + text(result.simulated_seconds, 6) +
+        " s simulated in " + std::to_string(result.steps) + " steps of " + text(result.time_step * 1e6, 4) +
+        " us, " + text(result.wall_seconds, 2) + " s\n" + std::to_string(result.blocks) + " blocks, " +
+        std::to_string(result.interfaces) + " interfaces, " + std::to_string(result.contact_points) +
+        " contact points\n" + "kinetic energy " + text(result.kinetic_energy, 9) + " J, state hash " +
+        hashText(result.state_hash) + "\n";
     if (options.resume.empty()) lines += describe(result.start);
     lines += drainsText(scenario.model);
     for (const BlockReport& block : result.watch)
@@ -107,14 +110,15 @@ int runScenario(const Options& all) {
         runRecorded(scenario, resumed ? &resumed->from : nullptr, recorder,
                     controlOf(options.common, progress), all.report.empty() ? nullptr : &watch);
     progress.finish();
-    if (!all.report.empty())
+    const bool has_page = !all.report.empty() && result.began;
+    if (has_page)
         writeFile(all.report,
                   reportPage(watch.report(scenario, result, provenance(options.common, scenario.path))));
     if (options.common.json) {
         printJson(runJson(options, scenario, result, recorder));
     } else {
-        printText(toText(options, scenario, result, recorder) +
-                  (all.report.empty() ? "" : "page in " + all.report + "\n"));
+        printResult(toText(options, scenario, result, recorder) +
+                    (has_page ? "page in " + all.report + "\n" : ""));
     }
     return result.interrupted ? kInterrupted : kDone;
 }

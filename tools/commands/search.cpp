@@ -31,7 +31,7 @@ int find(const LoadSearch& search, const SearchOptions& options) {
     if (options.common.json) {
         printJson(searchJson(report));
     } else {
-        printText(searchText(report, options.verbose));
+        printResult(searchText(report, options.verbose));
     }
     return exitCode(report);
 }

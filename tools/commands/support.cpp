@@ -29,7 +29,7 @@ int design(const SupportOptions& options) {
     if (options.common.json)
         printJson(supportDesignJson(options.question, found, scenario, options.common));
     else
-        printText(supportDesignText(options.question, found, scenario));
+        printResult(supportDesignText(options.question, found, scenario));
     return exitCode(found);
 }
 

@@ -29,11 +29,11 @@ int ofScenario(const Common& common, const ScenarioInput& input) {
                    {"applies_because", prediction ? Json(prediction->applies_because) : Json(nullptr)},
                    {"provenance", provenance(common, path)}});
     } else if (prediction) {
-        printText(path + ": critical angle " + text(degrees(prediction->critical_tilt), 4) + " deg, " +
-                  (prediction->topples ? "toppling" : "sliding") + "\n" + prediction->formula + "\n" +
-                  "applies because: " + prediction->applies_because + "\n");
+        printResult(path + ": critical angle " + text(degrees(prediction->critical_tilt), 4) + " deg, " +
+                    (prediction->topples ? "toppling" : "sliding") + "\n" + prediction->formula + "\n" +
+                    "applies because: " + prediction->applies_because + "\n");
     } else {
-        printText(path + ": no closed formula applies\n");
+        printResult(path + ": no closed formula applies\n");
     }
     return kDone;
 }

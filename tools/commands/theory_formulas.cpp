@@ -55,7 +55,7 @@ int print(const Common& common, const std::vector<Figure>& figures, const std::s
     for (const Figure& figure : figures)
         lines += figure.words + ": " + text(figure.value, 4) +
                  (figure.unit.empty() ? "" : " " + figure.unit) + "\n";
-    printText(lines);
+    printResult(lines);
     return kDone;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/json.h"
+#include "cli/progress.h"
 #include "cli/provenance.h"
 #include "cli/scenario.h"
 #include "cli/text.h"
@@ -57,14 +58,16 @@ int validate(const ValidateOptions& options) {
     const EndsAtOnce checking = whileReading(options.scenario.name(), options.common);
     formats::Scenario scenario = loadScenario(options.scenario, options.common);
     ModelCheck found;
-    const std::vector<Error> errors = checkModel(scenario.model, options.common.threads, &found);
+    ProgressPrinter progress(options.common);
+    const std::vector<Error> errors = checkModel(scenario.model, controlOf(options.common, progress), &found);
+    progress.finish();
     if (!errors.empty()) throw BadInput(formats::placed(scenario, errors));
     for (std::string& doubt : found.warnings) {
         note(options.common, "warning: " + options.scenario.name() + ": " + doubt);
         scenario.warnings.push_back(std::move(doubt));
     }
     if (!options.common.json) {
-        printText(summary(options.scenario.name(), scenario.model, found));
+        printResult(summary(options.scenario.name(), scenario.model, found));
         return kDone;
     }
     Json json{{"ok", true}, {"errors", Json::array()}};

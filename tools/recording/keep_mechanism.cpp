@@ -29,7 +29,7 @@ struct Start {
 
 Start startOf(Model model) {
     model.run.start = RunSettings::Start::unstressed;  // nothing is to be found before the first frame
-    const std::atomic<bool> stop{true};
+    std::atomic<bool> stop{false};
     Control control;
     control.stop = &stop;
     Start start;
@@ -37,6 +37,7 @@ Start startOf(Model model) {
     output.begin = [&](const RunGeometry& geometry) { start.geometry = geometry; };
     output.light = [&](LightFrame&& frame) {
         if (frame.time == 0) start.frame = std::move(frame);
+        stop = true;
     };
     valueOf(run(model, control, output));
     return start;

@@ -9,11 +9,13 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "talus/analysis.h"
 #include "talus/model.h"
 #include "talus/polyhedron.h"
 #include "talus/result.h"
@@ -70,7 +72,8 @@ struct RockMass {
     bool refuse_slivers = false;  ///< a cut that would leave a thinner part is an error, not left out
     std::uint64_t seed = 1;
     std::size_t max_blocks = 2'000'000;
-    const std::atomic<bool>* stop = nullptr;  ///< set it to end the cutting early, with an error
+    const std::atomic<bool>* stop = nullptr;          ///< set it to end the cutting early, with an error
+    std::function<void(const Progress&)> progress{};  ///< told how far the cutting has come
     std::string field = "rock_mass";
 };
 

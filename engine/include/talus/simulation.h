@@ -69,6 +69,7 @@ struct RunResult {
     std::vector<Supports> supports;
     std::vector<Vec3> displacements;  ///< of each block's centroid since the start [m]
     bool interrupted = false;
+    bool began = true;  ///< false: interrupted on the way to its start, and nothing was handed out
     std::vector<std::string> warnings;  ///< what left the valid range, if anything did
 };
 
@@ -119,7 +120,7 @@ struct BlockView {
 /// bits, and it goes on behind `run.duration`.
 class Simulation {
  public:
-    /// Builds the model and brings it to its start. Errors: those of the model.
+    /// Builds the model and brings it to its start. Errors: those of the model; that it was stopped on the way.
     static Result<Simulation> begin(std::shared_ptr<const Model> model, const Control& control = {});
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
@@ -154,7 +155,7 @@ struct ModelCheck {
 
 /// Checks what needs geometry: blocks that overlap, water on faces that are not there, pairs that do not touch.
 /// Empty when the model can be built. \param found  if given, takes what was found on the way
-std::vector<Error> checkModel(const Model& model, int threads = 1, ModelCheck* found = nullptr);
+std::vector<Error> checkModel(const Model& model, const Control& control = {}, ModelCheck* found = nullptr);
 
 /// Two blocks that share at least one interface at the start, and the joint between them.
 struct TouchingPair {

@@ -186,7 +186,8 @@ class Continuation {
     void goOn() {
         advance(state_, {failure_.time_step, parallel_}, kStepsPerLook);
         failure_.steps += kStepsPerLook;
-        if (refreshInterfaces(state_, parallel_, kStepsPerLook * failure_.time_step) && is_scaled_)
+        if (refreshInterfaces(state_, parallel_, kStepsPerLook * failure_.time_step, control_.stop) &&
+            is_scaled_)
             scaleStiffest(state_, frequencyBounds(state_, parallel_), cap_);
         measure();
         const double energy = kineticEnergy(state_);

@@ -12,6 +12,7 @@
 #include "contacts/update.h"
 #include "forces/contact_forces.h"
 #include "state/block_motion.h"
+#include "state/caller.h"
 
 namespace talus::analysis {
 namespace {
@@ -70,7 +71,7 @@ struct Poses {
 /// Where the same model comes to rest with joints that hold.
 std::optional<Poses> findHeld(Model model, const Control& control, bool parallel) {
     for (Joint& joint : model.joints) joint = holding(std::move(joint), kHeldStrength);
-    Result<State> held = buildState(std::move(model), parallel);
+    Result<State> held = buildState(std::move(model), parallel, control);
     if (!held || !comesToRest(*held, control, parallel)) return std::nullopt;
     return Poses{std::move(held->blocks.position), std::move(held->blocks.orientation)};
 }
@@ -98,10 +99,13 @@ InitialState bringToStart(State& state, const Control& control, bool parallel) {
         return InitialState::equilibrium;
     }
     // Built anew rather than kept as a copy, and one state at a time: of a million blocks each takes two gigabytes.
+    if (isStopped(control)) return InitialState::unstressed;
     state = {};
-    const bool interrupted = control.stop != nullptr && *control.stop;
-    std::optional<Poses> held = interrupted ? std::nullopt : findHeld(*model, control, parallel);
-    state = *buildState(model, parallel);
+    std::optional<Poses> held = findHeld(*model, control, parallel);
+    if (isStopped(control)) return InitialState::unstressed;
+    Result<State> anew = buildState(model, parallel, control);
+    if (!anew) return InitialState::unstressed;
+    state = *std::move(anew);
     if (!held) return InitialState::unstressed;
     state.blocks.position = std::move(held->position);
     state.blocks.orientation = std::move(held->orientation);

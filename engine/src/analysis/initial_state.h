@@ -16,7 +16,8 @@ bool touchesSomething(const State& state, std::size_t block);
 ///  - equilibrium: at rest under its weight, with the strengths it has;
 ///  - held: there is no such equilibrium; at rest with joints that do not give way, and let go at time 0;
 ///  - unstressed: as built, when asked for, without gravity, or when a free block touches nothing.
-/// Velocities and time are those of the start afterwards. May be interrupted: then the state is as built.
+/// Velocities and time are those of the start afterwards. Once it was asked to stop the state is to be thrown away: building
+/// it anew would take as long as it took before.
 /// \pre the state is as `buildState` gives it
 InitialState bringToStart(State& state, const Control& control, bool parallel);
 

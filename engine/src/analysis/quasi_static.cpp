@@ -302,7 +302,8 @@ void takeSteps(State& state, QuasiStaticWork& work, Probe& probe, const SetLoad&
     advance(state, {work.time_step, work.parallel}, kStepsPerSample, set_load);
     probe.steps += kStepsPerSample;
     work.steps += kStepsPerSample;
-    if (refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step)) fitToContacts(state, work);
+    if (refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step, work.control->stop))
+        fitToContacts(state, work);
 }
 
 /// Where a probe begins.

@@ -20,6 +20,7 @@
 #include "law/joint_laws.h"
 #include "measure/measure.h"
 #include "state/block_motion.h"
+#include "state/caller.h"
 #include "state/incidence.h"
 #include "step/energy_keeper.h"
 #include "step/step.h"
@@ -89,21 +90,25 @@ class TimeHistory {
           parallel_(parallel),
           settings_(state_.geometry->model.run),
           watched_(watchedBlocks(state_.geometry->model)) {
-        if (output_.begin) output_.begin(geometryOf(state_));
+        if (output_.begin) geometry_ = geometryOf(state_);
     }
 
-    void start() {
+    /// False when it was stopped on the way: then there is no state to go on from.
+    bool start() {
         progress_.step_safety = expectsImpacts(state_) ? kImpactStepSafety : kStepSafety;
         if (control_.progress) control_.progress({"start", 0.0, "weight and water are put on"});
         start_ = analysis::bringToStart(state_, control_, parallel_);
+        if (isStopped(control_)) return false;
         state_.springs = Springs::keep_energy;
         shake();
         chooseTimeStep();
         beginFrames();
+        return true;
     }
 
     /// Goes on from a frame that was handed out after a whole step: nothing is computed anew.
     std::vector<Error> resume(const FullFrame& frame) {
+        sayBegun();
         progress_ = frame.progress;
         if (!std::isfinite(progress_.next_frame) || !(progress_.time_step > 0) ||
             !(progress_.step_safety > 0) || !(progress_.time_step < kInfinity) || progress_.frames < 1)
@@ -223,7 +228,13 @@ class TimeHistory {
 
     void shake() { state_.load.shaken = !state_.geometry->model.ground_motion.empty(); }
 
+    /// Not before there is a state to begin with: what is interrupted on the way leaves no file that holds nothing.
+    void sayBegun() {
+        if (output_.begin && geometry_) output_.begin(*std::exchange(geometry_, std::nullopt));
+    }
+
     void beginFrames() {
+        sayBegun();
         updateForces(state_, parallel_);
         progress_.next_frame = settings_.frame_interval;
         progress_.frames = 1;
@@ -240,9 +251,7 @@ class TimeHistory {
     }
 
     bool interrupted() {
-        if (state_.step % kStepsPerLook == 0 && control_.stop != nullptr &&
-            control_.stop->load(std::memory_order_relaxed))
-            interrupted_ = true;
+        if (state_.step % kStepsPerLook == 0 && isStopped(control_)) interrupted_ = true;
         return interrupted_;
     }
 
@@ -380,6 +389,7 @@ class TimeHistory {
     bool parallel_;
     const RunSettings& settings_;
     std::vector<std::size_t> watched_;
+    std::optional<RunGeometry> geometry_{};  // until it is handed out
     RunProgress progress_;
     InitialState start_ = InitialState::unstressed;
     std::int64_t last_light_ = -1, last_full_ = -1;  // steps at which they were handed out
@@ -401,19 +411,40 @@ std::vector<Error> look(State& built, bool parallel) {
     return {};
 }
 
-/// Builds the model, lets `begin` put its history at its start, and runs it.
+/// Of a run that did not get to its start, or not to where it was to go on.
+RunResult notBegun(const Model& model, const FullFrame* resume) {
+    RunResult result;
+    if (resume != nullptr) {
+        result.steps = resume->step;
+        result.simulated_seconds = resume->time;
+        result.state_hash = resume->state_hash;
+    }
+    result.blocks = model.blocks.size();
+    result.displacements.assign(model.blocks.size(), Vec3::Zero());
+    result.interrupted = true;
+    result.began = false;
+    return result;
+}
+
+/// Builds the model, lets `begin` put its history at its start, and runs it. `begin` says what is wrong, and whether it was
+/// stopped.
 template <class Begin>
 Result<RunResult> history(const Model& model, const Control& control, const RunOutput& output,
-                          const Begin& begin) {
+                          const Begin& begin, const FullFrame* resume = nullptr) {
     return analysis::inArena(control.threads, [&]() -> Result<RunResult> {
         const auto started = std::chrono::steady_clock::now();
-        Result<State> built = buildState(keptByCaller(model), control.threads != 1);
-        if (!built) return built.errors();
-        const bool parallel = analysis::worthThreads(*built, control.threads);
-        if (std::vector<Error> errors = look(*built, parallel); !errors.empty()) return errors;
-        TimeHistory history(std::move(*built), control, output, parallel);
-        if (std::vector<Error> errors = begin(history); !errors.empty()) return errors;
-        Result<RunResult> result = history.run();
+        Result<RunResult> result = [&]() -> Result<RunResult> {
+            Result<State> built = buildState(keptByCaller(model), control.threads != 1, control);
+            if (isStopped(control)) return notBegun(model, resume);
+            if (!built) return built.errors();
+            const bool parallel = analysis::worthThreads(*built, control.threads);
+            if (std::vector<Error> errors = look(*built, parallel); !errors.empty()) return errors;
+            if (isStopped(control)) return notBegun(model, resume);
+            TimeHistory history(std::move(*built), control, output, parallel);
+            const auto [errors, stopped] = begin(history);
+            if (!errors.empty()) return errors;
+            return stopped ? notBegun(model, resume) : history.run();
+        }();
         if (result)
             result->wall_seconds =
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
@@ -425,17 +456,21 @@ Result<RunResult> history(const Model& model, const Control& control, const RunO
 
 Result<RunResult> run(const Model& model, const Control& control, const RunOutput& output,
                       const FullFrame* resume) {
-    return history(model, control, output, [&](TimeHistory& history) {
-        if (resume != nullptr) return history.resume(*resume);
-        history.start();
-        return std::vector<Error>{};
-    });
+    return history(
+        model, control, output,
+        [&](TimeHistory& history) {
+            if (resume != nullptr) return std::pair(history.resume(*resume), false);
+            const bool stopped = !history.start();
+            return std::pair(std::vector<Error>{}, stopped);
+        },
+        resume);
 }
 
 Result<RunResult> runFailing(const Model& model, const Control& control, const RunOutput& output,
                              const FullFrame& failing, double far_enough) {
-    return history(model, control, output,
-                   [&](TimeHistory& history) { return history.startFailing(failing, far_enough); });
+    return history(model, control, output, [&](TimeHistory& history) {
+        return std::pair(history.startFailing(failing, far_enough), false);
+    });
 }
 
 struct Simulation::History {
@@ -455,12 +490,12 @@ Simulation::~Simulation() = default;
 Result<Simulation> Simulation::begin(std::shared_ptr<const Model> model, const Control& control) {
     auto history = std::make_unique<History>(std::move(model), control);
     const std::vector<Error> errors = analysis::inArena(control.threads, [&]() -> std::vector<Error> {
-        Result<State> built = buildState(keptByCaller(*history->model), control.threads != 1);
+        Result<State> built = buildState(keptByCaller(*history->model), control.threads != 1, control);
         if (!built) return built.errors();
         const bool parallel = analysis::worthThreads(*built, control.threads);
         if (std::vector<Error> errors = look(*built, parallel); !errors.empty()) return errors;
         history->taken.emplace(std::move(*built), history->control, history->output, parallel);
-        history->taken->start();
+        if (!history->taken->start()) return {{"", "interrupted before the history began"}};
         return {};
     });
     if (!errors.empty()) return errors;
@@ -507,13 +542,14 @@ const char* toString(InitialState start) {
     return "unstressed";
 }
 
-std::vector<Error> checkModel(const Model& model, int threads, ModelCheck* found) {
-    return analysis::inArena(threads, [&]() {
-        const Result<State> built = buildState(keptByCaller(model), threads != 1);
+std::vector<Error> checkModel(const Model& model, const Control& control, ModelCheck* found) {
+    return analysis::inArena(control.threads, [&]() {
+        const bool threads = control.threads != 1;
+        const Result<State> built = buildState(keptByCaller(model), threads, control);
         if (!built) return built.errors();
         if (found) {
             const ContactCount contacts = countContacts(built->interfaces);
-            *found = {analysis::doubtsOfHistory(*built, threads != 1), contacts.interfaces, contacts.points,
+            *found = {analysis::doubtsOfHistory(*built, threads), contacts.interfaces, contacts.points,
                       built->interfaces.size() - contacts.interfaces};
         }
         return analysis::implausible(*built);

@@ -14,6 +14,7 @@
 #include "analysis/water_warnings.h"
 #include "build/build.h"
 #include "law/joint_laws.h"
+#include "state/caller.h"
 
 namespace talus::analysis {
 namespace {
@@ -24,10 +25,6 @@ constexpr double kMorePatience = 3.0;
 
 bool claimsFailure(const SearchResult& result) {
     return result.status == SearchStatus::found || result.status == SearchStatus::unstable_at_start;
-}
-
-bool stopped(const Control& control) {
-    return control.stop != nullptr && control.stop->load(std::memory_order_relaxed);
 }
 
 /// A failure that the continuation with true inertia does not bear out was one of the numbers (contacts that chatter
@@ -42,16 +39,16 @@ Outcome searchConfirmed(const State& state, const LoadAxis& axis, const Control&
         result.steps += steps;
         result.factors += factors;
         if (!claimsFailure(result) || result.confirmed) return outcome;
+        if (isStopped(control)) {
+            result.status = SearchStatus::interrupted;
+            return {std::move(result), {}};
+        }
         if (!outcome.restless.empty() ||
             attempt == (result.status == SearchStatus::found ? kAttempts : kAttemptsAtStart)) {
             result.status = SearchStatus::undecided;
             result.warnings.push_back(
                 "the failing motion is not borne out by the continuation with true inertia");
             return {std::move(result), {}, std::move(outcome.restless)};
-        }
-        if (stopped(control)) {
-            result.status = SearchStatus::interrupted;
-            return {std::move(result), {}};
         }
         steps = result.steps;
         factors = result.factors;
@@ -97,7 +94,8 @@ class SearchOfTheRest {
     Result<SearchResult> run() {
         std::int64_t steps = 0;
         for (;;) {
-            Result<State> built = buildState(left(), control_.threads != 1);
+            Result<State> built = buildState(left(), control_.threads != 1, control_);
+            if (isStopped(control_)) return notBegun(steps);
             if (!built) return built.errors();
             const bool parallel = worthThreads(*built, control_.threads);
             std::vector<Error> errors = implausibleSearch(*built, axis_.imbalance_tolerance, parallel);
@@ -123,6 +121,17 @@ class SearchOfTheRest {
     }
 
  private:
+    /// Nothing is known.
+    SearchResult notBegun(std::int64_t steps) const {
+        SearchResult result;
+        result.status = SearchStatus::interrupted;
+        result.low = -kInfinity;
+        result.high = kInfinity;
+        result.blocks = model_.blocks.size();
+        result.steps = steps;
+        return named(std::move(result));
+    }
+
     SearchResult withRange(const State& built, bool parallel, SearchResult result) const {
         if (control_.most_points_of_range > 0)
             addHistoryRange(built, axis_, control_, settings_, parallel, result);
@@ -144,7 +153,7 @@ class SearchOfTheRest {
     /// Takes out what falls, counted in blocks that are left. False when there is nothing, or too much for loose
     /// blocks.
     bool letGo(const std::vector<std::size_t>& falling) {
-        if (falling.empty() || stopped(control_)) return false;
+        if (falling.empty() || isStopped(control_)) return false;
         std::vector<char> loose = loose_.empty() ? std::vector<char>(gone_.size(), 0) : loose_;
         std::size_t left = 0;
         auto next = falling.begin();
@@ -214,7 +223,7 @@ void addGroups(const Model& model, const LoadAxis& axis, const Control& control,
         std::count_if(model.blocks.begin(), model.blocks.end(),
                       [](const Block& block) { return block.motion == Motion::free; }));
     while (static_cast<int>(result.groups.size()) < control.groups && gone.size() < free &&
-           !stopped(control)) {
+           !isStopped(control)) {
         const Result<SearchResult> next = searchOfTheRest(model, axis, control, settings, gone);
         if (!next) return;
         result.steps += next->steps;

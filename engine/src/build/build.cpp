@@ -8,6 +8,7 @@
 #include "contacts/update.h"
 #include "forces/sum.h"
 #include "law/joint_laws.h"
+#include "state/caller.h"
 
 namespace talus {
 namespace {
@@ -108,18 +109,21 @@ std::shared_ptr<const Model> keptByCaller(const Model& model) {
     return {std::shared_ptr<const Model>(), &model};
 }
 
-Result<State> buildState(Model model, bool parallel) {
-    return buildState(std::make_shared<const Model>(std::move(model)), parallel);
+Result<State> buildState(Model model, bool parallel, const Control& control) {
+    return buildState(std::make_shared<const Model>(std::move(model)), parallel, control);
 }
 
-Result<State> buildState(std::shared_ptr<const Model> description, bool parallel) {
+Result<State> buildState(std::shared_ptr<const Model> description, bool parallel, const Control& control) {
     State state;
     auto geometry = std::make_shared<Geometry>(std::move(description));
     const Model& model = geometry->model;
     std::vector<Error> errors;
     if (model.blocks.empty()) return Error{"", "there are no blocks"};
     geometry->origin = originFor(model);
-    for (const Block& block : model.blocks) addBlock(block, state, *geometry, errors);
+    for (const Block& block : model.blocks) {
+        if (isStopped(control)) return Error{"", "interrupted while it was built"};
+        addBlock(block, state, *geometry, errors);
+    }
     if (!errors.empty()) return errors;
 
     const std::size_t n = state.blocks.size();
@@ -139,7 +143,7 @@ Result<State> buildState(std::shared_ptr<const Model> description, bool parallel
                                             [](const Joint& joint) { return joint.restitution_normal < 1; });
     state.drained.assign(model.waters.size(), 0);
 
-    errors = findInterfaces(state, true, parallel);
+    errors = findInterfaces(state, true, parallel, control);
     if (!errors.empty()) return errors;
     errors = buildBlockForces(state);
     if (!errors.empty()) return errors;

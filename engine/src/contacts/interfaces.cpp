@@ -15,6 +15,7 @@
 #include "forces/contact_forces.h"
 #include "forces/water.h"
 #include "law/points.h"
+#include "state/caller.h"
 #include "state/incidence.h"
 #include "state/point_layout.h"
 
@@ -183,13 +184,14 @@ bool suitsRule(const State& state, const FacePair& pair) {
 struct SearchRemarks {
     std::vector<PairFinding> overlaps;  ///< without their faces
     std::vector<Error> grid{};          ///< the first patch that is no rectangle where the rule asks for one
+    bool stopped = false;
 };
 
 SearchRemarks appendInterfaces(State& state, const SearchRange& range, const PlacePairs& with_places,
-                               bool initial, bool parallel) {
+                               bool initial, bool parallel, const Control& control) {
     SearchRemarks remarks;
     InterfaceWindow window;
-    examinePairs(state, range, with_places, initial, parallel, [&](const PairFinding& finding) {
+    const auto take = [&](const PairFinding& finding) {
         if (finding.overlaps)
             remarks.overlaps.push_back({{},
                                         finding.block_a,
@@ -205,7 +207,8 @@ SearchRemarks appendInterfaces(State& state, const SearchRange& range, const Pla
             if (remarks.grid.empty()) window.add(state, {finding.block_a, finding.block_b, pair});
         }
         if (finding.may_meet_by_vertices) window.add(state, {finding.part_a, finding.part_b});
-    });
+    };
+    remarks.stopped = !examinePairs(state, range, with_places, initial, parallel, take, control);
     window.append(state);
     return remarks;
 }
@@ -224,14 +227,23 @@ std::vector<Error> touchErrors(const State& state) {
     return errors;
 }
 
+std::vector<Error> interrupted() { return {{"", "interrupted while its contacts were searched for"}}; }
+
 }  // namespace
 
-std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel) {
+std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel,
+                                  const Control& control) {
     const PlacePairs with_places = pairsWithPlaces(*state.geometry, state.interfaces);
     const std::vector<PairEnergy> held =
         state.springs == Springs::keep_energy ? energyOfPairs(contactsOf(state)) : std::vector<PairEnergy>{};
-    const OldInterfaces old = takeInterfaces(state);
-    const SearchRemarks remarks = appendInterfaces(state, {margin, ahead}, with_places, initial, parallel);
+    OldInterfaces old = takeInterfaces(state);
+    const SearchRemarks remarks =
+        appendInterfaces(state, {margin, ahead}, with_places, initial, parallel, control);
+    if (remarks.stopped) {
+        state.interfaces = std::move(old.interfaces);
+        state.points = std::move(old.points);
+        return interrupted();
+    }
     if (initial) {
         std::vector<Error> errors = overlapErrors(state, remarks.overlaps);
         if (errors.empty()) errors = remarks.grid;
@@ -244,6 +256,7 @@ std::vector<Error> makeInterfaces(State& state, double margin, double ahead, boo
         closeInitialInterfaces(state);
     else
         carried = carryOver(old, state, ahead);
+    if (initial && isStopped(control)) return interrupted();
     buildIncidence(state);
     renewVertexEdges(state, ahead, parallel, carried);
     if (state.springs == Springs::keep_energy) balanceEnergy(state, held);

@@ -9,6 +9,7 @@
 #include "contacts/vertex_edge_points.h"
 #include "geometry/separation.h"
 #include "state/block_motion.h"
+#include "state/caller.h"
 #include "state/incidence.h"
 #include "state/placed_shape.h"
 #include "state/range.h"
@@ -236,14 +237,20 @@ std::vector<BoxPair> nearPairs(const PlacedShapes& placed, double margin, bool p
 
 }  // namespace
 
-void examinePairs(const State& state, const SearchRange& range, const PlacePairs& with_places, bool initial,
-                  bool parallel, const std::function<void(const PairFinding&)>& take) {
+bool examinePairs(const State& state, const SearchRange& range, const PlacePairs& with_places, bool initial,
+                  bool parallel, const std::function<void(const PairFinding&)>& take,
+                  const Control& control) {
     constexpr std::size_t kPiece = 16384;
     assert(range.margin > 0 && range.ahead >= 0 && std::is_sorted(with_places.begin(), with_places.end()));
     const PlacedShapes placed = placeShapes(state, parallel);
+    if (isStopped(control)) return false;
     const std::vector<BoxPair> pairs = nearPairs(placed, range.margin, parallel);
     std::vector<PairFinding> findings;
     for (std::size_t begin = 0; begin < pairs.size(); begin += kPiece) {
+        if (isStopped(control)) return false;
+        if (control.progress)
+            control.progress({"contacts", static_cast<double>(begin) / static_cast<double>(pairs.size()),
+                              "between " + std::to_string(state.blocks.size()) + " blocks"});
         findings.assign(std::min(kPiece, pairs.size() - begin), {});
         forRange(findings.size(), 64, parallel, [&](Range piece) {
             for (std::size_t k = piece.begin; k < piece.end; ++k)
@@ -251,6 +258,7 @@ void examinePairs(const State& state, const SearchRange& range, const PlacePairs
         });
         for (const PairFinding& finding : findings) take(finding);
     }
+    return true;
 }
 
 }  // namespace talus

@@ -9,6 +9,7 @@
 #include "contacts/face_pairs.h"
 #include "contacts/neighbours.h"
 #include "state/arrays.h"
+#include "talus/analysis.h"
 
 namespace talus {
 
@@ -37,7 +38,9 @@ struct SearchRange {
 /// pieces: of a million blocks' thirteen million pairs all findings at once would take more memory than the state.
 /// \param with_places pairs that keep their places as long as they are near, sorted
 /// \param initial    whether the blocks stand as the model has them: then overlaps are looked for
-void examinePairs(const State& state, const SearchRange& range, const PlacePairs& with_places, bool initial,
-                  bool parallel, const std::function<void(const PairFinding&)>& take);
+/// \param control    told the share that is done; \return false when it asked to stop: then pairs are missing
+bool examinePairs(const State& state, const SearchRange& range, const PlacePairs& with_places, bool initial,
+                  bool parallel, const std::function<void(const PairFinding&)>& take,
+                  const Control& control = {});
 
 }  // namespace talus

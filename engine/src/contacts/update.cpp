@@ -84,13 +84,14 @@ bool haveSoundForces(const State& state) { return !isFinite(state) || areNone(va
 
 }  // namespace
 
-std::vector<Error> findInterfaces(State& state, bool initial, bool parallel) {
-    std::vector<Error> errors = makeInterfaces(state, searchMargin(state, 0.0), 0.0, initial, parallel);
+std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, const Control& control) {
+    std::vector<Error> errors =
+        makeInterfaces(state, searchMargin(state, 0.0), 0.0, initial, parallel, control);
     assert(!errors.empty() || isSound(state));
     return errors;
 }
 
-bool refreshInterfaces(State& state, bool parallel, double ahead) {
+bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop) {
     const double margin = searchMargin(state, ahead);
     const PlaceChanges changes = movedTooFar(state, margin) ? PlaceChanges{.places = false, .search = true}
                                                             : updateVertexEdges(state, ahead, parallel);
@@ -102,7 +103,9 @@ bool refreshInterfaces(State& state, bool parallel, double ahead) {
         assert(isSound(state));
         return false;
     }
-    makeInterfaces(state, margin, ahead, false, parallel);
+    Control control;
+    control.stop = stop;
+    if (!makeInterfaces(state, margin, ahead, false, parallel, control).empty()) return false;
     // Forces are there again before anything looks at them.
     if (state.springs == Springs::keep_energy) {
         updateSpringForces(state, parallel);

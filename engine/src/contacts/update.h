@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "state/arrays.h"
+#include "talus/analysis.h"
 #include "talus/result.h"
 
 namespace talus {
@@ -14,7 +15,8 @@ namespace talus {
 /// of faces carried and remember is handed on to its new ones.
 /// Reads:  poses, velocities, shapes, old interfaces and points
 /// Writes: interfaces, points, incidence, walls of water between two blocks, search poses and margin, shear_lost
-std::vector<Error> findInterfaces(State& state, bool initial, bool parallel);
+/// \param control  asked to stop: then that is the error, and of a state at its start nothing is to be used
+std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, const Control& control = {});
 
 /// Brings the contacts up to date for the next `ahead` seconds:
 ///  1. when a block has come so far that a contact could be missed, or a patch has slid or turned by more than a small share
@@ -28,8 +30,9 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel);
 /// Writes: 1: as findInterfaces, and the forces of contacts and water; 2: vertex and edge contacts, their points,
 /// incidence;
 ///         3: reference gaps, velocities, angular momenta; with Springs::keep_energy also forces on blocks
+/// Asked to stop while interfaces are found it leaves all as it was: then nothing may be computed further.
 /// With Springs::keep_energy no energy comes of 1 (contacts/energy_balance.h), and blocks have the force of what has changed.
 /// \return whether interfaces were found again: then time step and inertia may have to follow
-bool refreshInterfaces(State& state, bool parallel, double ahead);
+bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace talus

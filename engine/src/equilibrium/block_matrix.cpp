@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "state/caller.h"
+
 namespace talus::equilibrium {
 namespace {
 
@@ -44,10 +46,12 @@ void BlockMatrix::multiply(const Vec6s& x, Vec6s& y) const {
     }
 }
 
-BlockLu::BlockLu(const BlockMatrix& structure, simd::InstructionSet instructions)
-    : kernel_(simd::buildFor(instructions, kEliminateScalar, kEliminateAvx2, kEliminateAvx512)) {
+BlockLu::BlockLu(const BlockMatrix& structure, simd::InstructionSet instructions,
+                 const std::atomic<bool>* stop)
+    : kernel_(simd::buildFor(instructions, kEliminateScalar, kEliminateAvx2, kEliminateAvx512)), stop_(stop) {
     order(structure);
-    findStructure(structure);
+    has_structure_ = findStructure(structure);
+    if (!has_structure_) return;
     findPanels();
     findReach();
     placeEntries(structure);
@@ -77,7 +81,8 @@ void BlockLu::order(const BlockMatrix& structure) {
 }
 
 /// A column's structure is its own entries and what its children in the tree of elimination bring (George and Liu 1981).
-void BlockLu::findStructure(const BlockMatrix& structure) {
+/// \return false when asked to stop
+bool BlockLu::findStructure(const BlockMatrix& structure) {
     const std::size_t n = place_.size();
     std::vector<std::vector<std::int32_t>> columns(n);
     std::vector<std::vector<std::size_t>> children(n);
@@ -88,6 +93,7 @@ void BlockLu::findStructure(const BlockMatrix& structure) {
     }
     begin_.assign(1, 0);
     for (std::size_t i = 0; i < n; ++i) {
+        if (isStopped(stop_)) return false;
         std::vector<std::int32_t>& rows = columns[i];
         for (const std::size_t child : children[i])
             rows.insert(rows.end(), columns[child].begin() + 1, columns[child].end());
@@ -97,6 +103,7 @@ void BlockLu::findStructure(const BlockMatrix& structure) {
         row_.insert(row_.end(), rows.begin(), rows.end());
         begin_.push_back(row_.size());
     }
+    return true;
 }
 
 /// No wider than what stays in the first cache while products are taken.
@@ -210,8 +217,10 @@ bool BlockLu::eliminateWithin(const Panel& panel) {
 }
 
 bool BlockLu::factorise(const BlockMatrix& matrix) {
+    if (!has_structure_) return false;
     takeMatrix(matrix);
     for (const Panel& panel : panels_) {
+        if (isStopped(stop_)) return false;
         eliminateBefore(panel);
         if (!eliminateWithin(panel)) return false;
     }

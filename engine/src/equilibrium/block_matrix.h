@@ -2,6 +2,7 @@
 // A sparse matrix of 6 x 6 blocks, one row for each free block, and its factors.
 
 #include <Eigen/Core>
+#include <atomic>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -39,10 +40,12 @@ struct BlockMatrix {
 class BlockLu {
  public:
     /// \param instructions  of the products; the same bits with each
+    /// \param stop  ends the work early, and every later one: then nothing is factorised
     explicit BlockLu(const BlockMatrix& structure,
-                     simd::InstructionSet instructions = simd::bestInstructionSet());
+                     simd::InstructionSet instructions = simd::bestInstructionSet(),
+                     const std::atomic<bool>* stop = nullptr);
 
-    /// False when a diagonal block is singular.
+    /// False when a diagonal block is singular, or when asked to stop.
     bool factorise(const BlockMatrix& matrix);
     /// x = A^-1 x
     void solve(Vec6s& x) const;
@@ -67,7 +70,7 @@ class BlockLu {
     };
 
     void order(const BlockMatrix& structure);
-    void findStructure(const BlockMatrix& structure);
+    bool findStructure(const BlockMatrix& structure);
     void findPanels();
     void findReach();
     void placeEntries(const BlockMatrix& structure);
@@ -76,6 +79,8 @@ class BlockLu {
     bool eliminateWithin(const Panel& panel);
 
     EliminationKernel kernel_;
+    const std::atomic<bool>* stop_;
+    bool has_structure_ = false;         ///< was not stopped before it had
     std::vector<std::int32_t> place_{};  ///< of each row in the order of elimination
     std::vector<std::size_t> begin_{};   ///< of each column's structure in row_; one more at the end
     std::vector<std::int32_t> row_{};    ///< rows below the diagonal, ascending

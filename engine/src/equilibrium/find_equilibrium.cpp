@@ -13,6 +13,7 @@
 #include "forces/sum.h"
 #include "measure/measure.h"
 #include "state/block_motion.h"
+#include "state/caller.h"
 #include "step/step.h"
 
 namespace talus::equilibrium {
@@ -93,12 +94,13 @@ class Solver {
  private:
     bool finished() const {
         return result_.verdict != Verdict::undecided || result_.factors >= options_.most_factors ||
-               (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed));
+               isStopped(options_.stop);
     }
 
     void takeContacts() {
         Balance next = makeBalance(state_);
-        if (!lu_ || next.matrix.edges != balance_.matrix.edges) lu_.emplace(next.matrix, state_.instructions);
+        if (!lu_ || next.matrix.edges != balance_.matrix.edges)
+            lu_.emplace(next.matrix, state_.instructions, options_.stop);
         balance_ = std::move(next);
         at_ = {posesOf(state_), Vec6s(balance_.block.size(), Vec6::Zero())};
     }
@@ -249,7 +251,7 @@ class Solver {
         way_since_look_ += motion_;
         if (way_since_look_ > kLookMotion) {
             way_since_look_ = 0;
-            refreshInterfaces(state_, options_.parallel, 0.0);
+            refreshInterfaces(state_, options_.parallel, 0.0, options_.stop);
             takeContacts();
         } else {
             readMemory(state_, balance_);

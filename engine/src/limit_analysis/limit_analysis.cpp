@@ -12,6 +12,7 @@
 #include "limit_analysis/assemble.h"
 #include "limit_analysis/solver.h"
 #include "model/gravity.h"
+#include "state/caller.h"
 #include "talus/searches.h"
 
 namespace talus {
@@ -62,7 +63,7 @@ class LimitSearch {
         if (load == Varied::tilt) findTilt();
         if (load == Varied::factor) findFactor();
         if (load == Varied::horizontal) findHorizontal();
-        if (control_.stop != nullptr && *control_.stop) result_.status = SearchStatus::interrupted;
+        if (isStopped(control_)) result_.status = SearchStatus::interrupted;
         if (result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start)
             describeMechanism();
         describeEffort();
@@ -138,7 +139,10 @@ class LimitSearch {
         for (int k = 0; k < kMostTilts; ++k) {
             const double most = std::clamp(stop - tilt, 0.0, kSteepest);
             const std::optional<double> way = wayOn(tilt, k == 0 ? 0 : -kSteepest, most, side);
-            if (!way) return {};
+            if (!way) {
+                if (isStopped(control_)) keepSoFar(side, stands, falls);
+                return {};
+            }
             const bool clipped = *way >= most * (1 - 1e-12);
             if (clipped && tilt + most >= stop * (1 - 1e-12) && (at_once || most < kTiltWidth))
                 return {SearchStatus::stable_to_stop, stop};
@@ -152,6 +156,13 @@ class LimitSearch {
                 next > stands && next < falls ? std::min(next, stop) : 0.5 * (stands + std::min(falls, stop));
         }
         return {};
+    }
+
+    /// Of a search that is stopped: where it stands by forces inside the cones is below the limit, and where it fails outside of
+    /// them above it; in a plane section both are the cone.
+    void keepSoFar(Side side, double stands, double falls) {
+        if (side == Side::inside) result_.lower = std::max(result_.lower, stands);
+        if (side == Side::outside || assembly_.plane_section) result_.upper = std::min(result_.upper, falls);
     }
 
     /// Where the way on becomes nothing, by the secant through two tilts.
@@ -170,6 +181,7 @@ class LimitSearch {
         if (!stands(fixed, 0)) return;
         report("horizontal load");
         const Growth inside = solver_.grow(fixed, growing, 0, kMostHorizontal, Side::inside);
+        if (isStopped(control_)) result_.lower = 0;
         if (inside.outcome != Outcome::optimal) return;
         result_.lower = inside.multiplier;
         result_.status = SearchStatus::stable_to_stop;
@@ -199,7 +211,13 @@ class LimitSearch {
         double factor = 1;
         while (bracket.falls > bracket.stands * (1 + settings_.factor_width)) {
             const Balance found = checkFactor(loads, factor, Side::inside);
-            if (found.outcome != Outcome::optimal) return;
+            if (found.outcome != Outcome::optimal) {
+                if (isStopped(control_) && bracket.stands > 0)
+                    keepSoFar(Side::inside, bracket.stands, bracket.falls);
+                else if (isStopped(control_))
+                    keepSoFar(Side::inside, -kInfinity, bracket.falls);
+                return;
+            }
             bracket.take(factor, found.balanced);
             if (bracket.stands >= kMostFactor || bracket.falls <= kLeastFactor) break;
             factor = nextFactor(found, factor, bracket);
@@ -245,7 +263,9 @@ class LimitSearch {
             result_.upper *= 1 + step;
             outside = checkFactor(loads, result_.upper, Side::outside);
         }
-        if (outside.outcome != Outcome::optimal) result_.status = SearchStatus::undecided;
+        if (outside.outcome == Outcome::optimal) return;
+        result_.status = SearchStatus::undecided;
+        if (isStopped(control_)) result_.upper = kInfinity;  // nobody has seen it fail outside the cones
     }
 
     // --- the mechanism --------------------------------------------------------------------------------------------
@@ -334,12 +354,13 @@ LimitResult analyse(State& state, const Assembly& assembly, Varied load, const C
     return nothing_moves;
 }
 
-/// Builds the model and calls with its state and assembly.
+/// Builds the model and calls with its state and assembly. \param interrupted  the result where that is stopped
 template <class T, class Body>
 Result<T> withAssembly(const Model& model, const Control& control, const LimitSettings& settings,
-                       const Body& body) {
+                       const T& interrupted, const Body& body) {
     return analysis::inArena(control.threads, [&]() -> Result<T> {
-        Result<State> built = buildState(keptByCaller(model), control.threads != 1);
+        Result<State> built = buildState(keptByCaller(model), control.threads != 1, control);
+        if (isStopped(control)) return interrupted;
         if (!built) return built.errors();
         built->load.gravity_share = built->load.water_share = 1;
         return body(*built, assemble(*built, settings.left_out));
@@ -352,12 +373,14 @@ std::string tooManyPoints(std::size_t points, std::size_t most, bool section) {
            " limit analysis is made without being asked for";
 }
 
+constexpr const char* kInterrupted = "limit analysis was interrupted";
+
 Ceiling ceilingOf(const LimitResult& result) {
     if (std::isfinite(result.upper)) return {result.upper, ""};
     if (result.status == SearchStatus::stable_to_stop)
         return {std::nullopt, "by limit analysis the assembly stands to the end of the search"};
-    return {std::nullopt, result.status == SearchStatus::interrupted ? "limit analysis was interrupted"
-                                                                     : "limit analysis ended undecided"};
+    return {std::nullopt,
+            result.status == SearchStatus::interrupted ? kInterrupted : "limit analysis ended undecided"};
 }
 
 }  // namespace
@@ -365,8 +388,11 @@ Ceiling ceilingOf(const LimitResult& result) {
 Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control& control,
                                   const LimitSettings& settings) {
     const auto begin = std::chrono::steady_clock::now();
+    LimitResult interrupted;
+    interrupted.status = SearchStatus::interrupted;
     return withAssembly<LimitResult>(
-        model, control, settings, [&](State& state, const Assembly& assembly) -> Result<LimitResult> {
+        model, control, settings, interrupted,
+        [&](State& state, const Assembly& assembly) -> Result<LimitResult> {
             if (assembly.points.size() > settings.max_contact_points)
                 return tooLarge(assembly.points.size(), settings.max_contact_points);
             if (const std::string why = whyNot(state, assembly); !why.empty()) return Error{"", why};
@@ -379,14 +405,17 @@ Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control
 
 Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const Control& control,
                              const LimitSettings& settings) {
-    return withAssembly<
-        Ceiling>(model, control, settings, [&](State& state, const Assembly& assembly) -> Result<Ceiling> {
-        if (const std::string why = whyNot(state, assembly); !why.empty()) return Ceiling{std::nullopt, why};
-        const std::size_t most = assembly.plane_section ? kCeilingPointsInSection : kCeilingPoints;
-        if (!always && assembly.points.size() > most)
-            return Ceiling{std::nullopt, tooManyPoints(assembly.points.size(), most, assembly.plane_section)};
-        return ceilingOf(analyse(state, assembly, load, control, settings));
-    });
+    return withAssembly<Ceiling>(
+        model, control, settings, Ceiling{std::nullopt, kInterrupted},
+        [&](State& state, const Assembly& assembly) -> Result<Ceiling> {
+            if (const std::string why = whyNot(state, assembly); !why.empty())
+                return Ceiling{std::nullopt, why};
+            const std::size_t most = assembly.plane_section ? kCeilingPointsInSection : kCeilingPoints;
+            if (!always && assembly.points.size() > most)
+                return Ceiling{std::nullopt,
+                               tooManyPoints(assembly.points.size(), most, assembly.plane_section)};
+            return ceilingOf(analyse(state, assembly, load, control, settings));
+        });
 }
 
 bool isAbove(double stands, const Ceiling& ceiling, Varied load) {

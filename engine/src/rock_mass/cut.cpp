@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <numeric>
 
@@ -27,6 +28,7 @@ constexpr double kThinWelds = 1e5;         // weld distances, in any case
 constexpr double kVolumeTolerance = 1e-9;  // of the region's volume
 constexpr double kTimesExpected = 2.0;     // an estimate this many times what is allowed is refused
 constexpr double kBytesPerBlock = 3e3;     // of a model and its state
+constexpr double kSecondsPerBlock = 4e-5;  // to cut it: measured 1.2e-5 between planes, 5e-5 between discs
 constexpr double kSameLevel = 1e-7;        // of the extent: centroids this near in a coordinate are level
 
 std::string text(double value) { return numberText(value, 4); }
@@ -64,6 +66,14 @@ struct Tally {
     double first_thickness = 0;
 };
 
+/// A count of which two figures are known: "18000".
+std::string roundText(double count) {
+    const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) - 1));
+    char text[32];
+    std::snprintf(text, sizeof text, "%.0f", std::round(count / unit) * unit);
+    return text;
+}
+
 class Cutter {
  public:
     explicit Cutter(const RockMass& description) : description_(description) {}
@@ -79,12 +89,15 @@ class Cutter {
         const Knife knife{planes_, vertices, result_.min_thickness};
         const auto joints = jointPlanes(description_, description_.region.vertices);
         if (!joints) return joints.errors();
-        if (auto error = expectTooMany(*joints)) return *error;
+        const double expected = expect(*joints);
+        if (auto error = tooMany(expected, *joints)) return *error;
         CutTree tree(joined(std::move(*cells), knife));
         tallies_.resize(description_.sets.size() + description_.singles.size());
-        for (const JointPlane& joint : *joints)
-            if (auto error = stopped() ? std::optional(interrupted()) : cutBy(joint, knife, tree))
+        for (std::size_t k = 0; k < joints->size(); ++k) {
+            tell(k, joints->size(), tree.size(), expected);
+            if (auto error = stopped() ? std::optional(interrupted()) : cutBy((*joints)[k], knife, tree))
                 return *error;
+        }
         warnOfCuts();
         return collect(tree, knife);
     }
@@ -146,15 +159,34 @@ class Cutter {
                          text(result_.min_thickness) + " m, or slivers = \"merge\""};
     }
 
-    /// Far too many are refused before they fill the memory.
-    std::optional<Error> expectTooMany(const std::vector<JointPlane>& joints) const {
+    double mostExpected() const { return kTimesExpected * static_cast<double>(description_.max_blocks); }
+
+    /// So many blocks; beyond what is refused they are not counted to the end.
+    double expect(const std::vector<JointPlane>& joints) const {
         const auto [min, max] = boundsOf(description_.region);
-        const double refused = kTimesExpected * static_cast<double>(description_.max_blocks);
-        const double count = expectedBlocks(joints, min, max, result_.region_volume, refused);
-        if (!(count > refused)) return std::nullopt;
-        return Error{fieldOfMost(joints), "found joints that cut the region into some " + text(count) +
-                                              " blocks or more (" + text(kBytesPerBlock * count / 1e9) +
-                                              " GB of memory), allowed: " + allowedBlocks()};
+        return expectedBlocks(joints, min, max, result_.region_volume, mostExpected());
+    }
+
+    /// Far too many are refused before they fill the memory.
+    std::optional<Error> tooMany(double expected, const std::vector<JointPlane>& joints) const {
+        if (!(expected > mostExpected())) return std::nullopt;
+        return Error{fieldOfMost(joints), "found joints that cut the region into some " + text(expected) +
+                                              " blocks or more (" + text(kBytesPerBlock * expected / 1e9) +
+                                              " GB of memory, " + timeText(expected) +
+                                              "), allowed: " + allowedBlocks()};
+    }
+
+    static std::string timeText(double blocks) {
+        const double seconds = kSecondsPerBlock * blocks;
+        return seconds < 60 ? "less than a minute to cut"
+                            : "some " + roundText(std::ceil(seconds / 60)) + " min to cut";
+    }
+
+    void tell(std::size_t joint, std::size_t joints, std::size_t blocks, double expected) const {
+        if (!description_.progress) return;
+        description_.progress(
+            {"cutting", static_cast<double>(joint) / static_cast<double>(joints),
+             std::to_string(blocks) + " of some " + roundText(expected) + " blocks, " + timeText(expected)});
     }
 
     /// Of the joint set that has the most planes; the rock mass' own when single joints are more.
@@ -272,9 +304,14 @@ class Cutter {
     }
 
     Result<CutRockMass> collect(const CutTree& tree, const Knife& knife) {
+        constexpr std::size_t kTold = 1024;  // blocks from report to report
         result_.blocks.reserve(tree.size());
         for (const Ranked& ranked : ranked(tree, knife)) {
             if (stopped()) return interrupted();
+            if (description_.progress && result_.blocks.size() % kTold == 0)
+                description_.progress(
+                    {"shaping", static_cast<double>(result_.blocks.size()) / static_cast<double>(tree.size()),
+                     std::to_string(tree.size()) + " blocks"});
             auto block = blockOf(*ranked.solid, knife.vertices);
             if (!block) return block.errors();
             result_.volume += block->volume;

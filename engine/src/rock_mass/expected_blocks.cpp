@@ -28,12 +28,34 @@ struct Region {
 double areaOf(const JointPlane& joint, const Region& region) {
     const double across = joint.plane.normal.cwiseAbs().dot(region.size);
     if (std::abs(joint.plane.height(region.middle)) > (0.5 - kInFace) * across) return 0;
-    const double through = region.volume / across;
-    if (!joint.reach) return through;
+    return region.volume / across;
+}
+
+double perimeter(const Polygon& polygon) {
+    double length = 0;
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+        length += (polygon[(k + 1) % polygon.size()] - polygon[k]).norm();
+    return length;
+}
+
+bool meets(const Reach& reach, const Region& region) {
+    const Vec3 half = 0.5 * region.size;
+    return (reach.max.array() > (region.middle - half).array()).all() &&
+           (reach.min.array() < (region.middle + half).array()).all();
+}
+
+/// Blocks that a finite joint meets among so many in a volume, and so cuts from side to side: of cubes that lie as they may the
+/// mean is 1 + n (S b' + S' b) / 2 by the kinematic formula, S being surfaces, b mean widths and n the cubes in a volume.
+double blocksMet(const JointPlane& joint, const Region& region, double count) {
     const Reach& reach = *joint.reach;
+    const double through = areaOf(joint, region);
+    if (through == 0 || !meets(reach, region)) return 0;
     const double own =
         reach.radius > 0 ? std::numbers::pi * reach.radius * reach.radius : area(reach.polygon);
-    return std::min(own, through);
+    const double round = reach.radius > 0 ? 2 * std::numbers::pi * reach.radius : perimeter(reach.polygon);
+    const double inside = std::min(1.0, through / own);
+    const double side = std::cbrt(region.volume / count);
+    return 1 + 1.5 * inside * own / (side * side) + 0.75 * std::sqrt(inside) * round / side;
 }
 
 /// Some of a list, evenly, in place of all.
@@ -60,7 +82,8 @@ void appendFamilies(const std::vector<JointPlane>& joints, const std::vector<std
 
 std::vector<Family> familiesOf(const std::vector<JointPlane>& joints, const Region& region) {
     std::map<std::size_t, std::vector<std::size_t>> members;
-    for (std::size_t k = 0; k < joints.size(); ++k) members[joints[k].joint].push_back(k);
+    for (std::size_t k = 0; k < joints.size(); ++k)
+        if (!joints[k].reach) members[joints[k].joint].push_back(k);
     std::vector<Family> families;
     for (const auto& [joint, planes] : members) appendFamilies(joints, planes, region, families);
     if (families.size() <= kMostFamilies) return families;
@@ -94,6 +117,9 @@ double expectedBlocks(const std::vector<JointPlane>& joints, const Vec3& min, co
             for (std::size_t k = 0; k < j; ++k)
                 count += pair * families[k].density * std::abs(line.dot(families[k].normal)) * volume;
         }
+    // Finite joints cut one after the other what is there by then.
+    for (std::size_t k = 0; k < joints.size() && count <= enough; ++k)
+        if (joints[k].reach) count += blocksMet(joints[k], region, count);
     return count;
 }
 

@@ -78,17 +78,19 @@ std::vector<Error> ofChanges(const std::vector<FieldChange>& changes, std::vecto
 }  // namespace
 
 Result<Scenario> readScenario(const std::string& path, const std::vector<FieldChange>& changes,
-                              const std::atomic<bool>* stop) {
+                              const std::atomic<bool>* stop,
+                              const std::function<void(const Progress&)>& progress) {
     const bool from_stdin = path == "-";
     const std::string name = from_stdin ? "stdin" : path;
     const auto text = from_stdin ? toml::readStandardInput(name) : toml::readFileText(path);
     if (!text) return text.errors();
-    if (changes.empty()) return parseScenario(*text, name, kMostBlocks, stop);
     auto document = Document::parse(*text, name);
     if (!document) return document.errors();
+    if (changes.empty())
+        return scenario::readDocument(*document, *text, name, kMostBlocks, stop, nullptr, progress);
     if (auto faults = change(*document, changes); !faults.empty()) return faults;
-    auto scenario =
-        scenario::readDocument(*document, toml::writeDocument(*document), name, kMostBlocks, stop);
+    auto scenario = scenario::readDocument(*document, toml::writeDocument(*document), name, kMostBlocks, stop,
+                                           nullptr, progress);
     if (!scenario) return ofChanges(changes, scenario.errors());
     for (const FieldChange& wish : changes)
         scenario->places[fieldName(*toml::parseField(wish.field))] = {0, 0};

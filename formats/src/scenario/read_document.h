@@ -1,10 +1,12 @@
 #pragma once
 // A scenario out of a parsed document, which may have been edited since.
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "scenario/reading.h"
+#include "talus/analysis.h"
 #include "talus/formats/scenario.h"
 
 namespace talus::formats::scenario {
@@ -15,6 +17,7 @@ std::vector<std::string> scenarioSections();
 /// As parseScenario; `text` is what the result says it was read from. `questions` hear what is asked of the document.
 Result<Scenario> readDocument(const Document& document, std::string text, const std::string& path,
                               std::int64_t most_blocks = kMostBlocks, const std::atomic<bool>* stop = nullptr,
-                              Questions* questions = nullptr);
+                              Questions* questions = nullptr,
+                              const std::function<void(const Progress&)>& progress = {});
 
 }  // namespace talus::formats::scenario

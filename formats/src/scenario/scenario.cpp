@@ -28,12 +28,13 @@ class ScenarioReader {
  public:
     /// \param folder  where mesh files are looked for: "" or with a slash at its end
     ScenarioReader(Report& report, Node root, std::string folder, std::int64_t most_blocks,
-                   const std::atomic<bool>* stop)
+                   const std::atomic<bool>* stop, const std::function<void(const Progress&)>& progress)
         : report_(report),
           root_(report, root, "", scenarioSections()),
           folder_(std::move(folder)),
           most_blocks_(most_blocks),
-          stop_(stop) {}
+          stop_(stop),
+          progress_(progress) {}
 
     /// \post the scenario is complete, but for its text and places, when the report is clean
     Scenario read() {
@@ -92,6 +93,7 @@ class ScenarioReader {
         if (!rock_) return;
         rock_->description.max_blocks = rock_->max_blocks.value_or(static_cast<std::size_t>(most_blocks_));
         rock_->description.stop = stop_;
+        rock_->description.progress = progress_;
         if (report_.clean()) appendFractures(report_, *rock_);
         if (report_.clean()) rock_blocks_ = cutBlocks(report_, *rock_);
         if (!rock_blocks_) return directory.setIncomplete();
@@ -194,6 +196,7 @@ class ScenarioReader {
     std::string folder_;
     std::int64_t most_blocks_;
     const std::atomic<bool>* stop_;
+    const std::function<void(const Progress&)>& progress_;
     std::optional<RockMassInput> rock_;
     std::optional<RockMassBlocks> rock_blocks_;
     FiniteCuts finite_cuts_;
@@ -214,12 +217,13 @@ std::vector<std::string> scenario::scenarioSections() {
 
 Result<Scenario> scenario::readDocument(const Document& document, std::string text, const std::string& path,
                                         std::int64_t most_blocks, const std::atomic<bool>* stop,
-                                        Questions* questions) {
+                                        Questions* questions,
+                                        const std::function<void(const Progress&)>& progress) {
     Report report(path);
     report.listen(questions);
     const auto slash = path.rfind('/');
     const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
-    ScenarioReader reader(report, document.root(), folder, most_blocks, stop);
+    ScenarioReader reader(report, document.root(), folder, most_blocks, stop, progress);
     Scenario scenario = reader.read();
     if (!report.clean()) return report.errors();
     scenario.path = path;

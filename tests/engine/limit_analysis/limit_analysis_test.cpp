@@ -361,4 +361,27 @@ TEST_SUITE("limit analysis") {
         REQUIRE(result.ok());
         CHECK((result->status == SearchStatus::interrupted));
     }
+
+    TEST_CASE("ended on its way it keeps the bounds it has") {
+        for (const Varied load : {Varied::tilt, Varied::factor, Varied::horizontal}) {
+            const Model model = stackModel(3, 10, 1, 30);
+            const auto whole = limitAnalysis(model, load);
+            REQUIRE(whole.ok());
+            for (int reports = 1; reports < 40; ++reports) {
+                std::atomic<bool> stop{false};
+                int seen = 0;
+                Control control{.stop = &stop};
+                control.progress = [&](const Progress& progress) {
+                    if (progress.stage == "limit analysis" && ++seen == reports) stop = true;
+                };
+                const auto part = limitAnalysis(model, load, control);
+                REQUIRE(part.ok());
+                if ((part->status != SearchStatus::interrupted)) break;
+                CHECK(part->lower <= whole->upper * (1 + 1e-6));
+                CHECK(part->upper >= whole->lower * (1 - 1e-6));
+                const bool knows = std::isfinite(part->lower) || std::isfinite(part->upper);
+                CHECK((knows || (load == Varied::factor && reports == 1)));
+            }
+        }
+    }
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <random>
 #include <set>
@@ -383,6 +384,42 @@ TEST_CASE("cutting: joints that are far too many are refused before they are cut
     CHECK_FALSE(cutRockMass(rock).ok());
     rock.sets[0].spacing = 0.4;
     CHECK(cutRockMass(rock).ok());
+}
+
+TEST_CASE("cutting: many finite joints are refused before they are cut, and the time it would take is said") {
+    RockMass rock = box({10, 10, 10});
+    for (int k = 0; k < 2000; ++k) {
+        SingleJoint disc = joint(std::fmod(7.3 * k, 90), std::fmod(31.7 * k, 360),
+                                 {std::fmod(1.31 * k, 10), std::fmod(2.77 * k, 10), std::fmod(3.93 * k, 10)});
+        disc.radius = 1;
+        rock.singles.push_back(disc);
+    }
+    rock.max_blocks = 1000;
+    const auto refused = cutRockMass(rock);
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.errors()[0].message.find("blocks or more") != std::string::npos);
+    CHECK(refused.errors()[0].message.find("to cut") != std::string::npos);
+
+    // What is expected is what is cut, within a factor.
+    rock.singles.resize(400);
+    rock.max_blocks = 100'000;
+    std::string first;
+    double share = 0;
+    rock.progress = [&](const Progress& progress) {
+        if (first.empty()) first = progress.detail;
+        if (progress.stage == "cutting") {
+            CHECK(progress.fraction >= share);
+            share = progress.fraction;
+        }
+    };
+    const auto cut = cutRockMass(rock);
+    REQUIRE(cut.ok());
+    CHECK(share > 0.9);
+    double expected = 0;
+    REQUIRE(std::sscanf(first.c_str(), "1 of some %lf blocks", &expected) == 1);
+    const double found = static_cast<double>(cut->blocks.size());
+    CHECK(expected > 0.4 * found);
+    CHECK(expected < 2.5 * found);
 }
 
 TEST_CASE("cutting: ends at once when it is stopped") {

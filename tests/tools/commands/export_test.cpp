@@ -185,3 +185,36 @@ TEST_CASE("VTK reads the export") {
     for (std::size_t p = 0; p < full.points.size(); ++p)
         CHECK(contacts.at("arrays").at("point.normal_force")[p][0].get<double>() == full.points.normal[p]);
 }
+
+TEST_CASE("Ctrl-C ends an export of large frames at once, and ParaView's lists name what is there") {
+    const TemporaryFolder folder;
+    const std::string path =
+        folder.write("large.toml",
+                     "[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = 35\n"
+                     "[material.rock]\ndensity = 2600.0\n[run]\nduration_s = 1e-4\nstart = \"unstressed\"\n"
+                     "[[stack]]\ncolumns = 40\nrows = 30\nslices = 30\nblock = [0.2, 0.1, 0.1]\n");
+    const std::string run = folder / "run.mcap";
+    REQUIRE(runTalus({"run", path, "-o", run}).exit_code == 0);
+    for (const double begun : {0.15, 0.4, 0.7}) {
+        CAPTURE(begun);
+        const std::string out = folder / ("vtk" + std::to_string(begun));
+        Program program({"export", run, "--vtk", out});
+        if (!waitFor([&] { return program.endsWithin(0) || program.cpuSeconds() > begun; }) ||
+            program.endsWithin(0))
+            break;
+        program.signal(SIGINT);
+        CHECK(program.endsWithin(0.5));
+        const Outcome outcome = program.outcome();
+        CHECK(outcome.exit_code == 130);
+        CHECK(outcome.err.find("interrupted") != std::string::npos);
+        std::size_t listed = 0, there = 0;
+        for (const char* list : {"blocks.pvd", "contacts.pvd"}) {
+            const std::string text = contentOf(out + "/" + list);
+            for (std::size_t at = 0; (at = text.find("file=\"", at)) != std::string::npos; ++at) ++listed;
+        }
+        if (std::filesystem::exists(out))
+            for (const auto& file : std::filesystem::directory_iterator(out))
+                there += file.path().extension() == ".vtp" ? 1 : 0;
+        CHECK(listed == there);
+    }
+}

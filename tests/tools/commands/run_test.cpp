@@ -168,3 +168,30 @@ TEST_CASE("the page of a run: displacements over time above the record, and ever
     CHECK(runTalus({"run", path, "--report", folder / "motion.pdf"}).exit_code == 2);
     CHECK(runTalus({"run", "--resume", folder / "run.mcap", "--report", page}).exit_code == 2);
 }
+
+namespace {
+
+/// Some 17,000 blocks: a second and more to build and bring to rest.
+std::string largeStack() {
+    return "[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = 35\n"
+           "[material.rock]\ndensity = 2600.0\n[run]\nduration_s = 1.0\n"
+           "[[stack]]\ncolumns = 30\nrows = 24\nslices = 24\nblock = [0.2, 0.1, 0.1]\n";
+}
+
+}  // namespace
+
+TEST_CASE("Ctrl-C ends a run on the way to its start, too, within half a second, and says so") {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("large.toml", largeStack());
+    for (const double begun : {0.6, 1.0, 1.6, 2.4}) {
+        CAPTURE(begun);
+        Program program({"run", path, "-o", folder / "run.mcap", "--threads", "1"});
+        REQUIRE(waitFor([&] { return program.cpuSeconds() > begun; }));
+        program.signal(SIGINT);
+        CHECK(program.endsWithin(0.5));
+        const Outcome outcome = program.outcome();
+        CHECK(outcome.exit_code == 130);
+        CHECK((outcome.out + outcome.err).find("interrupted") != std::string::npos);
+        CHECK_FALSE(std::filesystem::exists(folder / "run.mcap"));
+    }
+}

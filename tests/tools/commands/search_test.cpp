@@ -214,3 +214,33 @@ TEST_CASE(
             "[run]\nduration_s = 1.0\n[[water]]\nbetween = [\"key\", \"floor\"]\nhead = [0.2, 0.1]\n"));
     CHECK(warns(with({"run", undrained}), "water[0] never drains: block \\\"key\\\" has gone"));
 }
+
+TEST_CASE("an interrupted search says so once, with what it knows, and nothing beside an answer it has not") {
+    const std::string quarry = std::string(TALUS_SOURCE_DIR) + "/bench/examples/quarry.toml";
+    for (const double begun : {0.3, 1.0, 2.5}) {
+        CAPTURE(begun);
+        Program program({"safety-factor", quarry, "--threads", "1", "--quiet"});
+        REQUIRE(waitFor([&] { return program.cpuSeconds() > begun; }));
+        program.signal(SIGINT);
+        const Outcome outcome = program.outcome();
+        CHECK(outcome.exit_code == 130);
+        const std::size_t said = outcome.out.find("interrupted");
+        REQUIRE(said != std::string::npos);
+        CHECK(outcome.out.find("interrupted", said + 1) == std::string::npos);
+        CHECK(outcome.out.find("failure mode") == std::string::npos);
+        CHECK(outcome.out.find("theory") == std::string::npos);
+        CHECK(outcome.out.find(", fails at") == std::string::npos);
+    }
+}
+
+TEST_CASE("an interrupted limit analysis says so, and the bounds it has") {
+    const std::string quarry = std::string(TALUS_SOURCE_DIR) + "/bench/examples/quarry.toml";
+    Program program({"limit-analysis", quarry, "--for", "factor", "--threads", "1", "--quiet"});
+    REQUIRE(waitFor([&] { return program.cpuSeconds() > 0.4; }));
+    program.signal(SIGINT);
+    CHECK(program.endsWithin(0.5));
+    const Outcome outcome = program.outcome();
+    CHECK(outcome.exit_code == 130);
+    CHECK(outcome.out.find("interrupted; so far: at least ") != std::string::npos);
+    CHECK(outcome.out.find("undecided") == std::string::npos);
+}
