@@ -131,10 +131,12 @@ std::vector<std::string> writeJoints(const BlocksOptions& options, const formats
     if (!joints) throw BadInput(joints.errors());
     if (joints->empty()) {
         const std::string found = "no joint set in " + options.scenario.name();
-        if (options.output.empty())
+        if (options.output.empty()) {
             throw BadInput(
                 Error{asked[0], "found " + found + ", allowed: a scenario with [rock_mass] and joints"});
+        }
         std::vector<std::string> warnings;
+        warnings.reserve(asked.size());
         for (const char* option : asked)
             warnings.push_back(std::string(option) + ": " + found + " to plot, left out");
         for (const std::string& warning : warnings) note(options.common, "warning: " + warning);

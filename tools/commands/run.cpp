@@ -56,9 +56,10 @@ std::string drainsText(const Model& model) {
 std::string toText(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
                    const RunRecorder& recorder) {
     const std::string name = options.resume.empty() ? options.scenario.name() : options.resume;
-    if (!result.began)
+    if (!result.began) {
         return name + ": interrupted before the run began" + (options.resume.empty() ? ", " : " again, ") +
                text(result.wall_seconds, 2) + " s; nothing more is written\n";
+    }
     std::string lines =
         name + ": " + (result.interrupted ? "interrupted after " : "") + text(result.simulated_seconds, 6) +
         " s simulated in " + std::to_string(result.steps) + " steps of " + text(result.time_step * 1e6, 4) +
@@ -111,9 +112,10 @@ int runScenario(const Options& all) {
                     controlOf(options.common, progress), all.report.empty() ? nullptr : &watch);
     progress.finish();
     const bool has_page = !all.report.empty() && result.began;
-    if (has_page)
+    if (has_page) {
         writeFile(all.report,
                   reportPage(watch.report(scenario, result, provenance(options.common, scenario.path))));
+    }
     if (options.common.json) {
         printJson(runJson(options, scenario, result, recorder));
     } else {

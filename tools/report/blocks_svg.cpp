@@ -153,10 +153,10 @@ bool isAsLarge(const PaintedPolygon& polygon, double wide, double high) {
 /// seen of its own block, so that none lies on another.
 void drawNames(const Model& model, const VisibleFaces& visible, const std::vector<PaintedPolygon>& painted,
                const Sheet& sheet, SvgWriter& svg) {
-    const auto blockOf = [&](std::size_t piece) { return visible.faces[painted[piece].source].block; };
+    const auto block_of = [&](std::size_t piece) { return visible.faces[painted[piece].source].block; };
     std::vector<NamePlace> places;
     for (std::size_t k = 0; k < painted.size(); ++k) {
-        const double letters = static_cast<double>(model.blocks[blockOf(k)].name.size());
+        const double letters = static_cast<double>(model.blocks[block_of(k)].name.size());
         if (isAsLarge(painted[k], kLetter * letters / sheet.scale(), kLine / sheet.scale()))
             places.push_back({k, areaOf(painted[k])});
     }
@@ -164,7 +164,7 @@ void drawNames(const Model& model, const VisibleFaces& visible, const std::vecto
                      [](const NamePlace& a, const NamePlace& b) { return a.area > b.area; });
     std::set<std::size_t> named;
     for (const NamePlace& place : places) {
-        const std::size_t block = blockOf(place.piece);
+        const std::size_t block = block_of(place.piece);
         const std::string& name = model.blocks[block].name;
         if (named.contains(block)) continue;
         if (const auto middle = placeOfName(painted, place.piece, name.size(), sheet.scale())) {

@@ -217,10 +217,11 @@ class TimeHistory {
     void judgeGivenStep() {
         constexpr double kMostOverBound = 2.0;
         if (!(progress_.time_step > progress_.stability_bound)) return;
-        if (isLeftAlone(state_))
+        if (isLeftAlone(state_)) {
             least_energy_ = std::min(least_energy_, totalEnergy(state_, parallel_));
-        else if (progress_.time_step > kMostOverBound * progress_.stability_bound)
+        } else if (progress_.time_step > kMostOverBound * progress_.stability_bound) {
             fault_ = stepTooLong("loads, water, bolts or driven blocks would make the motion explode");
+        }
         if (std::exchange(progress_.warned_of_step, true)) return;
         state_.warnings.push_back("run.time_step_s is above the stability bound of " +
                                   std::to_string(progress_.stability_bound * 1e6) + " us");

@@ -248,9 +248,10 @@ bool examinePairs(const State& state, const SearchRange& range, const PlacePairs
     std::vector<PairFinding> findings;
     for (std::size_t begin = 0; begin < pairs.size(); begin += kPiece) {
         if (isStopped(control)) return false;
-        if (control.progress)
+        if (control.progress) {
             control.progress({"contacts", static_cast<double>(begin) / static_cast<double>(pairs.size()),
                               "between " + std::to_string(state.blocks.size()) + " blocks"});
+        }
         findings.assign(std::min(kPiece, pairs.size() - begin), {});
         forRange(findings.size(), 64, parallel, [&](Range piece) {
             for (std::size_t k = piece.begin; k < piece.end; ++k)

@@ -212,10 +212,8 @@ class LimitSearch {
         while (bracket.falls > bracket.stands * (1 + settings_.factor_width)) {
             const Balance found = checkFactor(loads, factor, Side::inside);
             if (found.outcome != Outcome::optimal) {
-                if (isStopped(control_) && bracket.stands > 0)
-                    keepSoFar(Side::inside, bracket.stands, bracket.falls);
-                else if (isStopped(control_))
-                    keepSoFar(Side::inside, -kInfinity, bracket.falls);
+                const double stands = bracket.stands > 0 ? bracket.stands : -kInfinity;
+                if (isStopped(control_)) keepSoFar(Side::inside, stands, bracket.falls);
                 return;
             }
             bracket.take(factor, found.balanced);
@@ -411,9 +409,10 @@ Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const
             if (const std::string why = whyNot(state, assembly); !why.empty())
                 return Ceiling{std::nullopt, why};
             const std::size_t most = assembly.plane_section ? kCeilingPointsInSection : kCeilingPoints;
-            if (!always && assembly.points.size() > most)
+            if (!always && assembly.points.size() > most) {
                 return Ceiling{std::nullopt,
                                tooManyPoints(assembly.points.size(), most, assembly.plane_section)};
+            }
             return ceilingOf(analyse(state, assembly, load, control, settings));
         });
 }

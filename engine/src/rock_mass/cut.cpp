@@ -308,10 +308,11 @@ class Cutter {
         result_.blocks.reserve(tree.size());
         for (const Ranked& ranked : ranked(tree, knife)) {
             if (stopped()) return interrupted();
-            if (description_.progress && result_.blocks.size() % kTold == 0)
+            if (description_.progress && result_.blocks.size() % kTold == 0) {
                 description_.progress(
                     {"shaping", static_cast<double>(result_.blocks.size()) / static_cast<double>(tree.size()),
                      std::to_string(tree.size()) + " blocks"});
+            }
             auto block = blockOf(*ranked.solid, knife.vertices);
             if (!block) return block.errors();
             result_.volume += block->volume;

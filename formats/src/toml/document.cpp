@@ -77,12 +77,13 @@ std::optional<std::string> putAt(void* root, const std::vector<PathPart>& path, 
             return std::nullopt;
         }
         if (!step.find()) {
-            if (std::holds_alternative<std::string>(path[i + 1]))
+            if (std::holds_alternative<std::string>(path[i + 1])) {
                 step.put(::toml::table{});
-            else if (may_append)
+            } else if (may_append) {
                 step.put(::toml::array{});
-            else
+            } else {
                 return "there is no such array";
+            }
         }
         node = step.find();
     }
