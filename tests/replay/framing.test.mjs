@@ -3,27 +3,9 @@
 // `node framing.test.mjs PAGE.html CHROMIUM`; exit code 0 when all holds.
 
 import { deepEqual, equal, ok } from "node:assert/strict";
-import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { drawn, end, open as openAt, test } from "./opened.mjs";
 
-const [page_path, executablePath] = process.argv.slice(2);
-const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--enable-unsafe-swiftshader"] });
-const faults = [];
-let passed = 0;
-
-async function open(hash, width) {
-  const context = await browser.newContext({ viewport: { width, height: 844 }, offline: true });
-  const page = await context.newPage();
-  page.setDefaultTimeout(120_000);
-  page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
-  page.on("pageerror", (error) => faults.push(error.stack));
-  await page.goto(pathToFileURL(page_path).href + hash);
-  await page.waitForFunction(() => document.documentElement.dataset.state === "ready" && window.replay.pictures > 0);
-  await drawn(page);
-  return page;
-}
-
-const drawn = (page) => page.waitForFunction(() => window.replay.dirty.size === 0);
+const open = (hash, width) => openAt(hash, { width, height: 844 });
 
 /** What is wrong with where the corners of the moving blocks are seen; runs in the page. */
 function inspect() {
@@ -46,12 +28,6 @@ function inspect() {
   const [legend, , scale] = over.map(([, box]) => box);
   if (legend.right > scale.left && legend.bottom > scale.top) faults.add("the legend lies on the scale");
   return [...faults];
-}
-
-async function test(name, body) {
-  await body();
-  ++passed;
-  console.log(`ok: ${name}`);
 }
 
 for (const width of [390, 1400])
@@ -137,6 +113,4 @@ await test("why a block slides or topples follows the numbers that decide, and t
   await page.context().close();
 });
 
-await browser.close();
-deepEqual(faults, [], "no error in the console");
-console.log(`${passed} passed, 0 failed`);
+await end();

@@ -1,33 +1,17 @@
 // What the replay page shows of a failure that an analysis has kept: the groups of a factor of safety, the mechanism of a limit analysis.
 // `node kept.test.mjs PAGE.html CHROMIUM KIND`: KIND is "groups" or "mechanism"; exit code 0 when all holds.
 
-import { deepEqual, equal, ok } from "node:assert/strict";
-import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { equal, ok } from "node:assert/strict";
+import { drawn as drawnOn, end, open as openPage, test } from "./opened.mjs";
 
-const [page_path, executablePath, kind] = process.argv.slice(2);
-const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--enable-unsafe-swiftshader"] });
-const faults = [];
-const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, offline: true });
-const page = await context.newPage();
-page.setDefaultTimeout(120_000);
-page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
-page.on("pageerror", (error) => faults.push(error.stack));
-const drawn = () => page.waitForFunction(() => window.replay.dirty.size === 0);
+const kind = process.argv[4];
+let page;
+const drawn = () => drawnOn(page);
 const text = (selector) => page.locator(selector).innerText();
-let passed = 0;
 
 async function open(hash) {
-  await page.goto(pathToFileURL(page_path).href + hash);
-  await page.reload();
-  await page.waitForFunction(() => document.documentElement.dataset.state === "ready" && window.replay.pictures > 0);
-  await drawn();
-}
-
-async function test(name, body) {
-  await body();
-  ++passed;
-  console.log(`ok: ${name}`);
+  await page?.context().close();
+  page = await openPage(hash);
 }
 
 const groups = () => page.evaluate(() => window.replay.groups);
@@ -63,6 +47,4 @@ await test("a mechanism has no energies to show; a run has", async () => {
   ok((await page.evaluate(() => window.replay.motionText)).length > 0);
 });
 
-await browser.close();
-deepEqual(faults, []);
-console.log(`${passed} passed, ${faults.length} failed`);
+await end();

@@ -2,26 +2,13 @@
 // `node page.test.mjs PAGE.html CHROMIUM [SCREENSHOT_FOLDER]`; exit code 0 when all holds.
 
 import { deepEqual, equal, notEqual, ok } from "node:assert/strict";
-import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { end, open as openPage, test } from "./opened.mjs";
 
-const [page_path, executablePath, shots] = process.argv.slice(2);
-const address = pathToFileURL(page_path).href;
-const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--enable-unsafe-swiftshader"] });
-const faults = [];
-let passed = 0;
+const shots = process.argv[4];
 
-/** Opens the page at a moment; every error of it is remembered. */
+/** Opens the page at a moment. */
 async function open(hash = "", viewport = { width: 1200, height: 800 }) {
-  const context = await browser.newContext({ viewport, offline: true });
-  const page = await context.newPage();
-  page.setDefaultTimeout(120_000); // a page of megabytes on cores that are busy
-  page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
-  page.on("pageerror", (error) => faults.push(error.stack));
-  page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || faults.push(`asks for ${request.url()}`));
-  await page.goto(address + hash);
-  await page.waitForFunction(() => document.documentElement.dataset.state, null, { timeout: 120000 });
-  equal(await page.evaluate(() => document.documentElement.dataset.state), "ready");
+  const page = await openPage(hash, viewport);
   await settled(page);
   return page;
 }
@@ -55,12 +42,6 @@ async function colours(page, name) {
 
 const time = (page) => page.evaluate(() => window.replay.player.time);
 const text = (page, selector) => page.locator(selector).innerText();
-
-async function test(name, body) {
-  await body();
-  ++passed;
-  console.log(`ok: ${name}`);
-}
 
 await test("the run's facts, curves and controls stand in the page", async () => {
   const page = await open();
@@ -220,6 +201,4 @@ await test("help opens and closes; a small screen has no sideways scrolling", as
   await page.context().close();
 });
 
-await browser.close();
-deepEqual(faults, [], "no error in the console, nothing asked of a network");
-console.log(`${passed} passed, 0 failed`);
+await end();

@@ -3,34 +3,10 @@
 
 import { deepEqual, equal, ok } from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { drawn, end, open, test } from "./opened.mjs";
 
-const [page_path, executablePath, word] = process.argv.slice(2);
-const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--enable-unsafe-swiftshader"] });
-const faults = [];
-let passed = 0;
-
-async function open(hash = "") {
-  const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, offline: true, acceptDownloads: true });
-  const page = await context.newPage();
-  page.setDefaultTimeout(120_000);
-  page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
-  page.on("pageerror", (error) => faults.push(error.stack));
-  await page.goto(pathToFileURL(page_path).href + hash);
-  await page.waitForFunction(() => document.documentElement.dataset.state === "ready" && window.replay.pictures > 0);
-  return page;
-}
-
-/** Waits until what was asked for is drawn. */
-const drawn = (page) => page.waitForFunction(() => window.replay.dirty.size === 0);
+const word = process.argv[4];
 const text = (page, selector) => page.locator(selector).innerText();
-
-async function test(name, body) {
-  await body();
-  ++passed;
-  console.log(`ok: ${name}`);
-}
 
 await test("it opens on what moves, and says how that moves", async () => {
   const page = await open();
@@ -134,6 +110,4 @@ await test("pictures and films are saved", async () => {
   await page.context().close();
 });
 
-await browser.close();
-deepEqual(faults, [], "no error in the console: the content security policy, too");
-console.log(`${passed} passed, 0 failed`);
+await end();

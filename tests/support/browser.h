@@ -33,6 +33,7 @@ inline ScriptOutcome runScript(const std::string& script, const std::string& arg
     for (const char* name : {"package.json", "package-lock.json"})
         std::filesystem::copy_file(source / "replay" / name, folder / name, kReplace);
     std::filesystem::copy_file(source / script, copy, kReplace);
+    std::filesystem::copy_file(source / "replay/opened.mjs", folder / "opened.mjs", kReplace);
     if (!std::filesystem::exists(folder / "node_modules/playwright-core") &&
         !succeeds("cd '" + folder.string() + "' && npm ci --ignore-scripts"))
         return {true, 0, ""};
