@@ -7,6 +7,7 @@
 #include "forces/contact_forces.h"
 #include "measure/measure.h"
 #include "state/block_motion.h"
+#include "state/caller.h"
 #include "state/incidence.h"
 #include "step/step.h"
 #include "step/time_step.h"
@@ -179,9 +180,7 @@ class Continuation {
         failure_.time_step = kContinuationStepSafety * stableTimeStep(cap_, state_.damping.contact);
     }
 
-    bool interrupted() const {
-        return control_.stop != nullptr && control_.stop->load(std::memory_order_relaxed);
-    }
+    bool interrupted() const { return isStopped(control_); }
 
     void goOn() {
         advance(state_, {failure_.time_step, parallel_}, kStepsPerLook);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/probing.h"
+#include "state/caller.h"
 #include "state/incidence.h"
 
 namespace talus::analysis {
@@ -52,9 +53,7 @@ class Afresh {
         return std::nullopt;
     }
 
-    bool stopped() const {
-        return control_.stop != nullptr && control_.stop->load(std::memory_order_relaxed);
-    }
+    bool stopped() const { return isStopped(control_); }
 
  private:
     bool rests(State& state) { return findRest(state, work_, kMostFactors).verdict == Verdict::stable; }

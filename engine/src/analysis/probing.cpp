@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "forces/sum.h"
+#include "state/caller.h"
 
 namespace talus::analysis {
 namespace {
@@ -105,9 +106,7 @@ Probing beginProbing(const State& state, const LoadAxis& axis, const Control& co
     return p;
 }
 
-bool interrupted(const Probing& p) {
-    return p.control.stop != nullptr && p.control.stop->load(std::memory_order_relaxed);
-}
+bool interrupted(const Probing& p) { return isStopped(p.control); }
 
 Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ramp) {
     if (p.implicit_first)

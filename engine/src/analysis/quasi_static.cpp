@@ -12,6 +12,7 @@
 #include "law/law.h"
 #include "measure/measure.h"
 #include "state/block_motion.h"
+#include "state/caller.h"
 #include "step/step.h"
 #include "step/time_step.h"
 
@@ -229,9 +230,7 @@ class DragTuner {
     std::vector<Vec3> force_{};
 };
 
-bool interrupted(const QuasiStaticWork& work) {
-    return work.control->stop != nullptr && work.control->stop->load(std::memory_order_relaxed);
-}
+bool interrupted(const QuasiStaticWork& work) { return isStopped(*work.control); }
 
 /// Every block at the same stability bound; one number per block.
 std::vector<double> inertiaScale(const QuasiStaticWork& work, const std::vector<double>& bounds) {

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "analysis/failure_mode.h"
+#include "analysis/given_step.h"
+#include "analysis/history_record.h"
 #include "analysis/initial_state.h"
 #include "analysis/load_axis.h"
 #include "analysis/plausible.h"
@@ -14,10 +16,8 @@
 #include "analysis/water_warnings.h"
 #include "build/build.h"
 #include "contacts/update.h"
-#include "forces/ground_motion.h"
 #include "forces/sum.h"
 #include "frame/frame.h"
-#include "law/joint_laws.h"
 #include "measure/measure.h"
 #include "state/block_motion.h"
 #include "state/caller.h"
@@ -49,38 +49,6 @@ bool expectsImpacts(const State& state) {
     return false;
 }
 
-BlockReport reportOn(const State& state, std::size_t b) {
-    BlockReport report;
-    report.name = state.geometry->model.blocks[b].name;
-    report.position = state.geometry->origin + state.blocks.position.get(b);
-    report.velocity = state.blocks.velocity.get(b);
-    report.displacement = state.blocks.position.get(b) - state.geometry->initial_position.get(b);
-    report.rotation = rotationFrom(state.geometry->initial_orientation, state.blocks.orientation, b);
-    return report;
-}
-
-std::vector<std::size_t> watchedBlocks(const Model& model) {
-    std::vector<std::size_t> watched;
-    for (const std::string& name : model.run.watch)
-        for (std::size_t b = 0; b < model.blocks.size(); ++b)
-            if (model.blocks[b].name == name) watched.push_back(b);
-    return watched;
-}
-
-HistoryRecord recordOf(const State& state, const std::vector<std::size_t>& watched) {
-    HistoryRecord record;
-    record.time = state.time;
-    record.step = state.step;
-    record.kinetic_energy = kineticEnergy(state);
-    record.elastic_energy = elasticEnergy(state);
-    record.gravity_energy = gravityEnergy(state);
-    record.out_of_balance = outOfBalanceRatio(state);
-    for (std::size_t b : watched) record.watch.push_back(reportOn(state, b));
-    record.supports = supportReports(state);
-    if (state.load.shaken) record.ground_acceleration = groundAcceleration(state);
-    return record;
-}
-
 class TimeHistory {
  public:
     TimeHistory(State state, const Control& control, const RunOutput& output, bool parallel)
@@ -89,7 +57,7 @@ class TimeHistory {
           output_(output),
           parallel_(parallel),
           settings_(state_.geometry->model.run),
-          watched_(watchedBlocks(state_.geometry->model)) {
+          watched_(analysis::watchedBlocks(state_.geometry->model)) {
         if (output_.begin) geometry_ = geometryOf(state_);
     }
 
@@ -168,7 +136,7 @@ class TimeHistory {
     const State& state() const { return state_; }
     double timeStep() const { return progress_.time_step; }
     InitialState startedFrom() const { return start_; }
-    HistoryRecord record() const { return recordOf(state_, watched_); }
+    HistoryRecord record() const { return analysis::recordOf(state_, watched_); }
 
  private:
     std::optional<Error> faultNow() const {
@@ -179,52 +147,7 @@ class TimeHistory {
     Error becameInfinite() const {
         char text[60];
         std::snprintf(text, sizeof text, "the motion became infinite before t = %g s", state_.time);
-        return stepTooLong(text);
-    }
-
-    /// Steps above the stability bound may be stable, for the bound is no tight one: rocks that meet by vertices go well with ten
-    /// times that, a stack of faces has 3e43 J at six times. Blocks that nobody works on gain no energy; where something does,
-    /// nobody can tell, and steps of more than twice the bound are refused.
-    void watchEnergy() {
-        constexpr double kMostGained = 0.1;  // of the largest kinetic energy so far
-        constexpr double kNothing = 1e-6;    // of the model's weight times the median block's size
-        const double energy = totalEnergy(state_, parallel_);
-        least_energy_ = std::min(least_energy_, energy);
-        most_kinetic_ = std::max(most_kinetic_, kineticEnergy(state_));
-        double weight = 0;
-        for (const double mass : state_.blocks.mass)
-            weight += mass * state_.geometry->model.gravity.magnitude;
-        const double gained = energy - least_energy_;
-        if (gained <= kMostGained * most_kinetic_ ||
-            gained <= kNothing * weight * state_.geometry->length_scale)
-            return;
-        char text[100];
-        std::snprintf(text, sizeof text, "the blocks have gained %.2g J out of nothing by t = %g s", gained,
-                      state_.time);
-        fault_ = stepTooLong(text);
-    }
-
-    Error stepTooLong(const std::string& what) const {
-        char text[160];
-        std::snprintf(
-            text, sizeof text,
-            " with a step of %g s; allowed: at most the stability bound of %.3g s (leave the key out to "
-            "have it chosen)",
-            progress_.time_step, progress_.stability_bound);
-        return {"run.time_step_s", what + text};
-    }
-
-    void judgeGivenStep() {
-        constexpr double kMostOverBound = 2.0;
-        if (!(progress_.time_step > progress_.stability_bound)) return;
-        if (isLeftAlone(state_)) {
-            least_energy_ = std::min(least_energy_, totalEnergy(state_, parallel_));
-        } else if (progress_.time_step > kMostOverBound * progress_.stability_bound) {
-            fault_ = stepTooLong("loads, water, bolts or driven blocks would make the motion explode");
-        }
-        if (std::exchange(progress_.warned_of_step, true)) return;
-        state_.warnings.push_back("run.time_step_s is above the stability bound of " +
-                                  std::to_string(progress_.stability_bound * 1e6) + " us");
+        return analysis::stepTooLong(text, progress_.time_step, progress_.stability_bound);
     }
 
     void shake() { state_.load.shaken = !state_.geometry->model.ground_motion.empty(); }
@@ -269,7 +192,7 @@ class TimeHistory {
     /// count, so that the run that goes on from it has its frames where they would have been.
     void handOut(bool full) {
         if (std::exchange(last_light_, state_.step) != state_.step) {
-            if (output_.record) output_.record(recordOf(state_, watched_));
+            if (output_.record) output_.record(analysis::recordOf(state_, watched_));
             if (output_.light) {
                 LightFrame frame = lightFrameOf(state_);
                 frame.time_step = progress_.time_step;
@@ -289,7 +212,7 @@ class TimeHistory {
         progress_.stability_bound = bound;
         if (settings_.time_step) {
             progress_.time_step = *settings_.time_step;
-            if (highest > 0) judgeGivenStep();
+            if (highest > 0 && isAboveBound()) judgeGivenStep();
             return;
         }
         // A whole number of steps ends exactly at the duration.
@@ -298,6 +221,15 @@ class TimeHistory {
             progress_.time_step = left / std::max(1.0, std::ceil(left / (progress_.step_safety * bound)));
         else if (open_ended_)
             progress_.time_step = progress_.step_safety * bound;
+    }
+
+    bool isAboveBound() const { return progress_.time_step > progress_.stability_bound; }
+
+    void judgeGivenStep() {
+        fault_ = given_step_.begin(state_, progress_.time_step, progress_.stability_bound, parallel_);
+        if (std::exchange(progress_.warned_of_step, true)) return;
+        state_.warnings.push_back("run.time_step_s is above the stability bound of " +
+                                  std::to_string(progress_.stability_bound * 1e6) + " us");
     }
 
     /// Up to the next look, frame or `end` [s], whichever comes first; at least one.
@@ -335,7 +267,8 @@ class TimeHistory {
                 fault_ = becameInfinite();
                 return;
             }
-            if (progress_.time_step > progress_.stability_bound && isLeftAlone(state_)) watchEnergy();
+            if (isAboveBound())
+                fault_ = given_step_.look(state_, progress_.time_step, progress_.stability_bound, parallel_);
             if (fault_) return;
             lookAtBlockForces(state_);
             if (refreshInterfaces(state_, parallel_, kStepsPerLook * progress_.time_step)) chooseTimeStep();
@@ -357,10 +290,10 @@ class TimeHistory {
         result.contact_points = count.points;
         result.kinetic_energy = kineticEnergy(state_);
         result.state_hash = stateHash(state_);
-        for (std::size_t b : watched_) result.watch.push_back(reportOn(state_, b));
+        for (std::size_t b : watched_) result.watch.push_back(analysis::reportOn(state_, b));
         result.supports = supportReports(state_);
         for (std::size_t b = 0; b < state_.blocks.size(); ++b)
-            result.displacements.push_back(reportOn(state_, b).displacement);
+            result.displacements.push_back(analysis::reportOn(state_, b).displacement);
         result.interrupted = interrupted_;
         result.warnings = state_.warnings;
         if (auto pushed = analysis::pushedAway(state_)) result.warnings.push_back(std::move(*pushed));
@@ -399,8 +332,8 @@ class TimeHistory {
     bool went_far_ = false;
     bool interrupted_ = false;
     std::optional<Error> fault_{};
-    double least_energy_ = kInfinity, most_kinetic_ = 0;  ///< [J], while steps are above the stability bound
-    bool open_ended_ = false;                             // steps are asked for, whatever the duration
+    analysis::GivenStep given_step_{};
+    bool open_ended_ = false;  // steps are asked for, whatever the duration
 };
 
 /// Faults of the model; its doubts go among the state's warnings.
