@@ -32,6 +32,9 @@ struct Outcome {
     nlohmann::json json() const { return nlohmann::json::parse(out); }
 };
 
+/// How many times longer the program may take where it is built with sanitizers and assertions: what a test waits for, and how long.
+constexpr double kSlower = TALUS_SLOWER;
+
 /// How large files may become [KiB].
 struct Room {
     std::size_t kib = 0;

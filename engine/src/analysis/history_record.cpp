@@ -19,9 +19,10 @@ BlockReport reportOn(const State& state, std::size_t b) {
 
 std::vector<std::size_t> watchedBlocks(const Model& model) {
     std::vector<std::size_t> watched;
-    for (const std::string& name : model.run.watch)
+    for (const std::string& name : model.run.watch) {
         for (std::size_t b = 0; b < model.blocks.size(); ++b)
             if (model.blocks[b].name == name) watched.push_back(b);
+    }
     return watched;
 }
 

@@ -203,7 +203,7 @@ TEST_CASE("Ctrl-C ends an export of large frames at once, and ParaView's lists n
             program.endsWithin(0))
             break;
         program.signal(SIGINT);
-        CHECK(program.endsWithin(0.5));
+        CHECK(program.endsWithin(kSlower * 0.5));
         const Outcome outcome = program.outcome();
         CHECK(outcome.exit_code == 130);
         CHECK(outcome.err.find("interrupted") != std::string::npos);

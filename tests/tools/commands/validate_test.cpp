@@ -131,7 +131,7 @@ TEST_CASE("Ctrl-C while a large file is read ends the command at once, and is sa
         Program program(arguments);
         REQUIRE(waitFor([&] { return program.cpuSeconds() > 0.2; }));
         program.signal(SIGINT);
-        CHECK(program.endsWithin(0.5));
+        CHECK(program.endsWithin(kSlower * 0.5));
         const Outcome outcome = program.outcome();
         CHECK(outcome.exit_code == 130);
         CHECK(outcome.json()["ok"] == false);
