@@ -84,7 +84,7 @@ TEST_SUITE("physics") {
             const auto ceiling = limitAnalysis(model, Varied::horizontal);
             REQUIRE(ceiling.ok());
             CHECK(ceiling->upper == doctest::Approx(exact).epsilon(1e-4));
-            const auto theory = loadSearch("critical-acceleration")->theory(model);
+            const auto theory = loadSearch("critical-acceleration")->theory(model, nullptr);
             REQUIRE(theory.has_value());
             CHECK(theory->value == doctest::Approx(exact).epsilon(1e-12));
         }

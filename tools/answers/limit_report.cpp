@@ -2,6 +2,7 @@
 
 #include "cli/json.h"
 #include "cli/provenance.h"
+#include "cli/scenario.h"
 
 namespace talus::tools {
 
@@ -21,7 +22,7 @@ Json mechanismJson(const LimitResult& result) {
 }  // namespace
 
 Json limitJson(const VariedQuantity& load, const LimitResult& result, const Common& common,
-               const std::string& scenario_path) {
+               const formats::Scenario& scenario) {
     return {{"status", toString(result.status)},
             {"for", load.name},
             {"unit", *load.unit != '\0' ? Json(load.unit) : Json(nullptr)},
@@ -38,7 +39,8 @@ Json limitJson(const VariedQuantity& load, const LimitResult& result, const Comm
             {"iterations", result.iterations},
             {"wall_seconds", number(result.wall_seconds)},
             {"interrupted", result.status == SearchStatus::interrupted},
-            {"provenance", provenance(common, scenario_path)}};
+            {"warnings", warningsJson(scenario)},
+            {"provenance", provenance(common, scenario.path)}};
 }
 
 }  // namespace talus::tools

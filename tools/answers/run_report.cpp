@@ -74,7 +74,7 @@ Json runJson(const RunOptions& options, const formats::Scenario& scenario, const
         {"largest_displacement", largestJson(scenario, result)}};
     addSupports(result.supports, json);
     json["interrupted"] = result.interrupted;
-    json["warnings"] = result.warnings;
+    json["warnings"] = warningsJson(scenario, result.warnings);
     json["output"] = options.output.empty() ? Json(nullptr) : Json(options.output);
     json["snapshots"] = recorder.facts();
     json["resumed"] = options.resume.empty() ? Json(nullptr) : Json(options.resume);

@@ -33,11 +33,11 @@ SearchReport answer(const LoadSearch& search, const formats::Scenario& scenario,
     SearchResult result = valueOf(search.find(scenario.model, control, {}), scenario);
     const Ceiling ceiling = ceilingOf(scenario, search.load->varied, request.ceiling, result, control);
     holdUnder(ceiling, search.load->varied, result);
-    // Of a stack of 100,000 blocks the formulas take many seconds: who has interrupted the search does not wait for them.
     const bool interrupted = result.status == SearchStatus::interrupted;
-    auto theory = interrupted ? std::nullopt : search.theory(scenario.model);
+    auto theory = interrupted ? std::nullopt : search.theory(scenario.model, control.stop);
     SearchReport report{common, scenario, search, std::move(result), std::move(theory), ceiling};
     if (keeper.wanted()) report.kept = keeper.keep(report.result, search, control);
+    report.cut_short = !interrupted && control.stop != nullptr && control.stop->load();
     return report;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/failures.h"
 #include "cli/json.h"
 #include "cli/provenance.h"
+#include "cli/scenario.h"
 #include "cli/signals.h"
 #include "cli/text.h"
 #include "report/numbers.h"
@@ -87,7 +88,7 @@ std::string answerText(const SearchReport& report) {
 }
 
 std::string theoryText(const SearchReport& report) {
-    if (!report.theory) return row("theory", "no closed formula applies");
+    if (!report.theory) return row("theory", report.cut_short ? "interrupted" : "no closed formula applies");
     std::string line = figureOf(report, report.theory->value) + unitOf(report);
     if (report.result.status == SearchStatus::found)
         line += "  (computed minus theory: " + figureOf(report, report.result.answer - report.theory->value) +
@@ -253,7 +254,7 @@ Json list(const std::vector<T>& items, F&& json_of) {
 }  // namespace
 
 int exitCode(const SearchReport& report) {
-    if (wasInterrupted(report.result)) return kInterrupted;
+    if (wasInterrupted(report.result) || report.cut_short) return kInterrupted;
     if (report.kept && report.kept->exit_code != kDone) return report.kept->exit_code;
     const bool sure = report.result.status != SearchStatus::undecided && !report.result.groups_undecided;
     return sure ? kDone : kUndecided;
@@ -288,8 +289,8 @@ Json searchJson(const SearchReport& report) {
     json["factorisations"] = result.factors;
     json["wall_seconds"] = number(result.wall_seconds);
     json["state_hash"] = hashText(result.state_hash);
-    json["interrupted"] = wasInterrupted(result);
-    json["warnings"] = result.warnings;
+    json["interrupted"] = wasInterrupted(result) || report.cut_short;
+    json["warnings"] = warningsJson(report.scenario, result.warnings);
     json["blocks"] = result.blocks;
     json["interfaces"] = result.interfaces;
     json["contact_points"] = result.contact_points;

@@ -376,6 +376,7 @@ Json supportDesignJson(const SupportQuestion& question, const SupportDesign& des
             {"set", design.sets},
             {"trials", trials},
             {"wall_seconds", number(design.wall_seconds)},
+            {"warnings", warningsJson(scenario)},
             {"provenance", provenance(common, scenario.path)}};
 }
 

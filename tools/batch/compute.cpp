@@ -73,7 +73,7 @@ void writeSearch(const SearchResult& result, const LoadSearch& search, const Mod
     if (result.status == SearchStatus::found) row.set(search.answer_key, result.answer / search.load->scale);
     row.set(search.keyInUnit("bracket_low"), result.low / search.load->scale);
     row.set(search.keyInUnit("bracket_high"), result.high / search.load->scale);
-    if (const auto theory = search.theory(model))
+    if (const auto theory = search.theory(model, nullptr))
         row.set(search.theory_key, theory->value / search.load->scale);
     row.set("failure_mode", std::string(toString(result.mode)));
     row.set("moving_count", static_cast<std::int64_t>(result.moving_blocks.size()));

@@ -52,4 +52,10 @@ formats::Scenario loadScenario(const ScenarioInput& input, const Common& common)
     return scenario;
 }
 
+Json warningsJson(const formats::Scenario& scenario, const std::vector<std::string>& result) {
+    Json all = scenario.warnings;
+    for (const std::string& warning : result) all.push_back(warning);
+    return all;
+}
+
 }  // namespace talus::tools

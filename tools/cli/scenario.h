@@ -7,6 +7,7 @@
 
 #include "cli/common.h"
 #include "cli/failures.h"
+#include "cli/json_fwd.h"
 #include "cli/signals.h"
 #include "talus/formats/scenario.h"
 
@@ -32,5 +33,8 @@ EndsAtOnce whileReading(const std::string& name, const Common& common);
 
 /// Reads a scenario; throws BadInput. Its warnings go to stderr.
 formats::Scenario loadScenario(const ScenarioInput& input, const Common& common);
+
+/// What a result says under "warnings": what is doubtful in the scenario, then in the result.
+Json warningsJson(const formats::Scenario& scenario, const std::vector<std::string>& result = {});
 
 }  // namespace talus::tools

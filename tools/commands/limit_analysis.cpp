@@ -93,7 +93,7 @@ int analyse(const LimitOptions& options) {
     std::optional<KeptMechanism> kept;
     if (keeper.wanted()) kept = keeper.keep(result, *options.load);
     if (options.common.json) {
-        Json json = limitJson(*options.load, result, options.common, options.scenario.name());
+        Json json = limitJson(*options.load, result, options.common, scenario);
         if (kept) json["kept_mechanism"] = keptMechanismJson(*kept);
         printJson(json);
     } else {

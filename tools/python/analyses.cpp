@@ -71,7 +71,7 @@ std::string limit(const formats::Scenario& scenario, const std::string& load, st
     compute(manner, [&](Computing& computing) {
         const LimitResult result = tools::valueOf(
             limitAnalysis(scenario.model, quantity->varied, computing.control(), settings), scenario);
-        json = jsonText(limitJson(*quantity, result, commonOf(manner), scenario.path));
+        json = jsonText(limitJson(*quantity, result, commonOf(manner), scenario));
     });
     return json;
 }

@@ -3,6 +3,7 @@
 // inspection read this list and know no search by name: a new one is an entry in engine/src/analysis/searches.cpp, and a
 // file for how it is made.
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -65,7 +66,8 @@ struct LoadSearch {
     std::optional<double> threshold;  ///< that is asked for unless a sweep names others, in the unit
     bool follows_groups;              ///< finds who goes next, too (Control::groups)
     Result<SearchResult> (*find)(const Model& model, const Control& control, const QuasiStatic& settings);
-    std::optional<TheoryFigure> (*theory)(const Model& model);  ///< nothing where no formula applies
+    /// Nothing where no formula applies, or where it is stopped: of 100,000 blocks it takes many seconds.
+    std::optional<TheoryFigure> (*theory)(const Model& model, const std::atomic<bool>* stop);
 
     /// "bracket" -> "bracket_deg"
     std::string keyInUnit(std::string_view key) const;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "model/gravity.h"
+#include "state/caller.h"
 
 namespace talus {
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double kDegree = 0.017453292519943295;  // [rad]
 
-std::optional<TheoryFigure> theoryOfTilt(const Model& model) {
+std::optional<TheoryFigure> theoryOfTilt(const Model& model, const std::atomic<bool>*) {
     auto prediction = theory::predict(model);
     if (!prediction) return std::nullopt;
     const double tilt = prediction->critical_tilt;
@@ -48,17 +49,18 @@ class ReducedTheory {
 /// The strength reduction at which the predicted critical tilt is the model's own tilt. Nothing where no formula
 /// applies, and nothing where overturning decides: strength has no part in that. The formulas may be silent for strong
 /// joints (columns lean) and for weak ones (water pushes uphill), so the first factor that slides is sought upwards.
-std::optional<TheoryFigure> theoryOfFactor(const Model& model) {
+std::optional<TheoryFigure> theoryOfFactor(const Model& model, const std::atomic<bool>* stop) {
     constexpr double kLowest = 0.02, kHighest = 50, kRatio = 1.05;
     ReducedTheory theory(model);
     if (theory.slides(kLowest)) return std::nullopt;  // whatever the strength: nothing to divide
     double high = kLowest;
-    while (high < kHighest && !theory.slides(high)) high *= kRatio;
+    while (high < kHighest && !isStopped(stop) && !theory.slides(high)) high *= kRatio;
     double low = high / kRatio;
-    while (high / low > 1 + 1e-13) {
+    while (high / low > 1 + 1e-13 && !isStopped(stop)) {
         const double middle = 0.5 * (low + high);
         (theory.slides(middle) ? high : low) = middle;
     }
+    if (isStopped(stop)) return std::nullopt;
     auto prediction = theory.at(high);
     if (prediction) prediction->formula = "with strengths divided by it: " + prediction->formula;
     const bool at_limit =
@@ -68,7 +70,7 @@ std::optional<TheoryFigure> theoryOfFactor(const Model& model) {
 
 /// Without water and cohesion only the direction of the loads matters: on a slope at tilt b an earthquake of k_h and k_v
 /// is a tilt by atan(k_h / (1 - k_v)) more.
-std::optional<TheoryFigure> theoryOfAcceleration(const Model& model) {
+std::optional<TheoryFigure> theoryOfAcceleration(const Model& model, const std::atomic<bool>*) {
     const bool cohesive = std::any_of(model.joints.begin(), model.joints.end(), [](const Joint& joint) {
         return joint.cohesion > 0 || joint.residual_cohesion > 0 || joint.tensile_strength > 0;
     });

@@ -78,7 +78,7 @@ TEST_CASE("each search finds the load of a block on a plane, and its theory says
         const auto found = search.find(model, Control{}, {});
         REQUIRE(found.ok());
         CHECK(found->answer == doctest::Approx(exactOf(search)).epsilon(0.002));
-        const auto theory = search.theory(model);
+        const auto theory = search.theory(model, nullptr);
         REQUIRE(theory.has_value());
         CHECK(theory->value == doctest::Approx(exactOf(search)).epsilon(1e-9));
     }

@@ -2,10 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <cmath>
 
+#include "answers/search.h"
+#include "talus/formats/scenario.h"
 #include "tools/program.h"
 
+using namespace talus::tools;
 using namespace talus::tools::testing;
 
 namespace {
@@ -244,4 +248,45 @@ TEST_CASE("an interrupted limit analysis says so, and the bounds it has") {
     CHECK(outcome.exit_code == 130);
     CHECK(outcome.out.find("interrupted; so far: at least ") != std::string::npos);
     CHECK(outcome.out.find("undecided") == std::string::npos);
+}
+
+TEST_CASE("interrupted after the search, a command keeps its answer and ends with 130") {
+    const TemporaryFolder folder;
+    const auto scenario = talus::formats::readScenario(folder.write("box.toml", blockScenario(12, 20)));
+    REQUIRE(scenario.ok());
+    for (const talus::LoadSearch& search : talus::loadSearches()) {
+        for (const std::string stage : {"limit analysis", "another loading history"}) {
+            CAPTURE(search.name);
+            CAPTURE(stage);
+            std::atomic<bool> stop = false;
+            talus::Control control;
+            control.stop = &stop;
+            control.progress = [&](const talus::Progress& progress) {
+                stop = stop || progress.stage == stage;
+            };
+            SearchRequest request;
+            request.ceiling.always = request.range.always = true;
+            const SearchReport report = answer(search, *scenario, request, {}, control);
+            REQUIRE(stop);
+            CHECK(exitCode(report) == 130);
+            const Json json = searchJson(report);
+            CHECK(json["status"] == "found");
+            CHECK(json["interrupted"] == true);
+            CHECK(json["ceiling"].is_null());
+            CHECK(searchText(report, false).find("limit analysis was interrupted") != std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("what is doubtful in a scenario is told beside each result, to those who read it as JSON, too") {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("box.toml", blockScenario(12, 0.6, "[run]\nduration_s = 0.01\n"));
+    for (const std::string command :
+         {"critical-angle", "safety-factor", "critical-acceleration", "limit-analysis", "run", "validate"}) {
+        CAPTURE(command);
+        std::vector<std::string> words{command, path, "--json", "--quiet"};
+        if (command == "limit-analysis") words.insert(words.end(), {"--for", "tilt"});
+        const Outcome outcome = runTalus(words);
+        CHECK(outcome.json().at("warnings").dump().find("is it in radians?") != std::string::npos);
+    }
 }
