@@ -1,6 +1,7 @@
-// talus-piles [SEEDS [ROCKS [SECONDS]]]: piles of random rocks dropped into a box, one a seed: how much their energy rose from one
+// talus-piles [SEEDS|FIRST-LAST [ROCKS [SECONDS]]]: piles of random rocks dropped into a box, one a seed: how much their energy rose from one
 // frame to the next at most, how deep two of them press into each other in the end, what still moves.
 //   build/bench/talus-piles 10        ten piles as bench/verification/pile.toml has one
+//   build/bench/talus-piles 4-4 250   the fourth alone, of 250 rocks
 
 #include <algorithm>
 #include <cmath>
@@ -109,15 +110,19 @@ bool drop(unsigned seed, int rocks, double seconds) {
 
 int main(int count, char** words) {
     const auto word = [&](int k, double otherwise) { return count > k ? std::atof(words[k]) : otherwise; };
-    const auto seeds = static_cast<unsigned>(word(1, 10));
+    unsigned first = 1, last = 10;
+    if (count > 1 && std::sscanf(words[1], "%u-%u", &first, &last) == 1) {
+        last = first;
+        first = 1;
+    }
     const int rocks = static_cast<int>(word(2, 1000));
     const double seconds = word(3, 1.5);
-    if (seeds < 1 || rocks < 1 || !(seconds > 0)) {
-        std::fprintf(stderr, "usage: talus-piles [SEEDS [ROCKS [SECONDS]]]\n");
+    if (first < 1 || last < first || rocks < 1 || !(seconds > 0)) {
+        std::fprintf(stderr, "usage: talus-piles [SEEDS|FIRST-LAST [ROCKS [SECONDS]]]\n");
         return 2;
     }
     std::printf("  seed   fallen, J  gain/fallen  overlap/size  moves/fallen    wall, s\n");
     bool ran = true;
-    for (unsigned seed = 1; seed <= seeds; ++seed) ran = drop(seed, rocks, seconds) && ran;
+    for (unsigned seed = first; seed <= last; ++seed) ran = drop(seed, rocks, seconds) && ran;
     return ran ? 0 : 1;
 }
