@@ -7,6 +7,7 @@
 #include "analysis/bracket.h"
 #include "analysis/failure_mode.h"
 #include "analysis/load_start.h"
+#include "analysis/loose_blocks.h"
 #include "analysis/probing.h"
 #include "analysis/search_warnings.h"
 #include "forces/sum.h"
@@ -30,19 +31,13 @@ constexpr std::int64_t kFirstLookAtStart = 20'000;  // what falls is seen to in 
 /// Blocks that are not at rest, when they are next to nothing of what is free: squeezed between others they may chatter
 /// without end.
 std::vector<std::size_t> restlessSplinters(const State& state) {
-    constexpr double kRestless = 0.01;      // of the block's own weight
-    constexpr double kMostRestless = 1e-3;  // of the free blocks' mass
+    constexpr double kRestless = 0.01;  // of the block's own weight
     const Vec3 acceleration = bodyAcceleration(state);
     std::vector<std::size_t> restless;
-    double all = 0, part = 0;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
-        if (state.blocks.motion[b] != Motion::free) continue;
-        all += state.blocks.mass[b];
-        if (!(outOfBalanceRatio(state, b, acceleration) > kRestless)) continue;
-        part += state.blocks.mass[b];
-        restless.push_back(b);
-    }
-    if (part > kMostRestless * all) restless.clear();
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free && outOfBalanceRatio(state, b, acceleration) > kRestless)
+            restless.push_back(b);
+    if (!areSplinters(state, restless)) restless.clear();
     return restless;
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/loose_blocks.h"
 #include "step/time_step.h"
 
 namespace talus::analysis {
@@ -218,20 +219,35 @@ std::optional<Error> nothingHolds(const Model& model) {
         "holds the others (fixed = true, or [[rock_mass.fixed]])"};
 }
 
+/// What rounding of its coordinates leaves of a free block's out-of-balance force, over its weight. \pre gravity
+double roundingOf(const State& state, const std::vector<double>& bounds, std::size_t b) {
+    if (state.blocks.motion[b] != Motion::free) return 0.0;
+    const double reach = state.blocks.position.get(b).cwiseAbs().maxCoeff() + state.geometry->radius[b];
+    return std::numeric_limits<double>::epsilon() * reach * bounds[b] /
+           state.geometry->model.gravity.magnitude;
+}
+
 std::optional<Error> roundingDecides(const State& state, double load_tolerance, bool parallel) {
-    const double level = roundingLevel(state, frequencyBounds(state, parallel));
-    if (!(level > kMostRounding * load_tolerance)) return std::nullopt;
     const Model& model = state.geometry->model;
+    if (!(model.gravity.magnitude > 0)) return std::nullopt;
+    const std::vector<double> bounds = frequencyBounds(state, parallel);
+    std::size_t worst = 0;
+    for (std::size_t b = 1; b < bounds.size(); ++b)
+        if (roundingOf(state, bounds, b) > roundingOf(state, bounds, worst)) worst = b;
+    const double level = bounds.empty() ? 0.0 : roundingOf(state, bounds, worst);
+    if (!(level > kMostRounding * load_tolerance)) return std::nullopt;
     const auto stiffest = std::max_element(
         model.joints.begin(), model.joints.end(),
         [](const Joint& a, const Joint& b) { return a.normal_stiffness < b.normal_stiffness; });
     return Error{fieldOf(*stiffest, "normal_stiffness"),
                  "found " + formatted("%g", stiffest->normal_stiffness) +
-                     " Pa/m, with which rounding leaves the out-of-balance force at " +
-                     formatted("%.2g", level) + " of the weight, but a tolerance this fine needs it below " +
+                     " Pa/m, with which rounding leaves the out-of-balance force of block \"" +
+                     model.blocks[worst].name + "\" at " + formatted("%.2g", level) +
+                     " of its weight, but a tolerance this fine needs it below " +
                      formatted("%.2g", kMostRounding * load_tolerance) + ", allowed: at most " +
                      formatted("%.1e", stiffest->normal_stiffness * kMostRounding * load_tolerance / level) +
-                     " Pa/m, or a wider tolerance"};
+                     " Pa/m, or a wider tolerance, or no block so small (of a rock mass, a greater "
+                     "min_thickness leaves such pieces with their neighbours)"};
 }
 
 /// The block whose stiffness for its mass makes a history's steps many times shorter than the median block would.
@@ -253,15 +269,20 @@ std::optional<std::string> slowedByOne(const State& state, bool parallel) {
 }  // namespace
 
 double roundingLevel(const State& state, const std::vector<double>& bounds) {
-    const double g = state.geometry->model.gravity.magnitude;
-    if (!(g > 0)) return 0.0;
+    if (!(state.geometry->model.gravity.magnitude > 0)) return 0.0;
     double level = 0;
-    for (std::size_t b = 0; b < bounds.size(); ++b) {
-        const double reach = state.blocks.position.get(b).cwiseAbs().maxCoeff() + state.geometry->radius[b];
-        if (state.blocks.motion[b] == Motion::free)
-            level = std::max(level, std::numeric_limits<double>::epsilon() * reach * bounds[b] / g);
-    }
+    for (std::size_t b = 0; b < bounds.size(); ++b) level = std::max(level, roundingOf(state, bounds, b));
     return level;
+}
+
+std::vector<std::size_t> splintersOfRounding(const State& state, double load_tolerance, bool parallel) {
+    if (!(state.geometry->model.gravity.magnitude > 0)) return {};
+    const std::vector<double> bounds = frequencyBounds(state, parallel);
+    std::vector<std::size_t> splinters;
+    for (std::size_t b = 0; b < bounds.size(); ++b)
+        if (roundingOf(state, bounds, b) > kMostRounding * load_tolerance) splinters.push_back(b);
+    if (!areSplinters(state, splinters)) splinters.clear();
+    return splinters;
 }
 
 std::vector<Error> implausible(const State& state) { return waterFarAway(state); }

@@ -14,6 +14,10 @@ namespace talus::analysis {
 /// largest of the free blocks. \param bounds  as `frequencyBounds` gives them
 double roundingLevel(const State& state, const std::vector<double>& bounds);
 
+/// Free blocks with so much for their mass that rounding would decide a search, when they are splinters (areSplinters);
+/// else none, and the search is refused.
+std::vector<std::size_t> splintersOfRounding(const State& state, double load_tolerance, bool parallel);
+
 /// Faults of a history: water far outside the model.
 /// \pre here and below: the state is as `buildState` gives it
 std::vector<Error> implausible(const State& state);

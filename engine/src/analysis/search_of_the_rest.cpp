@@ -98,6 +98,12 @@ class SearchOfTheRest {
             if (isStopped(control_)) return notBegun(steps);
             if (!built) return built.errors();
             const bool parallel = worthThreads(*built, control_.threads);
+            const std::vector<std::size_t> splinters =
+                splintersOfRounding(*built, axis_.imbalance_tolerance, parallel);
+            if (letGo(splinters)) {
+                rounded_ += splinters.size();
+                continue;
+            }
             std::vector<Error> errors = implausibleSearch(*built, axis_.imbalance_tolerance, parallel);
             if (!errors.empty()) return errors;
             for (std::string& doubt : doubts(*built)) built->warnings.push_back(std::move(doubt));
@@ -175,9 +181,11 @@ class SearchOfTheRest {
         std::sort(result.fallen_at_start.begin(), result.fallen_at_start.end());
         if (result.fallen_at_start.empty()) return result;
         result.failing = nullptr;  // its blocks are not the model's
-        const std::string splinters = restless_ == 0 ? ""
-                                                     : ", or as splinters come neither to rest nor fall, " +
-                                                           std::to_string(restless_) + " of them";
+        const std::string splinters = restless_ + rounded_ == 0
+                                          ? ""
+                                          : ", or are splinters that come neither to rest nor fall or that "
+                                            "rounding would move, " +
+                                                std::to_string(restless_ + rounded_) + " of them";
         result.warnings.push_back(std::to_string(result.fallen_at_start.size()) +
                                   " of the blocks fall at the start whatever the strength" + splinters +
                                   " (" + result.fallen_at_start.front() +
@@ -192,6 +200,7 @@ class SearchOfTheRest {
     std::vector<char> gone_;     ///< per block: not in the search
     std::vector<char> loose_{};  ///< per block: because it falls; empty: none
     std::size_t restless_ = 0;   ///< of those: taken out because they come neither to rest nor fall
+    std::size_t rounded_ = 0;    ///< of those: so small that rounding is a part of their weight
     std::vector<std::string> warnings_{};
 };
 

@@ -112,6 +112,41 @@ TEST_CASE(
     CHECK(strong.json().at("critical_k").is_null());
 }
 
+TEST_CASE("a splinter that rounding would move is named and left out, and the others get their answer") {
+    const TemporaryFolder folder;
+    // Cubes beside the block: of their weight rounding is eps x k / (rho g size), with 1e11 Pa/m from 20 um on too much.
+    const auto withCube = [&](const std::string& name, const std::string& place, const char* stiffness) {
+        std::string text = blockScenario(
+            10, 20, "[[block]]\nname = \"splinter\"\nbox = { min = [3, 0, 0], max = " + place + " }\n");
+        return folder.write(name, text.replace(text.find("1e9"), 3, stiffness));
+    };
+    for (const char* search : {"critical-angle", "safety-factor", "critical-acceleration"}) {
+        CAPTURE(search);
+        const auto answerTo = [&](const std::string& path) {
+            return runTalus({search, path, "--json", "--quiet", "--no-range"});
+        };
+        const std::string key = search == std::string("safety-factor")    ? "safety_factor"
+                                : search == std::string("critical-angle") ? "critical_angle_deg"
+                                                                          : "critical_k";
+        const Outcome tiny = answerTo(withCube("tiny.toml", "[3.000002, 0.000002, 0.000002]", "1e11"));
+        REQUIRE(tiny.exit_code == 0);
+        const auto json = tiny.json();
+        CHECK(json.at("status") == "found");
+        CHECK(json.at("fallen_at_start") == nlohmann::json{"splinter"});
+        CHECK(json.at("warnings").dump().find("that rounding would move, 1 of them") != std::string::npos);
+        CHECK(json.at("ceiling").is_number());
+        const auto small = answerTo(withCube("small.toml", "[3.1, 0.1, 0.1]", "1e11")).json();
+        CHECK(small.at("fallen_at_start").empty());
+        CHECK(json.at(key).get<double>() == doctest::Approx(small.at(key).get<double>()).epsilon(1e-3));
+    }
+    // Where it is more than a splinter, nothing is left out.
+    const std::string large = withCube("large.toml", "[3.6, 0.5, 0.5]", "1e15");
+    const Outcome alone =
+        runTalus({"critical-angle", large, "--set", "analysis.tolerance_deg=1e-6", "--json", "--quiet"});
+    CHECK(alone.exit_code == 2);
+    CHECK(alone.out.find("of block \\\"splinter\\\" at ") != std::string::npos);
+}
+
 TEST_CASE("a search that rounding would decide, or in which nothing holds, is refused") {
     const TemporaryFolder folder;
     std::string stiff = blockScenario(0, 20, "[analysis]\ntolerance_deg = 1e-6\n");
