@@ -133,6 +133,16 @@ std::string movingText(const SearchResult& result) {
     return std::to_string(result.moving_blocks.size()) + of + ": " + compactNames(result.moving_blocks);
 }
 
+/// An answer that is one of a small part of the slope says so, with the way to the rest.
+std::string smallPartText(const SearchReport& report) {
+    constexpr double kSmall = 0.05;
+    const double share = massShare(report.scenario.model, report.result.moving_blocks);
+    if (!report.search.follows_groups || report.result.groups.size() > 1 || !(share > 0 && share < kSmall))
+        return "";
+    return row("", "these have " + text(100 * share, share < 0.01 ? 2 : 1) +
+                       " % of the free blocks' mass; --groups 4 tells who goes next, and when");
+}
+
 std::string fallenText(const SearchResult& result) {
     if (result.fallen_at_start.empty()) return "";
     return row("fallen at start",
@@ -280,6 +290,7 @@ Json searchJson(const SearchReport& report) {
     json["lost_cohesion_share"] = number(result.lost_cohesion);
     json["failure_mode"] = toString(result.mode);
     json["moving_blocks"] = result.moving_blocks;
+    json["moving_mass_share"] = number(massShare(report.scenario.model, result.moving_blocks));
     json["fallen_at_start"] = result.fallen_at_start;
     addSupports(result.supports, json);
     if (search.follows_groups) json["groups"] = list(result.groups, groupJson);
@@ -312,7 +323,7 @@ std::string searchText(const SearchReport& report, bool verbose) {
                                    ? ""
                                    : theoryText(report) + ceilingText(report) + cohesionText(report) +
                                          rangeText(report) + row("failure mode", toString(result.mode)) +
-                                         row("moving blocks", movingText(result));
+                                         row("moving blocks", movingText(result)) + smallPartText(report);
     const std::string method = wasInterrupted(result) ? "" : row("method", methodText(result));
     std::string table = row("scenario", report.scenario.path) +
                         row(report.search.answer, answerText(report)) + beside + fallenText(result) +

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "talus/analysis.h"
 #include "talus/theory.h"
@@ -78,6 +79,9 @@ std::span<const LoadSearch> loadSearches();
 
 /// The one of this name; nullptr when there is none.
 const LoadSearch* loadSearch(std::string_view name);
+
+/// Share of the free blocks' mass that those of these names have, 0..1: whether an answer is one of the slope or of a small block.
+double massShare(const Model& model, const std::vector<std::string>& blocks);
 
 /// The model as it is at this load.
 void putUnderLoad(Model& model, Varied load, double value);

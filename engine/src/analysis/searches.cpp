@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "analysis/loose_blocks.h"
 #include "model/gravity.h"
 #include "state/caller.h"
 
@@ -249,6 +250,10 @@ const LoadSearch* loadSearch(std::string_view name) {
     const auto found = std::find_if(kSearches.begin(), kSearches.end(),
                                     [&](const LoadSearch& search) { return search.name == name; });
     return found == kSearches.end() ? nullptr : &*found;
+}
+
+double massShare(const Model& model, const std::vector<std::string>& blocks) {
+    return analysis::looseShare(model, analysis::blocksNamed(model, blocks));
 }
 
 void putUnderLoad(Model& model, Varied load, double value) { quantityOf(load).apply(model, value); }

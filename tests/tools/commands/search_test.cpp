@@ -22,9 +22,10 @@ bool isStateHash(const nlohmann::json& value) {
 }
 
 void checkCommonKeys(const nlohmann::json& json) {
-    for (const char* key : {"failure_mode", "moving_blocks", "theory", "probes", "steps", "wall_seconds",
-                            "state_hash", "probe_list", "evidence", "provenance", "warnings", "time_step_s",
-                            "inertia_scaled", "damping_local", "interrupted", "fallen_at_start"}) {
+    for (const char* key :
+         {"failure_mode", "moving_blocks", "theory", "probes", "steps", "wall_seconds", "state_hash",
+          "probe_list", "evidence", "provenance", "warnings", "time_step_s", "inertia_scaled",
+          "damping_local", "interrupted", "fallen_at_start", "moving_mass_share"}) {
         CAPTURE(key);
         CHECK(json.contains(key));
     }
@@ -324,4 +325,35 @@ TEST_CASE("what is doubtful in a scenario is told beside each result, to those w
         const Outcome outcome = runTalus(words);
         CHECK(outcome.json().at("warnings").dump().find("is it in radians?") != std::string::npos);
     }
+}
+
+TEST_CASE("an answer that is one of a small part of the slope says so, with the way to the rest") {
+    const TemporaryFolder folder;
+    // A pebble on the steeper plane goes at tan(20)/tan(40), the block at tan(20)/tan(12).
+    const auto slope = [&](const std::string& pebble) {
+        return folder.write(
+            "slope.toml",
+            blockScenario(12, 20,
+                          "[[block]]\nname = \"wedge\"\nfixed = true\nvertices = [[3,0,0],[4,0,0],"
+                          "[4,0,0.5317094],[3,1,0],[4,1,0],[4,1,0.5317094]]\n" +
+                              pebble));
+    };
+    const std::string pebble =
+        "[[block]]\nname = \"pebble\"\nvertices = "
+        "[[3.4,0.4,0.21268376],[3.6,0.4,0.31902564],[3.4,0.6,0.21268376],"
+        "[3.6,0.6,0.31902564],[3.4,0.4,0.31268376],[3.6,0.4,0.41902564],[3.4,0.6,0.31268376],[3.6,0.6,0."
+        "41902564]]\n";
+    const std::string path = slope(pebble);
+    const auto said = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"safety-factor", path, "--quiet", "--no-range"});
+        return runTalus(more);
+    };
+    const auto json = said({"--json"}).json();
+    CHECK(json.at("moving_blocks") == nlohmann::json{"pebble"});
+    CHECK(json.at("moving_mass_share").get<double>() == doctest::Approx(0.004 / 0.504).epsilon(1e-6));
+    CHECK(said({}).out.find("0.79 % of the free blocks' mass; --groups 4") != std::string::npos);
+    const Outcome groups = said({"--groups", "2"});
+    CHECK(groups.out.find("then go") != std::string::npos);
+    CHECK(groups.out.find("free blocks' mass") == std::string::npos);
+    CHECK(said({"--set", "block[3].fixed=true"}).out.find("free blocks' mass") == std::string::npos);
 }
