@@ -48,12 +48,13 @@ class Program {
         start(arguments, stdout_path);
     }
 
-    /// The same with so much room for each of its files: as on a full disk, the system refuses what is more.
+    /// The same with so much room for each of its files: as on a full disk, the system refuses what is more. Which lines ran is
+    /// not counted: that file would be cut off, too.
     Program(Room room, std::vector<std::string> arguments) {
-        arguments.insert(
-            arguments.begin(),
-            {"/bin/bash", "-c",
-             "trap '' XFSZ; ulimit -f " + std::to_string(room.kib) + "; exec \"$0\" \"$@\"", TALUS_PROGRAM});
+        arguments.insert(arguments.begin(), {"/bin/bash", "-c",
+                                             "trap '' XFSZ; export LLVM_PROFILE_FILE=/dev/null; ulimit -f " +
+                                                 std::to_string(room.kib) + "; exec \"$0\" \"$@\"",
+                                             TALUS_PROGRAM});
         start(arguments, "");
     }
 
