@@ -192,7 +192,8 @@ TEST_CASE("Ctrl-C ends an export of large frames at once, and ParaView's lists n
         folder.write("large.toml",
                      "[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = 35\n"
                      "[material.rock]\ndensity = 2600.0\n[run]\nduration_s = 1e-4\nstart = \"unstressed\"\n"
-                     "[[stack]]\ncolumns = 40\nrows = 30\nslices = 30\nblock = [0.2, 0.1, 0.1]\n");
+                     "[[stack]]\nrows = 30\nslices = 30\nblock = [0.2, 0.1, 0.1]\ncolumns = " +
+                         std::to_string(static_cast<int>(40 / kSlower)) + "\n");
     const std::string run = folder / "run.mcap";
     REQUIRE(runTalus({"run", path, "-o", run}).exit_code == 0);
     for (const double begun : {0.15, 0.4, 0.7}) {
