@@ -34,9 +34,10 @@ std::vector<std::size_t> restlessSplinters(const State& state) {
     constexpr double kRestless = 0.01;  // of the block's own weight
     const Vec3 acceleration = bodyAcceleration(state);
     std::vector<std::size_t> restless;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] == Motion::free && outOfBalanceRatio(state, b, acceleration) > kRestless)
             restless.push_back(b);
+    }
     if (!areSplinters(state, restless)) restless.clear();
     return restless;
 }
