@@ -22,8 +22,8 @@ struct SearchReport {
     std::optional<TheoryFigure> theory;
     Ceiling ceiling{};
     std::optional<KeptRun> kept{};  ///< with --keep-run
-    bool cut_short =
-        false;  ///< interrupted after the search: the answer stands, what belongs beside it lacks
+    /// Interrupted after the search: the answer stands, what belongs beside it may lack.
+    bool cut_short = false;
 };
 
 int exitCode(const SearchReport& report);

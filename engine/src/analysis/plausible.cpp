@@ -227,10 +227,10 @@ double roundingOf(const State& state, const std::vector<double>& bounds, std::si
            state.geometry->model.gravity.magnitude;
 }
 
-std::optional<Error> roundingDecides(const State& state, double load_tolerance, bool parallel) {
+std::optional<Error> roundingDecides(const State& state, double load_tolerance,
+                                     const std::vector<double>& bounds) {
     const Model& model = state.geometry->model;
     if (!(model.gravity.magnitude > 0)) return std::nullopt;
-    const std::vector<double> bounds = frequencyBounds(state, parallel);
     std::size_t worst = 0;
     for (std::size_t b = 1; b < bounds.size(); ++b)
         if (roundingOf(state, bounds, b) > roundingOf(state, bounds, worst)) worst = b;
@@ -275,9 +275,9 @@ double roundingLevel(const State& state, const std::vector<double>& bounds) {
     return level;
 }
 
-std::vector<std::size_t> splintersOfRounding(const State& state, double load_tolerance, bool parallel) {
+std::vector<std::size_t> splintersOfRounding(const State& state, double load_tolerance,
+                                             const std::vector<double>& bounds) {
     if (!(state.geometry->model.gravity.magnitude > 0)) return {};
-    const std::vector<double> bounds = frequencyBounds(state, parallel);
     std::vector<std::size_t> splinters;
     for (std::size_t b = 0; b < bounds.size(); ++b)
         if (roundingOf(state, bounds, b) > kMostRounding * load_tolerance) splinters.push_back(b);
@@ -309,12 +309,13 @@ std::vector<std::string> doubtsOfHistory(const State& state, bool parallel) {
     return told;
 }
 
-std::vector<Error> implausibleSearch(const State& state, double load_tolerance, bool parallel) {
+std::vector<Error> implausibleSearch(const State& state, double load_tolerance,
+                                     const std::vector<double>& bounds) {
     std::vector<Error> errors = implausible(state);
     for (Error& error : softJoints(state)) errors.push_back(std::move(error));
     for (Error& error : dilatesTooMuch(state.geometry->model)) errors.push_back(std::move(error));
     if (auto error = nothingHolds(state.geometry->model)) errors.push_back(std::move(*error));
-    if (auto error = roundingDecides(state, load_tolerance, parallel)) errors.push_back(std::move(*error));
+    if (auto error = roundingDecides(state, load_tolerance, bounds)) errors.push_back(std::move(*error));
     return errors;
 }
 

@@ -15,8 +15,9 @@ namespace talus::analysis {
 double roundingLevel(const State& state, const std::vector<double>& bounds);
 
 /// Free blocks with so much for their mass that rounding would decide a search, when they are splinters (areSplinters);
-/// else none, and the search is refused.
-std::vector<std::size_t> splintersOfRounding(const State& state, double load_tolerance, bool parallel);
+/// else none, and the search is refused. \param bounds  here and below as `frequencyBounds` gives them
+std::vector<std::size_t> splintersOfRounding(const State& state, double load_tolerance,
+                                             const std::vector<double>& bounds);
 
 /// Faults of a history: water far outside the model.
 /// \pre here and below: the state is as `buildState` gives it
@@ -32,6 +33,7 @@ std::vector<std::string> doubtsOfHistory(const State& state, bool parallel);
 /// Faults of a search whose answer a change of the out-of-balance force over the weight by `load_tolerance` decides: that has
 /// to be more than rounding, joints stiff enough that a block's own weight does not move it as far as a failure does, joints
 /// must not gain work as they slide, and something has to hold the blocks.
-std::vector<Error> implausibleSearch(const State& state, double load_tolerance, bool parallel);
+std::vector<Error> implausibleSearch(const State& state, double load_tolerance,
+                                     const std::vector<double>& bounds);
 
 }  // namespace talus::analysis

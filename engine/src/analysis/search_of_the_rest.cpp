@@ -15,6 +15,7 @@
 #include "build/build.h"
 #include "law/joint_laws.h"
 #include "state/caller.h"
+#include "step/time_step.h"
 
 namespace talus::analysis {
 namespace {
@@ -98,13 +99,14 @@ class SearchOfTheRest {
             if (isStopped(control_)) return notBegun(steps);
             if (!built) return built.errors();
             const bool parallel = worthThreads(*built, control_.threads);
+            const std::vector<double> bounds = frequencyBounds(*built, parallel);
             const std::vector<std::size_t> splinters =
-                splintersOfRounding(*built, axis_.imbalance_tolerance, parallel);
+                splintersOfRounding(*built, axis_.imbalance_tolerance, bounds);
             if (letGo(splinters)) {
                 rounded_ += splinters.size();
                 continue;
             }
-            std::vector<Error> errors = implausibleSearch(*built, axis_.imbalance_tolerance, parallel);
+            std::vector<Error> errors = implausibleSearch(*built, axis_.imbalance_tolerance, bounds);
             if (!errors.empty()) return errors;
             for (std::string& doubt : doubts(*built)) built->warnings.push_back(std::move(doubt));
             warnOfFreeBlocks(*built);
