@@ -88,9 +88,10 @@ std::string answerText(const SearchReport& report) {
 }
 
 std::string theoryText(const SearchReport& report) {
-    if (!report.theory)
+    if (!report.theory) {
         return row("theory",
                    report.cut_short ? "none found before the interruption" : "no closed formula applies");
+    }
     std::string line = figureOf(report, report.theory->value) + unitOf(report);
     if (report.result.status == SearchStatus::found)
         line += "  (computed minus theory: " + figureOf(report, report.result.answer - report.theory->value) +
