@@ -105,26 +105,34 @@ void findDrag(const State& state, Balance& balance) {
         if (balance.drag[r] == 0) balance.drag[r] = stiffest * state.geometry->face_area[balance.block[r]];
 }
 
-/// Rotations and torques over the radius.
-void scale(Mat6& k, double row_radius, double column_radius) {
-    k.bottomRows<3>() /= row_radius;
-    k.rightCols<3>() /= column_radius;
-}
-
 /// \param i an interface or a tie
 template <class Active>
-void addStiffness(Balance& balance, const Active& i, InterfaceStiffness& k) {
+void addStiffness(Balance& balance, const Active& i, const InterfaceStiffness& k) {
     const std::int32_t a = balance.row[i.block_a], b = balance.row[i.block_b];
-    const auto at = [](std::int32_t row) { return static_cast<std::size_t>(row); };
-    const auto take = [&](Mat6& block, std::int32_t row, std::int32_t column, Mat6& into) {
-        scale(block, balance.radius[at(row)], balance.radius[at(column)]);
-        into -= block;
-    };
-    if (a >= 0) take(k.aa, a, a, balance.matrix.diagonal[at(a)]);
-    if (b >= 0) take(k.bb, b, b, balance.matrix.diagonal[at(b)]);
+    if (a >= 0) balance.matrix.diagonal[static_cast<std::size_t>(a)] -= k.aa;
+    if (b >= 0) balance.matrix.diagonal[static_cast<std::size_t>(b)] -= k.bb;
     if (i.edge < 0) return;
-    take(k.ab, a, b, (i.a_first ? balance.matrix.upper : balance.matrix.lower)[at(i.edge)]);
-    take(k.ba, b, a, (i.a_first ? balance.matrix.lower : balance.matrix.upper)[at(i.edge)]);
+    const auto edge = static_cast<std::size_t>(i.edge);
+    (i.a_first ? balance.matrix.upper : balance.matrix.lower)[edge] -= k.ab;
+    (i.a_first ? balance.matrix.lower : balance.matrix.upper)[edge] -= k.ba;
+}
+
+/// Rotations times the radius, torques over it.
+void scaleByRadius(Balance& balance) {
+    std::vector<double> scales;
+    for (const double radius : balance.radius) scales.push_back(1.0 / radius);
+    const auto scale = [&](Mat6& k, std::size_t row, std::size_t column) {
+        k.bottomRows<3>() *= scales[row];
+        k.rightCols<3>() *= scales[column];
+    };
+    BlockMatrix& matrix = balance.matrix;
+    for (std::size_t r = 0; r < matrix.rows(); ++r) scale(matrix.diagonal[r], r, r);
+    for (std::size_t e = 0; e < matrix.edges.size(); ++e) {
+        const auto i = static_cast<std::size_t>(matrix.edges[e].first),
+                   j = static_cast<std::size_t>(matrix.edges[e].second);
+        scale(matrix.upper[e], i, j);
+        scale(matrix.lower[e], j, i);
+    }
 }
 
 Mat3 crossMatrix(const Vec3& v) {
@@ -177,8 +185,8 @@ void addTies(const State& state, Balance& balance, const Poses& poses, bool stif
         add(tie.block_b, found.onB(at_b));
         if (!stiffness) continue;
         const TieRates rates = ratesOf(found, at_a, at_b);
-        InterfaceStiffness k{rates.on_a.leftCols<6>(), rates.on_a.rightCols<6>(), rates.on_b.leftCols<6>(),
-                             rates.on_b.rightCols<6>()};
+        const InterfaceStiffness k{rates.on_a.leftCols<6>(), rates.on_a.rightCols<6>(),
+                                   rates.on_b.leftCols<6>(), rates.on_b.rightCols<6>()};
         addStiffness(balance, tie, k);
     }
 }
@@ -269,6 +277,7 @@ void sumForces(const State& state, Balance& balance, const Poses& poses, double 
             i.place, placedOf(poses, i.block_a), placedOf(poses, i.block_b),
             state.laws[static_cast<std::size_t>(i.joint)], {balance.points.data() + i.first_point, i.points},
             rounding, stiffness ? &k : nullptr);
+        if (!wrenches.carries) continue;
         if (const std::int32_t a = balance.row[i.block_a]; a >= 0)
             force[static_cast<std::size_t>(a)] += wrenches.on_a;
         if (const std::int32_t b = balance.row[i.block_b]; b >= 0)
@@ -276,9 +285,10 @@ void sumForces(const State& state, Balance& balance, const Poses& poses, double 
         if (stiffness) addStiffness(balance, i, k);
     }
     for (std::size_t r = 0; r < force.size(); ++r) force[r].tail<3>() /= balance.radius[r];
+    addTies(state, balance, poses, stiffness, force);
+    if (stiffness) scaleByRadius(balance);
     addLoad(bodyAcceleration(state), balance, state, poses, stiffness, force);
     addDead(balance, poses, stiffness, force);
-    addTies(state, balance, poses, stiffness, force);
 }
 
 void commitRounded(const State& state, Balance& balance, const Poses& poses, double rounding) {

@@ -36,6 +36,7 @@ struct InterfacePlace {
 /// On each block: force, then moment about its centroid, model frame [N, N m].
 struct InterfaceWrenches {
     Vec6 on_a = Vec6::Zero(), on_b = Vec6::Zero();
+    bool carries = false;  ///< else no contact point is closed
 };
 
 /// Derivatives of the two wrenches by displacement and rotation (a small turn in the model frame) of the two blocks.
@@ -44,7 +45,7 @@ struct InterfaceStiffness {
 };
 
 /// \param rounding see normalResponse [N]
-/// \param stiffness null when only the wrenches are wanted
+/// \param stiffness null when only the wrenches are wanted; written where the interface carries
 InterfaceWrenches interfaceResponse(const InterfacePlace& place, const Placed& a, const Placed& b,
                                     const contact::JointLaw& joint, std::span<const SolverPoint> points,
                                     double rounding, InterfaceStiffness* stiffness);
