@@ -5,6 +5,9 @@
 #include <cmath>
 #include <string>
 
+#include "build/build.h"
+#include "forces/wet_walls.h"
+#include "geometry/polygon.h"
 #include "support/bench_scenario.h"
 #include "support/models.h"
 #include "talus/analysis.h"
@@ -16,13 +19,20 @@ using namespace talus::test;
 
 namespace {
 
+/// Of water at an elevation in the joint alone, on the block above [N].
+double upliftOf(double dip_deg, double end, double elevation) {
+    const double dip = radians(dip_deg), depth = elevation - 1;  // at the joint's lower end
+    const double wet = std::min(end / std::cos(dip), depth / std::sin(dip));
+    return 1000 * 9.81 * 2 * wet * (depth - 0.5 * wet * std::sin(dip));
+}
+
 /// J. E. Jennings (1970): friction and cohesion in proportion to the areas of joint and rock.
-double factorOf(double dip_deg, double end, double joint_cohesion, double rock_cohesion) {
+double factorOf(double dip_deg, double end, double joint_cohesion, double rock_cohesion, double uplift = 0) {
     const double dip = radians(dip_deg), rock = 1 - end / 10, area = 2 * 10 / std::cos(dip);
     const double volume = 2 * 10 * (9 - 5 * std::tan(dip)), weight = 2600 * 9.81 * volume;
     const double tangent = (1 - rock) * std::tan(radians(30)) + rock * std::tan(radians(45));
     const double cohesion = (1 - rock) * joint_cohesion + rock * rock_cohesion;
-    return (cohesion * area + weight * std::cos(dip) * tangent) / (weight * std::sin(dip));
+    return (cohesion * area + (weight * std::cos(dip) - uplift) * tangent) / (weight * std::sin(dip));
 }
 
 }  // namespace
@@ -81,6 +91,52 @@ TEST_CASE("bridges: water in a joint does not stand in the rock beyond it") {
     };
     CHECK(walls("") == 3);
     CHECK(walls("bridge = \"intact\"\n") == 2);
+}
+
+TEST_CASE("bridges: water lifts what lies over the joint, and not over the rock beyond it") {
+    for (const double dip : {35.0, 40.0})
+        for (const double end : {2.0, 5.0, 8.0})
+            for (const double elevation : {1.5, 4.0, 7.0}) {
+                CAPTURE(dip);
+                CAPTURE(end);
+                CAPTURE(elevation);
+                const std::string water =
+                    "[[water]]\njoint = \"J\"\nelevation = " + std::to_string(elevation) + "\n";
+                const auto scenario = formats::parseScenario(
+                    bench(dip, end, 5e3, 60e3, "bridge = \"intact\"\n") + water, "bench.toml");
+                REQUIRE(scenario.ok());
+                const SearchResult result = *safetyFactor(scenario->model);
+                CHECK((result.status == SearchStatus::found));
+                CHECK(result.answer ==
+                      doctest::Approx(factorOf(dip, end, 5e3, 60e3, upliftOf(dip, end, elevation)))
+                          .epsilon(2e-3));
+            }
+}
+
+TEST_CASE("bridges: water in a disc pushes on as much as the disc has, on both sides, at any inclination") {
+    for (const double dip : {0.0, 30.0, 85.0})
+        for (const double direction : {0.0, 77.0}) {
+            CAPTURE(dip);
+            CAPTURE(direction);
+            const auto scenario = formats::parseScenario(
+                "[material.rock]\ndensity = 2600.0\n[joint.default]\nnormal_stiffness = "
+                "1e10\nshear_stiffness = 1e10\n"
+                "friction_deg = 30\n[joint.intact]\nnormal_stiffness = 1e10\nshear_stiffness = 1e10\n"
+                "friction_deg = 45\ncohesion = 1e6\n"
+                "[rock_mass]\nregion = { box = { min = [100, 0, 0], max = [110, 10, 10] } }\nbridge = "
+                "\"intact\"\n"
+                "fixed = [{ boundary = \"-z\" }]\n[[single_joint]]\nname = \"J\"\npoint = [105, 5, "
+                "5]\nradius = 2.5\n"
+                "dip_deg = " +
+                    std::to_string(dip) + "\ndip_direction_deg = " + std::to_string(direction) +
+                    "\n[[water]]\njoint = \"J\"\nelevation = 12\n",
+                "disc.toml");
+            if (!scenario.ok()) FAIL(scenario.errors()[0].message);
+            const State state = *buildState(scenario->model, false);
+            REQUIRE(state.wet.size() == 2);
+            for (std::size_t w = 0; w < 2; ++w)
+                CHECK(area(wetPolygon(state.wet, w)) == doctest::Approx(M_PI * 2.5 * 2.5));
+        }
 }
 
 TEST_CASE("bridges: only Coulomb's law is mixed, only joints that are there") {

@@ -38,6 +38,19 @@ Outline below(const Outline& outline, const Vec3& normal, double offset) {
     return part;
 }
 
+/// What of a polygon lies in a convex one of the same plane, or all of it where that is empty.
+Outline within(Outline polygon, const Outline& fissure) {
+    if (fissure.empty()) return polygon;
+    Vec3 normal = Vec3::Zero();
+    for (std::size_t k = 2; k < fissure.size(); ++k)
+        normal += (fissure[k - 1] - fissure[0]).cross(fissure[k] - fissure[0]);
+    for (std::size_t k = 0; k < fissure.size(); ++k) {
+        const Vec3 out = (fissure[(k + 1) % fissure.size()] - fissure[k]).cross(normal);
+        polygon = below(polygon, out, out.dot(fissure[k]));
+    }
+    return polygon;
+}
+
 /// Height of the table along `up`: of a depth, which counts along the wall's steepest line from the lowest wet point.
 double tableOf(const Model& model, const Water& water, const std::vector<Outline>& walls, const Vec3& up) {
     const double level = water.level.front().value;
@@ -57,6 +70,7 @@ void addWalls(const Model& model, const Water& water, const Vec3& up, std::vecto
     std::vector<Outline> walls;
     for (const WetFace& wall : water.walls) {
         Outline outline = outlineOf(model, wall);
+        outline = within(outline, water.outline);
         if (std::isfinite(water.base)) outline = below(outline, -Vec3::UnitZ(), -water.base);
         if (outline.size() > 2) walls.push_back(std::move(outline));
     }

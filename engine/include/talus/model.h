@@ -80,6 +80,9 @@ struct Water {
     Daylight daylight = Daylight::closed;
     double base = -kInfinity;    ///< no water below this z of the model at the start (perched water) [m]
     std::vector<WetFace> walls;  ///< the faces it pushes on; empty when `pair` is given
+    /// of a fissure that ends in its plane: the corners of a convex polygon in order, as the model stands [m]; walls are dry
+    /// beyond it. Empty: the fissure reaches as far as its walls.
+    std::vector<Vec3> outline{};
     /// instead: the interface of two blocks, both walls
     std::optional<std::pair<std::int32_t, std::int32_t>> pair;
     std::string field{};  ///< "water[0]", for messages

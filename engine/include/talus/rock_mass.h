@@ -63,6 +63,9 @@ struct SingleJoint {
     bool of_network = false;  ///< one of many with this field: warnings tell of all together
 };
 
+/// Corners of a finite joint in order; a disc is a polygon of as much area. Empty: through the whole region.
+std::vector<Vec3> outlineOf(const SingleJoint& joint);
+
 struct RockMass {
     TriangleSurface region;
     std::vector<JointSet> sets;

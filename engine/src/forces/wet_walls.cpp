@@ -44,6 +44,23 @@ struct HeadOverHeight {
     }
 };
 
+/// What of a polygon on a block lies in the outline of a fissure, as they stand at the start.
+Polygon inOutline(const State& state, const Water& water, std::size_t b, const FaceFrame& plane,
+                  const Polygon& polygon) {
+    if (water.outline.empty()) return polygon;
+    const Mat3 to_own = state.geometry->initial_orientation.matrix(b).transpose();
+    const Vec3 centroid = state.geometry->initial_position.get(b) + state.geometry->origin;
+    std::vector<Vec2> corners;
+    for (const Vec3& corner : water.outline) corners.push_back(plane.toPlane(to_own * (corner - centroid)));
+    Polygon outline;
+    for (const Vec2& corner : corners) outline.push(corner);
+    if (area(outline) < 0) {  // seen from the other side
+        outline.clear();
+        for (auto corner = corners.rbegin(); corner != corners.rend(); ++corner) outline.push(*corner);
+    }
+    return intersect(polygon, outline);
+}
+
 /// Of a water's walls; none for what is not told by heads.
 HeadOverHeight headOverHeight(const State& state, const Water& water) {
     if (water.kind != Water::Level::head || water.pair) return {};
@@ -51,10 +68,11 @@ HeadOverHeight headOverHeight(const State& state, const Water& water) {
     for (const WetFace& wall : water.walls) {
         const auto b = static_cast<std::size_t>(wall.block);
         const Polyhedron& shape = state.geometry->shape[b];
+        const auto face = static_cast<std::size_t>(wall.face);
         const Mat3 turn = state.geometry->initial_orientation.matrix(b);
-        for (const auto v : shape.faces[static_cast<std::size_t>(wall.face)]) {
-            const double z = state.geometry->initial_position.get(b).z() +
-                             (turn * shape.vertices[static_cast<std::size_t>(v)]).z();
+        const FaceFrame plane = faceFrame(shape, face);
+        for (const Vec2& v : inOutline(state, water, b, plane, outlineOf(shape, face))) {
+            const double z = state.geometry->initial_position.get(b).z() + (turn * plane.toWorld(v)).z();
             low = std::min(low, z);
             high = std::max(high, z);
         }
@@ -63,10 +81,12 @@ HeadOverHeight headOverHeight(const State& state, const Water& water) {
     return {water.head[1] - slope * low, slope};
 }
 
-/// A polygon on a block, less what lies below the water's base at the start.
-void addAbove(State& state, std::size_t water, std::size_t b, const FaceFrame& plane, Polygon polygon,
-              const HeadOverHeight& head) {
-    const double base = state.geometry->model.waters[water].base - state.geometry->origin.z();
+/// A polygon on a block, less what lies beyond the fissure or below the water's base at the start.
+void addWetPart(State& state, std::size_t water, std::size_t b, const FaceFrame& plane, const Polygon& whole,
+                const HeadOverHeight& head) {
+    const Water& description = state.geometry->model.waters[water];
+    const double base = description.base - state.geometry->origin.z();
+    Polygon polygon = inOutline(state, description, b, plane, whole);
     if (base > -kInfinity) {
         const Mat3 turn = state.geometry->initial_orientation.matrix(b);
         const Vec3 origin = state.geometry->initial_position.get(b) + turn * plane.origin;
@@ -84,12 +104,12 @@ void addWall(State& state, std::size_t water, const WetFace& wall, const HeadOve
     const auto b = static_cast<std::size_t>(wall.block), face = static_cast<std::size_t>(wall.face);
     const Polyhedron& shape = state.geometry->shape[b];
     const FaceFrame plane = faceFrame(shape, face);
-    addAbove(state, water, b, plane, outlineOf(shape, face), head);
+    addWetPart(state, water, b, plane, outlineOf(shape, face), head);
     const FaceFrame back{plane.origin, plane.e2, plane.e1, -plane.e3};
     for (const Polygon& cover : coversOf(shape, face)) {
         Polygon seen;
         for (std::size_t v = cover.size(); v-- > 0;) seen.push({cover[v].y(), cover[v].x()});
-        addAbove(state, water, b, back, seen, head);
+        addWetPart(state, water, b, back, seen, head);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "rock_mass/circle.h"
@@ -194,6 +195,17 @@ Reach polygonReach(const SingleJoint& joint, const Vec3& normal) {
     return reach;
 }
 
+std::vector<Vec3> cornersOfDisc(const Reach& disc) {
+    constexpr int kCorners = 64;
+    constexpr double kAngle = 2 * std::numbers::pi / kCorners;
+    // Of the polygon: corners r^2 sin(angle) / 2 each.
+    const double radius = disc.radius * std::sqrt(kAngle / std::sin(kAngle));
+    std::vector<Vec3> corners;
+    for (int k = 0; k < kCorners; ++k)
+        corners.push_back(disc.frame.toWorld({radius * std::cos(k * kAngle), radius * std::sin(k * kAngle)}));
+    return corners;
+}
+
 JointPlane singlePlane(const SingleJoint& joint, std::size_t source) {
     if (joint.polygon.empty()) {
         const Vec3 normal = upwardNormal(joint.dip, joint.dip_direction);
@@ -273,4 +285,11 @@ Result<std::vector<JointPlane>> jointPlanes(const RockMass& description, const s
 }
 
 }  // namespace rock_mass
+
+std::vector<Vec3> outlineOf(const SingleJoint& joint) {
+    if (!joint.polygon.empty() || !joint.radius) return joint.polygon;
+    return rock_mass::cornersOfDisc(
+        rock_mass::discReach(joint, upwardNormal(joint.dip, joint.dip_direction)));
+}
+
 }  // namespace talus

@@ -37,7 +37,7 @@ bool isUprightRectangleAcrossX(const Model& model, const WetFace& wall) {
 /// A level over time counts with what it is at the start, as in the analyses; a joint that would drain has not opened
 /// before the first failure.
 bool hasDepth(const Water& water) {
-    return water.kind == Water::Level::depth && !water.pair && !water.level.empty();
+    return water.kind == Water::Level::depth && !water.pair && !water.level.empty() && water.outline.empty();
 }
 
 double lowestWetPoint(const Model& model, const Water& water) {

@@ -104,4 +104,7 @@ void appendRockMass(const RockMassInput& input, RockMassBlocks blocks, Joints& j
 std::vector<WetFace> jointWalls(const RockMassInput& input, const RockMassBlocks& blocks, std::size_t joint,
                                 std::optional<std::int64_t> plane, std::int32_t first);
 
+/// How far water in a joint reaches: as far as the joint where rock bridges bound it, else as far as its faces (empty).
+std::vector<Vec3> wetOutline(const RockMassInput& input, std::size_t joint);
+
 }  // namespace talus::formats::scenario

@@ -190,4 +190,10 @@ std::vector<WetFace> jointWalls(const RockMassInput& input, const RockMassBlocks
     return walls;
 }
 
+std::vector<Vec3> wetOutline(const RockMassInput& input, std::size_t joint) {
+    const std::size_t sets = input.description.sets.size();
+    if (!input.bridge || joint < sets) return {};
+    return outlineOf(input.description.singles[joint - sets]);
+}
+
 }  // namespace talus::formats::scenario

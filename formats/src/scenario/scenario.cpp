@@ -51,7 +51,7 @@ class ScenarioReader {
             readWaters(report_, root_, {stacks_, rock_ ? &*rock_ : nullptr, folder_}, directory);
         for (const ForceSection& section : forceSections())
             section.read({report_, root_, directory, folder_}, model_);
-        std::vector<std::vector<WetFace>> walls;
+        std::vector<RockWalls> walls;
         if (report_.clean()) walls = rockWalls(waters);
         if (report_.clean()) buildBlocks();
         if (report_.clean()) {
@@ -112,12 +112,14 @@ class ScenarioReader {
     }
 
     /// Of the waters in joints of the rock mass; empty for the others.
-    std::vector<std::vector<WetFace>> rockWalls(const std::vector<WaterEntry>& waters) const {
-        std::vector<std::vector<WetFace>> walls(waters.size());
-        for (std::size_t i = 0; i < waters.size(); ++i)
-            if (waters[i].where == WaterEntry::Where::rock_joint)
-                walls[i] = jointWalls(*rock_, *rock_blocks_, waters[i].rock_joint, waters[i].plane,
-                                      firstRockBlock());
+    std::vector<RockWalls> rockWalls(const std::vector<WaterEntry>& waters) const {
+        std::vector<RockWalls> walls(waters.size());
+        for (std::size_t i = 0; i < waters.size(); ++i) {
+            if (waters[i].where != WaterEntry::Where::rock_joint) continue;
+            const std::size_t joint = waters[i].rock_joint;
+            walls[i] = {jointWalls(*rock_, *rock_blocks_, joint, waters[i].plane, firstRockBlock()),
+                        wetOutline(*rock_, joint)};
+        }
         return walls;
     }
 

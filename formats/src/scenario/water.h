@@ -38,9 +38,15 @@ struct WaterPlaces {
 std::vector<WaterEntry> readWaters(Report& report, TableReader& root, const WaterPlaces& places,
                                    const BlockDirectory& blocks);
 
+/// What bounds water in a rock mass.
+struct RockWalls {
+    std::vector<WetFace> faces{};
+    std::vector<Vec3> outline{};  ///< Water::outline
+};
+
 /// Looks up the walls and adds the waters to the model. \param rock_walls  per entry, of those in a rock mass
 /// \pre the model has all its blocks
 void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const std::vector<Stack>& stacks,
-                  const std::vector<std::vector<WetFace>>& rock_walls, Model& model);
+                  const std::vector<RockWalls>& rock_walls, Model& model);
 
 }  // namespace talus::formats::scenario

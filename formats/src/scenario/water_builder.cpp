@@ -44,7 +44,7 @@ std::vector<WetFace> wallsOf(const WaterEntry& entry, const std::vector<Stack>& 
 }  // namespace
 
 void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const std::vector<Stack>& stacks,
-                  const std::vector<std::vector<WetFace>>& rock_walls, Model& model) {
+                  const std::vector<RockWalls>& rock_walls, Model& model) {
     std::size_t walls = 0;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const WaterEntry& entry = entries[i];
@@ -56,8 +56,12 @@ void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const 
             continue;
         }
         Water water = entry.water;
-        water.walls =
-            entry.where == WaterEntry::Where::rock_joint ? rock_walls[i] : wallsOf(entry, stacks, model);
+        if (entry.where == WaterEntry::Where::rock_joint) {
+            water.walls = rock_walls[i].faces;
+            water.outline = rock_walls[i].outline;
+        } else {
+            water.walls = wallsOf(entry, stacks, model);
+        }
         walls += water.walls.size();
         if (walls > kMaxWalls) {
             report.add(entry.place, water.field,

@@ -161,12 +161,15 @@ std::unique_ptr<fb::WaterT> toMessage(const Water& water) {
     }
     if (water.pair) m->pair = {water.pair->first, water.pair->second};
     m->field = water.field;
+    for (const Vec3& corner : water.outline)
+        m->outline.insert(m->outline.end(), corner.begin(), corner.end());
     return m;
 }
 
 bool fromMessage(const fb::WaterT& m, Water& water) {
     if (m.level > fb::Level::MAX || m.level_time.size() != m.level_value.size() || m.head.size() != 2 ||
-        m.wall_block.size() != m.wall_face.size() || (!m.pair.empty() && m.pair.size() != 2))
+        m.wall_block.size() != m.wall_face.size() || (!m.pair.empty() && m.pair.size() != 2) ||
+        m.outline.size() % 3 != 0)
         return false;
     water.kind = static_cast<Water::Level>(m.level);
     for (std::size_t k = 0; k < m.level_time.size(); ++k)
@@ -179,6 +182,8 @@ bool fromMessage(const fb::WaterT& m, Water& water) {
         water.walls.push_back({m.wall_block[k], m.wall_face[k]});
     if (!m.pair.empty()) water.pair = {m.pair[0], m.pair[1]};
     water.field = m.field;
+    for (std::size_t k = 0; k < m.outline.size(); k += 3)
+        water.outline.emplace_back(m.outline[k], m.outline[k + 1], m.outline[k + 2]);
     return true;
 }
 
