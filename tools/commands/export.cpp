@@ -176,7 +176,6 @@ Json exportFrame(formats::SnapshotReader& reader, const ExportOptions& options, 
 Json exportGltf(formats::SnapshotReader& reader, const ExportOptions& options) {
     std::vector<std::size_t> wanted = chosen(reader, options.every);
     if (!options.frame.empty()) wanted = {frameIndex(reader, options.frame, options.file)};
-    if (wanted.empty()) throw BadInput(Error{"", "holds no frames", options.file});
     const std::string bytes = [&] {
         const EndsAtOnce reading = whileReading(options.file, options.common);
         std::vector<LightFrame> frames;
@@ -205,6 +204,7 @@ int exportSnapshot(const ExportOptions& options) {
     }();
     for (const std::string& fault : reader.faults())
         note(options.common, "note: " + options.file + ": " + fault);
+    requireFrames(reader, options.file);
     ProgressPrinter progress(options.common, Fraction::of_time);
     Json json = {{"frames", reader.frames().size()}};
     if (!options.vtk.empty()) json["vtk"] = VtkExport(reader, options).run(progress);

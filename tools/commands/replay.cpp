@@ -129,6 +129,7 @@ int replay(ReplayOptions& options) {
     formats::SnapshotReader reader = openSnapshot(options.file);
     for (const std::string& fault : reader.faults())
         note(options.common, "note: " + options.file + ": " + fault);
+    requireFrames(reader, options.file);
     if (options.verify) return verify(reader, options);
     return options.output.empty() ? showCourse(reader, options) : writePage(reader, options);
 }

@@ -13,8 +13,15 @@ formats::SnapshotReader openSnapshot(const std::string& path) {
     return valueOf(formats::SnapshotReader::open(path));
 }
 
+void requireFrames(const formats::SnapshotReader& reader, const std::string& path) {
+    if (!reader.frames().empty()) return;
+    const std::string lost = reader.faults().empty() ? "" : " that can be read: " + reader.faults().front();
+    throw BadInput(Error{"", "holds no frames" + lost, path});
+}
+
 std::size_t frameIndex(const formats::SnapshotReader& reader, const std::string& words,
                        const std::string& path) {
+    requireFrames(reader, path);
     const auto& frames = reader.frames();
     const auto bad = [&](const std::string& why) {
         return BadInput(Error{"--frame",
@@ -22,7 +29,6 @@ std::size_t frameIndex(const formats::SnapshotReader& reader, const std::string&
                                   std::to_string(frames.size() - 1) + ", or a time like 0.05 or 2s",
                               path});
     };
-    if (frames.empty()) throw BadInput(Error{"", "holds no frames", path});
     if (words == "last") return frames.size() - 1;
     const bool seconds = words.ends_with("s");
     const char* end = words.data() + words.size() - (seconds ? 1 : 0);

@@ -131,7 +131,7 @@ void appendBase64(std::string_view bytes, std::string& out) {
 
 std::string snapshotBytes(formats::SnapshotReader& reader, const std::string& path,
                           const FrameChoice& choice) {
-    if (reader.frames().empty()) throw BadInput(Error{"", "holds no frames", path});
+    requireFrames(reader, path);
     if (choice.all() && reader.end() && reader.faults().empty()) {
         // The bytes go into the page as they are: what is damaged would only be found by who opens it.
         if (const std::vector<std::string> damage = reader.verify(); !damage.empty())

@@ -22,11 +22,25 @@ void addFault(std::vector<std::string>& faults, std::string fault) {
     if (faults.size() < kMostFaults) faults.push_back(std::move(fault));
 }
 
-/// A scan unpacks every chunk, once: no more in all than a file of this size can mean.
+/// Every chunk is unpacked once by a scan, and by who reads all an index names: no more in all than a file of this size can mean.
 std::uint64_t mostUnpacked(std::uint64_t file_size) { return (std::uint64_t{1} << 30) + 256 * file_size; }
 
 /// Each message costs its file at least an index entry, so a false index cannot name more of them than this.
 std::size_t mostPlaces(std::uint64_t file_size) { return static_cast<std::size_t>(file_size / 16 + 16); }
+
+/// Whether an index names every chunk once, one behind the other, and no more than such a file unpacks to.
+bool arePlausible(const std::vector<ChunkIndex>& chunks, std::uint64_t file_size) {
+    std::uint64_t end = 0, unpacked = 0;
+    for (const ChunkIndex& chunk : chunks) {
+        const std::uint64_t room = mostUnpacked(file_size) - unpacked;
+        if (chunk.offset < end || chunk.offset > file_size || chunk.length > file_size - chunk.offset ||
+            chunk.uncompressed_size > room)
+            return false;
+        end = chunk.offset + chunk.length;
+        unpacked += chunk.uncompressed_size;
+    }
+    return true;
+}
 
 bool known(const std::vector<Channel>& channels, std::uint16_t id) {
     return std::any_of(channels.begin(), channels.end(), [&](const Channel& c) { return c.id == id; });
@@ -125,7 +139,7 @@ bool Reader::readSummary() {
         if (opcode == Opcode::metadata_index) sound = sound && decode(content, metadata.emplace_back());
         if (!sound) break;
     }
-    bool sound = d.ok();
+    bool sound = d.ok() && arePlausible(chunks_, source_.size());
     for (std::size_t chunk = 0; chunk < chunks_.size() && sound; ++chunk) sound = readMessageIndex(chunk);
     for (const MetadataIndex& index : metadata) {
         if (!sound || index.length < kRecordHead || index.length > kMostRecordBytes) break;
@@ -164,6 +178,8 @@ bool Reader::readMessageIndex(std::size_t chunk) {
     }
     std::sort(places.begin(), places.end(),
               [](const MessagePlace& a, const MessagePlace& b) { return a.offset < b.offset; });
+    const auto same = [](const MessagePlace& a, const MessagePlace& b) { return a.offset == b.offset; };
+    if (std::adjacent_find(places.begin(), places.end(), same) != places.end()) return false;
     places_.insert(places_.end(), places.begin(), places.end());
     return d.ok();
 }
@@ -295,10 +311,27 @@ bool Reader::loadChunk(std::size_t chunk) {
         static_cast<Opcode>(bytes[0]) != Opcode::chunk)
         return false;
     const View content = View(bytes).from(kRecordHead);
-    if (!decodeChunkHead(content, index, crc, head) || !unpack(content, index, crc, head, chunk_))
+    if (!decodeChunkHead(content, index, crc, head) ||
+        index.uncompressed_size != known_index.uncompressed_size ||
+        !unpack(content, index, crc, head, chunk_) || !namesRecords(chunk))
         return false;
     loaded_ = chunk;
     return true;
+}
+
+/// Whether the loaded chunk has a record of its own at every place that is named in it: else one record's bytes could be read
+/// again and again as many.
+bool Reader::namesRecords(std::size_t chunk) const {
+    const auto before = [](const MessagePlace& place, std::size_t wanted) { return place.chunk < wanted; };
+    auto place = std::lower_bound(places_.begin(), places_.end(), chunk, before);
+    Decoder d(chunk_);
+    while (d.ok() && !d.empty() && place != places_.end() && place->chunk == chunk) {
+        const std::uint64_t at = d.at();
+        d.integer<std::uint8_t>();
+        d.raw(d.integer<std::uint64_t>());
+        if (place->offset == at) ++place;
+    }
+    return place == places_.end() || place->chunk != chunk;
 }
 
 Result<Bytes> Reader::message(const MessagePlace& place) {

@@ -77,6 +77,7 @@ class Reader {
     void scanChunk(View content, std::uint64_t offset);
     bool unpack(View content, const ChunkIndex& index, std::uint32_t crc, std::size_t head, Bytes& out) const;
     bool loadChunk(std::size_t chunk);
+    bool namesRecords(std::size_t chunk) const;
     bool record(std::uint64_t offset, Opcode& opcode, std::uint64_t& length) const;
 
     Source source_;

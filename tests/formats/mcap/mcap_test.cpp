@@ -3,11 +3,13 @@
 #include <doctest/doctest.h>
 #include <fcntl.h>
 
+#include <optional>
 #include <set>
 
 #include "mcap/compression.h"
 #include "mcap/reader.h"
 #include "mcap/writer.h"
+#include "support/containers.h"
 #include "support/files.h"
 
 using namespace talus::mcap;
@@ -131,6 +133,42 @@ TEST_CASE("a changed byte anywhere is noticed, and never gives a wrong message")
         auto reader = Reader::open(Source::of(damaged), "sample", kMost);
         if (reader) CHECK_FALSE(reader->verify().empty());
     }
+}
+
+TEST_CASE(
+    "an index that names a message or a chunk twice is not believed: one's bytes would be read as many "
+    "times") {
+    const Bytes whole = sampleFile();
+    const auto put = [](Bytes& file, std::size_t at, const Bytes& bytes) {
+        std::copy(bytes.begin(), bytes.end(), file.begin() + static_cast<std::ptrdiff_t>(at));
+    };
+    const auto part = [](const Bytes& file, std::size_t at, std::size_t size) {
+        const auto begin = file.begin() + static_cast<std::ptrdiff_t>(at);
+        return Bytes(begin, begin + static_cast<std::ptrdiff_t>(size));
+    };
+    Bytes messages_twice = whole, chunk_twice = whole, within = whole;
+    std::optional<Bytes> first_chunk;
+    talus::test::eachRecord(whole, [&](std::size_t at, Opcode opcode, View content) {
+        const std::size_t begin = at + kRecordHead, entries = begin + 6, entry = 16, place = begin + 16;
+        if (opcode == Opcode::message_index && content.size >= 6 + 2 * entry) {
+            put(messages_twice, entries + entry, part(whole, entries, entry));
+            ++within[entries + entry + 8];  // the offset, by one
+        }
+        if (opcode != Opcode::chunk_index) return;
+        if (first_chunk) put(chunk_twice, place, *first_chunk);
+        if (!first_chunk) first_chunk = part(whole, place, 16);
+    });
+    for (Bytes* file : {&messages_twice, &chunk_twice, &within}) talus::test::seal(*file);
+    for (const Bytes& file : {messages_twice, chunk_twice}) {
+        REQUIRE(file != whole);
+        auto reader = Reader::open(Source::of(file), "sample", kMost);
+        REQUIRE(reader.ok());
+        CHECK(reader->places().size() == kMessages);
+        CHECK(readable(file).size() == kMessages);
+        CHECK_FALSE(readable(file).contains(-1));
+    }
+    CHECK(readable(within).empty());
+    CHECK_FALSE(Reader::open(Source::of(within), "sample", kMost)->verify().empty());
 }
 
 TEST_CASE("a file without its end is read to its last chunk") {

@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
+#include "support/containers.h"
 #include "support/snapshots.h"
 #include "tools/program.h"
 
@@ -155,4 +157,33 @@ TEST_CASE("inspect: a cut file is read as far as it goes, a damaged one is not s
           std::string::npos);
     CHECK(runTalus({"inspect", folder / "absent.mcap"}).exit_code == 2);
     CHECK(runTalus({"inspect", file().path, "--top", "2", "--verify"}).exit_code == 2);
+}
+
+TEST_CASE("a file that has lost all its frames gives no empty answers") {
+    // Every chunk but the first, which holds the header, is damaged.
+    std::string bytes = contentOf(file().path);
+    bool is_first = true;
+    talus::test::eachRecord({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
+                            [&](std::size_t at, talus::mcap::Opcode opcode, talus::mcap::View content) {
+                                if (opcode != talus::mcap::Opcode::chunk || std::exchange(is_first, false))
+                                    return;
+                                bytes[at + talus::mcap::kRecordHead + content.size - 1] ^= 0x10;
+                            });
+    const TemporaryFolder folder;
+    // Without its end, as what is left is looked for then.
+    const std::string lost = folder.write("lost.mcap", bytes.substr(0, bytes.size() - 8));
+    for (const std::vector<std::string>& command :
+         std::vector<std::vector<std::string>>{{"replay", lost},
+                                               {"replay", lost, "--verify"},
+                                               {"replay", lost, "-o", folder / "page.html"},
+                                               {"export", lost, "--csv", folder / "rows.csv"},
+                                               {"export", lost, "--gltf", folder / "blocks.glb"},
+                                               {"export", lost, "--vtk", folder / "vtk"}}) {
+        const Outcome outcome = runTalus(command);
+        CAPTURE(command[0]);
+        CHECK(outcome.exit_code == 2);
+        CHECK(outcome.err.find("holds no frames that can be read: the chunk at byte") != std::string::npos);
+    }
+    CHECK(runTalus({"inspect", lost}).exit_code == 0);
+    CHECK(runTalus({"inspect", lost, "--verify"}).exit_code == 2);
 }
