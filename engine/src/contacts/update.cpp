@@ -91,10 +91,11 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
     return errors;
 }
 
-bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop) {
+bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop,
+                       const std::vector<double>& gone) {
     const double margin = searchMargin(state, ahead);
     const PlaceChanges changes = movedTooFar(state, margin) ? PlaceChanges{.places = false, .search = true}
-                                                            : updateVertexEdges(state, ahead, parallel);
+                                                            : updateVertexEdges(state, ahead, parallel, gone);
     if (!changes.search) {
         const bool recovered = recoverGaps(state);
         // The next half kick is that of the springs as they are now; the old one would do work that none of them holds.

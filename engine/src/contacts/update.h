@@ -33,6 +33,8 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
 /// Asked to stop while interfaces are found it leaves all as it was: then nothing may be computed further.
 /// With Springs::keep_energy no energy comes of 1 (contacts/energy_balance.h), and blocks have the force of what has changed.
 /// \return whether interfaces were found again: then time step and inertia may have to follow
-bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop = nullptr);
+/// \param gone  how far each block has gone since the last call [m], where its velocity does not tell
+bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop = nullptr,
+                       const std::vector<double>& gone = {});
 
 }  // namespace talus

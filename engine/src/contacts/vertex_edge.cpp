@@ -342,15 +342,17 @@ void updatePairs(Interfaces& f, bool parallel, const Each& each) {
 
 }  // namespace
 
-PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel) {
-    assert(ahead >= 0);
+PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const std::vector<double>& gone) {
+    assert(ahead >= 0 && (gone.empty() || gone.size() == state.blocks.size()));
+    const auto wayOf = [&](std::int32_t block) {
+        const auto b = static_cast<std::size_t>(block);
+        return gone.empty() ? kFaster * speedBound(state, b) * ahead : gone[b];
+    };
     std::atomic<bool> search = false, places = false;
     updatePairs(state.interfaces, parallel, [&](std::size_t begin) {
         Interfaces& f = state.interfaces;
         double& left = f.travel_left[begin];
-        const double speed = speedBound(state, static_cast<std::size_t>(f.block_a[begin])) +
-                             speedBound(state, static_cast<std::size_t>(f.block_b[begin]));
-        left -= kFaster * speed * ahead;
+        left -= wayOf(f.block_a[begin]) + wayOf(f.block_b[begin]);
         if (left > 0) return;
         const Look look = lookAtPair(state, begin, ahead, f.faces_are_apart[begin] != 0);
         if (look.changes) {

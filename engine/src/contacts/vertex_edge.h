@@ -43,10 +43,12 @@ struct PlaceChanges {
 /// over the shear force of what was there before, and no more energy than it had: a contact found late is not pressed
 /// into its new place, but counts its gap from where it is until it opens.
 /// \param ahead   time until the next look, not negative [s]
+/// \param gone    how far each block has gone since the last look [m]; empty: as far as its velocity takes it in `ahead`
 /// \pre incidence is that of the interfaces
 /// Reads:  poses, velocities, shapes
 /// Writes: places, their contact points, incidence
-PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel);
+PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel,
+                               const std::vector<double>& gone = {});
 
 /// The same just after a search. \param carried contact points that are gone beside those of the places
 void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried);

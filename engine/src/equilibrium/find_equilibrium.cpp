@@ -26,7 +26,10 @@ constexpr double kLongestStep = 1e9;
 constexpr double kShortestStep = 1e-2;
 constexpr double kStepMotion =
     2e-3;  // most a block may go in a step, of its size: contacts are looked for in between
-constexpr double kLookMotion = 1e-5;     // and the way after which they are
+constexpr double kLookMotion = 1e-5;  // and the way after which they are
+// Vertices and edges are looked at after a share of the way that blocks go between two looks in time (2e-4 of their size): as far
+// apart an equilibrium may be that counts as near, so what holds has to be found sooner.
+constexpr double kFiner = 4.0;
 constexpr double kStepAccuracy = 0.02;   // residual of a step over the out-of-balance force before it
 constexpr double kLimitAccuracy = 0.02;  // or over the limit at rest
 constexpr int kMostIterations = 15;
@@ -60,6 +63,7 @@ class Solver {
     Solver(State& state, const Options& options) : state_(state), options_(options) {
         updateBlockForces(state_);
         takeContacts();
+        gone_.resize(state_.blocks.size());
         start_ = at_.poses;
         deepest_ = deepestPoint(balance_, start_);
         reach_ = tieReach(state_);
@@ -191,10 +195,13 @@ class Solver {
             trial = at_;
             if (!newtonByRounding(h, tolerance, trial)) return false;
         }
+        const auto wayOf = [&](std::size_t r) {
+            return trial.way[r].head<3>().norm() + trial.way[r].tail<3>().norm();
+        };
         for (std::size_t r = 0; r < trial.way.size(); ++r)
-            motion_ = std::max(
-                motion_, (trial.way[r].head<3>().norm() + trial.way[r].tail<3>().norm()) / balance_.size[r]);
+            motion_ = std::max(motion_, wayOf(r) / balance_.size[r]);
         if (motion_ > kStepMotion) return false;
+        for (std::size_t r = 0; r < trial.way.size(); ++r) gone_[balance_.block[r]] += kFiner * wayOf(r);
         at_.poses = std::move(trial.poses);
         return true;
     }
@@ -251,7 +258,8 @@ class Solver {
         way_since_look_ += motion_;
         if (way_since_look_ > kLookMotion) {
             way_since_look_ = 0;
-            refreshInterfaces(state_, options_.parallel, 0.0, options_.stop);
+            refreshInterfaces(state_, options_.parallel, 0.0, options_.stop, gone_);
+            gone_.assign(gone_.size(), 0.0);
             takeContacts();
         } else {
             readMemory(state_, balance_);
@@ -288,6 +296,7 @@ class Solver {
     int iterations_ = 0;                              ///< of the last step
     double motion_ = 0;                               ///< of it, over the block's size
     double way_since_look_ = 0;                       ///< likewise
+    std::vector<double> gone_{};  ///< what each block has gone since then, kFiner times [m]
     Vec6s residual_{}, direction_{};
     Trial tried_{};
 };
