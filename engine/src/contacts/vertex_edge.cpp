@@ -344,7 +344,7 @@ void updatePairs(Interfaces& f, bool parallel, const Each& each) {
 
 PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const std::vector<double>& gone) {
     assert(ahead >= 0 && (gone.empty() || gone.size() == state.blocks.size()));
-    const auto wayOf = [&](std::int32_t block) {
+    const auto way_of = [&](std::int32_t block) {
         const auto b = static_cast<std::size_t>(block);
         return gone.empty() ? kFaster * speedBound(state, b) * ahead : gone[b];
     };
@@ -352,7 +352,7 @@ PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const 
     updatePairs(state.interfaces, parallel, [&](std::size_t begin) {
         Interfaces& f = state.interfaces;
         double& left = f.travel_left[begin];
-        left -= wayOf(f.block_a[begin]) + wayOf(f.block_b[begin]);
+        left -= way_of(f.block_a[begin]) + way_of(f.block_b[begin]);
         if (left > 0) return;
         const Look look = lookAtPair(state, begin, ahead, f.faces_are_apart[begin] != 0);
         if (look.changes) {

@@ -195,13 +195,13 @@ class Solver {
             trial = at_;
             if (!newtonByRounding(h, tolerance, trial)) return false;
         }
-        const auto wayOf = [&](std::size_t r) {
+        const auto way_of = [&](std::size_t r) {
             return trial.way[r].head<3>().norm() + trial.way[r].tail<3>().norm();
         };
         for (std::size_t r = 0; r < trial.way.size(); ++r)
-            motion_ = std::max(motion_, wayOf(r) / balance_.size[r]);
+            motion_ = std::max(motion_, way_of(r) / balance_.size[r]);
         if (motion_ > kStepMotion) return false;
-        for (std::size_t r = 0; r < trial.way.size(); ++r) gone_[balance_.block[r]] += kFiner * wayOf(r);
+        for (std::size_t r = 0; r < trial.way.size(); ++r) gone_[balance_.block[r]] += kFiner * way_of(r);
         at_.poses = std::move(trial.poses);
         return true;
     }

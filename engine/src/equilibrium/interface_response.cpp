@@ -119,10 +119,10 @@ Mat6 about(const Vec3& arm, const ByBlock& by) {
 }
 
 InterfaceStiffness stiffnessOf(const Lie& lie, const LocalSum& sum, const Vec3& force, const Vec3& moment) {
-    const auto inModel = [&](const Mat3& local) -> Mat3 { return lie.axes.transpose() * local * lie.axes; };
+    const auto in_model = [&](const Mat3& local) -> Mat3 { return lie.axes.transpose() * local * lie.axes; };
     const std::array<Mat3, 4> k{
-        inModel(sum.rates.topLeftCorner<3, 3>()), inModel(sum.rates.topRightCorner<3, 3>()),
-        inModel(sum.rates.bottomLeftCorner<3, 3>()), inModel(sum.rates.bottomRightCorner<3, 3>())};
+        in_model(sum.rates.topLeftCorner<3, 3>()), in_model(sum.rates.topRightCorner<3, 3>()),
+        in_model(sum.rates.bottomLeftCorner<3, 3>()), in_model(sum.rates.bottomRightCorner<3, 3>())};
     const ByBlock by_b = byBlock(k, lie.arm_b);
     ByBlock by_a = byBlock(k, lie.arm_a);
     // The frame turns with a, and with it force and moment; the origin goes with a, and with it the arms.

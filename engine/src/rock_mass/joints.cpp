@@ -201,6 +201,7 @@ std::vector<Vec3> cornersOfDisc(const Reach& disc) {
     // Of the polygon: corners r^2 sin(angle) / 2 each.
     const double radius = disc.radius * std::sqrt(kAngle / std::sin(kAngle));
     std::vector<Vec3> corners;
+    corners.reserve(kCorners);
     for (int k = 0; k < kCorners; ++k)
         corners.push_back(disc.frame.toWorld({radius * std::cos(k * kAngle), radius * std::sin(k * kAngle)}));
     return corners;
