@@ -46,6 +46,14 @@ std::string bar(double fraction) {
 
 std::string cut(const std::string& text, std::size_t room) { return text.substr(0, room); }
 
+/// The parts of a detail, parted by commas, that there is room for; of the first one the words.
+std::string wholeParts(const std::string& detail, std::size_t room) {
+    if (detail.size() <= room) return detail;
+    for (const char* end : {", ", " "})
+        if (const std::size_t at = detail.rfind(end, room); at != std::string::npos) return cut(detail, at);
+    return "";
+}
+
 /// Lines of a log have no width.
 std::string logLine(const Progress& progress, double elapsed, double left) {
     return percentage(progress.fraction) + " " + progress.stage + ", " + times(elapsed, left) +
@@ -82,10 +90,9 @@ std::string progressLine(const Progress& progress, double elapsed, double left, 
     const std::size_t room = columns - plain.size();
     const bool has_bar = room >= kBarWidth + 3;
     const std::size_t for_detail = has_bar ? room - (kBarWidth + 3) : room;
-    const std::string detail = for_detail < kLeastDetail + 2 || progress.detail.empty()
-                                   ? ""
-                                   : "  " + cut(progress.detail, for_detail - 2);
-    return (has_bar ? bar(progress.fraction) : "") + plain + detail;
+    const std::string detail =
+        for_detail < kLeastDetail + 2 ? "" : wholeParts(progress.detail, for_detail - 2);
+    return (has_bar ? bar(progress.fraction) : "") + plain + (detail.empty() ? "" : "  ") + detail;
 }
 
 ProgressPrinter::ProgressPrinter(const Common& common, Fraction fraction)

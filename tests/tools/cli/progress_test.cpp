@@ -64,6 +64,11 @@ TEST_SUITE("progress") {
         const Progress search{"settling", 0.2, "tilt 19.53 deg"};
         CHECK(progressLine(search, 14, kUnknown, 50) == "20% settling  0:14 elapsed  tilt 19.53 deg");
         CHECK(progressLine(search, 14, kUnknown, 50).find("left") == std::string::npos);
+        // What does not fit is left out by its parts, not in the middle of a word.
+        const Progress probe{"probe 12", 0.83, "tilt 12.4860 deg, stable"};
+        CHECK(progressLine(probe, 3, kUnknown, 49) == "83% probe 12  0:03 elapsed  tilt 12.4860 deg");
+        CHECK(progressLine(probe, 3, kUnknown, 52) == "83% probe 12  0:03 elapsed  tilt 12.4860 deg, stable");
+        CHECK(progressLine(probe, 3, kUnknown, 43) == "83% probe 12  0:03 elapsed  tilt 12.4860");
     }
 
     TEST_CASE("text is wrapped at words, examples go on further in") {
