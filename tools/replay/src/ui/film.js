@@ -1,4 +1,4 @@
-// Pictures and films of what is shown, with what explains them: name and time, colours, scale. Both are made in the page; a
+// Pictures and films of what is shown, with what explains them: name and time, colours, scale, compass. Both are made in the page; a
 // film is recorded by the browser while the run plays.
 
 import { gradientStops } from "../view/colours.js";
@@ -14,8 +14,31 @@ function download(blob, name) {
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
+/** Draws the lines and letters of a small SVG as the page shows them, its origin at (x, y). */
+function drawSvg(pen, svg, x, y) {
+  pen.save();
+  pen.translate(x, y);
+  for (const shape of svg.querySelectorAll("path, circle, text")) {
+    const style = getComputedStyle(shape), number = (name) => Number(shape.getAttribute(name));
+    pen.globalAlpha = Number(getComputedStyle(shape.parentElement).opacity);
+    if (shape.tagName === "text") {
+      Object.assign(pen, { font: `${style.fontWeight} 12px ${kFont}`, textAlign: "center", fillStyle: style.fill });
+      pen.fillText(shape.textContent, number("x"), number("y"));
+      continue;
+    }
+    const line = new Path2D(shape.getAttribute("d") ?? "");
+    if (shape.tagName === "circle") line.arc(number("cx"), number("cy"), number("r"), 0, 2 * Math.PI);
+    if (style.fill !== "none") pen.fillStyle = style.fill, pen.fill(line);
+    if (style.stroke === "none") continue;
+    Object.assign(pen, { strokeStyle: style.stroke, lineWidth: parseFloat(style.strokeWidth) });
+    pen.setLineDash(style.strokeDasharray === "none" ? [] : style.strokeDasharray.split(/[ ,]+/).map(parseFloat));
+    pen.stroke(line);
+  }
+  pen.restore();
+}
+
 /** Draws the scene as it was just rendered, and its captions, into a canvas of the same size. */
-export function compose(canvas, scene, { dark, ratio, title, lines, colours, scale }) {
+export function compose(canvas, scene, { dark, ratio, title, lines, colours, scale, compass }) {
   canvas.width = scene.width & ~1, (canvas.height = scene.height & ~1); // films want even sizes
   const pen = canvas.getContext("2d"), { width, height } = canvas;
   const sky = pen.createLinearGradient(0, 0, 0, height);
@@ -44,6 +67,8 @@ export function compose(canvas, scene, { dark, ratio, title, lines, colours, sca
   pen.beginPath(), pen.moveTo(from, bottom - 22), pen.lineTo(from, bottom - 16), pen.lineTo(right - 16, bottom - 16);
   pen.lineTo(right - 16, bottom - 22), pen.stroke();
   write(scale.text, (from + right - 16) / 2, bottom - 26, "13px", "center");
+  drawSvg(pen, compass.svg, right - 70, 64);
+  write(compass.text, right - 70, 130, "12px", "center");
 }
 
 export function savePicture(canvas, name) {

@@ -5,7 +5,7 @@ import { roleNames } from "../data/roles.js";
 import { roleColours } from "../view/colours.js";
 import { canFilm, compose, Film, savePicture } from "./film.js";
 import { colourCaption } from "./legend.js";
-import { scaleBar } from "./scale.js";
+import { scaleBar, viewText } from "./scale.js";
 
 export class Recorder {
   constructor(replay, picture_button, film_button) {
@@ -35,6 +35,7 @@ export class Recorder {
       colours: roles ? { ...colourCaption(look, replay.range), items: present.map((role) => [roleColours[role], roleNames[role]]) }
         : colourCaption(look, replay.range, replay.groups),
       scale: scaleBar(stage.metresPerPixel()),
+      compass: { svg: document.getElementById("axes"), text: viewText(stage.direction()) },
     });
   }
 
