@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "forces/sum.h"
+#include "forces/tie.h"
 #include "law/points.h"
 #include "state/incidence.h"
 #include "state/point_layout.h"
@@ -135,12 +136,6 @@ void scaleByRadius(Balance& balance) {
     }
 }
 
-Mat3 crossMatrix(const Vec3& v) {
-    Mat3 m;
-    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-    return m;
-}
-
 /// What keeps its direction changes its moment as the block turns.
 void addDead(Balance& balance, const Poses& poses, bool stiffness, Vec6s& force) {
     for (std::size_t r = 0; r < balance.dead.size(); ++r) {
@@ -165,8 +160,8 @@ void addLoad(const Vec3& acceleration, Balance& balance, const State& state, con
         force[r].head<3>() += state.blocks.mass[b] * acceleration + water;
         force[r].tail<3>() += moment / radius;
         if (!stiffness) continue;
-        balance.matrix.diagonal[r].topRightCorner<3, 3>() += crossMatrix(water) / radius;
-        balance.matrix.diagonal[r].bottomRightCorner<3, 3>() += crossMatrix(moment) / (radius * radius);
+        balance.matrix.diagonal[r].topRightCorner<3, 3>() += crossMatrixOf(water) / radius;
+        balance.matrix.diagonal[r].bottomRightCorner<3, 3>() += crossMatrixOf(moment) / (radius * radius);
     }
 }
 

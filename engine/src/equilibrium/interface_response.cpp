@@ -4,15 +4,10 @@
 #include <array>
 
 #include "equilibrium/point_response.h"
+#include "forces/tie.h"
 
 namespace talus::equilibrium {
 namespace {
-
-Mat3 crossMatrix(const Vec3& v) {
-    Mat3 m;
-    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-    return m;
-}
 
 /// How b's material points lie over a's face. The coordinates of the point that belongs to (xi, eta) are affine:
 /// e_k . (d + xi b1 + eta b2), d from the origin to that on b, b1 and b2 b's tangents; slides and gap are they less xi, eta and the
@@ -126,9 +121,9 @@ InterfaceStiffness stiffnessOf(const Lie& lie, const LocalSum& sum, const Vec3& 
     const ByBlock by_b = byBlock(k, lie.arm_b);
     ByBlock by_a = byBlock(k, lie.arm_a);
     // The frame turns with a, and with it force and moment; the origin goes with a, and with it the arms.
-    const Mat3 f = crossMatrix(force);
+    const Mat3 f = crossMatrixOf(force);
     by_a.force_by_turn += f;
-    by_a.moment_by_turn += crossMatrix(moment) - timesCross(f, lie.arm_a);
+    by_a.moment_by_turn += crossMatrixOf(moment) - timesCross(f, lie.arm_a);
     InterfaceStiffness stiffness;
     stiffness.aa = about(lie.arm_a, by_a);
     stiffness.ab = -about(lie.arm_a, by_b);
