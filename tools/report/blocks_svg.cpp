@@ -7,6 +7,7 @@
 #include <set>
 
 #include "report/blocks_files.h"
+#include "report/hidden_parts.h"
 #include "report/svg.h"
 #include "report/svg_writer.h"
 #include "report/visible_faces.h"
@@ -89,11 +90,11 @@ void drawPolygon(const Model& model, const VisibleFace& face, const PaintedPolyg
     const std::vector<Spot> spots = sheet.spots(polygon.corners);
     // Of its own colour around, so that no gap shows between two pieces.
     svg.shape(spots, false, "block", block.name, colour(block.motion, face.block, face.normal, camera), true);
-    for (std::size_t k = 0; k < spots.size(); ++k) {
-        const Spot &from = spots[k], &to = spots[(k + 1) % spots.size()];
-        if (polygon.sides[k] != Side::none && std::hypot(to.x - from.x, to.y - from.y) > kLeastLine)
-            svg.line(from, to, roleOf(polygon.sides[k]));
-    }
+}
+
+void drawLine(const SeenLine& line, const Sheet& sheet, SvgWriter& svg) {
+    const Spot from = sheet.spot(line.from), to = sheet.spot(line.to);
+    if (std::hypot(to.x - from.x, to.y - from.y) > kLeastLine) svg.line(from, to, roleOf(line.side));
 }
 
 // --- names -----------------------------------------------------------------------------------------------------------
@@ -261,10 +262,11 @@ std::string blocksSvg(const Model& model, const View& view, std::string_view tit
     const Camera camera(view);
     const Sheet sheet(model, camera);
     const VisibleFaces visible = visibleFaces(model, camera);
-    const std::vector<PaintedPolygon> painted = paintOrder(visible.polygons);
+    const SeenParts seen_parts = seenParts(paintOrder(visible.polygons));
     SvgWriter svg;
-    for (const PaintedPolygon& polygon : painted)
+    for (const PaintedPolygon& polygon : seen_parts.polygons)
         drawPolygon(model, visible.faces[polygon.source], polygon, camera, sheet, svg);
+    for (const SeenLine& line : seen_parts.lines) drawLine(line, sheet, svg);
     const std::vector<std::vector<Vec3>> wet = wetOutlines(model);
     const auto seen = [&](std::vector<Vec3> points) {
         for (Vec3& point : points) point = camera.seen(point);
@@ -272,7 +274,7 @@ std::string blocksSvg(const Model& model, const View& view, std::string_view tit
     };
     for (const auto& outline : wet) svg.shape(seen(outline), false, "water");
     for (const auto& line : waterTable(model)) svg.shape(seen(line), true, "table");
-    drawNames(model, visible, painted, sheet, svg);
+    drawNames(model, visible, seen_parts.polygons, sheet, svg);
     const double foot = sheet.foot();
     const Compass compass(camera, kWidth, foot);
     drawScale(sheet, foot + 10, svg);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 namespace talus::tools {
 
@@ -15,6 +16,8 @@ constexpr double kFlat = 1e-4;    // of a normal: faces that differ by less lie 
 constexpr double kCrease = 0.9;   // cosine: edges that turn less are no rims
 constexpr int kGrid = 8;          // points a side of a face that its own body covers in part
 constexpr double kBeside = 0.02;  // of an edge: how far beside it what lies there is looked at
+constexpr int kAlong = 16;  // places of an edge that is looked at where other parts cover its faces in part
+constexpr int kBisections = 6;  // to where it changes between two of them
 
 struct Bounds {
     Vec3 min = Vec3::Constant(kInfinity), max = Vec3::Constant(-kInfinity);
@@ -25,37 +28,49 @@ struct Bounds {
     }
 };
 
-/// Looks up the block at a point, by a grid over the blocks' bounds.
+/// Looks up what is at a point, by a grid over the bounds of the blocks' convex parts.
 class BlockFinder {
  public:
-    explicit BlockFinder(const Model& model) : model_(model) {
-        for (const Block& block : model.blocks) {
-            bounds_.emplace_back();
-            for (const Vec3& v : block.shape.vertices) bounds_.back().add(v);
-            all_.add(bounds_.back().min);
-            all_.add(bounds_.back().max);
-        }
+    explicit BlockFinder(const Model& model) {
+        for (std::size_t b = 0; b < model.blocks.size(); ++b)
+            for (const Polyhedron& shape : partsOf(model.blocks[b].shape)) addPart(b, shape);
         const double volume = (all_.max - all_.min).prod();
-        cell_ = std::cbrt(volume / static_cast<double>(model.blocks.size()));
-        for (std::size_t b = 0; b < bounds_.size(); ++b) {
-            const auto low = cellOf(bounds_[b].min), high = cellOf(bounds_[b].max);
+        cell_ = std::cbrt(volume / static_cast<double>(parts_.size()));
+        for (std::size_t p = 0; p < parts_.size(); ++p) {
+            const auto low = cellOf(parts_[p].bounds.min), high = cellOf(parts_[p].bounds.max);
             for (auto x = low[0]; x <= high[0]; ++x)
                 for (auto y = low[1]; y <= high[1]; ++y)
-                    for (auto z = low[2]; z <= high[2]; ++z) blocks_[key(x, y, z)].push_back(b);
+                    for (auto z = low[2]; z <= high[2]; ++z) cells_[key(x, y, z)].push_back(p);
         }
     }
 
     double size() const { return (all_.max - all_.min).norm(); }
 
     bool isInside(const Vec3& point) const {
-        const auto [x, y, z] = cellOf(point);
-        const auto found = blocks_.find(key(x, y, z));
-        if (found == blocks_.end()) return false;
-        return std::any_of(found->second.begin(), found->second.end(),
-                           [&](std::size_t b) { return contains(b, point); });
+        return any(point, [](const Part&) { return true; });
+    }
+    bool isInside(const Vec3& point, std::size_t block) const {
+        return any(point, [block](const Part& part) { return part.block == block; });
     }
 
  private:
+    struct Part {
+        std::size_t block;
+        Bounds bounds;
+        std::vector<std::pair<Vec3, Vec3>> planes;  ///< outward normal and a point
+    };
+
+    void addPart(std::size_t block, const Polyhedron& shape) {
+        Part part{block, {}, {}};
+        for (std::size_t f = 0; f < shape.faces.size(); ++f)
+            part.planes.emplace_back(shape.faceNormal(f),
+                                     shape.vertices[static_cast<std::size_t>(shape.faces[f].front())]);
+        for (const Vec3& v : shape.vertices) part.bounds.add(v);
+        all_.add(part.bounds.min);
+        all_.add(part.bounds.max);
+        parts_.push_back(std::move(part));
+    }
+
     std::array<std::int64_t, 3> cellOf(const Vec3& point) const {
         std::array<std::int64_t, 3> cell;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -68,17 +83,26 @@ class BlockFinder {
         return x + (y + (z << 21)) * (std::int64_t{1} << 21);
     }
 
-    bool contains(std::size_t b, const Vec3& point) const {
-        if ((point.array() < bounds_[b].min.array()).any() || (point.array() > bounds_[b].max.array()).any())
-            return false;
-        return talus::contains(model_.blocks[b].shape, point);
+    template <typename Counts>
+    bool any(const Vec3& point, const Counts& counts) const {
+        const auto [x, y, z] = cellOf(point);
+        const auto found = cells_.find(key(x, y, z));
+        return found != cells_.end() &&
+               std::any_of(found->second.begin(), found->second.end(),
+                           [&](std::size_t p) { return counts(parts_[p]) && contains(parts_[p], point); });
     }
 
-    const Model& model_;
-    std::vector<Bounds> bounds_;
+    static bool contains(const Part& part, const Vec3& point) {
+        return (point.array() >= part.bounds.min.array()).all() &&
+               (point.array() <= part.bounds.max.array()).all() &&
+               std::none_of(part.planes.begin(), part.planes.end(),
+                            [&](const auto& plane) { return plane.first.dot(point - plane.second) > 0; });
+    }
+
+    std::vector<Part> parts_;
     Bounds all_;
     double cell_ = 1;
-    std::unordered_map<std::int64_t, std::vector<std::size_t>> blocks_;
+    std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
 };
 
 /// Whether other blocks lie against the whole face, as far as its middle, its corners and points of its sides tell. What is
@@ -127,60 +151,134 @@ bool isInOutline(const Polyhedron& shape, std::size_t f, const Vec3& normal, con
 /// What the edges of one block's faces are.
 class EdgeTeller {
  public:
-    EdgeTeller(const BlockFinder& finder, const Polyhedron& shape) : finder_(finder), shape_(shape) {
+    EdgeTeller(const BlockFinder& finder, const Polyhedron& shape, std::size_t block)
+        : finder_(finder), shape_(shape), block_(block) {
         for (std::size_t f = 0; f < shape.faces.size(); ++f) normals_.push_back(shape.faceNormal(f));
     }
 
-    /// A neighbour narrower than the first look is found by a nearer one.
-    Side side(std::size_t f, const Vec3& a, const Vec3& b) const {
-        const double length = (b - a).norm();
-        for (const double step : {kBeside * length, 0.05 * kBeside * length})
-            if (const auto found = sideAt(f, a, b, step)) return *found;
-        return Side::rim;
-    }
-
-    /// An edge's ends and, between them, corners of the block's other faces that lie on it: there what is beside it changes.
-    std::vector<Vec3> stops(std::size_t f, const Vec3& a, const Vec3& b) const {
-        const Vec3 along = b - a;
-        const double thin = 1e-7 * finder_.size();
-        std::vector<double> shares{0, 1};
-        for (std::size_t g = 0; g < normals_.size(); ++g) {
-            if (g == f || shape_.isInner(g)) continue;
-            for (const std::int32_t v : shape_.faces[g]) {
-                const Vec3& corner = shape_.vertices[static_cast<std::size_t>(v)];
-                const double share = (corner - a).dot(along) / along.squaredNorm();
-                if (share * along.norm() < thin || (1 - share) * along.norm() < thin) continue;
-                if ((corner - a - share * along).norm() < thin) shares.push_back(share);
-            }
+    /// The corners and sides of a face as they are seen: a side for each stretch of an edge that is of one kind.
+    PaintedPolygon polygon(std::size_t f, const Camera& camera) const {
+        PaintedPolygon polygon;
+        const auto& outline = shape_.faces[f];
+        for (std::size_t k = 0; k < outline.size(); ++k) {
+            const Edge edge =
+                edgeOf(f, shape_.vertices[static_cast<std::size_t>(outline[k])],
+                       shape_.vertices[static_cast<std::size_t>(outline[(k + 1) % outline.size()])]);
+            const std::vector<double> stops = stopsOf(edge);
+            for (std::size_t i = 0; i + 1 < stops.size(); ++i)
+                addSides(edge, stops[i], stops[i + 1], camera, polygon);
         }
-        std::sort(shares.begin(), shares.end());
-        std::vector<Vec3> points;
-        for (std::size_t k = 0; k < shares.size(); ++k)
-            if (k == 0 || (shares[k] - shares[k - 1]) * along.norm() > thin)
-                points.push_back(a + shares[k] * along);
-        return points;
+        return polygon;
     }
 
  private:
+    struct Edge {
+        std::size_t face;
+        Vec3 from, to;
+        std::vector<std::size_t> others;  ///< faces of the body in whose planes it lies
+        bool
+            changes;  ///< other parts of the body cover these faces in part: what is beside it changes anywhere
+
+        Vec3 at(double share) const { return from + share * (to - from); }
+        double length() const { return (to - from).norm(); }
+    };
+
+    Edge edgeOf(std::size_t f, const Vec3& from, const Vec3& to) const {
+        const auto is_partly = [&](std::size_t g) {
+            return !shape_.faces.covers().empty() && shape_.faces.covers()[g] == Cover::partly;
+        };
+        Edge edge{f, from, to, {}, is_partly(f)};
+        for (std::size_t g = 0; g < normals_.size(); ++g) {
+            if (g == f || shape_.isInner(g) || !isInPlane(g, from) || !isInPlane(g, to)) continue;
+            edge.others.push_back(g);
+            edge.changes = edge.changes || is_partly(g);
+        }
+        return edge;
+    }
+
+    /// Shares of an edge: its ends and, between them, corners of other faces that lie on it: there what is beside it changes.
+    std::vector<double> stopsOf(const Edge& edge) const {
+        const Vec3 along = edge.to - edge.from;
+        const double thin = 1e-7 * finder_.size() / edge.length();
+        std::vector<double> shares{0};
+        for (const std::size_t g : edge.others) {
+            for (const std::int32_t v : shape_.faces[g]) {
+                const Vec3& corner = shape_.vertices[static_cast<std::size_t>(v)];
+                const double share = (corner - edge.from).dot(along) / along.squaredNorm();
+                if (share < thin || 1 - share < thin) continue;
+                if ((corner - edge.at(share)).norm() < thin * edge.length()) shares.push_back(share);
+            }
+        }
+        std::sort(shares.begin(), shares.end());
+        shares.erase(
+            std::unique(shares.begin(), shares.end(), [&](double a, double b) { return b - a <= thin; }),
+            shares.end());
+        shares.push_back(1);
+        return shares;
+    }
+
+    void addSides(const Edge& edge, double begin, double end, const Camera& camera,
+                  PaintedPolygon& polygon) const {
+        const auto add = [&](double share, Side side) {
+            polygon.corners.push_back(camera.seen(edge.at(share)));
+            polygon.sides.push_back(side);
+        };
+        const double look = kBeside * (end - begin) * edge.length();
+        if (!edge.changes) return add(begin, side(edge, 0.5 * (begin + end), look).value_or(Side::rim));
+        // What goes on there may lie under other parts by less than this looks: then it is no rim.
+        const auto at = [&](double share) { return side(edge, share, look).value_or(Side::none); };
+        const auto place = [&](int k) { return begin + (k + 0.5) / kAlong * (end - begin); };
+        Side last = at(place(0));
+        add(begin, last);
+        for (int k = 1; k < kAlong; ++k) {
+            const Side next = at(place(k));
+            if (next != last) add(changeBetween(at, place(k - 1), place(k), last), next);
+            last = next;
+        }
+    }
+
+    /// The share between two of them where what `at` tells is no longer `first`.
+    template <typename At>
+    static double changeBetween(const At& at, double from, double to, Side first) {
+        for (int k = 0; k < kBisections; ++k) {
+            const double middle = 0.5 * (from + to);
+            (at(middle) == first ? from : to) = middle;
+        }
+        return to;
+    }
+
+    /// What an edge is at a share of it. A neighbour narrower than the first look is found by a nearer one.
+    std::optional<Side> side(const Edge& edge, double share, double look) const {
+        for (const double step : {look, 0.05 * look})
+            if (const auto found = sideAt(edge, share, step)) return found;
+        return std::nullopt;
+    }
+
+    bool isInPlane(std::size_t g, const Vec3& point) const {
+        return std::abs(normals_[g].dot(point - corner(g))) <= 1e-6 * finder_.size();
+    }
+
     /// Nothing: no face of the block goes on so far beside the edge.
-    std::optional<Side> sideAt(std::size_t f, const Vec3& a, const Vec3& b, double step) const {
-        const Vec3 middle = 0.5 * (a + b), out = (b - a).cross(normals_[f]).normalized();
+    std::optional<Side> sideAt(const Edge& edge, double share, double step) const {
+        const Vec3& own = normals_[edge.face];
+        const Vec3 middle = edge.at(share), out = (edge.to - edge.from).cross(own).normalized();
+        const double off = 1e-5 * finder_.size();
+        // Where other parts of the body cover the face nothing is to be seen of its edge.
+        if (edge.changes && finder_.isInside(middle - step * out + off * own, block_)) return Side::none;
         std::optional<Side> found;
         bool is_joint = false;
-        for (std::size_t g = 0; g < normals_.size(); ++g) {
-            if (g == f || shape_.isInner(g)) continue;
+        for (const std::size_t g : edge.others) {
             const Vec3& normal = normals_[g];
-            if (std::abs(normal.dot(middle - corner(g))) > 1e-6 * finder_.size()) continue;
-            const bool flat = (normal - normals_[f]).norm() < kFlat;
+            const bool flat = (normal - own).norm() < kFlat;
             // Into the neighbour, in its own plane: down behind a ridge, up beyond a valley.
-            const Vec3 down = (-normals_[f] + normals_[f].dot(normal) * normal).normalized();
+            const Vec3 down = (-own + own.dot(normal) * normal).normalized();
             for (const Vec3& into : flat ? std::array{out, out} : std::array{down, Vec3(-down)}) {
-                const Vec3 beside = middle + step * into, above = beside + 1e-5 * finder_.size() * normal;
+                const Vec3 beside = middle + step * into, above = beside + off * normal;
                 // Of a face that other parts of the body cover in part only what is free is surface.
-                if (!isInOutline(shape_, g, normal, beside) || contains(shape_, above)) continue;
+                if (!isInOutline(shape_, g, normal, beside) || finder_.isInside(above, block_)) continue;
                 if (flat) return Side::none;
                 is_joint = is_joint || finder_.isInside(above);
-                found = normal.dot(normals_[f]) > kCrease ? Side::crease : found.value_or(Side::rim);
+                found = normal.dot(own) > kCrease ? Side::crease : found.value_or(Side::rim);
             }
         }
         return is_joint ? Side::joint : found;
@@ -192,24 +290,9 @@ class EdgeTeller {
 
     const BlockFinder& finder_;
     const Polyhedron& shape_;
+    std::size_t block_;
     std::vector<Vec3> normals_;
 };
-
-PaintedPolygon polygonOf(const Polyhedron& shape, std::size_t f, const EdgeTeller& edges,
-                         const Camera& camera) {
-    PaintedPolygon polygon;
-    const auto& outline = shape.faces[f];
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-        const Vec3& a = shape.vertices[static_cast<std::size_t>(outline[k])];
-        const Vec3& b = shape.vertices[static_cast<std::size_t>(outline[(k + 1) % outline.size()])];
-        const std::vector<Vec3> stops = edges.stops(f, a, b);
-        for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-            polygon.corners.push_back(camera.seen(stops[i]));
-            polygon.sides.push_back(edges.side(f, stops[i], stops[i + 1]));
-        }
-    }
-    return polygon;
-}
 
 }  // namespace
 
@@ -225,12 +308,12 @@ VisibleFaces visibleFaces(const Model& model, const Camera& camera) {
     VisibleFaces visible;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const Polyhedron& shape = model.blocks[b].shape;
-        const EdgeTeller edges(finder, shape);
+        const EdgeTeller edges(finder, shape, b);
         for (std::size_t f = 0; f < shape.faces.size(); ++f) {
             if (shape.isInner(f)) continue;
             const Vec3 normal = shape.faceNormal(f), centroid = shape.faceCentroid(f);
             if (normal.dot(camera.towards) <= 1e-9 || isCovered(finder, shape, f, normal, centroid)) continue;
-            visible.polygons.push_back(polygonOf(shape, f, edges, camera));
+            visible.polygons.push_back(edges.polygon(f, camera));
             visible.polygons.back().source = visible.faces.size();
             visible.faces.push_back({b, f, normal});
         }

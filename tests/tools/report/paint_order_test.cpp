@@ -136,6 +136,35 @@ TEST_SUITE("paint order") {
         CHECK(left_out == doctest::Approx(1.0));  // half a metre of each
     }
 
+    TEST_CASE("an edge that another part of its body covers is drawn as far as it comes out of it") {
+        for (const double out : {0.1, 0.3, 0.7}) {  // of a beam that lies on a slab
+            CAPTURE(out);
+            const auto scenario = formats::parseScenario(
+                "[material.granite]\ndensity = 2700.0\n[joint.default]\nnormal_stiffness = "
+                "1e10\nshear_stiffness = 1e10\nfriction_deg = 30.0\n[[block]]\nname = \"beam\"\nfixed = "
+                "true\nparts = [{ box = { min = [0, 0, 0], max = [2, 1, 0.5] } }, { box = { min = [-" +
+                    std::to_string(out) + ", 0.2, 0.5], max = [0.9, 0.8, 2] } }]\n",
+                "beam.toml");
+            REQUIRE(scenario.ok());
+            const VisibleFaces visible =
+                visibleFaces(scenario->model, Camera({3.14159265, -1.5707}));  // from below
+            double drawn = 0, left_out = 0;
+            for (const PaintedPolygon& polygon : visible.polygons) {
+                const VisibleFace& face = visible.faces[polygon.source];
+                if (face.normal.z() > -0.9 ||
+                    scenario->model.blocks[0].shape.faceCentroid(face.face).z() < 0.4)
+                    continue;
+                for (std::size_t k = 0; k < polygon.sides.size(); ++k) {
+                    const Vec3& next = polygon.corners[(k + 1) % polygon.corners.size()];
+                    (polygon.sides[k] == Side::none ? left_out : drawn) += (next - polygon.corners[k]).norm();
+                }
+            }
+            // Of the beam's underside: its end and as much of two edges as is out; the rest lies on the slab.
+            CHECK(drawn == doctest::Approx(2 * out + 0.6).epsilon(0.01));
+            CHECK(left_out == doctest::Approx(2 * 0.9 + 0.6).epsilon(0.01));
+        }
+    }
+
     TEST_CASE("pictures of rough ground have no holes, and no joints where none are") {
         constexpr int kSquares = 6;
         constexpr double kPlan = 4.0 * kSquares * kSquares;  // squares of 2 m
