@@ -19,6 +19,18 @@ constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
 constexpr double kNear = 1.5;
 constexpr double kSettlingDrag = 0.125;
 
+/// Between which loads the answer lies by the probes so far: a later rest above a failure takes that failure back.
+std::string bracketText(const Probing& p) {
+    double stood = -std::numeric_limits<double>::infinity(), failed = std::numeric_limits<double>::infinity();
+    for (const Probe& probe : p.probes) {
+        if (probe.verdict == Verdict::stable) stood = std::max(stood, probe.load);
+        if (probe.verdict == Verdict::failing) failed = std::min(failed, probe.load);
+        if (failed <= stood) failed = std::numeric_limits<double>::infinity();
+    }
+    return (std::isfinite(stood) ? ", stood at " + p.axis.say(stood) : "") +
+           (std::isfinite(failed) ? ", failed at " + p.axis.say(failed) : "");
+}
+
 /// \param what  of the load: a verdict, or what is being done
 void report(const Probing& p, const std::string& stage, double load, const std::string& what) {
     if (!p.control.progress) return;
@@ -26,7 +38,8 @@ void report(const Probing& p, const std::string& stage, double load, const std::
     constexpr double kAfterwards = 4.0;
     const double probes = static_cast<double>(p.probes.size());
     const double expected = std::max(6.0 + std::log2(static_cast<double>(p.axis.stop)) / 2, probes + 1);
-    p.control.progress({stage, probes / (expected + kAfterwards), p.axis.say(load) + ", " + what});
+    p.control.progress(
+        {stage, probes / (expected + kAfterwards), p.axis.say(load) + ", " + what + bracketText(p)});
 }
 
 Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, State& state) {
