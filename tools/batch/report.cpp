@@ -303,11 +303,11 @@ void writeReport(const std::string& folder, const StoredBatch& batch, const Comm
     Json json = toJson(summary);
     json["provenance"] = facts;
     const auto write = [&](const char* name, const Json& what, int indent) {
-        writeFile(folder + name, what.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n");
+        writeFile(folder + "/" + name, what.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n");
     };
-    write("/summary.json", json, 2);
-    write("/report.json", report, -1);
-    writeFile(folder + "/report.html", reportPage(report));
+    write(kSummaryName, json, 2);
+    write(kReportName, report, -1);
+    writeFile(folder + "/" + kPageName, reportPage(report));
 }
 
 }  // namespace talus::tools::batch

@@ -54,8 +54,17 @@ std::optional<std::uint64_t> runNumber(const Row& cells) {
     return run;
 }
 
+/// A link, but for one to a device or a pipe, where nothing can be lost.
+bool isLink(const std::string& path) {
+    std::error_code absent;
+    const auto there = std::filesystem::status(path, absent);
+    const bool is_device = std::filesystem::exists(there) && !std::filesystem::is_regular_file(there) &&
+                           !std::filesystem::is_directory(there);
+    return !is_device && std::filesystem::is_symlink(std::filesystem::symlink_status(path, absent));
+}
+
 int openFile(const std::string& path, int flags) {
-    const int file = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
+    const int file = ::open(path.c_str(), flags | (isLink(path) ? O_NOFOLLOW : 0) | O_CLOEXEC, 0666);
     if (file < 0) throw FileRefused(path, "cannot be opened", errno);
     return file;
 }
@@ -78,8 +87,23 @@ bool areResults(const std::string& path, const std::string& header) {
     return header.starts_with(start);
 }
 
+/// What is written into the folder goes by names of the batch's own choice, so it must not come out elsewhere: a link may lead to
+/// the results of another batch, even to those that are being merged.
+void refuseLinks(const std::string& folder, const std::string& results) {
+    const std::string in = folder + "/";
+    for (const std::string& path : {in + kInfoName, in + kLockName, results, results + "-metadata.json",
+                                    in + kSummaryName, in + kReportName, in + kPageName}) {
+        if (isLink(path))
+            throw BadInput(Error{"--output",
+                                 "is a link; in its folder a batch writes files of its own only: remove the "
+                                 "link or choose another folder",
+                                 path});
+    }
+}
+
 /// Before anything is written: what is there is this sweep's, or nothing.
 void refuseForeign(const std::string& folder, const std::string& results, const BatchInfo& info) {
+    refuseLinks(folder, results);
     refuseInput("--output", results);
     refuseInput("--output", folder + "/" + kInfoName);
     const std::string path = folder + "/" + kInfoName;

@@ -4,6 +4,7 @@
 //   batch.json                  what the batch is (BatchInfo); written once
 //   results.csv                 a header, then one line per run, appended whole
 //   results.csv-metadata.json   types and units of its columns
+//   summary.json, report.json, report.html   what they come to (batch/report.h)
 //   .lock                       ranges of it are locked (talus/formats/locks.h): byte 0 while the folder or its results
 //                               are being changed, byte 1 + n while run n is being computed
 //
@@ -21,6 +22,9 @@
 
 namespace talus::tools::batch {
 
+inline constexpr const char *kSummaryName = "summary.json", *kReportName = "report.json",
+                            *kPageName = "report.html";
+
 /// Part I of N of a batch; 1 of 1 is all of it.
 struct Shard {
     std::uint64_t index = 1, count = 1;
@@ -36,7 +40,8 @@ std::string resultsName(const Shard& shard);
 
 class Store {
  public:
-    /// Opens a folder, making what is missing. Throws BadInput when another sweep's results are in it, FileRefused.
+    /// Opens a folder, making what is missing. Throws BadInput when another sweep's results or links are in it,
+    /// FileRefused.
     Store(std::string folder, BatchInfo info, Shard shard);
     ~Store();
     Store(const Store&) = delete;
@@ -99,7 +104,7 @@ class AloneIn {
     int file_;
 };
 
-/// Throws BadInput when the folder holds what is not this batch's.
+/// Throws BadInput when the folder holds what is not this batch's, or a link in place of one of its files.
 void refuseToReplaceOther(const std::string& folder, const BatchInfo& info);
 
 /// What a folder holds, without opening it for writing: the batch, and all rows of all results in it, a later row of a

@@ -42,8 +42,9 @@ StoredBatch merged(const std::vector<std::string>& folders) {
 int merge(const MergeOptions& options) {
     const std::string folder = options.output.empty() ? options.folders.front() : options.output;
     if (!options.output.empty()) makeFolder(folder);
-    readStored(options.folders.front());  // a folder that is none is told before a lock is put into it
-    const AloneIn alone(folder);          // rows that come after they were read would be lost
+    // What is no batch, or another one, is told before a lock is put into the folder.
+    refuseToReplaceOther(folder, readStored(options.folders.front()).info);
+    const AloneIn alone(folder);  // rows that come after they were read would be lost
     const StoredBatch all = merged(options.folders);
     refuseToReplaceOther(folder, all.info);
     std::vector<std::uint64_t> runs;

@@ -267,6 +267,35 @@ TEST_CASE("a merge does not replace results that others are still adding to, nor
     CHECK(contentOf(foreign) == "a,b\n1,2\n");
 }
 
+TEST_CASE("a batch and a merge write into no link, whatever of theirs it stands for") {
+    const BatchFolder batch(kGrid);
+    REQUIRE(batch.run().exit_code == 0);
+    const std::string victim = batch.folder.write("victim", "kept");
+    for (const std::string name : {"batch.json", "results.csv", "results.csv-metadata.json", ".lock",
+                                   "summary.json", "report.json", "report.html"})
+        for (const bool leads_somewhere : {true, false}) {
+            CAPTURE(name);
+            CAPTURE(leads_somewhere);
+            const std::string folder = batch.folder / "linked", link = folder + "/" + name;
+            std::filesystem::create_directory(folder);
+            std::filesystem::create_symlink(leads_somewhere ? victim : batch.folder / "nowhere", link);
+            CHECK(runTalus({"merge", batch.out(), "-o", folder}).exit_code == 2);
+            const Outcome outcome = runTalus({"batch", batch.path, "-o", folder});
+            CHECK(outcome.exit_code == 2);
+            CHECK(outcome.err.find("is a link") != std::string::npos);
+            CHECK(contentOf(victim) == "kept");
+            CHECK_FALSE(std::filesystem::exists(batch.folder / "nowhere"));
+            CHECK(std::distance(std::filesystem::directory_iterator(folder), {}) == 1);
+            std::filesystem::remove_all(folder);
+        }
+    // Of the results that it merges, too.
+    const std::string folder = batch.folder / "linked", results = contentOf(batch.out() + "/results.csv");
+    std::filesystem::create_directory(folder);
+    std::filesystem::create_symlink(batch.out() + "/results.csv", folder + "/results.csv");
+    CHECK(runTalus({"merge", batch.out(), "-o", folder}).exit_code == 2);
+    CHECK(contentOf(batch.out() + "/results.csv") == results);
+}
+
 TEST_CASE("a batch whose folder is removed says so") {
     const BatchFolder batch(draws(100000));
     Program program(batch.command());
