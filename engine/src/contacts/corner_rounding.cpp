@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "contacts/limits.h"
 #include "forces/contact_forces.h"
 #include "state/incidence.h"
 #include "state/placed_shape.h"
@@ -68,10 +69,17 @@ bool isCarriedAt(const State& state, std::int32_t block, std::int32_t partner, c
     return false;
 }
 
+/// How deep a corner at a kink is left out, of the smaller block's size. What is placed then counts its gap from there. Where springs
+/// keep their energy that overlap goes only as the blocks' motion pays for it (contacts/gap_recovery.h), and those that come
+/// to rest have none. No verdict hangs on a corner there, so it is no more than goes as touching anyway.
+double roundingOf(const State& state) {
+    return state.springs == Springs::keep_energy ? kClosedGap : kCornerRounding;
+}
+
 }  // namespace
 
 bool isRoundedOff(const State& state, std::size_t interface, const VertexEdgePoint& point, double size) {
-    const double rounding = kCornerRounding * size, tie = kCornerTie * size;
+    const double rounding = roundingOf(state) * size, tie = kCornerTie * size;
     if (point.gap <= -rounding) return false;
     const Interfaces& f = state.interfaces;
     const std::int32_t reference = point.second_is_reference ? f.block_b[interface] : f.block_a[interface];

@@ -11,6 +11,7 @@
 namespace talus {
 
 /// Whether a new point is left out because a corner there is rounded and it is not deeper than that.
+/// With Springs::keep_energy corners are rounded less.
 /// \param interface any place of the pair that the point was found for
 /// \param size      the smaller block's [m]
 /// Reads: poses, shapes, interfaces, incidence

@@ -23,7 +23,8 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
 ///     of its size, all interfaces are found again (findInterfaces);
 ///  2. else pairs that meet by vertices and edges are looked at again, each when it may have moved enough: a contact whose vertex
 ///     and face are the same stays to the bit, others are placed anew. Where faces came to meet that have no
-///     interface, or no longer meet, all interfaces are found again as in 1;
+///     interface (with Springs::keep_energy: may before the next look), or no longer meet, all interfaces are found again as
+///     in 1;
 ///  3. else contacts whose reference gap lies below where the faces are recover it, paid for with kinetic energy of their two
 ///     blocks (contacts/gap_recovery.h).
 /// Reads:  poses, velocities, shapes, laws, interfaces and points

@@ -227,6 +227,14 @@ VertexEdgePoints withoutFaces(const PlacedPart& first, const PlacedPart& second,
     return findMeeting(first, second, limits);
 }
 
+/// How near two faces without an interface may come, or how deep (negative), before a search has to make one [m]. Where springs
+/// keep their energy a contact that is found pressed counts its gap from there (contacts/carry_over.h), and a block that comes
+/// to rest so stays there: so there has to be one before the faces touch, which they cannot before the next look within half
+/// the reach. Where forces follow the gaps one that is found late carries as if it had been there.
+double nearestWithoutInterface(const State& state, const Look& look, const VertexEdgeLimits& limits) {
+    return state.springs == Springs::keep_energy ? 0.5 * limits.reach : -look.travel;
+}
+
 /// \param searched whether faces that have no interface now will have none
 Look lookAtPair(const State& state, std::size_t begin, double ahead, bool searched) {
     const Interfaces& f = state.interfaces;
@@ -257,7 +265,8 @@ Look lookAtPair(const State& state, std::size_t begin, double ahead, bool search
         // Twice the depth at which the search leaves it out, so that it does.
         look.changes = look.found.distance < -2.0 * kSliverDepth * look.size &&
                        f.area[static_cast<std::size_t>(faces)] < vertexEdgeArea(geometry, a, b);
-    } else if ((look.found.distance < -look.travel || anyClosed(state, begin))) {
+    } else if (look.found.distance < nearestWithoutInterface(state, look, limits) ||
+               anyClosed(state, begin)) {
         look.no_faces = true;
         look.changes = !searched;
         if (searched) look.found = withoutFaces(first, second, limits);

@@ -2,12 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "build/build.h"
 #include "forces/contact_forces.h"
 #include "forces/sum.h"
 #include "geometry/separation.h"
+#include "state/incidence.h"
 #include "state/placed_shape.h"
 #include "step/motion.h"
 #include "step/step.h"
@@ -21,6 +23,12 @@ namespace {
 
 double totalArea(const State& state) {
     return std::accumulate(state.interfaces.area.begin(), state.interfaces.area.end(), 0.0);
+}
+
+double lowestVertex(const State& state, std::size_t block) {
+    double lowest = kInfinity;
+    for (const Vec3& v : placedShape(state, block).vertices) lowest = std::min(lowest, v.z());
+    return lowest;
 }
 
 std::int32_t jointBetween(const Model& model, std::size_t a, std::size_t b) {
@@ -172,6 +180,43 @@ TEST_SUITE("contacts") {
             // Stopped within v sqrt(m / (k A)).
             CHECK(lowest > -1.02 * speed * std::sqrt(2700 * 0.008 / (1e8 * 0.04)));
         }
+    }
+
+    TEST_CASE(
+        "faces that turn towards each other have an interface before they touch, so that none counts its gap "
+        "from an overlap") {
+        for (const double side : {0.2, 5.0})
+            for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(1, 1, 0), Vec3(2, 1, 0.5)}) {
+                CAPTURE(side);
+                CAPTURE(axis.transpose());
+                constexpr double kFirst = 0.0575, kLast = 0.0495;  // [rad]: faces meet as faces below 0.05
+                const auto turned = [&](double angle) { return turnAbout(axis, degrees(angle)); };
+                Model model = floorModel(30, 1e8);
+                addTurnedCube(model, "cube", turned(kFirst), 0, 0, 2.2e-3 * side, side);
+                State state = *buildState(model, false);
+                state.springs = Springs::keep_energy;
+                const Vec3 start = state.blocks.position.get(1);
+                const double lowest_first = lowestVertex(state, 1);
+                REQUIRE(lowest_first == doctest::Approx(2.2e-3 * side));
+                const Eigen::Quaterniond first(state.blocks.orientation.matrix(1));
+                constexpr int kTurning = 80, kLooks = 140;
+                const double step = 2e-5 * side;
+                for (int k = 1; k <= kLooks; ++k) {
+                    const double share = std::min(1.0, static_cast<double>(k) / kTurning);
+                    const Eigen::Quaterniond q =
+                        turned(kFirst + share * (kLast - kFirst)) * turned(kFirst).conjugate() * first;
+                    state.blocks.orientation[1] = {q.w(), q.x(), q.y(), q.z()};
+                    state.blocks.position.set(1, start);
+                    const double height = 2.2e-3 * side - step * k;
+                    state.blocks.position[1].z += height - lowestVertex(state, 1);
+                    refreshInterfaces(state, false, 0.0, nullptr,
+                                      {0.0, step + (share < 1 ? (kFirst - kLast) / kTurning * side : 0.0)});
+                    for (std::size_t i = 0; i < state.interfaces.size(); ++i)
+                        if (!isIdle(state.interfaces, i)) CHECK(state.interfaces.referenceGap(i, 0) == 0.0);
+                }
+                updateForces(state, false);
+                CHECK(outOfBalance(state, 1, Vec3::Zero()).force.z() > 0);
+            }
     }
 
     TEST_CASE("blocks whose faces meet by a sliver do not sink into each other") {
