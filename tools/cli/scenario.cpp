@@ -32,7 +32,11 @@ formats::FieldChange changeOf(const std::string& set) {
 }  // namespace
 
 EndsAtOnce whileReading(const std::string& name, const Common& common) {
-    const Error interrupted{"", "interrupted while " + name + " was read"};
+    return endsWhile(name + " was read", common);
+}
+
+EndsAtOnce endsWhile(const std::string& doing, const Common& common) {
+    const Error interrupted{"", "interrupted while " + doing};
     return EndsAtOnce(
         common.json ? errorsJson({interrupted}).dump(2) + "\n" : "",
         // over the progress, if there is any

@@ -31,6 +31,9 @@ T valueOf(Result<T> result, const formats::Scenario& scenario) {
 /// Reads what a command is about, and nothing can be kept of that. \param name  of the file, in messages
 EndsAtOnce whileReading(const std::string& name, const Common& common);
 
+/// The same of something else that leaves nothing: "interrupted while " `doing`.
+EndsAtOnce endsWhile(const std::string& doing, const Common& common);
+
 /// Reads a scenario; throws BadInput. Its warnings go to stderr.
 formats::Scenario loadScenario(const ScenarioInput& input, const Common& common);
 

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
 
 #include "cli/files.h"
 #include "cli/json.h"
 #include "cli/outputs.h"
+#include "cli/progress.h"
 #include "cli/provenance.h"
 #include "cli/scenario.h"
+#include "cli/signals.h"
 #include "cli/text.h"
 #include "commands/commands.h"
 #include "report/blocks_files.h"
@@ -101,6 +104,13 @@ std::string content(const BlocksOptions& options, const Model& model) {
                      "Blocks of " + options.scenario.name());
 }
 
+/// Nobody knows how long it takes; that it goes on is to be seen.
+std::string drawnWithProgress(const BlocksOptions& options, const Model& model) {
+    ProgressPrinter progress(options.common);
+    progress.show({"drawing", 0.0, std::to_string(model.blocks.size()) + " blocks"});
+    return content(options, model);
+}
+
 struct JointsFile {
     const char* option;
     const std::string& path;
@@ -150,14 +160,31 @@ std::vector<std::string> writeJoints(const BlocksOptions& options, const formats
     return {};
 }
 
+void refuseOneNameTwice(const BlocksOptions& options) {
+    std::vector<std::string> names{options.output};
+    for (const JointsFile& file : jointsFiles(options)) {
+        if (file.path.empty()) continue;
+        if (std::find(names.begin(), names.end(), file.path) != names.end())
+            throw BadInput(Error{
+                file.option,
+                "found \"" + file.path + "\", which another file is to be called; choose another name"});
+        names.push_back(file.path);
+    }
+}
+
 int blocks(const BlocksOptions& options) {
     if (!options.output.empty()) requireEnding("--output", options.output, {".obj", ".csv", ".svg"});
     for (const JointsFile& file : jointsFiles(options))
         if (!file.path.empty()) requireEnding(file.option, file.path, {file.ending});
+    refuseOneNameTwice(options);
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
     const std::vector<std::string> warnings = writeJoints(options, scenario);
-    if (!options.output.empty()) writeFile(options.output, content(options, scenario.model));
-    const Sizes sizes = sizesOf(scenario.model);
+    const auto [drawn, sizes] = [&] {
+        const EndsAtOnce drawing = endsWhile("the blocks were drawn", options.common);
+        return std::pair(options.output.empty() ? "" : drawnWithProgress(options, scenario.model),
+                         sizesOf(scenario.model));
+    }();
+    if (!options.output.empty() && !writeFile(options.output, drawn, &stopRequested())) return kInterrupted;
     if (!options.common.json) {
         printResult(summary(scenario.model, sizes, scenario.finite_cuts));
         return kDone;

@@ -160,7 +160,26 @@ std::optional<Error> tableFarAway(const PhreaticSurface& table, const Heights& m
                      formatted("%.4g", model.low) + " to " + formatted("%.4g", model.high) + " m"};
 }
 
-/// Water with its table below its own base wets nothing. (Where the model is tilted, heights are not along z.)
+/// No place that water can wet is lower than this [m]: its own base, the lowest corner of its walls; of two blocks' interface, the
+/// higher one's lowest corner.
+double lowestWettable(const Model& model, const Water& water) {
+    const auto lowestOf = [&](std::int32_t block) {
+        Heights heights;
+        for (const Vec3& v : model.blocks[static_cast<std::size_t>(block)].shape.vertices)
+            heights.take(v.z());
+        return heights.low;
+    };
+    if (water.pair) return std::max({water.base, lowestOf(water.pair->first), lowestOf(water.pair->second)});
+    Heights walls;
+    for (const WetFace& wall : water.walls) {
+        const Polyhedron& shape = model.blocks[static_cast<std::size_t>(wall.block)].shape;
+        for (const std::int32_t v : shape.faces[static_cast<std::size_t>(wall.face)])
+            walls.take(shape.vertices[static_cast<std::size_t>(v)].z());
+    }
+    return water.walls.empty() ? water.base : std::max(water.base, walls.low);
+}
+
+/// Water whose table lies below all that it could wet wets nothing. (Where the model is tilted, heights are not along z.)
 std::vector<Error> dryWater(const Model& model) {
     std::vector<Error> doubts;
     if (model.phreatic && levelsOf(*model.phreatic).high <= heightsOf(model, 0).low) {
@@ -169,12 +188,13 @@ std::vector<Error> dryWater(const Model& model) {
     }
     if (model.gravity.tilt != 0) return doubts;
     for (const Water& water : model.waters) {
-        const double level = levelsOf(water).high;
-        if (water.kind == Water::Level::elevation && level <= water.base)
-            doubts.push_back(
-                {water.field + ".elevation", "found " + formatted("%g", level) +
-                                                 " m, which is not above the water's own base, " +
-                                                 formatted("%g", water.base) + " m: it wets nothing"});
+        const double level = levelsOf(water).high, lowest = lowestWettable(model, water);
+        if (water.kind != Water::Level::elevation || level > lowest) continue;
+        const std::string of_what =
+            lowest == water.base ? "the water's own base, " : "the lowest of its walls, at ";
+        doubts.push_back({water.field + ".elevation", "found " + formatted("%g", level) +
+                                                          " m, which is not above " + of_what +
+                                                          formatted("%.4g", lowest) + " m: it wets nothing"});
     }
     return doubts;
 }
@@ -207,16 +227,6 @@ std::vector<Error> waterFarAway(const State& state) {
     for (const Water& water : model.waters)
         if (auto fault = farAway(water, heights)) errors.push_back(std::move(*fault));
     return errors;
-}
-
-std::optional<Error> nothingHolds(const Model& model) {
-    const bool held = std::any_of(model.blocks.begin(), model.blocks.end(),
-                                  [](const Block& block) { return block.motion != Motion::free; });
-    if (held || model.blocks.empty() || !(model.gravity.magnitude > 0)) return std::nullopt;
-    return Error{
-        model.blocks[0].field,
-        "found no fixed or driven block in the model, so all of it falls, allowed: at least one that "
-        "holds the others (fixed = true, or [[rock_mass.fixed]])"};
 }
 
 /// What rounding of its coordinates leaves of a free block's out-of-balance force, over its weight. \pre gravity
@@ -283,6 +293,16 @@ std::vector<std::size_t> splintersOfRounding(const State& state, double load_tol
         if (roundingOf(state, bounds, b) > kMostRounding * load_tolerance) splinters.push_back(b);
     if (!areSplinters(state, splinters)) splinters.clear();
     return splinters;
+}
+
+std::optional<Error> nothingHolds(const Model& model) {
+    const bool held = std::any_of(model.blocks.begin(), model.blocks.end(),
+                                  [](const Block& block) { return block.motion != Motion::free; });
+    if (held || model.blocks.empty() || !(model.gravity.magnitude > 0)) return std::nullopt;
+    return Error{
+        model.blocks[0].field,
+        "found no fixed or driven block in the model, so all of it falls, allowed: at least one that "
+        "holds the others (fixed = true, or [[rock_mass.fixed]])"};
 }
 
 std::vector<Error> implausible(const State& state) { return waterFarAway(state); }

@@ -2,6 +2,7 @@
 // What no range of a single number can say: quantities of a built model held against each other. Each fault is one of the
 // model's fields.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ std::vector<std::string> doubts(const State& state);
 
 /// The same, and the block that makes a history's steps many times shorter than the median block would.
 std::vector<std::string> doubtsOfHistory(const State& state, bool parallel);
+
+/// A model in which every block falls, so that no search has an answer.
+std::optional<Error> nothingHolds(const Model& model);
 
 /// Faults of a search whose answer a change of the out-of-balance force over the weight by `load_tolerance` decides: that has
 /// to be more than rounding, joints stiff enough that a block's own weight does not move it as far as a failure does, joints

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "analysis/plausible.h"
 #include "analysis/threads.h"
 #include "build/build.h"
 #include "forces/sum.h"
@@ -391,6 +392,9 @@ Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control
     return withAssembly<LimitResult>(
         model, control, settings, interrupted,
         [&](State& state, const Assembly& assembly) -> Result<LimitResult> {
+            std::vector<Error> errors = analysis::implausible(state);
+            if (auto falls = analysis::nothingHolds(model)) errors.push_back(std::move(*falls));
+            if (!errors.empty()) return errors;
             if (assembly.points.size() > settings.max_contact_points)
                 return tooLarge(assembly.points.size(), settings.max_contact_points);
             if (const std::string why = whyNot(state, assembly); !why.empty()) return Error{"", why};

@@ -37,6 +37,40 @@ TEST_CASE("blocks: without joint sets the picture is drawn and the stereonet lef
     CHECK(Json::parse(said.out).at("warnings").dump().find("no joint set") != std::string::npos);
 }
 
+TEST_CASE("blocks: no two files have one name") {
+    const TemporaryFolder folder;
+    const std::string scenario = folder.write("stack.toml", kStack), one = folder / "one.svg";
+    for (const std::vector<std::string>& files :
+         {std::vector<std::string>{"-o", one, "--stereonet", one}, {"--sizes", one, "--stereonet", one}}) {
+        std::vector<std::string> arguments{"blocks", scenario};
+        arguments.insert(arguments.end(), files.begin(), files.end());
+        CHECK(runTalus(arguments).exit_code == 2);
+        CHECK_FALSE(std::filesystem::exists(one));
+    }
+}
+
+TEST_CASE("blocks: Ctrl-C ends it at once whatever it is at, and leaves no picture") {
+    const TemporaryFolder folder;
+    std::string text = kStack;
+    const std::string small = "columns = 2\nrows = 2\nslices = 1";
+    text.replace(text.find(small), small.size(), "columns = 120\nrows = 120\nslices = 6");
+    const std::string scenario = folder.write("stack.toml", text), picture = folder / "stack.svg";
+    int interrupted = 0;
+    for (const double begun : {0.05, 0.2, 0.4, 0.6, 0.8}) {
+        Program program({"blocks", scenario, "-o", picture});
+        waitFor([&] { return program.cpuSeconds() > begun || program.endsWithin(0); });
+        program.signal(SIGINT);
+        CHECK(program.endsWithin(kSlower * 0.5));
+        const Outcome outcome = program.outcome();
+        if (outcome.exit_code == 0) continue;  // it was done already
+        ++interrupted;
+        CHECK(outcome.exit_code == 130);
+        CHECK_FALSE(std::filesystem::exists(picture));
+        CHECK(std::distance(std::filesystem::directory_iterator(folder / "."), {}) == 1);  // the scenario
+    }
+    CHECK(interrupted > 0);
+}
+
 TEST_CASE("blocks: a stereonet alone needs a joint set, and a file's name is looked at first") {
     const TemporaryFolder folder;
     const std::string scenario = folder.write("stack.toml", kStack), net = folder / "poles.svg";

@@ -53,6 +53,26 @@ TEST_CASE("limit-analysis: tilt, factor and horizontal load of one block") {
           doctest::Approx(std::tan(20 * tools::kDegree) / std::tan(25 * tools::kDegree)).epsilon(2e-4));
 }
 
+TEST_CASE(
+    "limit-analysis: a model that nothing holds, or with water far from it, is an error as in a search") {
+    const TemporaryFolder folder;
+    std::string text = blockScenario(0, 20);
+    for (std::size_t at = text.find("fixed = true"); at != std::string::npos; at = text.find("fixed = true"))
+        text.replace(at, 12, "");
+    const std::string loose = folder.write("loose.toml", text);
+    const std::string drowned =
+        folder.write("drowned.toml",
+                     blockScenario(0, 20, "[[water]]\nblock = \"key\"\nface = \"+x\"\nelevation = 500.0\n"));
+    for (const char* load : {"tilt", "factor", "horizontal"}) {
+        const Outcome falls = runTalus({"limit-analysis", loose, "--for", load});
+        CHECK(falls.exit_code == 2);
+        CHECK(falls.err.find("no fixed or driven block") != std::string::npos);
+        const Outcome far = runTalus({"limit-analysis", drowned, "--for", load});
+        CHECK(far.exit_code == 2);
+        CHECK(far.err.find("500") != std::string::npos);
+    }
+}
+
 TEST_CASE("limit-analysis: for people, and what it does not take") {
     const std::string arch = kVerification + "arch-27-1.5m.toml";
     const Outcome people = runTalus({"limit-analysis", arch, "--for", "tilt", "--quiet"});

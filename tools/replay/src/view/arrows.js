@@ -44,8 +44,9 @@ export class ArrowsView {
   show(full, frame, chosen, size, dark) {
     const contact = rgb(dark ? "#dfe7ee" : forceColours.contact);
     const arrows = !full ? [] : chosen >= 0 ? this.onBlock(full, frame, chosen, contact) : this.everywhere(full, frame, contact);
-    const strengths = arrows.map((arrow) => norm(arrow.force)).sort((a, b) => a - b);
-    const typical = strengths.length ? strengths[Math.floor(0.95 * (strengths.length - 1))] : 0;
+    // Of what carries: most interfaces of a rock mass may be open.
+    const strengths = arrows.map((arrow) => norm(arrow.force)).filter((strength) => strength > 0).sort((a, b) => a - b);
+    const typical = strengths.length ? strengths[Math.round(0.95 * (strengths.length - 1))] : 0;
     const metres = typical > 0 ? (1.1 * this.blockSize * size) / typical : 0;
     this.uniforms.metresPerNewton.value = metres;
     this.uniforms.thickness.value = 0.032 * this.blockSize * Math.sqrt(size);
