@@ -113,4 +113,20 @@ await test("why a block slides or topples follows the numbers that decide, and t
   await page.context().close();
 });
 
+await test("where a contact carries, be it the only one of many, its force is drawn and its scale told", async () => {
+  for (const hash of ["#t=0&forces", "#t=end&forces"]) {
+    const page = await open(hash, 1000);
+    await page.waitForFunction(() => window.replay.fullIndex < 0 || window.replay.full);
+    await drawn(page);
+    const [largest, arrows, legend] = await page.evaluate(() => {
+      const { full, arrows } = window.replay, force = full?.interfaces.force;
+      const strengths = force ? Array.from(force.x, (x, i) => Math.hypot(x, force.y[i], force.z[i])) : [];
+      return [Math.max(0, ...strengths), arrows.geometry.instanceCount, document.getElementById("legend").innerText];
+    });
+    equal(arrows > 0, largest > 0, `${arrows} arrows for ${largest} N at ${hash}`);
+    equal(/Contact forces/.test(legend), largest > 0, legend);
+    await page.context().close();
+  }
+});
+
 await end();
