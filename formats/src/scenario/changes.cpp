@@ -1,5 +1,7 @@
 #include "talus/formats/changes.h"
 
+#include <cmath>
+
 #include "scenario/read_document.h"
 #include "toml/field_path.h"
 #include "toml/file_text.h"
@@ -84,6 +86,9 @@ Result<Scenario> readScenario(const std::string& path, const std::vector<FieldCh
     const std::string name = from_stdin ? "stdin" : path;
     const auto text = from_stdin ? toml::readStandardInput(name) : toml::readFileText(path);
     if (!text) return text.errors();
+    constexpr double kLarge = 5e6;  // [bytes] takes a second
+    if (const auto size = static_cast<double>(text->size()); progress && size > kLarge)
+        progress({"reading", 0.0, std::to_string(std::lround(1e-6 * size)) + " MB of text"});
     auto document = Document::parse(*text, name);
     if (!document) return document.errors();
     if (changes.empty())
