@@ -93,11 +93,12 @@ void refuseLinks(const std::string& folder, const std::string& results) {
     const std::string in = folder + "/";
     for (const std::string& path : {in + kInfoName, in + kLockName, results, results + "-metadata.json",
                                     in + kSummaryName, in + kReportName, in + kPageName}) {
-        if (isLink(path))
+        if (isLink(path)) {
             throw BadInput(Error{"--output",
                                  "is a link; in its folder a batch writes files of its own only: remove the "
                                  "link or choose another folder",
                                  path});
+        }
     }
 }
 

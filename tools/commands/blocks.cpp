@@ -164,10 +164,11 @@ void refuseOneNameTwice(const BlocksOptions& options) {
     std::vector<std::string> names{options.output};
     for (const JointsFile& file : jointsFiles(options)) {
         if (file.path.empty()) continue;
-        if (std::find(names.begin(), names.end(), file.path) != names.end())
+        if (std::find(names.begin(), names.end(), file.path) != names.end()) {
             throw BadInput(Error{
                 file.option,
                 "found \"" + file.path + "\", which another file is to be called; choose another name"});
+        }
         names.push_back(file.path);
     }
 }

@@ -182,9 +182,10 @@ void addLines(const std::vector<PaintedPolygon>& painted, std::size_t k, Places&
         std::vector<Share> covered;
         for (const std::size_t cover : places.later(k, box))
             covered.push_back(coveredShare(from, to, painted[cover].corners, thin));
-        for (const Share& share : shownShares(from, to, std::move(covered)))
+        for (const Share& share : shownShares(from, to, std::move(covered))) {
             lines.push_back(
                 {from + share.first * (to - from), from + share.second * (to - from), polygon.sides[side]});
+        }
     }
 }
 

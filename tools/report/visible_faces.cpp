@@ -62,9 +62,10 @@ class BlockFinder {
 
     void addPart(std::size_t block, const Polyhedron& shape) {
         Part part{block, {}, {}};
-        for (std::size_t f = 0; f < shape.faces.size(); ++f)
+        for (std::size_t f = 0; f < shape.faces.size(); ++f) {
             part.planes.emplace_back(shape.faceNormal(f),
                                      shape.vertices[static_cast<std::size_t>(shape.faces[f].front())]);
+        }
         for (const Vec3& v : shape.vertices) part.bounds.add(v);
         all_.add(part.bounds.min);
         all_.add(part.bounds.max);

@@ -163,13 +163,14 @@ std::optional<Error> tableFarAway(const PhreaticSurface& table, const Heights& m
 /// No place that water can wet is lower than this [m]: its own base, the lowest corner of its walls; of two blocks' interface, the
 /// higher one's lowest corner.
 double lowestWettable(const Model& model, const Water& water) {
-    const auto lowestOf = [&](std::int32_t block) {
+    const auto lowest_of = [&](std::int32_t block) {
         Heights heights;
         for (const Vec3& v : model.blocks[static_cast<std::size_t>(block)].shape.vertices)
             heights.take(v.z());
         return heights.low;
     };
-    if (water.pair) return std::max({water.base, lowestOf(water.pair->first), lowestOf(water.pair->second)});
+    if (water.pair)
+        return std::max({water.base, lowest_of(water.pair->first), lowest_of(water.pair->second)});
     Heights walls;
     for (const WetFace& wall : water.walls) {
         const Polyhedron& shape = model.blocks[static_cast<std::size_t>(wall.block)].shape;
