@@ -55,7 +55,7 @@ std::optional<std::size_t> lastAt(const std::vector<PaintedPolygon>& painted, co
 
 /// Of a side, by places along it, how much no later polygon covers.
 double seenLength(const std::vector<PaintedPolygon>& painted, std::size_t k, std::size_t side) {
-    constexpr int kPlaces = 2000;
+    constexpr int kPlaces = 400;
     const Vec3 &a = painted[k].corners[side], &b = painted[k].corners[(side + 1) % 3];
     int seen = 0;
     for (int i = 0; i < kPlaces; ++i) {
