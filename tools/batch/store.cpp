@@ -120,6 +120,11 @@ void refuseForeign(const std::string& folder, const std::string& results, const 
             throw BadInput(Error{"--output",
                                  "holds rows with other columns, of another version; choose another folder",
                                  folder});
+    } else {
+        for (const char* name : {kSummaryName, kReportName, kPageName}) {
+            if (const std::string report = folder + "/" + name; std::filesystem::exists(report))
+                throw BadInput(Error{"--output", "exists and is of no batch; choose another folder", report});
+        }
     }
     if (!areResults(results, csvHeader(info)))
         throw BadInput(Error{

@@ -267,6 +267,22 @@ TEST_CASE("a merge does not replace results that others are still adding to, nor
     CHECK(contentOf(foreign) == "a,b\n1,2\n");
 }
 
+TEST_CASE("reports that are of no batch are left as they are") {
+    const BatchFolder batch(kGrid);
+    REQUIRE(batch.run().exit_code == 0);
+    for (const std::string name : {"summary.json", "report.json", "report.html"}) {
+        CAPTURE(name);
+        const std::string folder = batch.folder / "foreign";
+        std::filesystem::create_directory(folder);
+        const std::string path = batch.folder.write("foreign/" + name, "mine");
+        CHECK(runTalus({"merge", batch.out(), "-o", folder}).exit_code == 2);
+        CHECK(runTalus({"batch", batch.path, "-o", folder}).exit_code == 2);
+        CHECK(contentOf(path) == "mine");
+        CHECK(std::distance(std::filesystem::directory_iterator(folder), {}) == 1);
+        std::filesystem::remove_all(folder);
+    }
+}
+
 TEST_CASE("a batch and a merge write into no link, whatever of theirs it stands for") {
     const BatchFolder batch(kGrid);
     REQUIRE(batch.run().exit_code == 0);
