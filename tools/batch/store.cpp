@@ -54,17 +54,16 @@ std::optional<std::uint64_t> runNumber(const Row& cells) {
     return run;
 }
 
-/// A link, but for one to a device or a pipe, where nothing can be lost.
-bool isLink(const std::string& path) {
+/// A device or a pipe, also behind a link: there nothing can be lost.
+bool isDevice(const std::string& path) {
     std::error_code absent;
     const auto there = std::filesystem::status(path, absent);
-    const bool is_device = std::filesystem::exists(there) && !std::filesystem::is_regular_file(there) &&
-                           !std::filesystem::is_directory(there);
-    return !is_device && std::filesystem::is_symlink(std::filesystem::symlink_status(path, absent));
+    return std::filesystem::exists(there) && !std::filesystem::is_regular_file(there) &&
+           !std::filesystem::is_directory(there);
 }
 
 int openFile(const std::string& path, int flags) {
-    const int file = ::open(path.c_str(), flags | (isLink(path) ? O_NOFOLLOW : 0) | O_CLOEXEC, 0666);
+    const int file = ::open(path.c_str(), flags | (isDevice(path) ? 0 : O_NOFOLLOW) | O_CLOEXEC, 0666);
     if (file < 0) throw FileRefused(path, "cannot be opened", errno);
     return file;
 }
@@ -93,7 +92,8 @@ void refuseLinks(const std::string& folder, const std::string& results) {
     const std::string in = folder + "/";
     for (const std::string& path : {in + kInfoName, in + kLockName, results, results + "-metadata.json",
                                     in + kSummaryName, in + kReportName, in + kPageName}) {
-        if (isLink(path)) {
+        std::error_code absent;
+        if (!isDevice(path) && std::filesystem::is_symlink(path, absent)) {
             throw BadInput(Error{"--output",
                                  "is a link; in its folder a batch writes files of its own only: remove the "
                                  "link or choose another folder",

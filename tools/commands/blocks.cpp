@@ -12,7 +12,6 @@
 #include "cli/progress.h"
 #include "cli/provenance.h"
 #include "cli/scenario.h"
-#include "cli/signals.h"
 #include "cli/text.h"
 #include "commands/commands.h"
 #include "report/blocks_files.h"
@@ -185,7 +184,7 @@ int blocks(const BlocksOptions& options) {
         return std::pair(options.output.empty() ? "" : drawnWithProgress(options, scenario.model),
                          sizesOf(scenario.model));
     }();
-    if (!options.output.empty() && !writeFile(options.output, drawn, &stopRequested())) return kInterrupted;
+    if (!options.output.empty()) writeFile(options.output, drawn);
     if (!options.common.json) {
         printResult(summary(scenario.model, sizes, scenario.finite_cuts));
         return kDone;

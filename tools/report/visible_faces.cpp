@@ -177,8 +177,8 @@ class EdgeTeller {
         std::size_t face;
         Vec3 from, to;
         std::vector<std::size_t> others;  ///< faces of the body in whose planes it lies
-        bool
-            changes;  ///< other parts of the body cover these faces in part: what is beside it changes anywhere
+        /// Other parts of the body cover these faces in part: what is beside it changes anywhere.
+        bool changes;
 
         Vec3 at(double share) const { return from + share * (to - from); }
         double length() const { return (to - from).norm(); }
