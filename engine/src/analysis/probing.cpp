@@ -10,8 +10,8 @@
 namespace talus::analysis {
 namespace {
 
-// Steps of a probe before the implicit solve is asked; slides need 1,000 to 5,000.
-constexpr std::int64_t kFirstSteps = 6'000;
+// Steps of a probe before the implicit solve is asked; most slides need 1,000 to 3,000.
+constexpr std::int64_t kFirstSteps = 3'000;
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
 // Rest is near when it is no farther than this times the way the assembly has come, from rest to rest (engine/README.md says

@@ -26,6 +26,8 @@ constexpr double kLongestStep = 1e9;
 constexpr double kShortestStep = 1e-2;
 constexpr double kStepMotion =
     2e-3;  // most a block may go in a step, of its size: contacts are looked for in between
+// ... but no block counts for smaller than this, of the median: one pebble would make the steps of all.
+constexpr double kLeastSize = 0.25;
 constexpr double kLookMotion = 1e-5;  // and the way after which they are
 // Vertices and edges are looked at after a share of the way that blocks go between two looks in time (2e-4 of their size): as far
 // apart an equilibrium may be that counts as near, so what holds has to be found sooner.
@@ -198,8 +200,9 @@ class Solver {
         const auto way_of = [&](std::size_t r) {
             return trial.way[r].head<3>().norm() + trial.way[r].tail<3>().norm();
         };
+        const double least_size = kLeastSize * state_.geometry->length_scale;
         for (std::size_t r = 0; r < trial.way.size(); ++r)
-            motion_ = std::max(motion_, way_of(r) / balance_.size[r]);
+            motion_ = std::max(motion_, way_of(r) / std::max(balance_.size[r], least_size));
         if (motion_ > kStepMotion) return false;
         for (std::size_t r = 0; r < trial.way.size(); ++r) gone_[balance_.block[r]] += kFiner * way_of(r);
         at_.poses = std::move(trial.poses);
