@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equilibrium/response_view.h"
+#include "forces/contact_forces.h"
 #include "forces/sum.h"
 #include "forces/tie.h"
-#include "law/points.h"
 #include "state/incidence.h"
-#include "state/point_layout.h"
 
 namespace talus::equilibrium {
 namespace {
@@ -28,29 +28,21 @@ void listRows(const State& state, Balance& balance) {
     }
 }
 
-InterfacePlace placeOf(const Interfaces& interfaces, std::size_t i) {
-    const InterfaceFrame frame = interfaces.frame(i);
-    return {frame.origin_a, frame.e1_a, frame.e2_a,         frame.origin_b,
-            frame.e1_b,     frame.e2_b, frame.reference_gap};
-}
-
 void listInterfaces(const State& state, Balance& balance) {
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
         if ((!moves(state, a) && !moves(state, b)) || isIdle(f, i)) continue;
-        ActiveInterface active{.place = placeOf(f, i),
-                               .interface = i,
-                               .block_a = a,
-                               .block_b = b,
-                               .joint = f.joint[i],
-                               .first_point = balance.points.size()};
-        for (const contact::PatchPoint& point : interfacePoints(f, i, state.geometry->model.points))
-            balance.points.push_back({point.position.x(), point.position.y(), point.area, {}});
-        active.points = balance.points.size() - active.first_point;
-        active.a_first = balance.row[a] < balance.row[b];
-        balance.interfaces.push_back(active);
+        balance.interfaces.push_back({.interface = i,
+                                      .block_a = a,
+                                      .block_b = b,
+                                      .slot = static_cast<std::size_t>(f.slot[i]),
+                                      .a_first = balance.row[a] < balance.row[b]});
     }
+    for (const double radius : state.geometry->radius) balance.inverse_radius.push_back(1.0 / radius);
+    const std::size_t slots = f.groups.size() * static_cast<std::size_t>(simd::kLanes);
+    balance.wrenches.resize(slots);
+    balance.carries.resize(slots);
 }
 
 void listTies(const State& state, Balance& balance) {
@@ -97,8 +89,9 @@ void findDrag(const State& state, Balance& balance) {
     for (const contact::JointLaw& law : state.laws)
         stiffest = std::max(stiffest, contact::largestStiffness(law));
     for (const ActiveInterface& i : balance.interfaces) {
-        const contact::JointLaw& law = state.laws[static_cast<std::size_t>(i.joint)];
-        const double stiffness = state.interfaces.area[i.interface] * contact::largestStiffness(law);
+        const auto joint = static_cast<std::size_t>(state.interfaces.joint[i.interface]);
+        const double stiffness =
+            state.interfaces.area[i.interface] * contact::largestStiffness(state.laws[joint]);
         for (const std::size_t b : {i.block_a, i.block_b})
             if (balance.row[b] >= 0) balance.drag[static_cast<std::size_t>(balance.row[b])] += stiffness;
     }
@@ -106,34 +99,42 @@ void findDrag(const State& state, Balance& balance) {
         if (balance.drag[r] == 0) balance.drag[r] = stiffest * state.geometry->face_area[balance.block[r]];
 }
 
-/// \param i an interface or a tie
-template <class Active>
-void addStiffness(Balance& balance, const Active& i, const InterfaceStiffness& k) {
+using Block = Eigen::Map<const Mat6>;
+
+void addStiffness(Balance& balance, const ActiveInterface& i, const double* k) {
+    const auto block = [&](std::size_t part) { return Block(k + part * kStiffnessBlock); };
     const std::int32_t a = balance.row[i.block_a], b = balance.row[i.block_b];
-    if (a >= 0) balance.matrix.diagonal[static_cast<std::size_t>(a)] -= k.aa;
-    if (b >= 0) balance.matrix.diagonal[static_cast<std::size_t>(b)] -= k.bb;
+    if (a >= 0) balance.matrix.diagonal[static_cast<std::size_t>(a)] -= block(0);
+    if (b >= 0) balance.matrix.diagonal[static_cast<std::size_t>(b)] -= block(3);
     if (i.edge < 0) return;
     const auto edge = static_cast<std::size_t>(i.edge);
-    (i.a_first ? balance.matrix.upper : balance.matrix.lower)[edge] -= k.ab;
-    (i.a_first ? balance.matrix.lower : balance.matrix.upper)[edge] -= k.ba;
+    (i.a_first ? balance.matrix.upper : balance.matrix.lower)[edge] += block(1);
+    (i.a_first ? balance.matrix.lower : balance.matrix.upper)[edge] += block(2);
 }
 
-/// Rotations times the radius, torques over it.
-void scaleByRadius(Balance& balance) {
-    std::vector<double> scales;
-    for (const double radius : balance.radius) scales.push_back(1.0 / radius);
-    const auto scale = [&](Mat6& k, std::size_t row, std::size_t column) {
-        k.bottomRows<3>() *= scales[row];
-        k.rightCols<3>() *= scales[column];
-    };
-    BlockMatrix& matrix = balance.matrix;
-    for (std::size_t r = 0; r < matrix.rows(); ++r) scale(matrix.diagonal[r], r, r);
-    for (std::size_t e = 0; e < matrix.edges.size(); ++e) {
-        const auto i = static_cast<std::size_t>(matrix.edges[e].first),
-                   j = static_cast<std::size_t>(matrix.edges[e].second);
-        scale(matrix.upper[e], i, j);
-        scale(matrix.lower[e], j, i);
-    }
+/// Of a wrench by a motion, with rotations times the radius of what moves, torques over that of what is pushed.
+Mat6 scaled(const Eigen::Ref<const Mat6>& k, double pushed, double moving) {
+    Mat6 result = k;
+    result.bottomRows<3>() /= pushed;
+    result.rightCols<3>() /= moving;
+    return result;
+}
+
+void addStiffness(Balance& balance, const ActiveTie& tie, const TieRates& rates) {
+    const std::int32_t a = balance.row[tie.block_a], b = balance.row[tie.block_b];
+    const auto radius = [&](std::int32_t row) { return balance.radius[static_cast<std::size_t>(row)]; };
+    if (a >= 0)
+        balance.matrix.diagonal[static_cast<std::size_t>(a)] -=
+            scaled(rates.on_a.leftCols<6>(), radius(a), radius(a));
+    if (b >= 0)
+        balance.matrix.diagonal[static_cast<std::size_t>(b)] -=
+            scaled(rates.on_b.rightCols<6>(), radius(b), radius(b));
+    if (tie.edge < 0) return;
+    const auto edge = static_cast<std::size_t>(tie.edge);
+    (tie.a_first ? balance.matrix.upper : balance.matrix.lower)[edge] -=
+        scaled(rates.on_a.rightCols<6>(), radius(a), radius(b));
+    (tie.a_first ? balance.matrix.lower : balance.matrix.upper)[edge] -=
+        scaled(rates.on_b.leftCols<6>(), radius(b), radius(a));
 }
 
 /// What keeps its direction changes its moment as the block turns.
@@ -178,15 +179,73 @@ void addTies(const State& state, Balance& balance, const Poses& poses, bool stif
         };
         add(tie.block_a, found.onA(at_a));
         add(tie.block_b, found.onB(at_b));
-        if (!stiffness) continue;
-        const TieRates rates = ratesOf(found, at_a, at_b);
-        const InterfaceStiffness k{rates.on_a.leftCols<6>(), rates.on_a.rightCols<6>(),
-                                   rates.on_b.leftCols<6>(), rates.on_b.rightCols<6>()};
-        addStiffness(balance, tie, k);
+        if (stiffness) addStiffness(balance, tie, ratesOf(found, at_a, at_b));
     }
 }
 
-Placed placedOf(const Poses& poses, std::size_t b) { return {poses.position.get(b), poses.turn[b]}; }
+/// Groups of interfaces whose stiffness is wanted at a time: as much as stays in the cache until it is added up.
+constexpr std::size_t kGroupsAtOnce = 4;
+
+ResponseView responseView(const State& state, Balance& balance, const Poses& poses, double rounding) {
+    const Interfaces& f = state.interfaces;
+    return {.position = numbers(poses.position),
+            .orientation = numbers(poses.orientation),
+            .groups = f.groups.data(),
+            .block_a = f.block_a.data(),
+            .block_b = f.block_b.data(),
+            .joint = f.joint.data(),
+            .frames = f.frames.data(),
+            .corners = f.corners.data(),
+            .patch_area = f.area.data(),
+            .laws = state.laws.data(),
+            .point_places = state.points.places.data(),
+            .memory = state.points.memory.data(),
+            .inverse_radius = balance.inverse_radius.data(),
+            .wrenches = balance.wrenches.empty() ? nullptr : balance.wrenches.front().force.data(),
+            .carries = balance.carries.data(),
+            .stiffness = nullptr,
+            .remembers = state.points.remembers(),
+            .curved = hasCurves(state),
+            .places = pointPlaces(state),
+            .rounding = rounding};
+}
+
+void addWrench(Balance& balance, const ActiveInterface& i, Vec6s& force) {
+    const InterfaceWrench& wrench = balance.wrenches[i.slot];
+    const auto add = [&](std::int32_t row, double sign, const Vec3& moment) {
+        if (row < 0) return;
+        Vec6& sum = force[static_cast<std::size_t>(row)];
+        sum.head<3>() += sign * wrench.force;
+        sum.tail<3>() += moment;
+    };
+    add(balance.row[i.block_a], -1.0, wrench.moment_a);
+    add(balance.row[i.block_b], 1.0, wrench.moment_b);
+}
+
+void addContacts(const State& state, Balance& balance, const Poses& poses, double rounding, bool stiffness,
+                 Vec6s& force) {
+    ResponseView view = responseView(state, balance, poses, rounding);
+    const ResponseKernel respond =
+        simd::buildFor(state.instructions, kRespondScalar, kRespondAvx2, kRespondAvx512);
+    constexpr auto width = static_cast<std::size_t>(simd::kLanes);
+    if (stiffness) {
+        balance.stiffness.resize(kGroupsAtOnce * width * kStiffnessQuantities);
+        view.stiffness = balance.stiffness.data();
+    }
+    const std::size_t groups = state.interfaces.groups.size();
+    auto next = balance.interfaces.begin();
+    for (std::size_t begin = 0; begin < groups; begin += kGroupsAtOnce) {
+        const std::size_t end = std::min(begin + kGroupsAtOnce, groups);
+        respond(view, begin, end);
+        for (; next != balance.interfaces.end() && next->slot < end * width; ++next) {
+            if (balance.carries[next->slot] == 0) continue;
+            addWrench(balance, *next, force);
+            if (stiffness)
+                addStiffness(balance, *next,
+                             view.stiffness + (next->slot - begin * width) * kStiffnessQuantities);
+        }
+    }
+}
 
 /// q after a small turn by a rotation vector in the model frame.
 Quaternion turned(const Quaternion& q, const Vec3& by) {
@@ -209,23 +268,8 @@ Balance makeBalance(const State& state) {
     listTies(state, balance);
     makeStructure(balance);
     findDrag(state, balance);
-    readMemory(state, balance);
     readApplied(state, balance);
     return balance;
-}
-
-void readMemory(const State& state, Balance& balance) {
-    for (const ActiveInterface& i : balance.interfaces)
-        for (std::size_t k = 0; k < i.points; ++k)
-            balance.points[i.first_point + k].memory =
-                state.points.memoryAt(state.interfaces.pointSlot(i.interface, k));
-}
-
-void writeMemory(const Balance& balance, State& state) {
-    for (const ActiveInterface& i : balance.interfaces)
-        for (std::size_t k = 0; k < i.points; ++k)
-            state.points.setMemory(state.interfaces.pointSlot(i.interface, k),
-                                   balance.points[i.first_point + k].memory);
 }
 
 void readApplied(const State& state, Balance& balance) {
@@ -266,55 +310,38 @@ void sumForces(const State& state, Balance& balance, const Poses& poses, double 
                Vec6s& force) {
     force.assign(balance.block.size(), Vec6::Zero());
     if (stiffness) balance.matrix.setZero();
-    InterfaceStiffness k;
-    for (const ActiveInterface& i : balance.interfaces) {
-        const InterfaceWrenches wrenches = interfaceResponse(
-            i.place, placedOf(poses, i.block_a), placedOf(poses, i.block_b),
-            state.laws[static_cast<std::size_t>(i.joint)], {balance.points.data() + i.first_point, i.points},
-            rounding, stiffness ? &k : nullptr);
-        if (!wrenches.carries) continue;
-        if (const std::int32_t a = balance.row[i.block_a]; a >= 0)
-            force[static_cast<std::size_t>(a)] += wrenches.on_a;
-        if (const std::int32_t b = balance.row[i.block_b]; b >= 0)
-            force[static_cast<std::size_t>(b)] += wrenches.on_b;
-        if (stiffness) addStiffness(balance, i, k);
-    }
+    addContacts(state, balance, poses, rounding, stiffness, force);
     for (std::size_t r = 0; r < force.size(); ++r) force[r].tail<3>() /= balance.radius[r];
     addTies(state, balance, poses, stiffness, force);
-    if (stiffness) scaleByRadius(balance);
     addLoad(bodyAcceleration(state), balance, state, poses, stiffness, force);
     addDead(balance, poses, stiffness, force);
 }
 
-void commitRounded(const State& state, Balance& balance, const Poses& poses, double rounding) {
-    for (const ActiveInterface& i : balance.interfaces)
-        commitSlides(i.place, placedOf(poses, i.block_a), placedOf(poses, i.block_b),
-                     state.laws[static_cast<std::size_t>(i.joint)],
-                     {balance.points.data() + i.first_point, i.points}, rounding);
-}
-
-double relativeMotion(const Balance& balance, const ActiveInterface& i, const Poses& from, const Poses& to) {
+double relativeMotion(const State& state, const ActiveInterface& i, const Poses& from, const Poses& to) {
+    const Interfaces& f = state.interfaces;
+    const auto pose = [&](const Poses& at) {
+        return relativePose(at.position, at.orientation, f, i.interface);
+    };
+    const RelativePose before = pose(from), after = pose(to);
     double most = 0;
-    for (std::size_t k = 0; k < i.points; ++k) {
-        const SolverPoint& point = balance.points[i.first_point + k];
-        most = std::max(most,
-                        (slidesAndGap(i.place, placedOf(to, i.block_a), placedOf(to, i.block_b), point) -
-                         slidesAndGap(i.place, placedOf(from, i.block_a), placedOf(from, i.block_b), point))
-                            .norm());
+    for (std::size_t k = 0; k < f.cornerCount(i.interface); ++k) {
+        const std::size_t slot = f.cornerSlot(i.interface, k);
+        const Vec3 at(1.0, f.corners.get(slot, 0), f.corners.get(slot, 1));
+        most = std::max(most, Vec3(at.dot(after.slide_1 - before.slide_1),
+                                   at.dot(after.slide_2 - before.slide_2), at.dot(after.gap - before.gap))
+                                  .norm());
     }
     return most;
 }
 
-double deepestPoint(const Balance& balance, const Poses& poses) {
+double deepestPoint(const State& state, const Balance& balance) {
     double deepest = 0;
-    for (const ActiveInterface& i : balance.interfaces)
-        for (std::size_t k = 0; k < i.points; ++k) {
-            const SolverPoint& point = balance.points[i.first_point + k];
+    for (const ActiveInterface& i : balance.interfaces) {
+        const Vec3 gap = relativePose(state, i.interface).gap;
+        for (const ContactPoint& point : contactPoints(state, i.interface))
             deepest = std::max(
-                deepest,
-                point.memory.dilation -
-                    slidesAndGap(i.place, placedOf(poses, i.block_a), placedOf(poses, i.block_b), point).z());
-        }
+                deepest, point.memory.dilation - gap.dot(Vec3(1.0, point.position.x(), point.position.y())));
+    }
     return deepest;
 }
 

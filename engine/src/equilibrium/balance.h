@@ -8,14 +8,13 @@
 #include <vector>
 
 #include "equilibrium/block_matrix.h"
-#include "equilibrium/interface_response.h"
 #include "forces/sum.h"
 #include "forces/wrench.h"
 #include "state/arrays.h"
 
 namespace talus::equilibrium {
 
-/// Where the blocks are while a step is sought; the state keeps the poses of the last committed step.
+/// Where the blocks are while a step is sought; the state keeps poses and plastic slides of the last committed step.
 struct Poses {
     PositionArray position;
     QuaternionArray orientation;
@@ -24,10 +23,8 @@ struct Poses {
 
 /// One interface between two blocks of which at least one moves.
 struct ActiveInterface {
-    InterfacePlace place;
     std::size_t interface = 0, block_a = 0, block_b = 0;
-    std::int32_t joint = 0;
-    std::size_t first_point = 0, points = 0;
+    std::size_t slot = 0;    ///< in Interfaces
     std::int32_t edge = -1;  ///< of the matrix, when both blocks move
     bool a_first = false;    ///< whether a's row comes before b's
 };
@@ -47,19 +44,18 @@ struct Balance {
     std::vector<double> drag{};                      ///< stiffness of the joints on each row's block [N/m]
     std::vector<Vec3> own_force{},
         own_moment{};  ///< of the applied forces that turn with it, in the block's own frame [N, N m]
-    std::vector<DeadForce> dead{};  ///< of those that keep their direction; empty where there are none
-    std::vector<ActiveInterface> interfaces{};
-    std::vector<SolverPoint> points{};
+    std::vector<DeadForce> dead{};         ///< of those that keep their direction; empty where there are none
+    std::vector<double> inverse_radius{};  ///< of each block, for the kernel [1/m]
+    std::vector<ActiveInterface> interfaces{};  ///< in the order of their slots
     std::vector<ActiveTie> ties{};
-    BlockMatrix matrix{};  ///< of the structure of these interfaces and ties
+    std::vector<InterfaceWrench> wrenches{};     ///< by slot, of the last forces summed
+    std::vector<double> carries{}, stiffness{};  ///< likewise; see ResponseView
+    BlockMatrix matrix{};                        ///< of the structure of these interfaces and ties
 };
 
-/// Reads interfaces, contact points and what they remember. Idle slots are left out.
+/// Reads blocks and interfaces. Idle places are left out.
 Balance makeBalance(const State& state);
 
-/// Takes over what the contact points of a state remember, the interfaces being the same.
-void readMemory(const State& state, Balance& balance);
-void writeMemory(const Balance& balance, State& state);
 /// Forces on blocks beside contacts and what follows their mass, as last computed.
 void readApplied(const State& state, Balance& balance);
 
@@ -69,20 +65,18 @@ void setPoses(const Poses& poses, State& state);
 /// Moves blocks by share times the unknowns.
 void move(const Balance& balance, const Vec6s& by, double share, Poses& poses);
 
-/// Sum of weight, water and contacts on each row's block; with `stiffness`, minus its derivative into balance.matrix.
+/// Sum of weight, water and contacts on each row's block; with `stiffness`, minus its derivative into balance.matrix. What
+/// contact points remember is that of the state.
 /// \param rounding see normalResponse [N]
 void sumForces(const State& state, Balance& balance, const Poses& poses, double rounding, bool stiffness,
                Vec6s& force);
 
-/// Commits the plastic slides of the rounded law into the balance's points.
-void commitRounded(const State& state, Balance& balance, const Poses& poses, double rounding);
-
-/// Largest change of slide or gap at an interface's contact points between two sets of poses [m].
-double relativeMotion(const Balance& balance, const ActiveInterface& interface, const Poses& from,
+/// Largest change of slide or gap on an interface's patch between two sets of poses [m].
+double relativeMotion(const State& state, const ActiveInterface& interface, const Poses& from,
                       const Poses& to);
 
 /// How deep the deepest contact point is pressed together [m].
-double deepestPoint(const Balance& balance, const Poses& poses);
+double deepestPoint(const State& state, const Balance& balance);
 
 /// Largest of an array of forces over the weights of their blocks.
 double largestRatio(const Balance& balance, const Vec6s& force);

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "equilibrium/elimination_view.h"
-#include "equilibrium/interface_response.h"
 #include "simd/instruction_set.h"
 
 namespace talus::equilibrium {
+
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 /// Blocks side by side, so that the matrices of a factor are one allocation.
 using Mat6s = std::vector<Mat6>;

@@ -67,7 +67,7 @@ class Solver {
         takeContacts();
         gone_.resize(state_.blocks.size());
         start_ = at_.poses;
-        deepest_ = deepestPoint(balance_, start_);
+        deepest_ = deepestPoint(state_, balance_);
         reach_ = tieReach(state_);
         median_weight_ = median(balance_.weight);
     }
@@ -219,7 +219,7 @@ class Solver {
     bool bondsGive() const {
         if (!state_.points.remembers()) return false;
         for (const ActiveInterface& i : balance_.interfaces)
-            for (std::size_t k = 0; k < i.points; ++k) {
+            for (std::size_t k = 0; k < state_.interfaces.pointCount(i.interface); ++k) {
                 const double bond = state_.points.memoryAt(state_.interfaces.pointSlot(i.interface, k)).bond;
                 if (bond > 0 && bond < 1) return true;
             }
@@ -236,7 +236,7 @@ class Solver {
             result_.displacement = std::max(result_.displacement, way);
         }
         for (const ActiveInterface& i : balance_.interfaces)
-            result_.parted = std::max(result_.parted, relativeMotion(balance_, i, start_, at_.poses));
+            result_.parted = std::max(result_.parted, relativeMotion(state_, i, start_, at_.poses));
         if (result_.out_of_balance < options_.limit) {
             if (h >= kRestStep && !bondsGive()) result_.verdict = Verdict::stable;
             return;
@@ -265,7 +265,6 @@ class Solver {
             gone_.assign(gone_.size(), 0.0);
             takeContacts();
         } else {
-            readMemory(state_, balance_);
             readApplied(state_, balance_);
         }
     }

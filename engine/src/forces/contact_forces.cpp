@@ -12,19 +12,6 @@ namespace {
 
 using simd::Triple;
 
-PointPlaces placesOf(PointRule::Kind kind) {
-    switch (kind) {
-        case PointRule::Kind::vertex:
-            return PointPlaces::vertex;
-        case PointRule::Kind::corner:
-            return PointPlaces::corner;
-        case PointRule::Kind::quarter:
-        case PointRule::Kind::grid:
-            break;
-    }
-    return PointPlaces::stored;
-}
-
 /// Whether the arrays by interface and contact point are more than a core's own cache holds from step to step, all of
 /// them on one core.
 bool isBeyondCaches(const State& state) {
@@ -55,23 +42,22 @@ ContactView contactView(State& state) {
             .memory = points.memory.data(),
             .wrenches = f.wrenches.empty() ? nullptr : f.wrenches.front().force.data(),
             .remembers = points.remembers(),
-            .curved =
-                std::any_of(state.laws.begin(), state.laws.end(), [](const auto& law) { return law.curved; }),
+            .curved = hasCurves(state),
             .keeps_energy = state.springs == Springs::keep_energy,
             .beyond_caches = isBeyondCaches(state),
             .release = state.release,
             .contact_damping = state.damping.contact,
             .restitution = state.damping.restitution,
-            .places = placesOf(state.geometry->model.points.kind)};
+            .places = pointPlaces(state)};
 }
 
 Triple<double> triple(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 Vec3 vec3(const Triple<double>& v) { return {v.x, v.y, v.z}; }
 
-PoseOf<double> poseOf(const Blocks& blocks, std::int32_t block) {
+PoseOf<double> poseOf(const PositionArray& position, const QuaternionArray& orientation, std::int32_t block) {
     const auto b = static_cast<std::size_t>(block);
-    const auto& [w, x, y, z] = blocks.orientation[b];
-    return {triple(blocks.position.get(b)), simd::rotationOf(w, x, y, z)};
+    const auto& [w, x, y, z] = orientation[b];
+    return {triple(position.get(b)), simd::rotationOf(w, x, y, z)};
 }
 
 double affineAt(const Vec3& f, const Eigen::Vector2d& place) {
@@ -80,16 +66,38 @@ double affineAt(const Vec3& f, const Eigen::Vector2d& place) {
 
 }  // namespace
 
-RelativePose relativePose(const Blocks& blocks, const Interfaces& f, std::size_t i) {
+PointPlaces pointPlaces(const State& state) {
+    switch (state.geometry->model.points.kind) {
+        case PointRule::Kind::vertex:
+            return PointPlaces::vertex;
+        case PointRule::Kind::corner:
+            return PointPlaces::corner;
+        case PointRule::Kind::quarter:
+        case PointRule::Kind::grid:
+            break;
+    }
+    return PointPlaces::stored;
+}
+
+bool hasCurves(const State& state) {
+    return std::any_of(state.laws.begin(), state.laws.end(), [](const auto& law) { return law.curved; });
+}
+
+RelativePose relativePose(const PositionArray& position, const QuaternionArray& orientation,
+                          const Interfaces& f, std::size_t i) {
     assert(i < f.size());
     const InterfaceFrame frame = f.frame(i);
     const FramesOf<double> frames{triple(frame.origin_a),     triple(frame.e1_a), triple(frame.e2_a),
                                   triple(frame.origin_b),     triple(frame.e1_b), triple(frame.e2_b),
                                   triple(frame.reference_gap)};
-    const PoseOf<double> a = poseOf(blocks, f.block_a[i]);
-    const auto pose = relativePoseOf(frames, a, poseOf(blocks, f.block_b[i]));
+    const PoseOf<double> a = poseOf(position, orientation, f.block_a[i]);
+    const auto pose = relativePoseOf(frames, a, poseOf(position, orientation, f.block_b[i]));
     return {vec3(pose.gap), vec3(pose.slide_1), vec3(pose.slide_2), vec3(a.position + pose.arm_a),
             vec3(pose.e1),  vec3(pose.e2),      vec3(pose.e3)};
+}
+
+RelativePose relativePose(const Blocks& blocks, const Interfaces& f, std::size_t i) {
+    return relativePose(blocks.position, blocks.orientation, f, i);
 }
 
 RelativePose relativePose(const State& state, std::size_t i) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "forces/contact_view.h"
 #include "state/arrays.h"
 #include "state/point_layout.h"
 #include "state/range.h"
@@ -17,6 +18,10 @@ namespace talus {
 /// Each group of interfaces writes its own slots only.
 void updateContacts(State& state, Range groups);
 
+/// How kernels find the contact points, and whether the strength of some joint is a curve.
+PointPlaces pointPlaces(const State& state);
+bool hasCurves(const State& state);
+
 /// Gap at the interface's origin and its slopes along e1 and e2, less the reference gap [m, -, -], and the slide of b
 /// over a there along e1, e2 [m] with its gradients.
 struct RelativePose {
@@ -25,6 +30,8 @@ struct RelativePose {
     Vec3 origin;            ///< of the interface, model frame [m]
     Vec3 e1, e2, e3;        ///< model frame
 };
+RelativePose relativePose(const PositionArray& position, const QuaternionArray& orientation,
+                          const Interfaces& interfaces, std::size_t interface);
 RelativePose relativePose(const Blocks& blocks, const Interfaces& interfaces, std::size_t interface);
 RelativePose relativePose(const State& state, std::size_t interface);
 

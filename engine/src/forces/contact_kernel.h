@@ -3,18 +3,12 @@
 // source, a build per instruction set (contact_kernel*.cpp), the same bits.
 
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
-#include "forces/contact_view.h"
-#include "forces/relative_pose.h"
-#include "law/law.h"
-#include "state/slot_sizes.h"
+#include "forces/contact_group.h"
 
 namespace talus {
 namespace {
-
-using simd::Triple;
 
 /// What an interface's contact points add up to: force on b and moment about the interface's origin, in the frame e1,
 /// e2, e3.
@@ -58,97 +52,6 @@ TALUS_KERNEL RelativeVelocity<V> relativeVelocity(const RelativePoseOf<V>& pose,
             {dot(v, pose.e2), dot(v_xi, pose.e2), dot(v_eta, pose.e2)},
             dot(spin, pose.e2),
             V{} - dot(spin, pose.e1)};
-}
-
-/// The members of a group that one register takes: as many as it has room for, or one for V = double.
-template <class V>
-struct Members;
-
-template <>
-struct Members<double> {
-    static constexpr int kWidth = 1;
-    std::size_t interface;
-    std::size_t lane;  ///< place in the group
-
-    TALUS_KERNEL Members(const InterfaceGroup& group, int lane_)
-        : interface(static_cast<std::size_t>(group.begin + lane_)), lane(static_cast<std::size_t>(lane_)) {}
-    /// One quantity of consecutive slots, the first of the group at `row`.
-    TALUS_KERNEL double load(const double* row) const { return row[lane]; }
-    TALUS_KERNEL void store(double* row, double v) const { row[lane] = v; }
-    /// Into the records of the group's interfaces, the first of them at `to`.
-    TALUS_KERNEL void storeWrench(double* to, const Triple<double>& force, const Triple<double>& moment_a,
-                                  const Triple<double>& moment_b) const {
-        to += kWrenchQuantities * lane;
-        to[0] = force.x, to[1] = force.y, to[2] = force.z;
-        to[3] = moment_a.x, to[4] = moment_a.y, to[5] = moment_a.z;
-        to[6] = moment_b.x, to[7] = moment_b.y, to[8] = moment_b.z;
-    }
-    /// By interface.
-    TALUS_KERNEL double take(const double* values) const { return values[interface]; }
-    /// values[index[interface]]
-    TALUS_KERNEL double gather(const double* values, const std::int32_t* index) const {
-        return values[index[interface]];
-    }
-    TALUS_KERNEL double gather(const contact::JointLaw* laws, double contact::JointParameters<double>::*field,
-                               const std::int32_t* index) const {
-        return laws[index[interface]].*field;
-    }
-    TALUS_KERNEL bool gatherFlag(const contact::JointLaw* laws, bool contact::JointParameters<double>::*flag,
-                                 const std::int32_t* index) const {
-        return laws[index[interface]].*flag;
-    }
-    TALUS_KERNEL simd::TablesOf<double> gatherCurve(const contact::JointLaw* laws,
-                                                    const std::int32_t* index) const {
-        return laws[index[interface]].curve;
-    }
-    TALUS_KERNEL PoseOf<double> gatherPose(const double* position, const double* orientation,
-                                           const std::int32_t* block) const {
-        const double* x = position + 4 * static_cast<std::ptrdiff_t>(block[interface]);
-        const double* q = orientation + 4 * static_cast<std::ptrdiff_t>(block[interface]);
-        return {{x[0], x[1], x[2]}, simd::rotationOf(q[0], q[1], q[2], q[3])};
-    }
-};
-
-constexpr auto kRow = static_cast<std::size_t>(simd::kLanes);  // doubles from one quantity to the next
-
-template <class V>
-TALUS_KERNEL Triple<V> loadTriple(const Members<V>& members, const double* row) {
-    return {members.load(row), members.load(row + kRow), members.load(row + 2 * kRow)};
-}
-template <class V>
-TALUS_KERNEL Triple<V> gather(const Members<V>& members, const ConstVectors& from,
-                              const std::int32_t* index) {
-    return {members.gather(from.x, index), members.gather(from.y, index), members.gather(from.z, index)};
-}
-
-/// In the order of kFrameVectors (state/interface_frame.h).
-template <class V>
-TALUS_KERNEL FramesOf<V> loadFrames(const Members<V>& members, const double* row) {
-    return {loadTriple(members, row),
-            loadTriple(members, row + 3 * kRow),
-            loadTriple(members, row + 6 * kRow),
-            loadTriple(members, row + 9 * kRow),
-            loadTriple(members, row + 12 * kRow),
-            loadTriple(members, row + 15 * kRow),
-            loadTriple(members, row + 18 * kRow)};
-}
-
-/// In the order of contact::kLawParameters; what nobody asks for is not loaded.
-template <bool Curved, class V, std::size_t... P>
-TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, const ContactView& view,
-                                                   std::index_sequence<P...>) {
-    contact::JointParameters<V> law;
-    ((law.*contact::kLawParameters<V>[P].value =
-          members.gather(view.laws, contact::kLawParameters<double>[P].value, view.joint)),
-     ...);
-    using Parameters = contact::JointParameters<double>;
-    law.bonded = members.gatherFlag(view.laws, &Parameters::bonded, view.joint);
-    if constexpr (Curved) {
-        law.curved = members.gatherFlag(view.laws, &Parameters::curved, view.joint);
-        law.residual_factor = members.gather(view.laws, &Parameters::residual_factor, view.joint);
-        law.curve = members.gatherCurve(view.laws, view.joint);
-    }
-    return law;
 }
 
 /// One group's contact points, one after the other. Gap and slides are those of b's material point, which lies pressed below
@@ -228,54 +131,6 @@ struct PointLoop {
         sum.add(xi + slide_1, eta + slide_2, force.shear_1, force.shear_2, force.normal);
     }
 };
-
-/// Calls each(xi, eta, area, slot) for every contact point, in the order of contact::patchPoints. The origin is the
-/// patch's centroid, so that of the fan triangles follows from two corners.
-template <PointPlaces Places, class V, class Each>
-TALUS_KERNEL void forEachPoint(const ContactView& view, const InterfaceGroup& group,
-                               const Members<V>& members, Each& each) {
-    const auto first = static_cast<std::size_t>(group.first_point);
-    if constexpr (Places == PointPlaces::stored) {
-        for (std::size_t k = 0, slot = first; k < static_cast<std::size_t>(group.points); ++k, slot += kRow) {
-            const double* row = view.point_places + slot * kPlaceQuantities;
-            each(members.load(row), members.load(row + kRow), members.load(row + 2 * kRow), slot);
-        }
-    } else {
-        const auto corners = static_cast<std::size_t>(group.corners);
-        constexpr std::size_t step = kCornerQuantities * kRow;
-        const double* patch_xi =
-            view.corners + static_cast<std::size_t>(group.first_corner) * kCornerQuantities;
-        const double* patch_eta = patch_xi + kRow;
-        if (Places == PointPlaces::corner || corners == 1) {
-            const V share = members.take(view.patch_area) * (1.0 / static_cast<double>(corners));
-            for (std::size_t k = 0; k < corners; ++k)
-                each(members.load(patch_xi + k * step), members.load(patch_eta + k * step), share,
-                     first + k * kRow);
-        } else {
-            // Twice the areas of the fan's triangles.
-            const auto twice = [](V ax, V ay, V bx, V by) { return ax * by - ay * bx; };
-            const std::size_t last = (corners - 1) * step;
-            const V first_xi = members.load(patch_xi), first_eta = members.load(patch_eta);
-            V xi = first_xi, eta = first_eta;
-            V before = twice(members.load(patch_xi + last), members.load(patch_eta + last), xi, eta);
-            V whole{};
-            for (std::size_t k = 0; k < corners; ++k) {
-                const bool closes = k + 1 == corners;
-                const V next_xi = closes ? first_xi : members.load(patch_xi + (k + 1) * step);
-                const V next_eta = closes ? first_eta : members.load(patch_eta + (k + 1) * step);
-                const V triangle = twice(xi, eta, next_xi, next_eta);
-                each(xi, eta, (1.0 / 24) * (before + triangle), first + k * kRow);
-                each((1.0 / 3) * (xi + next_xi), (1.0 / 3) * (eta + next_eta), 0.375 * triangle,
-                     first + (corners + 1 + k) * kRow);
-                whole = whole + triangle;
-                before = triangle;
-                xi = next_xi;
-                eta = next_eta;
-            }
-            each(V{}, V{}, (1.0 / 24) * whole, first + corners * kRow);
-        }
-    }
-}
 
 template <class V, PointPlaces Places, bool Damped, bool Remembers, bool Curved, bool Arms>
 TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index, const Members<V>& members) {

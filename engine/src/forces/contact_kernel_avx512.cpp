@@ -1,3 +1,4 @@
+#include "forces/contact_kernel.h"
 #include "forces/contact_members.h"
 
 namespace talus {

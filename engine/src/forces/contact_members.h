@@ -1,7 +1,7 @@
 #pragma once
-// The contact kernel on registers of several doubles; included by one source file per instruction set.
+// Groups of interfaces in registers of several doubles; included by one source file per instruction set and kernel.
 
-#include "forces/contact_kernel.h"
+#include "forces/contact_group.h"
 #include "simd/lanes.h"
 
 namespace talus {
@@ -32,6 +32,9 @@ struct Members<Lanes> {
         simd::storeRecords(to, kStride, {{force.x, force.y, force.z, moment_a.x}});
         simd::storeRecords(to + 4, kStride, {{moment_a.y, moment_a.z, moment_b.x, moment_b.y}});
         simd::storeRecords(to + 5, kStride, {{moment_a.z, moment_b.x, moment_b.y, moment_b.z}});
+    }
+    TALUS_KERNEL void storeFour(double* to, std::ptrdiff_t stride, const Lanes* four) const {
+        simd::storeRecords(to + stride * first_lane, stride, {{four[0], four[1], four[2], four[3]}});
     }
     TALUS_KERNEL Lanes take(const double* values) const {
         Lanes result;

@@ -103,19 +103,35 @@ TALUS_KERNEL V curveShare(const JointParameters<V>& joint, V bond) {
     return joint.residual_factor + bond * (V{} + 1.0 - joint.residual_factor);
 }
 
-/// Largest shear force the contact point carries; by a curve that of its stress.
-inline double shearStrength(const JointParameters<double>& joint, double area, double normal_force,
-                            double bond) {
-    if (!joint.curved) return coulombStrength(joint, area, normal_force, bond);
-    return area * strengthOnCurve(joint.curve, simd::larger(normal_force / area, 0.0)) *
-           curveShare(joint, bond);
+/// Largest shear force the contact point carries; by a curve that of its stress. `Curved` may be false when no joint is.
+template <bool Curved = true, class V>
+TALUS_KERNEL V shearStrength(const JointParameters<V>& joint, V area, V normal_force, V bond) {
+    using simd::any, simd::larger, simd::select;
+    V strength = coulombStrength(joint, area, normal_force, bond);
+    if constexpr (Curved) {
+        if (any(joint.curved)) {
+            const V stress = larger(normal_force / area, V{});
+            const V on_curve = area * strengthOnCurve(joint.curve, stress) * curveShare(joint, bond);
+            strength = select(joint.curved, on_curve, strength);
+        }
+    }
+    return strength;
 }
 
 /// Its derivative by the normal force.
-inline double strengthSlope(const JointParameters<double>& joint, double area, double normal_force,
-                            double bond) {
-    if (!joint.curved) return coulombSlope(joint, bond);
-    return normal_force > 0 ? slopeOfCurve(joint.curve, normal_force / area) * curveShare(joint, bond) : 0.0;
+template <bool Curved = true, class V>
+TALUS_KERNEL V strengthSlope(const JointParameters<V>& joint, V area, V normal_force, V bond) {
+    using simd::any, simd::larger, simd::select;
+    V slope = coulombSlope(joint, bond);
+    if constexpr (Curved) {
+        if (any(joint.curved)) {
+            const V stress = larger(normal_force / area, V{});
+            const V on_curve =
+                select(normal_force > 0.0, slopeOfCurve(joint.curve, stress) * curveShare(joint, bond), V{});
+            slope = select(joint.curved, on_curve, slope);
+        }
+    }
+    return slope;
 }
 
 /// Forces at a contact point from its gap and slide; updates its memory.

@@ -27,9 +27,10 @@ TALUS_KERNEL V strengthOnCurve(const simd::TablesOf<V>& curve, V stress) {
 }
 
 /// Its exact derivative: of the pieces, not of the formula.
-inline double slopeOfCurve(const simd::TablesOf<double>& curve, double stress) {
-    const simd::FourOf<double> piece = simd::pieceAt(curve, stress);
-    return piece.number[1] + 2 * stress * piece.number[2];
+template <class V>
+TALUS_KERNEL V slopeOfCurve(const simd::TablesOf<V>& curve, V stress) {
+    const simd::FourOf<V> piece = pieceAt(curve, stress);
+    return piece.number[1] + (stress + stress) * piece.number[2];
 }
 
 /// The strength of a joint's law times `factor`; null for Coulomb's law, which is no curve.

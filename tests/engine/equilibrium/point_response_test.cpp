@@ -1,12 +1,12 @@
 #include "equilibrium/point_response.h"
 
 #include <doctest/doctest.h>
+#include <Eigen/Core>
 
 #include <random>
 
 using namespace talus;
-using equilibrium::pointResponse;
-using equilibrium::PointResponse;
+using PointResponse = equilibrium::PointResponse<double>;
 
 namespace {
 
@@ -41,7 +41,17 @@ Case randomCase(std::mt19937& random) {
 }
 
 PointResponse responseOf(const Case& c, double rounding = 0) {
-    return pointResponse(c.joint, c.area, c.slide_1, c.slide_2, c.gap, c.memory, rounding);
+    return equilibrium::pointResponse<true, double>(c.joint, c.area, c.slide_1, c.slide_2, c.gap, c.memory,
+                                                    rounding);
+}
+
+Eigen::Vector3d forceOf(const PointResponse& point) { return {point.shear_1, point.shear_2, point.normal}; }
+
+Eigen::Matrix3d stiffnessOf(const PointResponse& point) {
+    Eigen::Matrix3d k;
+    k << point.by_1_1, point.by_1_2, point.by_gap_1, point.by_1_2, point.by_2_2, point.by_gap_2, 0, 0,
+        point.by_gap_n;
+    return k;
 }
 
 Eigen::Matrix3d differences(const Case& c, double rounding) {
@@ -52,7 +62,7 @@ Eigen::Matrix3d differences(const Case& c, double rounding) {
         for (auto [at, sign] : {std::pair{&more, 1.0}, std::pair{&less, -1.0}})
             (column == 0 ? at->slide_1 : column == 1 ? at->slide_2 : at->gap) += sign * kStep;
         result.col(column) =
-            (responseOf(more, rounding).force - responseOf(less, rounding).force) / (2 * kStep);
+            (forceOf(responseOf(more, rounding)) - forceOf(responseOf(less, rounding))) / (2 * kStep);
     }
     return result;
 }
@@ -69,14 +79,10 @@ TEST_SUITE("equilibrium") {
             const contact::PointForce law =
                 contact::contactLaw(c.joint, c.area, c.gap, c.slide_1, c.slide_2, 0.0, memory);
             const PointResponse point = responseOf(c);
-            REQUIRE((point.force - Eigen::Vector3d(law.shear_1, law.shear_2, law.normal)).norm() <=
-                    1e-12 * point.force.norm());
+            REQUIRE((forceOf(point) - Eigen::Vector3d(law.shear_1, law.shear_2, law.normal)).norm() <=
+                    1e-12 * forceOf(point).norm());
             REQUIRE(point.open == law.open);
             REQUIRE(point.slips == law.slips);
-            contact::PointMemory committed = c.memory;
-            equilibrium::commitSlide(point, c.joint, c.area, c.slide_1, c.slide_2, committed);
-            REQUIRE(committed.offset_1 == doctest::Approx(memory.offset_1).epsilon(1e-12));
-            REQUIRE(committed.offset_2 == doctest::Approx(memory.offset_2).epsilon(1e-12));
             slips += point.slips;
             open += point.open;
         }
@@ -89,7 +95,7 @@ TEST_SUITE("equilibrium") {
         for (const double rounding : {0.0, 1e-3})
             for (int k = 0; k < 2000; ++k) {
                 const Case c = randomCase(random);
-                const Eigen::Matrix3d stiffness = responseOf(c, rounding).stiffness;
+                const Eigen::Matrix3d stiffness = stiffnessOf(responseOf(c, rounding));
                 // Random states are at a corner of the law with probability nil; near one the difference sees it.
                 const double scale = c.joint.normal_stiffness * c.area;
                 REQUIRE((stiffness - differences(c, rounding)).norm() < 2e-5 * scale);
@@ -98,8 +104,8 @@ TEST_SUITE("equilibrium") {
 
     TEST_CASE("rounding lies above the exact law by half of it at most") {
         for (const double trial : {-10.0, -1e-3, 0.0, 1e-3, 10.0}) {
-            const double over = equilibrium::normalResponse(trial, 0, 0.5).force -
-                                equilibrium::normalResponse(trial, 0, 0).force;
+            const double over = equilibrium::normalResponse(trial, 0.0, 0.5).force -
+                                equilibrium::normalResponse(trial, 0.0, 0.0).force;
             CHECK(over > 0);
             CHECK(over <= 0.25 + 1e-15);
         }

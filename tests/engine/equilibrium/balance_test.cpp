@@ -1,4 +1,4 @@
-#include "equilibrium/interface_response.h"
+#include "equilibrium/balance.h"
 
 #include <doctest/doctest.h>
 #include <Eigen/Geometry>
@@ -6,7 +6,6 @@
 #include <random>
 
 #include "build/build.h"
-#include "equilibrium/balance.h"
 #include "forces/sum.h"
 #include "step/step.h"
 #include "support/models.h"
@@ -51,6 +50,15 @@ Vec6s forcesAt(const State& state, Balance& balance, const Poses& poses) {
     return force;
 }
 
+/// Forces and matrix by one build of the kernel.
+std::pair<Vec6s, BlockMatrix> systemOf(State& state, simd::InstructionSet set, double rounding) {
+    state.instructions = set;
+    Balance balance = makeBalance(state);
+    Vec6s force;
+    sumForces(state, balance, posesOf(state), rounding, true, force);
+    return {force, balance.matrix};
+}
+
 }  // namespace
 
 TEST_SUITE("equilibrium") {
@@ -71,20 +79,32 @@ TEST_SUITE("equilibrium") {
     TEST_CASE("momentum: force and moment of the two sides add up to nothing") {
         for (int seed = 0; seed < 20; ++seed) {
             const State state = shaken(seed);
-            const Balance balance = makeBalance(state);
+            Balance balance = makeBalance(state);
             const Poses poses = posesOf(state);
+            forcesAt(state, balance, poses);
             for (const ActiveInterface& i : balance.interfaces) {
-                const Placed a{poses.position.get(i.block_a), poses.turn[i.block_a]};
-                const Placed b{poses.position.get(i.block_b), poses.turn[i.block_b]};
-                const InterfaceWrenches w =
-                    interfaceResponse(i.place, a, b, state.laws[0],
-                                      {balance.points.data() + i.first_point, i.points}, 0.0, nullptr);
-                const Vec3 force = w.on_a.head<3>() + w.on_b.head<3>();
-                const Vec3 moment = w.on_a.tail<3>() + w.on_b.tail<3>() + a.position.cross(w.on_a.head<3>()) +
-                                    b.position.cross(w.on_b.head<3>());
-                CHECK(force.norm() == 0);
-                CHECK(moment.norm() < 1e-12 * (1 + w.on_b.norm()));
+                const InterfaceWrench& w = balance.wrenches[i.slot];
+                const Vec3 apart = poses.position.get(i.block_b) - poses.position.get(i.block_a);
+                CHECK((w.moment_a + w.moment_b + apart.cross(w.force)).norm() <
+                      1e-12 * (1 + w.moment_b.norm()));
             }
+        }
+    }
+
+    TEST_CASE("the same bits from each build") {
+        for (const simd::InstructionSet set : {simd::InstructionSet::avx2, simd::InstructionSet::avx512}) {
+            if (!simd::isAvailable(set)) continue;
+            for (int seed = 0; seed < 40; ++seed)
+                for (const double rounding : {0.0, 1e-3}) {
+                    State state = shaken(seed, static_cast<StrengthLaw>(seed % 4));
+                    const auto [scalar_force, scalar_matrix] =
+                        systemOf(state, simd::InstructionSet::scalar, rounding);
+                    const auto [force, matrix] = systemOf(state, set, rounding);
+                    CHECK(force == scalar_force);
+                    CHECK(matrix.diagonal == scalar_matrix.diagonal);
+                    CHECK(matrix.upper == scalar_matrix.upper);
+                    CHECK(matrix.lower == scalar_matrix.lower);
+                }
         }
     }
 
