@@ -10,8 +10,9 @@
 namespace talus::analysis {
 namespace {
 
-// Steps of a probe before the implicit solve is asked; most slides need 1,000 to 3,000.
-constexpr std::int64_t kFirstSteps = 3'000;
+// Steps of a probe before the implicit solve is asked; most slides need 1,000 to 3,000. Of many free blocks in proportion more:
+// a factorisation grows with the square of their number, a step with the number.
+constexpr std::int64_t kFirstSteps = 3'000, kFirstStepsBlocks = 400;
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
 // Rest is near when it is no farther than this times the way the assembly has come, from rest to rest (engine/README.md says
@@ -84,6 +85,11 @@ double wayBetween(const State& from, const State& to) {
     return farthest;
 }
 
+std::int64_t firstSteps(const State& state) {
+    const auto free = std::count(state.blocks.motion.begin(), state.blocks.motion.end(), Motion::free);
+    return std::max(kFirstSteps, kFirstSteps * free / kFirstStepsBlocks);
+}
+
 /// From the last stable state, the whole change of load at once. \param asked_factors  most factorisations; 0: what is due
 Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const Ramp& ramp,
                         std::int64_t asked_factors = 0) {
@@ -126,7 +132,8 @@ Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ram
         if (const Verdict found = probeImplicitly(p, stage, load, ramp); found != Verdict::undecided)
             return found;
     QuasiStaticWork work = p.work;
-    work.settings.max_steps_per_probe = std::min(kFirstSteps, p.work.settings.max_steps_per_probe);
+    work.settings.max_steps_per_probe =
+        std::min(firstSteps(p.last_stable), p.work.settings.max_steps_per_probe);
     Verdict verdict = probeExplicitly(p, stage, load, p.last_stable, work, ramp);
     keepLearnt(p, work);
     const bool doubtful = verdict == Verdict::failing && !p.has_stood;

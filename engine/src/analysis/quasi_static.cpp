@@ -19,6 +19,9 @@
 namespace talus::analysis {
 namespace {
 
+// The more blocks move, the more often a pair of them wants its contact of faces made anew, and the longer takes the search, which serves
+// all: a pair waits a step for so many free blocks. Of 4,775 searches at once took three quarters of the time; few blocks do not wait.
+constexpr std::int64_t kBlocksPerWait = 25;
 constexpr int kStepsPerSample =
     10;  // neighbours, patches and the out-of-balance force are looked at this often
 constexpr int kLeastStepsPerWindow = 100;
@@ -301,8 +304,12 @@ void takeSteps(State& state, QuasiStaticWork& work, Probe& probe, const SetLoad&
     advance(state, {work.time_step, work.parallel}, kStepsPerSample, set_load);
     probe.steps += kStepsPerSample;
     work.steps += kStepsPerSample;
-    if (refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step, work.control->stop))
-        fitToContacts(state, work);
+    const bool may_wait = work.steps - work.searched_at < work.pair_waits;
+    if (!refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step, work.control->stop, {},
+                           may_wait))
+        return;
+    work.searched_at = work.steps;
+    fitToContacts(state, work);
 }
 
 /// Where a probe begins.
@@ -366,6 +373,8 @@ QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control
             std::to_string(work.out_of_balance_limit) +
             " of the weight: the answer is no more accurate than that");
     work.release = std::min(1.0, work.time_step / (2.0 * work.slow_period));
+    const auto free = std::count(state.blocks.motion.begin(), state.blocks.motion.end(), Motion::free);
+    work.pair_waits = free / kBlocksPerWait;
     takeBack(state, work);
     return work;
 }
@@ -374,7 +383,7 @@ QuasiStaticWork patient(const QuasiStaticWork& work, double drag_share, double w
     QuasiStaticWork patient = work;
     patient.settings.watch_periods = std::max(watch_periods, work.settings.watch_periods);
     patient.settings.drag_ratio *= drag_share;
-    patient.steps = 0;
+    patient.steps = patient.searched_at = 0;
     return patient;
 }
 

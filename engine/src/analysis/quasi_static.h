@@ -26,6 +26,8 @@ struct QuasiStaticWork {
     double slow_period_limit = 0;     ///< the estimate grows with what is observed, at most to this [s]
     double out_of_balance_limit = 0;  ///< at rest below this share of the weight
     std::int64_t steps = 0;           ///< taken so far
+    std::int64_t searched_at = 0;     ///< the last search for contacts, in these steps
+    std::int64_t pair_waits = 0;      ///< steps for which a pair may wait that alone wants a search
     std::int64_t factors = 0;         ///< factorisations, likewise
     bool inertia_scaled = false;
     std::vector<double> inertia_scale{};  ///< per block, over the true inertia

@@ -92,10 +92,11 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
 }
 
 bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop,
-                       const std::vector<double>& gone) {
+                       const std::vector<double>& gone, bool may_wait) {
     const double margin = searchMargin(state, ahead);
-    const PlaceChanges changes = movedTooFar(state, margin) ? PlaceChanges{.places = false, .search = true}
-                                                            : updateVertexEdges(state, ahead, parallel, gone);
+    const PlaceChanges changes = movedTooFar(state, margin)
+                                     ? PlaceChanges{.places = false, .search = true}
+                                     : updateVertexEdges(state, ahead, parallel, gone, may_wait);
     if (!changes.search) {
         const bool recovered = recoverGaps(state);
         // The next half kick is that of the springs as they are now; the old one would do work that none of them holds.

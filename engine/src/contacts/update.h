@@ -35,7 +35,8 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
 /// With Springs::keep_energy no energy comes of 1 (contacts/energy_balance.h), and blocks have the force of what has changed.
 /// \return whether interfaces were found again: then time step and inertia may have to follow
 /// \param gone  how far each block has gone since the last call [m], where its velocity does not tell
+/// \param may_wait  what 2 finds again in one pair of blocks only may wait until a later call (updateVertexEdges)
 bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop = nullptr,
-                       const std::vector<double>& gone = {});
+                       const std::vector<double>& gone = {}, bool may_wait = false);
 
 }  // namespace talus

@@ -351,7 +351,8 @@ void updatePairs(Interfaces& f, bool parallel, const Each& each) {
 
 }  // namespace
 
-PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const std::vector<double>& gone) {
+PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const std::vector<double>& gone,
+                               bool may_wait) {
     assert(ahead >= 0 && (gone.empty() || gone.size() == state.blocks.size()));
     const auto way_of = [&](std::int32_t block) {
         const auto b = static_cast<std::size_t>(block);
@@ -363,9 +364,10 @@ PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const 
         double& left = f.travel_left[begin];
         left -= way_of(f.block_a[begin]) + way_of(f.block_b[begin]);
         if (left > 0) return;
-        const Look look = lookAtPair(state, begin, ahead, f.faces_are_apart[begin] != 0);
+        const Look look = lookAtPair(state, begin, ahead, may_wait || f.faces_are_apart[begin] != 0);
         if (look.changes) {
-            search = true;
+            search = !may_wait;
+            left = may_wait ? look.travel : left;
             return;
         }
         if (writePlaces(state, begin, look.found, {}, look.size)) places = true;

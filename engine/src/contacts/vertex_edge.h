@@ -44,11 +44,13 @@ struct PlaceChanges {
 /// into its new place, but counts its gap from where it is until it opens.
 /// \param ahead   time until the next look, not negative [s]
 /// \param gone    how far each block has gone since the last look [m]; empty: as far as its velocity takes it in `ahead`
+/// \param may_wait  asks for no search: faces without an interface are carried by their vertices, patches stay as they are, and
+///                  the pair is looked at again when it has gone as far once more
 /// \pre incidence is that of the interfaces
 /// Reads:  poses, velocities, shapes
 /// Writes: places, their contact points, incidence
 PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel,
-                               const std::vector<double>& gone = {});
+                               const std::vector<double>& gone = {}, bool may_wait = false);
 
 /// The same just after a search. \param carried contact points that are gone beside those of the places
 void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried);

@@ -43,6 +43,10 @@ TALUS_KERNEL NormalResponse<V> normalResponse(V trial, V tension_limit, double r
     return {select(holds, exact.force, force), select(holds, exact.slope, force / root)};
 }
 
+/// From this share of the strength's square on a contact point slips. What slipped in the last committed step is at its strength to
+/// rounding: were it taken to stick, or left to rounding, each step would begin with finding out anew who slips.
+inline constexpr double kCorner = 1.0 - 1e-9;
+
 /// The law and its exact derivative at a gap and slide, its memory being that of the last equilibrium. Bonds hold
 /// what they have left: one that is overloaded gives at its strength, and breaks when the step is committed. The
 /// derivative is unsymmetric where the contact point slips: its shear force follows the normal force, not the other
@@ -66,7 +70,7 @@ TALUS_KERNEL PointResponse<V> pointResponse(const contact::JointParameters<V>& j
     const V back_1 = memory.offset_1 - slide_1, back_2 = memory.offset_2 - slide_2;
     const V back_squared = back_1 * back_1 + back_2 * back_2;
     const V strength = contact::shearStrength<Curved>(joint, area, point.normal, memory.bond);
-    point.slips = both(!point.open, stiffness * stiffness * back_squared > strength * strength);
+    point.slips = both(!point.open, stiffness * stiffness * back_squared > kCorner * strength * strength);
     V left = stiffness;
     if (any(point.slips)) {
         const V back = squareRoot(back_squared);

@@ -161,6 +161,45 @@ TEST_SUITE("contacts") {
         checkValid(state);
     }
 
+    TEST_CASE(
+        "faces that turn parallel have their patch from a search, and till then, where it may wait, their "
+        "vertices") {
+        Model model = floorModel(30, 1e9);
+        addBox(model, "box", {0, 0, 0}, {1, 1, 1});
+        State state = *buildState(model, false);
+        const auto lean = [&](double angle) {  // about y, the lower edge pressed by 10 um
+            state.blocks.orientation[1] = {std::cos(0.5 * angle), 0, std::sin(0.5 * angle), 0};
+            state.blocks.position[1].z = 0.5 * (std::cos(angle) + std::sin(angle)) - 1e-5;
+        };
+        const auto refresh = [&](bool may_wait) {
+            const bool searched = refreshInterfaces(state, false, 0, nullptr, {1, 1}, may_wait);
+            updateForces(state, false);
+            checkValid(state, true);
+            return searched;
+        };
+        const auto isOnFaces = [&] {
+            const auto& kind = state.interfaces.kind;
+            return std::count(kind.begin(), kind.end(), InterfaceKind::faces) > 0;
+        };
+        const auto push = [&] { return outOfBalance(state, 1, Vec3::Zero()).force.z(); };
+        lean(0.0505);
+        REQUIRE(refresh(true));  // it has gone too far: that never waits
+        CHECK_FALSE(isOnFaces());
+        const double on_vertices = push();
+        CHECK(on_vertices > 0);
+        lean(0.0495);
+        CHECK_FALSE(refresh(true));
+        CHECK_FALSE(isOnFaces());
+        CHECK(push() == doctest::Approx(on_vertices).epsilon(1e-6));
+        REQUIRE(refresh(false));
+        CHECK(isOnFaces());
+        lean(0.0505);
+        CHECK_FALSE(refresh(true));
+        CHECK(isOnFaces());
+        REQUIRE(refresh(false));
+        CHECK_FALSE(isOnFaces());
+    }
+
     TEST_CASE("a falling block meets the floor; none is missed however fast") {
         for (const double speed : {0.5, 20.0}) {
             Model model = floorModel(30, 1e8);
