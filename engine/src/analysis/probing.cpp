@@ -13,6 +13,9 @@ namespace {
 // Steps of a probe before the implicit solve is asked; most slides need 1,000 to 3,000. Of many free blocks in proportion more:
 // a factorisation grows with the square of their number, a step with the number.
 constexpr std::int64_t kFirstSteps = 3'000, kFirstStepsBlocks = 400;
+// From so many free blocks on 20,000 steps of a failure that is let go take less than the factorisations of one solve (600 took ten
+// minutes of 4,775 blocks).
+constexpr std::int64_t kManyBlocks = 1'000;
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
 // Rest is near when it is no farther than this times the way the assembly has come, from rest to rest (engine/README.md says
@@ -85,9 +88,12 @@ double wayBetween(const State& from, const State& to) {
     return farthest;
 }
 
+std::int64_t freeBlocks(const State& state) {
+    return std::count(state.blocks.motion.begin(), state.blocks.motion.end(), Motion::free);
+}
+
 std::int64_t firstSteps(const State& state) {
-    const auto free = std::count(state.blocks.motion.begin(), state.blocks.motion.end(), Motion::free);
-    return std::max(kFirstSteps, kFirstSteps * free / kFirstStepsBlocks);
+    return std::max(kFirstSteps, kFirstSteps * freeBlocks(state) / kFirstStepsBlocks);
 }
 
 /// From the last stable state, the whole change of load at once. \param asked_factors  most factorisations; 0: what is due
@@ -127,7 +133,8 @@ Probing beginProbing(const State& state, const LoadAxis& axis, const Control& co
 
 bool interrupted(const Probing& p) { return isStopped(p.control); }
 
-Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ramp) {
+Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ramp,
+              const std::function<bool()>& is_seen_to_fail) {
     if (p.implicit_first)
         if (const Verdict found = probeImplicitly(p, stage, load, ramp); found != Verdict::undecided)
             return found;
@@ -138,6 +145,8 @@ Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ram
     keepLearnt(p, work);
     const bool doubtful = verdict == Verdict::failing && !p.has_stood;
     if (verdict == Verdict::stable || (verdict == Verdict::failing && !doubtful) || interrupted(p))
+        return verdict;
+    if (doubtful && is_seen_to_fail && freeBlocks(p.last_stable) > kManyBlocks && is_seen_to_fail())
         return verdict;
     if (!p.implicit_first) {
         const State moving = p.last_moving;
