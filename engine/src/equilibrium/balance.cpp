@@ -123,12 +123,14 @@ Mat6 scaled(const Eigen::Ref<const Mat6>& k, double pushed, double moving) {
 void addStiffness(Balance& balance, const ActiveTie& tie, const TieRates& rates) {
     const std::int32_t a = balance.row[tie.block_a], b = balance.row[tie.block_b];
     const auto radius = [&](std::int32_t row) { return balance.radius[static_cast<std::size_t>(row)]; };
-    if (a >= 0)
+    if (a >= 0) {
         balance.matrix.diagonal[static_cast<std::size_t>(a)] -=
             scaled(rates.on_a.leftCols<6>(), radius(a), radius(a));
-    if (b >= 0)
+    }
+    if (b >= 0) {
         balance.matrix.diagonal[static_cast<std::size_t>(b)] -=
             scaled(rates.on_b.rightCols<6>(), radius(b), radius(b));
+    }
     if (tie.edge < 0) return;
     const auto edge = static_cast<std::size_t>(tie.edge);
     (tie.a_first ? balance.matrix.upper : balance.matrix.lower)[edge] -=
@@ -227,9 +229,9 @@ void addContacts(const State& state, Balance& balance, const Poses& poses, doubl
     ResponseView view = responseView(state, balance, poses, rounding);
     const ResponseKernel respond =
         simd::buildFor(state.instructions, kRespondScalar, kRespondAvx2, kRespondAvx512);
-    constexpr auto width = static_cast<std::size_t>(simd::kLanes);
+    constexpr auto kWidth = static_cast<std::size_t>(simd::kLanes);
     if (stiffness) {
-        balance.stiffness.resize(kGroupsAtOnce * width * kStiffnessQuantities);
+        balance.stiffness.resize(kGroupsAtOnce * kWidth * kStiffnessQuantities);
         view.stiffness = balance.stiffness.data();
     }
     const std::size_t groups = state.interfaces.groups.size();
@@ -237,12 +239,13 @@ void addContacts(const State& state, Balance& balance, const Poses& poses, doubl
     for (std::size_t begin = 0; begin < groups; begin += kGroupsAtOnce) {
         const std::size_t end = std::min(begin + kGroupsAtOnce, groups);
         respond(view, begin, end);
-        for (; next != balance.interfaces.end() && next->slot < end * width; ++next) {
+        for (; next != balance.interfaces.end() && next->slot < end * kWidth; ++next) {
             if (balance.carries[next->slot] == 0) continue;
             addWrench(balance, *next, force);
-            if (stiffness)
+            if (stiffness) {
                 addStiffness(balance, *next,
-                             view.stiffness + (next->slot - begin * width) * kStiffnessQuantities);
+                             view.stiffness + (next->slot - begin * kWidth) * kStiffnessQuantities);
+            }
         }
     }
 }
@@ -338,9 +341,10 @@ double deepestPoint(const State& state, const Balance& balance) {
     double deepest = 0;
     for (const ActiveInterface& i : balance.interfaces) {
         const Vec3 gap = relativePose(state, i.interface).gap;
-        for (const ContactPoint& point : contactPoints(state, i.interface))
+        for (const ContactPoint& point : contactPoints(state, i.interface)) {
             deepest = std::max(
                 deepest, point.memory.dilation - gap.dot(Vec3(1.0, point.position.x(), point.position.y())));
+        }
     }
     return deepest;
 }

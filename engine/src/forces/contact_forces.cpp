@@ -84,20 +84,21 @@ bool hasCurves(const State& state) {
 }
 
 RelativePose relativePose(const PositionArray& position, const QuaternionArray& orientation,
-                          const Interfaces& f, std::size_t i) {
-    assert(i < f.size());
-    const InterfaceFrame frame = f.frame(i);
+                          const Interfaces& interfaces, std::size_t interface) {
+    assert(interface < interfaces.size());
+    const InterfaceFrame frame = interfaces.frame(interface);
     const FramesOf<double> frames{triple(frame.origin_a),     triple(frame.e1_a), triple(frame.e2_a),
                                   triple(frame.origin_b),     triple(frame.e1_b), triple(frame.e2_b),
                                   triple(frame.reference_gap)};
-    const PoseOf<double> a = poseOf(position, orientation, f.block_a[i]);
-    const auto pose = relativePoseOf(frames, a, poseOf(position, orientation, f.block_b[i]));
+    const PoseOf<double> a = poseOf(position, orientation, interfaces.block_a[interface]);
+    const PoseOf<double> b = poseOf(position, orientation, interfaces.block_b[interface]);
+    const auto pose = relativePoseOf(frames, a, b);
     return {vec3(pose.gap), vec3(pose.slide_1), vec3(pose.slide_2), vec3(a.position + pose.arm_a),
             vec3(pose.e1),  vec3(pose.e2),      vec3(pose.e3)};
 }
 
-RelativePose relativePose(const Blocks& blocks, const Interfaces& f, std::size_t i) {
-    return relativePose(blocks.position, blocks.orientation, f, i);
+RelativePose relativePose(const Blocks& blocks, const Interfaces& interfaces, std::size_t interface) {
+    return relativePose(blocks.position, blocks.orientation, interfaces, interface);
 }
 
 RelativePose relativePose(const State& state, std::size_t i) {
