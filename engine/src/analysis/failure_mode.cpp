@@ -17,6 +17,9 @@ namespace talus::analysis {
 namespace {
 
 constexpr double kDashpot = 0.5;  // damping ratio of the fastest mode: takes out the rattle only
+// Share of the force on a block that opposes its motion, where the continuation alone says that it fails: modes far slower than the
+// fastest have no dashpots to speak of. What falls, falls with the rest.
+constexpr double kLocalAlone = 0.3;
 // Blocks with more than this times the median frequency are given inertia: one splinter of rock would set the time step of
 // all. Where it is pushed along, its inertia is nothing; where it fails by itself, it goes as far in as many steps.
 constexpr double kStiffest = 4.0;
@@ -169,7 +172,7 @@ class Continuation {
     }
 
  private:
-    /// True inertia but for the stiffest blocks, at rest, with dashpots that only take out the rattle.
+    /// True inertia but for the stiffest blocks, at rest, with dashpots that only take out the rattle; more where it is the only witness.
     void makeDynamic() {
         setAtRest(state_.blocks);
         const std::vector<double> bounds = frequencyBounds(state_, parallel_);
@@ -177,7 +180,7 @@ class Continuation {
         is_scaled_ = scaleStiffest(state_, bounds, cap_);
         const double highest = *std::max_element(bounds.begin(), bounds.end());
         failure_.contact_damping = dashpots(highest > 0 ? highest : cap_);
-        state_.damping = {.contact = dashpots(cap_)};
+        state_.damping = {.contact = dashpots(cap_), .local = wanted_.alone ? kLocalAlone : 0.0};
         state_.release = 1.0;
         updateForces(state_, parallel_);
         failure_.time_step = kContinuationStepSafety * stableTimeStep(cap_, state_.damping.contact);

@@ -1,5 +1,5 @@
 #pragma once
-// How an assembly fails: a short continuation with true inertia (but for blocks far stiffer than most) and without local
+// How an assembly fails: a short continuation with true inertia (but for blocks far stiffer than most), mostly without local
 // damping, then each block's motion read as sliding or toppling.
 
 #include <string>
@@ -32,6 +32,9 @@ struct Evidence {
     double deflection = 0;        ///< the way the assembly has come at rest [m]: several times that
     double share = 0;             ///< a block has gone this share of its own size
     std::int64_t most_steps = 0;  ///< then the continuation ends, whatever it has seen
+    /// Nothing else says that it fails, so friction must not be let shake it loose: what slides on springs without damping may rock
+    /// itself up (engine/README.md), and an assembly that stands creeps downhill then.
+    bool alone = false;
 };
 
 /// Lets a failing state go on from rest with true inertia until the motion is seen to be a failure and it is clear how it

@@ -130,6 +130,7 @@ class Search {
     /// let go, a slide is sharp; no other failure counts before the implicit solve has failed to find rest.
     bool hasFailed(double load) {
         probing_.stands_elsewhere = no_rest_ = false;
+        bool is_in_doubt = false;
         if (!probing_.implicit_first) {
             State moving = probing_.last_moving;
             continueToFailure();
@@ -141,14 +142,17 @@ class Search {
                 return true;
             }
             if (rests(load)) return false;
-            result_.confirmed = result_.confirmed || probing_.stands_elsewhere;
-            if (result_.confirmed || !no_rest_) std::swap(probing_.last_moving, moving);
-            if (result_.confirmed) return true;
+            is_in_doubt = result_.confirmed && isAlone();
+            if (!is_in_doubt) {
+                result_.confirmed = result_.confirmed || probing_.stands_elsewhere;
+                if (result_.confirmed || !no_rest_) std::swap(probing_.last_moving, moving);
+                if (result_.confirmed) return true;
+            }
         } else if (rests(load)) {
             return false;
         }
         const State failing = probing_.last_moving;
-        if (probing_.implicit_first || no_rest_) continueToFailure();
+        if (probing_.implicit_first || no_rest_ || is_in_doubt) continueToFailure(evidence(isAlone()));
         // What stands again only where it is jammed has failed, whether or not the motion is seen to get there.
         result_.confirmed = result_.confirmed || probing_.stands_elsewhere;
         if (result_.confirmed || interrupted(probing_)) return true;
@@ -177,7 +181,8 @@ class Search {
     /// Lets what moves at the start go, and takes it back where that shows no failure.
     bool isSeenToFail() {
         State moving = probing_.last_moving;
-        continueToFailure({.deflection = 0, .share = kLeavesItsPlace, .most_steps = kFirstLookAtStart});
+        continueToFailure(
+            {.deflection = 0, .share = kLeavesItsPlace, .most_steps = kFirstLookAtStart, .alone = true});
         if (!result_.confirmed) probing_.last_moving = std::move(moving);
         return result_.confirmed;
     }
@@ -190,18 +195,22 @@ class Search {
                (found == Verdict::undecided && settles(probing_, State(probing_.last_moving), load));
     }
 
+    /// Whether the implicit solve has been asked and knows nothing.
+    bool isAlone() const { return !no_rest_ && !probing_.stands_elsewhere; }
+
     /// What is to be seen of a failure: at the start, a block that has gone a share of its size; else less of that, but
     /// several times what the assembly has moved at rest. What it has crept from rest to rest is not asked for again
     /// where no rest is found by either way.
-    Evidence evidence() const {
+    /// \param alone  whether nothing else says that it fails
+    Evidence evidence(bool alone = false) const {
         const std::int64_t most = std::clamp(probing_.steps, kLeastSteps, kMostSteps);
         if (!bracket_.high())
-            return {.deflection = 0, .share = kSeenAtStart, .most_steps = kMostStepsAtStart};
+            return {.deflection = 0, .share = kSeenAtStart, .most_steps = kMostStepsAtStart, .alone = true};
         const double least = kSeenShare * probing_.last_stable.geometry->length_scale;
         const double settled = std::max(least, probing_.settlement);
         const double own = ownDeflection(probing_);
         const double deflected = no_rest_ ? std::min(own, settled) : own;
-        return {.deflection = deflected, .share = kSeenShare, .most_steps = most};
+        return {.deflection = deflected, .share = kSeenShare, .most_steps = most, .alone = alone};
     }
 
     void continueToFailure() { continueToFailure(evidence()); }
