@@ -227,6 +227,15 @@ bool BlockLu::factorise(const BlockMatrix& matrix) {
     return true;
 }
 
+double BlockLu::products() const {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < begin_.size(); ++i) {
+        const auto count = static_cast<double>(begin_[i + 1] - begin_[i]);
+        sum += count * (count + 1);
+    }
+    return sum;
+}
+
 void BlockLu::solve(Vec6s& x) const {
     const std::size_t n = place_.size();
     Vec6s y(n);

@@ -53,6 +53,8 @@ class BlockLu {
     void solve(Vec6s& x) const;
     /// Blocks in the factors, the diagonal counted once.
     std::size_t entries() const { return diagonal_inverse_.size() + 2 * row_.size(); }
+    /// Products of blocks that a factorisation takes.
+    double products() const;
 
  private:
     /// Columns side by side of one structure: each one's rows are those of the one before it, less itself.

@@ -10,6 +10,7 @@
 
 #include "contacts/update.h"
 #include "equilibrium/balance.h"
+#include "equilibrium/linear_solver.h"
 #include "forces/sum.h"
 #include "measure/measure.h"
 #include "state/block_motion.h"
@@ -105,8 +106,8 @@ class Solver {
 
     void takeContacts() {
         Balance next = makeBalance(state_);
-        if (!lu_ || next.matrix.edges != balance_.matrix.edges)
-            lu_.emplace(next.matrix, state_.instructions, options_.stop);
+        if (!linear_ || next.matrix.edges != balance_.matrix.edges)
+            linear_.emplace(next.matrix, state_.instructions, options_.stop);
         balance_ = std::move(next);
         at_ = {posesOf(state_), Vec6s(balance_.block.size(), Vec6::Zero())};
     }
@@ -169,9 +170,8 @@ class Solver {
                 balance_.matrix.diagonal[r].diagonal().array() += balance_.drag[r] / h;
             ++iterations_;
             ++result_.factors;
-            if (!lu_->factorise(balance_.matrix)) return false;
             direction_ = residual_;
-            lu_->solve(direction_);
+            if (!linear_->solve(balance_.matrix, balance_.weight, direction_)) return false;
             if (!searchLine(h, rounding, trial)) return false;
         }
         return residual(trial, h, rounding, false) < tolerance;
@@ -290,7 +290,7 @@ class Solver {
     double deepest_ = 0;        ///< of the joints at the start [m]
     double reach_ = 0;          ///< of bolts, at the start [m]
     double median_weight_ = 0;  ///< [N]
-    std::optional<BlockLu> lu_{};
+    std::optional<LinearSolver> linear_{};
     Equilibrium result_{};
     std::vector<std::pair<double, double>> track_{};  ///< after each step: way, speed
     double too_long_ = kLongestStep;                  ///< the last step that failed

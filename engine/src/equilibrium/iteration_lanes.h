@@ -1,0 +1,66 @@
+#pragma once
+// The kernels' source.
+
+#include "equilibrium/iteration_view.h"
+#include "equilibrium/six_lanes.h"
+
+namespace talus::equilibrium {
+namespace {
+
+TALUS_KERNEL const double* blockOf(const double* blocks, std::size_t k) { return blocks + kBlock * k; }
+
+void eliminateRow(const IterationView& view, std::size_t row) {
+    for (std::size_t p = view.lower_begin[row]; p < view.lower_begin[row + 1]; ++p) {
+        double* at = view.lower + kBlock * p;
+        const double* inverse = blockOf(view.diagonal, static_cast<std::size_t>(view.lower_column[p]));
+        const Columns unscaled = loadBlock(at);
+        Columns factor;
+        for (std::size_t k = 0; k < kColumn; ++k) factor.c[k] = product(unscaled, inverse + kColumn * k);
+        storeBlock(at, factor);
+        for (std::size_t u = view.update_begin[p]; u < view.update_begin[p + 1]; ++u) {
+            const IncompleteUpdate& update = view.updates[u];
+            double* target = view.diagonal + kBlock * static_cast<std::size_t>(update.target);
+            Columns c = loadBlock(target);
+            takeProduct(factor, blockOf(view.upper, static_cast<std::size_t>(update.upper)), c);
+            storeBlock(target, c);
+        }
+    }
+}
+
+void substitute(const IterationView& view, double* x) {
+    const auto at = [x](std::int32_t column) { return x + kColumn * static_cast<std::size_t>(column); };
+    for (std::size_t i = 0; i < view.rows; ++i) {
+        Six sum = load(x + kColumn * i);
+        for (std::size_t p = view.lower_begin[i]; p < view.lower_begin[i + 1]; ++p)
+            sum = sum - product(loadBlock(blockOf(view.lower, p)), at(view.lower_column[p]));
+        store(x + kColumn * i, sum);
+    }
+    for (std::size_t i = view.rows; i-- > 0;) {
+        Six sum = load(x + kColumn * i);
+        for (std::size_t p = view.upper_begin[i]; p < view.upper_begin[i + 1]; ++p)
+            sum = sum - product(loadBlock(blockOf(view.upper, p)), at(view.upper_column[p]));
+        double right[kColumn];
+        store(right, sum);
+        store(x + kColumn * i, product(loadBlock(blockOf(view.diagonal, i)), right));
+    }
+}
+
+void multiply(const IterationView& view, const double* diagonal, const double* upper, const double* lower,
+              const double* x, double* y) {
+    for (std::size_t i = 0; i < view.rows; ++i)
+        store(y + kColumn * i, product(loadBlock(blockOf(diagonal, i)), x + kColumn * i));
+    for (std::size_t i = 0; i < view.rows; ++i) {
+        Six sum = load(y + kColumn * i);
+        for (std::size_t p = view.upper_begin[i]; p < view.upper_begin[i + 1]; ++p) {
+            const std::size_t j = kColumn * static_cast<std::size_t>(view.upper_column[p]);
+            sum = sum + product(loadBlock(blockOf(upper, p)), x + j);
+            store(y + j, load(y + j) + product(loadBlock(blockOf(lower, p)), x + kColumn * i));
+        }
+        store(y + kColumn * i, sum);
+    }
+}
+
+constexpr IterationKernels kIterate{eliminateRow, substitute, multiply};
+
+}  // namespace
+}  // namespace talus::equilibrium
