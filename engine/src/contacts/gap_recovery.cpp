@@ -11,14 +11,22 @@
 namespace talus {
 namespace {
 
-constexpr double kShare =
-    0.02;  // of the energy of the relative motion, per look: far less than an impact would feel
+// Of the energy of the relative motion, per look: far less than an impact would feel.
+constexpr double kShare = 0.02;
+// A pair of faces that slides slowly has a little more to recover at each search than that pays for, and would sink. So the first
+// bit of a look, of the smaller block's size, may take more: nothing beside what an impact presses, but more than such a pair needs.
+constexpr double kFirstBit = 1e-6, kShareOfFirstBit = 0.5;
+
+/// Of the smaller of two blocks [m].
+double sizeOf(const State& state, std::size_t i) {
+    const Interfaces& f = state.interfaces;
+    return std::min(state.geometry->size[static_cast<std::size_t>(f.block_a[i])],
+                    state.geometry->size[static_cast<std::size_t>(f.block_b[i])]);
+}
 
 /// How far the reference gap is from where the faces are [m].
 double gapToRecover(const State& state, std::size_t i) {
-    const Interfaces& f = state.interfaces;
-    const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
-    return -f.referenceGap(i, 0) - kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b]);
+    return -state.interfaces.referenceGap(i, 0) - kClosedGap * sizeOf(state, i);
 }
 
 /// Raising the reference gap by o presses every spring by o more; together they hold no more than k A (depth o + o^2/2)
@@ -30,8 +38,12 @@ bool recoverGap(State& state, std::size_t i, double missing) {
                  open = std::min(missing, std::max(0.0, -deepest.depth));
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
     const RelativeMotion motion = motionAt(state, i, deepest.place);
-    const double paid = contact::pressedBy(law, state.interfaces.area[i], depth, kShare * motion.energy());
-    const double step = open + std::min(missing - open, paid);
+    const auto paid = [&](double share) {
+        return contact::pressedBy(law, state.interfaces.area[i], depth, share * motion.energy());
+    };
+    const double step =
+        open + std::min(missing - open, std::max(paid(kShare), std::min(paid(kShareOfFirstBit),
+                                                                        kFirstBit * sizeOf(state, i))));
     if (!(step > 0)) return false;
     const double before = storedEnergy(contactsOf(state), i);
     state.interfaces.referenceGap(i, 0) += step;
