@@ -42,12 +42,9 @@ Verdict loadGravityInParts(Probing& p) {
 
 Verdict loadGravity(Probing& p, const std::function<bool()>& is_seen_to_fail) {
     const State unloaded = p.last_stable;
-    bool seen = false;
-    const auto is_seen = [&] { return seen = seen || is_seen_to_fail(); };
-    Verdict verdict = probe(
-        p, "gravity", p.axis.start, [](State& state, double share) { state.load.gravity_share = share; },
-        is_seen);
-    if (verdict == Verdict::failing && !interrupted(p) && is_seen()) return verdict;
+    Verdict verdict = probe(p, "gravity", p.axis.start,
+                            [](State& state, double share) { state.load.gravity_share = share; });
+    if (verdict == Verdict::failing && !interrupted(p) && is_seen_to_fail()) return verdict;
     if (verdict == Verdict::failing && settles(p, p.last_moving, p.axis.start, kStartPeriods)) {
         learnPeriod(p.work, unloaded, p.last_stable);
         verdict = Verdict::stable;

@@ -55,10 +55,7 @@ bool interrupted(const Probing& probing);
 /// One probe from the last stable state; keeps the state it ends in. Explicit steps first, which are quick where
 /// blocks slide; what they leave open, and what seems to fail before the assembly has stood, the implicit solve
 /// answers. A model that once needed it is asked that way first. Where neither knows, explicit steps go on.
-/// \param is_seen_to_fail  asked before the implicit solve about what seems to fail before the assembly has stood, where so many
-///                         blocks are free that its factorisations would take longer; true: it has failed
-Verdict probe(Probing& probing, const std::string& stage, double load, const Ramp& ramp,
-              const std::function<bool()>& is_seen_to_fail = {});
+Verdict probe(Probing& probing, const std::string& stage, double load, const Ramp& ramp);
 
 /// What the implicit solve finds at a failing load, given its time: blocks that topple may have been shaken there by the
 /// explicit steps. Failing: no rest near, though `stands_elsewhere` may say that there is another.

@@ -26,7 +26,7 @@ class IterativeSolver {
     bool solve(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x);
 
     /// What Newton's steps need: a smaller residual than that the next one sees to.
-    static constexpr double kAccuracy = 1e-3;
+    static constexpr double kAccuracy = 1e-2;
     /// Most systems take 15 to 40, and one that takes many more is hard.
     static constexpr std::size_t kMostIterations = 100;
 
