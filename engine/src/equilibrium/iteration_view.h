@@ -27,7 +27,7 @@ struct IterationView {
 /// Each takes the same operations in the same order in each build: the same bits.
 struct IterationKernels {
     /// Takes from a row what those before it bring, within the structure. Its diagonal is then to be inverted.
-    void (*eliminateRow)(const IterationView&, std::size_t row);
+    void (*eliminate_row)(const IterationView&, std::size_t row);
     /// x = (L U)^-1 x
     void (*substitute)(const IterationView&, double* x);
     /// y = A x, of a matrix of this structure whose blocks below the diagonal are in the order of those above it

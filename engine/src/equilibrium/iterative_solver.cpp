@@ -67,7 +67,7 @@ IterativeSolver::IterativeSolver(const BlockMatrix& structure, simd::Instruction
 /// Of each block (i, k) below the diagonal those (i, j) that its product with (k, j) changes and that the matrix has.
 void IterativeSolver::listUpdates() {
     std::vector<std::int32_t> place(rows_, -1);  // of row i, among all blocks
-    const auto eachOf = [&](std::size_t i, const auto& visit) {
+    const auto each_of = [&](std::size_t i, const auto& visit) {
         visit(i, i);
         for (std::size_t p = upper_begin_[i]; p < upper_begin_[i + 1]; ++p)
             visit(static_cast<std::size_t>(upper_column_[p]), rows_ + p);
@@ -75,16 +75,17 @@ void IterativeSolver::listUpdates() {
             visit(static_cast<std::size_t>(lower_column_[p]), rows_ + edges_ + p);
     };
     for (std::size_t i = 0; i < rows_; ++i) {
-        eachOf(i, [&](std::size_t j, std::size_t at) { place[j] = static_cast<std::int32_t>(at); });
+        each_of(i, [&](std::size_t j, std::size_t at) { place[j] = static_cast<std::int32_t>(at); });
         for (std::size_t p = lower_begin_[i]; p < lower_begin_[i + 1]; ++p) {
             update_begin_.push_back(updates_.size());
             const auto k = static_cast<std::size_t>(lower_column_[p]);
-            for (std::size_t q = upper_begin_[k]; q < upper_begin_[k + 1]; ++q)
+            for (std::size_t q = upper_begin_[k]; q < upper_begin_[k + 1]; ++q) {
                 if (const std::int32_t target = place[static_cast<std::size_t>(upper_column_[q])];
                     target >= 0)
                     updates_.push_back({static_cast<std::int32_t>(q), target});
+            }
         }
-        eachOf(i, [&](std::size_t j, std::size_t) { place[j] = -1; });
+        each_of(i, [&](std::size_t j, std::size_t) { place[j] = -1; });
     }
     update_begin_.push_back(updates_.size());
 }
@@ -95,7 +96,7 @@ bool IterativeSolver::factorise(const BlockMatrix& matrix) {
     std::copy(matrix.upper.begin(), matrix.upper.end(), at(rows_));
     for (std::size_t p = 0; p < edges_; ++p) blocks_[rows_ + edges_ + p] = matrix.lower[lower_edge_[p]];
     for (std::size_t i = 0; i < rows_; ++i) {
-        kernels_.eliminateRow(view_, i);
+        kernels_.eliminate_row(view_, i);
         const Eigen::PartialPivLU<Mat6> pivots(blocks_[i]);
         const double determinant = pivots.determinant();
         if (determinant == 0 || !std::isfinite(determinant)) return false;
