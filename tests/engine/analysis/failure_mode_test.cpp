@@ -84,11 +84,11 @@ TEST_SUITE("analysis") {
 
     TEST_CASE(
         "continueFailure: a stack whose weight is laid on at once is not seen to fail where it stands, if "
-        "nothing "
-        "else says that it does") {
+        "nothing else says that it does") {
         // Without damping friction shakes the dry slope of the paper loose at 19 degrees: it stands to 19.5.
-        for (const auto& [columns, rows] : {std::pair{3, 3}, {7, 5}, {12, 5}})
+        for (const std::pair<int, int>& size : {std::pair{3, 3}, {7, 5}, {12, 5}})
             for (const double beyond : {-1.5, -0.5, 0.5, 1.5}) {
+                const auto columns = size.first, rows = size.second;
                 CAPTURE(columns);
                 CAPTURE(beyond);
                 Model model = stackModel(columns, rows, 1, 19.5);

@@ -57,8 +57,9 @@ BlockMatrix chainOf(std::size_t rows) {
 
 TEST_SUITE("equilibrium") {
     TEST_CASE("iterations leave a residual of no more than they promise, whatever the rows weigh") {
-        for (const auto& [rows, edges] :
+        for (const std::pair<std::size_t, std::size_t>& size :
              {std::pair<std::size_t, std::size_t>{1, 0}, {2, 1}, {40, 80}, {90, 300}, {400, 1600}}) {
+            const std::size_t rows = size.first, edges = size.second;
             CAPTURE(rows);
             const BlockMatrix first = randomMatrix(rows, edges, 3, 12);
             BlockMatrix second = first;
