@@ -266,7 +266,9 @@ TEST_SUITE("slow: physics") {
         "the paper's slope run on: the rows slide apart, the front topples; behind watered fissure 5 it "
         "stays") {
         for (const std::string name : {"run-on-dry", "run-on-fissure-5"}) {
-            const Model model = read(name);
+            Model model = read(name);
+            // The front begins to topple some 2.8 s after the start; when it is at 10 degrees depends on how the rows rattle.
+            if (name == "run-on-dry") model.run.duration = 3.4;
             const RunOn on = runOn(model);
             const auto report = [&](const std::string& block) -> const BlockReport& {
                 for (const BlockReport& watched : on.result.watch)

@@ -280,4 +280,10 @@ Failure continueFailure(State& state, const Evidence& wanted, const Control& con
     return Continuation(state, wanted, control, parallel).run();
 }
 
+Failure describeWay(const State& from, const State& to) {
+    Failure failure;
+    describeFailure(to, {from.blocks.position, from.blocks.orientation}, 0.0, failure);
+    return failure;
+}
+
 }  // namespace talus::analysis

@@ -41,4 +41,7 @@ struct Evidence {
 /// moves, or the steps are used up. The state is advanced.
 Failure continueFailure(State& state, const Evidence& wanted, const Control& control, bool parallel);
 
+/// How blocks have moved from one state to another: mode, moving blocks and motions, of a failure that is not let go.
+Failure describeWay(const State& from, const State& to);
+
 }  // namespace talus::analysis

@@ -144,7 +144,7 @@ class Search {
             if (rests(load)) return false;
             is_in_doubt = result_.confirmed && isAlone();
             if (!is_in_doubt) {
-                result_.confirmed = result_.confirmed || probing_.stands_elsewhere;
+                countElsewhere();
                 if (result_.confirmed || !no_rest_) std::swap(probing_.last_moving, moving);
                 if (result_.confirmed) return true;
             }
@@ -153,8 +153,7 @@ class Search {
         }
         const State failing = probing_.last_moving;
         if (probing_.implicit_first || no_rest_ || is_in_doubt) continueToFailure(evidence(isAlone()));
-        // What stands again only where it is jammed has failed, whether or not the motion is seen to get there.
-        result_.confirmed = result_.confirmed || probing_.stands_elsewhere;
+        countElsewhere();
         if (result_.confirmed || interrupted(probing_)) return true;
         if (restsGivenTime(failing, load)) return false;
         if (result_.confirmed || interrupted(probing_)) return true;
@@ -164,6 +163,16 @@ class Search {
         return !settles(probing_, moved, load);
     }
 
+    /// What stands again only where it is jammed has failed, whether or not the motion is seen to get there.
+    void countElsewhere() {
+        if (result_.confirmed || !probing_.stands_elsewhere) return;
+        Failure way = describeWay(probing_.last_stable, probing_.elsewhere);
+        result_.confirmed = true;
+        result_.mode = way.mode;
+        result_.moving_blocks = std::move(way.moving_blocks);
+        result_.motions = std::move(way.motions);
+    }
+
     /// Of a failure that was not seen to be one, while the implicit solve knew nothing: asks that once more, with more time. Where
     /// it finds no rest either, what the assembly has crept is not asked for again, and the failure is let go anew.
     bool restsGivenTime(const State& failing, double load) {
@@ -171,7 +180,7 @@ class Search {
         const Verdict found = restAt(probing_, load, kPatientFactors);
         if (found == Verdict::stable) return true;
         no_rest_ = found == Verdict::failing && !probing_.stands_elsewhere;
-        result_.confirmed = probing_.stands_elsewhere;
+        countElsewhere();
         if (!no_rest_) return false;
         probing_.last_moving = failing;
         continueToFailure();

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 
 namespace talus::analysis {
 namespace {
@@ -70,7 +71,7 @@ Verdict loadGravityAndWater(Probing& p, const std::function<bool()>& is_seen_to_
     Verdict verdict = loadGravity(p, is_seen_to_fail);
     if (verdict == Verdict::stable && p.last_stable.geometry->model.hasWater()) verdict = loadWater(p);
     p.has_stood = verdict == Verdict::stable;
-    p.settlement = deflection(p);
+    p.settlement = p.deflection;
     return verdict;
 }
 
@@ -79,7 +80,11 @@ bool restsAfterAll(Probing& p) {
     p.axis.apply(moved, p.axis.start);
     if (moved.load.gravity_share < 1 || moved.load.tilt != p.start_tilt) return false;
     takeBack(moved, p.work);
-    if (!settles(p, moved, p.axis.start, kStartPeriods)) return false;
+    const State before = std::exchange(p.last_stable, moved);  // what it has fallen is none of its deflection
+    if (!settles(p, moved, p.axis.start, kStartPeriods)) {
+        p.last_stable = before;
+        return false;
+    }
     const bool dry = !p.last_stable.geometry->model.hasWater() || p.last_stable.load.water_share == 1;
     return dry || loadWater(p) == Verdict::stable;
 }

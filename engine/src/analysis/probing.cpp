@@ -43,46 +43,71 @@ void report(const Probing& p, const std::string& stage, double load, const std::
         {stage, probes / (expected + kAfterwards), p.axis.say(load) + ", " + what + bracketText(p)});
 }
 
+/// Of the farthest-moved point of any block, since the assembly last stood: a probe may have had several parts [m].
+double wayFromRest(const Probing& p, const State& state) {
+    return largestMotion(state, p.last_stable.blocks.position, p.last_stable.blocks.orientation);
+}
+
 Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, State& state) {
     probe.load = load;
     p.steps += probe.steps;
     p.factors += probe.factors;
     p.probes.push_back(probe);
     report(p, stage, load, toString(probe.verdict));
-    if (probe.verdict == Verdict::stable) ++p.states_at_rest;
+    if (probe.verdict == Verdict::stable) {
+        ++p.states_at_rest;
+        p.deflection += wayFromRest(p, state);
+    }
     (probe.verdict == Verdict::stable ? p.last_stable : p.last_moving) = std::move(state);
     return probe.verdict;
+}
+
+/// Bolts hold only as far as blocks have moved, so that way is none of a failure.
+double nearLimit(const Probing& p) {
+    return std::max(kSeenShare * p.last_stable.geometry->length_scale, kNear * ownDeflection(p)) +
+           tieReach(p.last_stable);
+}
+
+/// Whether a rest is where the assembly stands, but for what it gives; else it is a failure. Blocks that lean on each other have
+/// others, farther off, in which they are jammed: to get there is to fail first.
+bool standsThere(Probing& p, const State& state, Probe& rest) {
+    const double way = wayFromRest(p, state);
+    State moved = state;
+    const bool is_near = !p.has_stood || way <= nearLimit(p);
+    if (is_near) {
+        const Probe found = findRestOfFirstOrder(p.last_stable, moved, p.work, kMostFactors);
+        rest.factors += found.factors;
+        const bool has_left = p.has_stood && wayFromRest(p, moved) > nearLimit(p);
+        if (found.verdict == Verdict::stable || (found.verdict == Verdict::undecided && !has_left))
+            return true;
+    }
+    rest.verdict = Verdict::failing;
+    rest.reason =
+        "moves " + formatted("%.2g", way) + " m to where it stands " + (is_near ? "jammed" : "again");
+    p.stands_elsewhere = true;
+    p.elsewhere = std::move(moved);
+    return false;
+}
+
+/// Where the assembly last stood, under another load.
+State loadedAnew(const Probing& p, double load) {
+    State state = p.last_stable;
+    p.axis.apply(state, load);
+    return state;
 }
 
 Verdict probeExplicitly(Probing& p, const std::string& stage, double load, State state, QuasiStaticWork& work,
                         const Ramp& ramp) {
     report(p, stage, load, "moving");
-    return keep(p, stage, load, bringOn(state, work, ramp), state);
+    Probe probe = bringOn(state, work, ramp);
+    if (probe.verdict == Verdict::stable && !standsThere(p, state, probe)) state = loadedAnew(p, load);
+    return keep(p, stage, load, probe, state);
 }
 
 void keepLearnt(Probing& p, const QuasiStaticWork& work) {
     const QuasiStatic settings = p.work.settings;
     p.work = work;
     p.work.settings = settings;
-}
-
-/// From a state. Bolts hold only as far as blocks have moved, so that way is none of a failure.
-double nearLimit(const Probing& p, const State& from) {
-    return std::max(kSeenShare * from.geometry->length_scale, kNear * ownDeflection(p)) + tieReach(from);
-}
-
-/// Whether an equilibrium is where the assembly stands, but for what it gives. Blocks that lean on each other have others,
-/// farther off, in which they are jammed: to get there is to fail first.
-bool isNear(const Probing& p, const Probe& probe) {
-    return !p.has_stood || probe.displacement <= nearLimit(p, p.last_stable);
-}
-
-/// Of the farthest-moved block [m].
-double wayBetween(const State& from, const State& to) {
-    double farthest = 0;
-    for (std::size_t b = 0; b < from.blocks.size(); ++b)
-        farthest = std::max(farthest, (to.blocks.position.get(b) - from.blocks.position.get(b)).norm());
-    return farthest;
 }
 
 std::int64_t freeBlocks(const State& state) {
@@ -104,14 +129,8 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
     ramp(state, 1.0);
     report(p, stage, load, "solving");
     Probe found = findRest(state, p.work, most_factors);
-    const bool is_elsewhere = found.verdict == Verdict::stable && !isNear(p, found);
-    if (is_elsewhere) {
-        found.verdict = Verdict::failing;
-        p.stands_elsewhere = true;
-        found.reason = "moves " + formatted("%.2g", found.displacement) + " m to where it stands again";
-        state = p.last_stable;
-        ramp(state, 1.0);
-    }
+    const bool is_elsewhere = found.verdict == Verdict::stable && !standsThere(p, state, found);
+    if (is_elsewhere) state = loadedAnew(p, load);
     if (found.verdict != Verdict::stable)
         p.no_near_rest = {load, most_factors, p.states_at_rest, found.verdict, is_elsewhere};
     return keep(p, stage, load, found, state);
@@ -175,24 +194,15 @@ Verdict restAt(Probing& p, double load, std::int64_t most_factors) {
 
 bool settles(Probing& p, const State& moving, double load, double watch_periods) {
     QuasiStaticWork work = patient(p.work, kSettlingDrag, watch_periods);
-    const auto hold = [](State&, double) {};
-    const State before = p.last_stable;
-    if (probeExplicitly(p, "settling", load, moving, work, hold) != Verdict::stable) return false;
-    if (!p.has_stood || wayBetween(before, p.last_stable) <= nearLimit(p, before)) return true;
-    p.stands_elsewhere = true;
-    p.last_moving = std::exchange(p.last_stable, before);
-    return false;
-}
-
-double deflection(const Probing& p) {
-    double sum = 0;
-    for (const Probe& probe : p.probes)
-        if (probe.verdict == Verdict::stable) sum += probe.displacement;
-    return sum;
+    State state = moving;
+    report(p, "settling", load, "moving");
+    Probe probe = bringOn(state, work, [](State&, double) {});
+    if (probe.verdict == Verdict::stable) standsThere(p, state, probe);
+    return keep(p, "settling", load, probe, state) == Verdict::stable;
 }
 
 double ownDeflection(const Probing& p) {
-    return p.reach > 0 ? std::min(p.settlement, deflection(p)) : deflection(p);
+    return p.reach > 0 ? std::min(p.settlement, p.deflection) : p.deflection;
 }
 
 }  // namespace talus::analysis

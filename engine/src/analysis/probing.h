@@ -31,11 +31,13 @@ struct Probing {
     std::int64_t states_at_rest = 0;  ///< the search has been in
     bool has_stood = false;           ///< under weight and water
     double start_tilt = 0;            ///< [rad]
+    double deflection = 0;            ///< how far the assembly has come in all, from rest to rest [m]
     double settlement = 0;            ///< under weight and water at the start [m]
     double reach = 0;                 ///< of the bolts at the beginning [m]
     /// explicit steps have not been enough, or will not be: bolts take hold over ways that they are slow to go
     bool implicit_first = false;
-    bool stands_elsewhere = false;  ///< an equilibrium was found at the failing load, but not near
+    bool stands_elsewhere = false;  ///< an equilibrium was found at the failing load, but far away or jammed
+    State elsewhere{};              ///< that one; of blocks that jam one on their way there, were they not to
 
     /// The last load at which the implicit solve found no rest nearby, and from which state: it would find the same again.
     struct NoNearRest {
@@ -66,9 +68,7 @@ Verdict restAt(Probing& probing, double load, std::int64_t most_factors = kMostF
 /// column topples its stiffness goes to zero. \param watch_periods  windows, in slowest periods
 bool settles(Probing& probing, const State& moving, double load, double watch_periods = 3.0);
 
-/// How far the assembly has come in all, from rest to rest [m]; and without the way on which bolts took hold: then what it
-/// gave at its start.
-double deflection(const Probing& probing);
+/// How far the assembly has come in all, but for the way on which bolts took hold: then what it gave at its start [m].
 double ownDeflection(const Probing& probing);
 
 }  // namespace talus::analysis

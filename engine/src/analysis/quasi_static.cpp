@@ -8,6 +8,7 @@
 #include "analysis/plausible.h"
 #include "contacts/update.h"
 #include "equilibrium/find_equilibrium.h"
+#include "equilibrium/first_order_gaps.h"
 #include "forces/sum.h"
 #include "law/law.h"
 #include "measure/measure.h"
@@ -38,18 +39,6 @@ constexpr double kShareOfTolerance =
     0.01;  // at rest, the imbalance is worth this share of the load's tolerance
 constexpr double kSlowPeriodGrowth = 8.0;  // slip makes the observed period longer; not without bound
 constexpr double kSlowestMotion = 32.0;    // slowest motion the drag is tuned to, in slowest periods
-
-/// Displacement of the farthest-moved point of any block between two sets of poses [m].
-double largestMotion(const State& state, const PositionArray& position, const QuaternionArray& orientation) {
-    double largest = 0;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
-        if (state.blocks.motion[b] != Motion::free) continue;
-        const double shift = (state.blocks.position.get(b) - position.get(b)).norm();
-        const double turn = rotationFrom(orientation, state.blocks.orientation, b);
-        largest = std::max(largest, shift + turn * state.geometry->radius[b]);
-    }
-    return largest;
-}
 
 /// Whether a block has gone so far that, come to rest or not, the assembly is no longer the one that was loaded: what
 /// has fallen off may lie still at the foot of the slope.
@@ -387,6 +376,17 @@ QuasiStaticWork patient(const QuasiStaticWork& work, double drag_share, double w
     return patient;
 }
 
+double largestMotion(const State& state, const PositionArray& position, const QuaternionArray& orientation) {
+    double largest = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        const double shift = (state.blocks.position.get(b) - position.get(b)).norm();
+        const double turn = rotationFrom(orientation, state.blocks.orientation, b);
+        largest = std::max(largest, shift + turn * state.geometry->radius[b]);
+    }
+    return largest;
+}
+
 void learnPeriod(QuasiStaticWork& work, const State& before, const State& now) {
     const double period = observedPeriod(now, before.blocks.position, externalLoad(before));
     work.slow_period = std::clamp(period, work.slow_period, work.slow_period_limit);
@@ -460,6 +460,24 @@ Probe findRest(State& state, QuasiStaticWork& work, std::int64_t most_factors) {
                   found.out_of_balance, static_cast<long long>(found.factors));
     probe.reason = interrupted(work) ? "interrupted" : text;
     return probe;
+}
+
+Probe findRestOfFirstOrder(const State& stood, State& state, QuasiStaticWork& work,
+                           std::int64_t most_factors) {
+    if (equilibrium::FirstOrderGaps(stood, state).share(state) < work.out_of_balance_limit)
+        return {.verdict = Verdict::stable, .reason = {}};
+    const equilibrium::Equilibrium found =
+        equilibrium::findEquilibrium(state, {.limit = work.out_of_balance_limit,
+                                             .most_factors = most_factors,
+                                             .parallel = work.parallel,
+                                             .stop = work.control->stop,
+                                             .stood = &stood});
+    work.factors += found.factors;
+    return {.verdict = found.verdict,
+            .factors = found.factors,
+            .out_of_balance = found.out_of_balance,
+            .displacement = found.displacement,
+            .reason = {}};
 }
 
 }  // namespace talus::analysis

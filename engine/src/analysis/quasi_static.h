@@ -46,6 +46,9 @@ void takeBack(State& state, const QuasiStaticWork& work);
 /// because a mode is many times slower than the slowest known one, is seen to slow down. Its steps are its own.
 QuasiStaticWork patient(const QuasiStaticWork& work, double drag_share, double watch_periods);
 
+/// Displacement of the farthest-moved point of any free block since it was in other poses [m].
+double largestMotion(const State& state, const PositionArray& position, const QuaternionArray& orientation);
+
 /// Learns the slowest period from what the loads have moved between two states at rest.
 void learnPeriod(QuasiStaticWork& work, const State& before, const State& now);
 
@@ -67,5 +70,11 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp);
 /// has been changed: a few hundred factorisations at most, whatever the slowest period. What it finds at rest is so
 /// by the engine's own forces; that it finds none, within its budget, is no failure.
 Probe findRest(State& state, QuasiStaticWork& work, std::int64_t most_factors);
+
+/// Whether what has come to rest rests without what its blocks close of the joints by turning together, too
+/// (equilibrium/first_order_gaps.h). Failing: blocks are jammed there, and the state is one into which they move when they are not.
+/// \param stood  where it last stood
+Probe findRestOfFirstOrder(const State& stood, State& state, QuasiStaticWork& work,
+                           std::int64_t most_factors);
 
 }  // namespace talus::analysis

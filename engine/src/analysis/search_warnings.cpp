@@ -37,7 +37,7 @@ std::optional<std::string> ofLostCohesion(double lost) {
 std::optional<std::string> ofSoftJoints(const Probing& p, const State& state) {
     constexpr double kSoft = 1e-4;         // of the block size
     if (p.reach > 0) return std::nullopt;  // blocks that move until their bolts hold say nothing of joints
-    const double deflected = deflection(p);
+    const double deflected = p.deflection;
     if (deflected <= kSoft * state.geometry->length_scale) return std::nullopt;
     return "the joints are soft against the stress on them: blocks move by " + formatted("%.2g", deflected) +
            " m before they fail, so toppling blocks turn about points inside their edges, and formulas for "

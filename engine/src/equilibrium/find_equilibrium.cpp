@@ -10,6 +10,7 @@
 
 #include "contacts/update.h"
 #include "equilibrium/balance.h"
+#include "equilibrium/first_order_gaps.h"
 #include "equilibrium/linear_solver.h"
 #include "forces/sum.h"
 #include "measure/measure.h"
@@ -64,6 +65,8 @@ struct Trial {
 class Solver {
  public:
     Solver(State& state, const Options& options) : state_(state), options_(options) {
+        if (options.stood != nullptr) first_order_.emplace(*options.stood, state);
+        if (first_order_) first_order_->set(state_);
         updateBlockForces(state_);
         takeContacts();
         gone_.resize(state_.blocks.size());
@@ -212,6 +215,7 @@ class Solver {
     /// Makes the poses those of the state: plastic slides by its own kernel, bonds let down, water where it is now.
     void commit() {
         setPoses(at_.poses, state_);
+        if (first_order_) first_order_->set(state_);
         updateForces(state_, options_.parallel);
         result_.out_of_balance = outOfBalanceRatio(state_);
     }
@@ -259,7 +263,7 @@ class Solver {
 
     void lookForContacts() {
         way_since_look_ += motion_;
-        if (way_since_look_ > kLookMotion) {
+        if (way_since_look_ > kLookMotion && !first_order_) {
             way_since_look_ = 0;
             refreshInterfaces(state_, options_.parallel, 0.0, options_.stop, gone_);
             gone_.assign(gone_.size(), 0.0);
@@ -290,6 +294,7 @@ class Solver {
     double deepest_ = 0;        ///< of the joints at the start [m]
     double reach_ = 0;          ///< of bolts, at the start [m]
     double median_weight_ = 0;  ///< [N]
+    std::optional<FirstOrderGaps> first_order_{};
     std::optional<LinearSolver> linear_{};
     Equilibrium result_{};
     std::vector<std::pair<double, double>> track_{};  ///< after each step: way, speed

@@ -15,6 +15,7 @@
 #include "measure/measure.h"
 #include "model/gravity.h"
 #include "model/over_time.h"
+#include "state/block_motion.h"
 
 namespace talus {
 namespace {
@@ -49,18 +50,6 @@ double shownTilt(const State& state) {
     if (!gravity.direction) return state.load.tilt;
     const Vec3 down = downward(gravity, state.load.tilt);
     return std::atan2(-down.x(), -down.z());
-}
-
-/// Axis times angle of the turn from one orientation to another, in the model frame [rad]. The vector part keeps small
-/// angles exact; of the two quaternions of a turn the one with the angle below pi counts.
-Vec3 rotationVector(const Quaternion& from, const Quaternion& to) {
-    const double w = from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z;
-    const Vec3 u(from.x, from.y, from.z), v(to.x, to.y, to.z);
-    const Vec3 part = from.w * v - to.w * u - v.cross(u);  // of to * conj(from)
-    const double sine = part.norm();
-    if (sine == 0) return Vec3::Zero();
-    const Vec3 axis = part / (w < 0 ? -sine : sine);
-    return 2.0 * std::atan2(sine, std::abs(w)) * axis;
 }
 
 void addWaterLevels(const State& state, WaterLevels& levels) {

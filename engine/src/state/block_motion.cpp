@@ -54,4 +54,14 @@ double rotationFrom(const QuaternionArray& froms, const QuaternionArray& tos, st
     return 2.0 * std::atan2(std::sqrt(x * x + y * y + z * z), std::abs(w));
 }
 
+Vec3 rotationVector(const Quaternion& from, const Quaternion& to) {
+    const double w = from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z;
+    const Vec3 u(from.x, from.y, from.z), v(to.x, to.y, to.z);
+    const Vec3 part = from.w * v - to.w * u - v.cross(u);  // of to * conj(from)
+    const double sine = part.norm();
+    if (sine == 0) return Vec3::Zero();
+    const Vec3 axis = part / (w < 0 ? -sine : sine);
+    return 2.0 * std::atan2(sine, std::abs(w)) * axis;
+}
+
 }  // namespace talus

@@ -1,0 +1,41 @@
+#pragma once
+// Gaps at faces as they are in statics of the first order: what blocks close of a joint by turning together counts not.
+//
+// Two columns that overturn side by side turn by the same angle t about toes that lie a width w apart. Exactly, that presses the
+// joint between them by w (1 - cos t), and friction on what it presses stops them after some microns: columns of one width stand jammed
+// at tilts far beyond that at which each of them overturns. No column that is cut is as exact as that, and to get there is to have
+// begun to topple. So a rest has to be one without that part of the gaps, too (analysis/probing.cpp).
+
+#include <vector>
+
+#include "equilibrium/balance.h"
+#include "state/arrays.h"
+
+namespace talus::equilibrium {
+
+/// By what way blocks close or open the joints between them to first order. Ways are those from where the assembly last stood; arms
+/// and normals are those of the model as it was built, for blocks that had hardly turned there, else of where it last stood. Of
+/// what has turned much since it stood the gaps stay exact.
+class FirstOrderGaps {
+ public:
+    /// \param stood  where the assembly last stood  \param state  the interfaces and their reference gaps
+    FirstOrderGaps(const State& stood, const State& state);
+
+    /// Sets the reference gaps so that the gaps are those of first order in the ways to where the blocks are now.
+    /// \pre the interfaces are those it was made with. Writes: reference gaps
+    void set(State& state) const;
+
+    /// The largest force by which an interface's exact gap differs from that of first order, over the weight of the lighter free
+    /// block of the two.
+    double share(const State& state) const;
+
+ private:
+    /// Exact gap less that of first order: at the interface's origin, and its slopes [m, -, -].
+    Vec3 secondOrder(const State& state, std::size_t interface) const;
+
+    Poses stood_, built_;
+    std::vector<bool> turned_before_, turned_since_;  ///< by block: until the assembly stood, and since then
+    std::vector<Vec3> reference_;                     ///< gaps, of the interfaces
+};
+
+}  // namespace talus::equilibrium
