@@ -6,6 +6,7 @@
 #include <string>
 
 #include "support/models.h"
+#include "support/verification.h"
 #include "talus/analysis.h"
 
 using namespace talus;
@@ -58,6 +59,22 @@ TEST_SUITE("slow: physics") {
             model->analysis.start = 0;
             CHECK(spread(*model, criticalAngle, 180 / M_PI) <= 0.0101);
         }
+    }
+
+    // 14 columns of one to ten blocks that slide and topple: the longest load step decides what friction remembers.
+    TEST_CASE("a tilting table of leaning columns fails at one angle, wherever the search begins") {
+        Model model = verification("barla-table");
+        double low = kInfinity, high = -kInfinity;
+        for (const double start_deg : {0.0, 1.0, 2.0, 3.3, 5.0}) {
+            CAPTURE(start_deg);
+            model.analysis.start = radians(start_deg);
+            const SearchResult found = *criticalAngle(model);
+            MESSAGE("from " << start_deg << ": " << degrees(found.answer) << " degrees");
+            CHECK((found.status == SearchStatus::found));
+            low = std::min(low, degrees(found.answer));
+            high = std::max(high, degrees(found.answer));
+        }
+        CHECK(high - low < 0.03);
     }
 
     TEST_CASE("factor of safety") {

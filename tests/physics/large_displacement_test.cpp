@@ -9,7 +9,7 @@
 #include "contacts/overlap.h"
 #include "frame/frame.h"
 #include "support/models.h"
-#include "talus/formats/scenario.h"
+#include "support/verification.h"
 #include "talus/simulation.h"
 
 using namespace talus;
@@ -18,13 +18,6 @@ using namespace talus::test;
 namespace {
 
 constexpr double kSide = 0.2;  // m
-
-Model read(const std::string& name) {
-    auto scenario = formats::readScenario(TALUS_SOURCE_DIR "/bench/verification/" + name + ".toml");
-    for (const Error& error : scenario.errors()) FAIL_CHECK(formats::format(error));
-    REQUIRE(scenario.ok());
-    return std::move(scenario->model);
-}
 
 /// Total energy of a run over time [J].
 struct Energies {
@@ -79,7 +72,7 @@ Model bounceModel(double friction_deg = 0) {
 TEST_SUITE("physics") {
     TEST_CASE("a cube that falls on a face, an edge or a corner bounces back with its energy") {
         for (const char* kind : {"face", "edge", "corner"})
-            checkElasticBounce(read(std::string("bounce-") + kind), 0.05, kind);
+            checkElasticBounce(verification(std::string("bounce-") + kind), 0.05, kind);
     }
 
     TEST_CASE("off centre part of the energy goes into spin; none comes, and none is lost") {
@@ -106,7 +99,7 @@ TEST_SUITE("physics") {
     }
 
     TEST_CASE("tumbling under no gravity keeps energy and both momenta") {
-        const Model model = read("tumbling");
+        const Model model = verification("tumbling");
         struct Sums {
             double energy = 0;
             Vec3 momentum = Vec3::Zero(), angular = Vec3::Zero();
@@ -151,7 +144,7 @@ TEST_SUITE("physics") {
     }
 
     TEST_CASE("a block slides ten of its lengths along a row of fixed blocks as the closed form says") {
-        Model model = read("long-slide");
+        Model model = verification("long-slide");
         const double phi = 30, tilt = 35, length = 0.2, weight = 2700 * 0.2 * 0.1 * 0.1 * 9.81;
         CHECK(model.run.duration ==
               doctest::Approx(
@@ -235,7 +228,7 @@ TEST_SUITE("slow: physics") {
     // The lowest 250 rocks: all 1,000 take ten times as long (`talus run bench/verification/pile.toml`; ten such piles:
     // `talus-piles 10`).
     TEST_CASE("a random pile of rocks dropped into a box comes to rest") {
-        Model model = read("pile");
+        Model model = verification("pile");
         model.blocks.resize(5 + 250);  // behind floor and walls
         model.run.duration = 1.75;     // one rock still topples after 1.5 s
         const RunOn on = runOn(model);
@@ -266,7 +259,7 @@ TEST_SUITE("slow: physics") {
         "the paper's slope run on: the rows slide apart, the front topples; behind watered fissure 5 it "
         "stays") {
         for (const std::string name : {"run-on-dry", "run-on-fissure-5"}) {
-            Model model = read(name);
+            Model model = verification(name);
             // The front begins to topple some 2.8 s after the start; when it is at 10 degrees depends on how the rows rattle.
             if (name == "run-on-dry") model.run.duration = 3.4;
             const RunOn on = runOn(model);

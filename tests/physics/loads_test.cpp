@@ -7,8 +7,8 @@
 
 #include "support/models.h"
 #include "support/snapshots.h"
+#include "support/verification.h"
 #include "talus/analysis.h"
-#include "talus/formats/scenario.h"
 #include "talus/limit_analysis.h"
 #include "talus/searches.h"
 
@@ -40,13 +40,6 @@ double accelerationOf(const Model& model) {
     REQUIRE(found.ok());
     REQUIRE((found->status == SearchStatus::found));
     return found->answer;
-}
-
-Model verification(const std::string& name) {
-    auto scenario = formats::readScenario(TALUS_SOURCE_DIR "/bench/verification/" + name + ".toml");
-    for (const Error& error : scenario.errors()) FAIL_CHECK(formats::format(error));
-    REQUIRE(scenario.ok());
-    return std::move(scenario->model);
 }
 
 void checkPublished(const std::string& name, double found, double published) {

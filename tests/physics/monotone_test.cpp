@@ -8,6 +8,7 @@
 #include <string>
 
 #include "support/models.h"
+#include "support/verification.h"
 #include "talus/analysis.h"
 #include "talus/formats/scenario.h"
 
@@ -15,12 +16,6 @@ using namespace talus;
 using namespace talus::test;
 
 namespace {
-
-Model read(const std::string& name) {
-    auto scenario = formats::readScenario(TALUS_SOURCE_DIR "/bench/verification/" + name + ".toml");
-    REQUIRE(scenario.ok());
-    return std::move(scenario->model);
-}
 
 double factorOf(Model model, double friction_deg, double normal, double shear) {
     for (Joint& joint : model.joints) {
@@ -128,7 +123,7 @@ TEST_SUITE("slow: physics") {
 
 TEST_SUITE("physics") {
     TEST_CASE("Goodman and Bray's slope: its factor grows with friction and does not change with stiffness") {
-        const Model model = read("goodman-bray-slice-38.15");
+        const Model model = verification("goodman-bray-slice-38.15");
         double before = 0;
         for (const double friction : {38.15, 38.3, 38.5, 38.66, 38.7}) {
             CAPTURE(friction);
@@ -146,7 +141,7 @@ TEST_SUITE("physics") {
     }
 
     TEST_CASE("Goodman and Bray's slope with its base in steps: its factor grows with friction") {
-        Model model = read("goodman-bray");
+        Model model = verification("goodman-bray");
         const double normal = model.joints[0].normal_stiffness, shear = model.joints[0].shear_stiffness;
         double before = 0;
         for (const double friction : {38.15, 38.3, 38.5, 38.66, 38.7}) {
@@ -158,7 +153,7 @@ TEST_SUITE("physics") {
     }
 
     TEST_CASE("Alejano and Alonso's columns: what the ratio of the two stiffnesses is worth") {
-        const Model model = read("alejano-alonso");
+        const Model model = verification("alejano-alonso");
         for (const double ratio : {0.03, 0.1, 0.3, 1.0}) {
             const double factor = factorOf(model, 0, 1e12, ratio * 1e12);
             MESSAGE("shear stiffness " << ratio << " of the normal one: " << factor);

@@ -5,24 +5,19 @@
 #include <cmath>
 #include <string>
 
+#include "support/verification.h"
 #include "talus/analysis.h"
-#include "talus/formats/scenario.h"
 
 namespace talus {
+
+using test::verification;
 
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-Model read(const std::string& name) {
-    auto scenario = formats::readScenario(TALUS_SOURCE_DIR "/bench/verification/" + name);
-    for (const Error& error : scenario.errors()) FAIL_CHECK(formats::format(error));
-    REQUIRE(scenario.ok());
-    return std::move(scenario->model);
-}
-
 double checkFactor(const std::string& name, double expected, double tolerance) {
-    const auto result = safetyFactor(read(name), {});
+    const auto result = safetyFactor(verification(name), {});
     REQUIRE(result.ok());
     REQUIRE((result->status == SearchStatus::found));
     const double factor = 0.5 * (result->low + result->high);
@@ -32,7 +27,7 @@ double checkFactor(const std::string& name, double expected, double tolerance) {
 }
 
 void checkAngle(const std::string& name, double expected_deg, double tolerance_deg) {
-    const auto result = criticalAngle(read(name), {});
+    const auto result = criticalAngle(verification(name), {});
     REQUIRE(result.ok());
     REQUIRE((result->status == SearchStatus::found));
     const double angle = 0.5 * (result->low + result->high) / kDegree;
@@ -43,35 +38,35 @@ void checkAngle(const std::string& name, double expected_deg, double tolerance_d
 }  // namespace
 
 TEST_CASE("cut rock: wedge on two planes, factor of safety by limit equilibrium within 0.5 %") {
-    checkFactor("wedge-phi-30.toml", 0.877, 0.005);
+    checkFactor("wedge-phi-30", 0.877, 0.005);
     // Without cohesion the factor of safety is tan(phi) / tan(critical phi).
-    const double factor = checkFactor("wedge-phi-35.toml", 1.064, 0.005);
+    const double factor = checkFactor("wedge-phi-35", 1.064, 0.005);
     const double critical = std::atan(std::tan(35 * kDegree) / factor) / kDegree;
     MESSAGE("wedge: critical friction angle ", critical, " deg, expected 33.36");
     CHECK(std::abs(critical - 33.36) <= 0.05);
-    checkFactor("wedge-phi-40.toml", 1.275, 0.005);
+    checkFactor("wedge-phi-40", 1.275, 0.005);
 }
 
 TEST_CASE("cut rock: Hoek and Bray's plane failure with a tension crack, within 0.5 %") {
-    checkFactor("hoek-bray-60m.toml", 1.0935, 0.002);
-    checkFactor("hoek-bray-crack-0m.toml", 1.544, 0.005);
-    checkFactor("hoek-bray-crack-1m.toml", 1.464, 0.005);
-    checkFactor("hoek-bray-crack-2m.toml", 1.363, 0.005);
-    checkFactor("hoek-bray-crack-3m.toml", 1.247, 0.005);
-    checkFactor("hoek-bray-crack-4m.toml", 1.119, 0.005);
+    checkFactor("hoek-bray-60m", 1.0935, 0.002);
+    checkFactor("hoek-bray-crack-0m", 1.544, 0.005);
+    checkFactor("hoek-bray-crack-1m", 1.464, 0.005);
+    checkFactor("hoek-bray-crack-2m", 1.363, 0.005);
+    checkFactor("hoek-bray-crack-3m", 1.247, 0.005);
+    checkFactor("hoek-bray-crack-4m", 1.119, 0.005);
 }
 
 TEST_CASE("cut rock: the paper's joint sets give the paper's slope") {
-    checkAngle("table3-dry.toml", 19.5, 0.02);
-    checkAngle("table3-fissure-5.toml", 17.16, 0.02);
+    checkAngle("table3-dry", 19.5, 0.02);
+    checkAngle("table3-fissure-5", 17.16, 0.02);
 }
 
 TEST_CASE("cut rock: a block of two convex parts overturns as one body") {
-    checkAngle("bracket.toml", 12.54, 0.02);
+    checkAngle("bracket", 12.54, 0.02);
 }
 
 TEST_CASE("cut rock: Goodman and Bray's slope stands and topples as they say, near their friction angle") {
-    const auto result = safetyFactor(read("goodman-bray.toml"), {});
+    const auto result = safetyFactor(verification("goodman-bray"), {});
     REQUIRE(result.ok());
     REQUIRE((result->status == SearchStatus::found));
     const double factor = 0.5 * (result->low + result->high);

@@ -7,8 +7,8 @@
 
 #include "support/models.h"
 #include "support/snapshots.h"
+#include "support/verification.h"
 #include "talus/analysis.h"
-#include "talus/formats/scenario.h"
 #include "talus/limit_analysis.h"
 #include "talus/simulation.h"
 
@@ -16,13 +16,6 @@ using namespace talus;
 using namespace talus::test;
 
 namespace {
-
-Model verification(const std::string& name) {
-    auto scenario = formats::readScenario(TALUS_SOURCE_DIR "/bench/verification/" + name + ".toml");
-    for (const Error& error : scenario.errors()) FAIL_CHECK(formats::format(error));
-    REQUIRE(scenario.ok());
-    return std::move(scenario->model);
-}
 
 SearchResult factorOf(const Model& model) {
     const auto found = safetyFactor(model);

@@ -22,6 +22,8 @@ struct LoadAxis {
         8;  ///< how far beyond the failing load a failure is let go, so that it gathers speed in time [cells]
     double imbalance_tolerance = 0;  ///< out-of-balance force over weight that a change by one cell is worth
     std::function<std::int64_t(std::int64_t)> next;  ///< from a stable load to the next one up [cells]
+    std::function<std::int64_t(std::int64_t)>
+        farthest{};  ///< load to which the implicit solve goes at once from a stable one [cells]
     std::function<void(State&, double)> apply;
     std::function<std::string(double)> say;  ///< for progress
 

@@ -95,6 +95,12 @@ class Search {
         return verdict;
     }
 
+    /// The implicit solve takes a load step as one: from far below it may come to rest beyond a failure.
+    std::int64_t within(std::int64_t cell) const {
+        return probing_.implicit_first && axis_.farthest ? std::min(cell, axis_.farthest(bracket_.low()))
+                                                         : cell;
+    }
+
     /// Finds a failing cell and lets it go on. True when the motion came to rest there: the assembly has moved to where
     /// it stands again (columns that lean on each other do), and the search is to go on from that state.
     bool searchUpwards() {
@@ -111,14 +117,14 @@ class Search {
     /// Up from the start until a probe fails or the end is reached.
     void findFailure() {
         while (!bracket_.high() && !bracket_.stoodToTheEnd() && !interrupted(probing_))
-            if (probeAt(bracket_.up(axis_.next(bracket_.low()))) == Verdict::undecided) return;
+            if (probeAt(within(bracket_.up(axis_.next(bracket_.low())))) == Verdict::undecided) return;
         if (bracket_.stoodToTheEnd()) result_.status = SearchStatus::stable_to_stop;
     }
 
     /// An undecided probe is answered by one between it and the failing load; a second one ends the search.
     void narrow() {
         while (bracket_.high() && !bracket_.closed() && !interrupted(probing_)) {
-            const std::int64_t cell = bracket_.next();
+            const std::int64_t cell = within(bracket_.next());
             if (probeAt(cell) != Verdict::undecided) continue;
             const std::int64_t higher = (cell + *bracket_.high() + 1) / 2;
             if (higher >= *bracket_.high() || probeAt(higher) == Verdict::undecided) break;

@@ -77,6 +77,13 @@ void tellKeptCohesion(Find find, const Model& model, const Control& control, con
     *warning += "; the answer with cohesion kept: " + say(found->answer);
 }
 
+// Farthest load steps of the implicit solve: beyond, it may pass a failure and come to rest where the assembly stands again.
+constexpr double kMostTilt = 6e-3, kMostOfFactor = 1.0 / 16, kMostAcceleration = 0.006;
+
+std::int64_t cellsOf(double load, const analysis::LoadAxis& axis) {
+    return std::max<std::int64_t>(1, std::llround(load / axis.cell));
+}
+
 }  // namespace
 
 Result<SearchResult> criticalAngle(const Model& model, const Control& control, const QuasiStatic& settings) {
@@ -88,6 +95,7 @@ Result<SearchResult> criticalAngle(const Model& model, const Control& control, c
     axis.stop = 8 * cells;
     axis.imbalance_tolerance = axis.cell;  // out-of-balance force over weight changes like the tilt [rad]
     axis.next = [cells](std::int64_t cell) { return cell + cells; };
+    axis.farthest = [most = cellsOf(kMostTilt, axis)](std::int64_t cell) { return cell + most; };
     axis.apply = [](State& state, double tilt) { state.load.tilt = tilt; };
     axis.say = [](double tilt) { return analysis::formatted("tilt %.4f deg", degrees(tilt)); };
     Result<SearchResult> result = analysis::searchOfTheRest(model, axis, control, settings);
@@ -105,6 +113,9 @@ Result<SearchResult> safetyFactor(const Model& model, const Control& control, co
         std::max(1, static_cast<int>(std::ceil(std::log2(kStop / (axis.unit * axis.start)))));
     axis.stop = ((std::int64_t{1} << doublings) - 1) * cells;
     axis.next = [cells](std::int64_t cell) { return 2 * cell + cells; };
+    axis.farthest = [axis](std::int64_t cell) {
+        return cell + cellsOf(kMostOfFactor * axis.load(cell), axis);
+    };
     axis.say = [unit = axis.unit](double factor) {
         return analysis::formatted("factor %.4f", unit * factor);
     };
@@ -126,6 +137,7 @@ Result<SearchResult> criticalAcceleration(const Model& model, const Control& con
     axis.stop = ((std::int64_t{1} << kDoublings) - 1) * cells;
     axis.imbalance_tolerance = axis.cell;  // out-of-balance force over weight changes like the coefficient
     axis.next = [cells](std::int64_t cell) { return 2 * cell + cells; };
+    axis.farthest = [most = cellsOf(kMostAcceleration, axis)](std::int64_t cell) { return cell + most; };
     axis.apply = [](State& state, double horizontal) { state.load.horizontal = horizontal; };
     axis.say = [](double horizontal) {
         return analysis::formatted("horizontal %.5f of the weight", horizontal);

@@ -9,7 +9,7 @@
 namespace talus::equilibrium {
 namespace {
 
-constexpr double kHardlyTurned = 3e-3;  // [rad]
+constexpr double kHardlyTurned = 1e-2;  // [rad]
 
 Poses posesOf(const PositionArray& position, const QuaternionArray& orientation) {
     Poses poses{position, orientation, {}};
