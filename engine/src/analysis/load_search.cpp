@@ -70,6 +70,7 @@ class Search {
         continueToFailure();
         if (result_.confirmed || interrupted(probing_)) return false;
         if (!restsAfterAll(probing_)) {
+            if (!interrupted(probing_)) countElsewhere();
             restless_ = restlessSplinters(probing_.last_moving);
             return false;
         }
