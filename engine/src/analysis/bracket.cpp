@@ -21,7 +21,7 @@ void Bracket::reopen() {
 std::int64_t Bracket::up(std::int64_t next) {
     if (gallop_ > 0) {
         next = std::min(next, low_ + gallop_);
-        gallop_ *= 2;
+        gallop_ = std::min(2 * gallop_, stop_);
     }
     return std::min(next, stop_);
 }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -64,5 +65,22 @@ TEST_SUITE("analysis") {
         const Outcome outcome = probeUntilClosed(4096, 512, [](std::int64_t) { return -1.0; });
         CHECK(outcome.bracket.stoodToTheEnd());
         CHECK_FALSE(outcome.bracket.high());
+    }
+
+    TEST_CASE(
+        "opened again it goes up twice as far each time, to the end, in however small steps it is gone "
+        "there") {
+        constexpr std::int64_t kStop = 4096;
+        Bracket bracket(kStop);
+        bracket.fails(512, 1.0);
+        bracket.reopen();
+        CHECK(bracket.low() == 512);
+        std::int64_t ahead = 1;
+        for (int k = 0; k < 200; ++k) {
+            const std::int64_t low = bracket.low();
+            CHECK(bracket.up(2 * kStop) == std::min(kStop, low + ahead));
+            bracket.stands(low + 1);
+            ahead = std::min(2 * ahead, kStop);
+        }
     }
 }
