@@ -75,8 +75,8 @@ bool standsThere(Probing& p, const State& state, Probe& rest) {
     State moved = state;
     const bool is_near = !p.has_stood || way <= nearLimit(p);
     if (is_near) {
-        const Probe found = findRestOfFirstOrder(p.last_stable, moved, p.work,
-                                                 p.has_stood ? kMostFactors : kPatientFactors);
+        const Probe found =
+            findRestOfFirstOrder(p.last_stable, moved, p.work, p.has_stood ? kMostFactors : kPatientFactors);
         rest.factors += found.factors;
         const bool has_left = p.has_stood && wayFromRest(p, moved) > nearLimit(p);
         if (found.verdict == Verdict::stable || (found.verdict == Verdict::undecided && !has_left))
