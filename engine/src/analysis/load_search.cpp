@@ -70,7 +70,7 @@ class Search {
         continueToFailure();
         if (result_.confirmed || interrupted(probing_)) return false;
         if (!restsAfterAll(probing_)) {
-            if (!interrupted(probing_)) countElsewhere();
+            countElsewhere();
             restless_ = restlessSplinters(probing_.last_moving);
             return false;
         }
@@ -124,9 +124,12 @@ class Search {
 
     /// An undecided probe is answered by one between it and the failing load; a second one ends the search.
     void narrow() {
+        std::int64_t left_open = -1;
         while (bracket_.high() && !bracket_.closed() && !interrupted(probing_)) {
             const std::int64_t cell = within(bracket_.next());
+            if (cell == left_open) break;  // from the same state it would be again
             if (probeAt(cell) != Verdict::undecided) continue;
+            left_open = cell;
             const std::int64_t higher = (cell + *bracket_.high() + 1) / 2;
             if (higher >= *bracket_.high() || probeAt(higher) == Verdict::undecided) break;
         }
@@ -167,12 +170,14 @@ class Search {
         State moved = probing_.last_moving;
         axis_.apply(moved, load);
         takeBack(moved, probing_.work);
-        return !settles(probing_, moved, load);
+        if (settles(probing_, moved, load)) return false;
+        countElsewhere();
+        return true;
     }
 
     /// What stands again only where it is jammed has failed, whether or not the motion is seen to get there.
     void countElsewhere() {
-        if (result_.confirmed || !probing_.stands_elsewhere) return;
+        if (result_.confirmed || !probing_.stands_elsewhere || interrupted(probing_)) return;
         Failure way = describeWay(probing_.last_stable, probing_.elsewhere);
         result_.confirmed = true;
         result_.mode = way.mode;

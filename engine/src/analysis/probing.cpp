@@ -78,6 +78,11 @@ bool standsThere(Probing& p, const State& state, Probe& rest) {
         const Probe found =
             findRestOfFirstOrder(p.last_stable, moved, p.work, p.has_stood ? kMostFactors : kPatientFactors);
         rest.factors += found.factors;
+        if (interrupted(p)) {
+            rest.verdict = Verdict::undecided;
+            rest.reason = "interrupted";
+            return false;
+        }
         const bool has_left = p.has_stood && wayFromRest(p, moved) > nearLimit(p);
         if (found.verdict == Verdict::stable || (found.verdict == Verdict::undecided && !has_left))
             return true;
@@ -90,18 +95,19 @@ bool standsThere(Probing& p, const State& state, Probe& rest) {
     return false;
 }
 
-/// Where the assembly last stood, under another load.
-State loadedAnew(const Probing& p, double load) {
+/// Where the assembly last stood, with a probe's load brought on.
+State loadedAnew(const Probing& p, const Ramp& load) {
     State state = p.last_stable;
-    p.axis.apply(state, load);
+    load(state, 1.0);
     return state;
 }
 
+/// \param load_anew  brings on the probe's whole load
 Verdict probeExplicitly(Probing& p, const std::string& stage, double load, State state, QuasiStaticWork& work,
-                        const Ramp& ramp) {
+                        const Ramp& ramp, const Ramp& load_anew) {
     report(p, stage, load, "moving");
     Probe probe = bringOn(state, work, ramp);
-    if (probe.verdict == Verdict::stable && !standsThere(p, state, probe)) state = loadedAnew(p, load);
+    if (probe.verdict == Verdict::stable && !standsThere(p, state, probe)) state = loadedAnew(p, load_anew);
     return keep(p, stage, load, probe, state);
 }
 
@@ -130,8 +136,9 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
     ramp(state, 1.0);
     report(p, stage, load, "solving");
     Probe found = findRest(state, p.work, most_factors);
-    const bool is_elsewhere = found.verdict == Verdict::stable && !standsThere(p, state, found);
-    if (is_elsewhere) state = loadedAnew(p, load);
+    const bool is_elsewhere = found.verdict == Verdict::stable && !standsThere(p, state, found) &&
+                              found.verdict == Verdict::failing;
+    if (is_elsewhere) state = loadedAnew(p, ramp);
     if (found.verdict != Verdict::stable)
         p.no_near_rest = {load, most_factors, p.states_at_rest, found.verdict, is_elsewhere};
     return keep(p, stage, load, found, state);
@@ -151,13 +158,14 @@ Probing beginProbing(const State& state, const LoadAxis& axis, const Control& co
 bool interrupted(const Probing& p) { return isStopped(p.control); }
 
 Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ramp) {
+    p.stands_elsewhere = false;
     if (p.implicit_first)
         if (const Verdict found = probeImplicitly(p, stage, load, ramp); found != Verdict::undecided)
             return found;
     QuasiStaticWork work = p.work;
     work.settings.max_steps_per_probe =
         std::min(firstSteps(p.last_stable), p.work.settings.max_steps_per_probe);
-    Verdict verdict = probeExplicitly(p, stage, load, p.last_stable, work, ramp);
+    Verdict verdict = probeExplicitly(p, stage, load, p.last_stable, work, ramp, ramp);
     keepLearnt(p, work);
     const bool doubtful = verdict == Verdict::failing && !p.has_stood;
     if (verdict == Verdict::stable || (verdict == Verdict::failing && !doubtful) || interrupted(p))
@@ -171,7 +179,8 @@ Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ram
     }
     if (verdict == Verdict::failing) return verdict;
     work = p.work;
-    verdict = probeExplicitly(p, stage, load, p.last_moving, work, [](State&, double) {});
+    verdict = probeExplicitly(
+        p, stage, load, p.last_moving, work, [](State&, double) {}, ramp);
     keepLearnt(p, work);
     return verdict;
 }

@@ -18,7 +18,7 @@ struct Options {
     double release = 0.25;  ///< share of a broken bond released per step
     bool parallel = false;  ///< the search for contacts; the solve itself is serial
     const std::atomic<bool>* stop = nullptr;
-    /// gaps are those of first order in the ways from this state (equilibrium/first_order_gaps.h), and no contacts are looked for
+    /// where the assembly last stood: gaps are those of first order (equilibrium/first_order_gaps.h), and no contacts are looked for
     const State* stood = nullptr;
 };
 

@@ -10,6 +10,7 @@ namespace talus::equilibrium {
 namespace {
 
 constexpr double kHardlyTurned = 1e-2;  // [rad]
+constexpr double kHardlySlid = 1e-2;    // of the smaller block's size
 
 Poses posesOf(const PositionArray& position, const QuaternionArray& orientation) {
     Poses poses{position, orientation, {}};
@@ -22,16 +23,26 @@ Poses posesOf(const PositionArray& position, const QuaternionArray& orientation)
 FirstOrderGaps::FirstOrderGaps(const State& stood, const State& state)
     : stood_(posesOf(stood.blocks.position, stood.blocks.orientation)),
       built_(posesOf(stood.geometry->initial_position, stood.geometry->initial_orientation)) {
+    std::vector<bool> turned_before;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         const auto turned = [&](const QuaternionArray& from, const QuaternionArray& to) {
             return rotationFrom(from, to, b) > kHardlyTurned;
         };
-        turned_before_.push_back(turned(built_.orientation, stood_.orientation));
+        turned_before.push_back(turned(built_.orientation, stood_.orientation));
         turned_since_.push_back(turned(stood_.orientation, state.blocks.orientation));
     }
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
         const auto part = [&](std::size_t k) { return state.interfaces.referenceGap(i, k); };
         reference_.emplace_back(part(0), part(1), part(2));
+        const auto a = static_cast<std::size_t>(state.interfaces.block_a[i]),
+                   b = static_cast<std::size_t>(state.interfaces.block_b[i]);
+        const RelativePose then = relativePose(stood_.position, stood_.orientation, state.interfaces, i),
+                           built = relativePose(built_.position, built_.orientation, state.interfaces, i);
+        const double slid =
+            std::hypot(then.slide_1.x() - built.slide_1.x(), then.slide_2.x() - built.slide_2.x());
+        is_as_built_.push_back(!turned_before[a] && !turned_before[b] &&
+                               slid <
+                                   kHardlySlid * std::min(state.geometry->size[a], state.geometry->size[b]));
     }
 }
 
@@ -39,7 +50,7 @@ Vec3 FirstOrderGaps::secondOrder(const State& state, std::size_t i) const {
     const Interfaces& f = state.interfaces;
     const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
     if (turned_since_[a] || turned_since_[b]) return Vec3::Zero();
-    const Poses& about = turned_before_[a] || turned_before_[b] ? stood_ : built_;
+    const Poses& about = is_as_built_[i] ? built_ : stood_;
     const RelativePose at = relativePose(about.position, about.orientation, f, i);
     const Vec3 exact = relativePose(state, i).gap - at.gap;
 

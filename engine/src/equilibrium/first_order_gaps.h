@@ -13,9 +13,9 @@
 
 namespace talus::equilibrium {
 
-/// By what way blocks close or open the joints between them to first order. Ways are those from where the assembly last stood; arms
-/// and normals are those of the model as it was built, for blocks that had hardly turned there, else of where it last stood. Of
-/// what has turned much since it stood the gaps stay exact.
+/// By what way blocks close or open the joints between them to first order. Ways, arms and normals are those from the model as it was
+/// built, for pairs that had hardly turned or slid when the assembly last stood, else from where it stood then. Of what has turned much since the gaps
+/// stay exact.
 class FirstOrderGaps {
  public:
     /// \param stood  where the assembly last stood  \param state  the interfaces and their reference gaps
@@ -34,8 +34,9 @@ class FirstOrderGaps {
     Vec3 secondOrder(const State& state, std::size_t interface) const;
 
     Poses stood_, built_;
-    std::vector<bool> turned_before_, turned_since_;  ///< by block: until the assembly stood, and since then
-    std::vector<Vec3> reference_;                     ///< gaps, of the interfaces
+    std::vector<bool> turned_since_;  ///< by block, since the assembly stood
+    std::vector<bool> is_as_built_;   ///< by interface: where the assembly stood
+    std::vector<Vec3> reference_;     ///< gaps, of the interfaces
 };
 
 }  // namespace talus::equilibrium
