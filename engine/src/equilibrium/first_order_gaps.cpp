@@ -12,17 +12,11 @@ namespace {
 constexpr double kHardlyTurned = 1e-2;  // [rad]
 constexpr double kHardlySlid = 1e-2;    // of the smaller block's size
 
-Poses posesOf(const PositionArray& position, const QuaternionArray& orientation) {
-    Poses poses{position, orientation, {}};
-    for (std::size_t b = 0; b < orientation.size(); ++b) poses.turn.push_back(orientation.matrix(b));
-    return poses;
-}
-
 }  // namespace
 
 FirstOrderGaps::FirstOrderGaps(const State& stood, const State& state)
-    : stood_(posesOf(stood.blocks.position, stood.blocks.orientation)),
-      built_(posesOf(stood.geometry->initial_position, stood.geometry->initial_orientation)) {
+    : stood_{stood.blocks.position, stood.blocks.orientation},
+      built_{stood.geometry->initial_position, stood.geometry->initial_orientation} {
     std::vector<bool> turned_before;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         const auto turned = [&](const QuaternionArray& from, const QuaternionArray& to) {
@@ -50,7 +44,7 @@ Vec3 FirstOrderGaps::secondOrder(const State& state, std::size_t i) const {
     const Interfaces& f = state.interfaces;
     const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
     if (turned_since_[a] || turned_since_[b]) return Vec3::Zero();
-    const Poses& about = is_as_built_[i] ? built_ : stood_;
+    const Places& about = is_as_built_[i] ? built_ : stood_;
     const RelativePose at = relativePose(about.position, about.orientation, f, i);
     const Vec3 exact = relativePose(state, i).gap - at.gap;
 

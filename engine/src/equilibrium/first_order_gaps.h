@@ -8,7 +8,6 @@
 
 #include <vector>
 
-#include "equilibrium/balance.h"
 #include "state/arrays.h"
 
 namespace talus::equilibrium {
@@ -33,7 +32,11 @@ class FirstOrderGaps {
     /// Exact gap less that of first order: at the interface's origin, and its slopes [m, -, -].
     Vec3 secondOrder(const State& state, std::size_t interface) const;
 
-    Poses stood_, built_;
+    struct Places {
+        PositionArray position;
+        QuaternionArray orientation;
+    };
+    Places stood_, built_;
     std::vector<bool> turned_since_;  ///< by block, since the assembly stood
     std::vector<bool> is_as_built_;   ///< by interface: where the assembly stood
     std::vector<Vec3> reference_;     ///< gaps, of the interfaces
