@@ -26,6 +26,7 @@ struct FacePairLimits {
 struct FacePair {
     std::int32_t face_a = 0, face_b = 0;
     Polygon patch{};       ///< in the frame of a's face, which gives the normal and the tangents [m]
+    double share = 1;      ///< of the smaller face that the patch covers
     double gap = 0;        ///< at the patch's centroid along a's normal, negative for overlap [m]
     double least_gap = 0;  ///< over the patch; differs from `gap` where the planes are not parallel [m]
     double most_gap = 0;   ///< likewise [m]

@@ -141,7 +141,7 @@ void dropCovered(const WorldShape& a, const WorldShape& b, PairFinding& finding)
     });
 }
 
-/// Leaves out patches that are too small for the depth they are pressed to. \return whether one may get there before
+/// Leaves out patches that are too small for the depth they are pressed to, or to matter. \return whether one may get there before
 /// the next search, or is left out: then the pair needs places
 bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, PairFinding& finding,
                  bool initial) {
@@ -150,8 +150,9 @@ bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, 
         return area(face.patch) < least && !(initial && std::abs(face.least_gap) <= kClosedGap * size);
     };
     if (std::none_of(finding.faces.begin(), finding.faces.end(), isSliver)) return false;
+    const double least_share = initial || state.springs == Springs::keep_energy ? 0.0 : kLeastShare;
     std::erase_if(finding.faces, [&](const FacePair& face) {
-        return -face.least_gap > kSliverDepth * size && isSliver(face);
+        return isSliver(face) && (-face.least_gap > kSliverDepth * size || face.share < least_share);
     });
     return true;
 }

@@ -234,6 +234,32 @@ TEST_SUITE("contacts") {
         CHECK(faces == 4 * 4 * 3 + 5 * 3 * 3 + 5 * 3 + 5 * 4 * 2);
     }
 
+    TEST_CASE(
+        "examinePairs: once the model has moved, faces that share next to nothing have places and no patch, "
+        "but in "
+        "histories") {
+        for (const double share : {1e-5, 1e-4, 0.99 * kLeastShare, 1.01 * kLeastShare, 1e-3, 1e-2, 0.4})
+            for (const double depth : {-1e-5, 0.0, 1e-5}) {
+                CAPTURE(share);
+                CAPTURE(depth);
+                Model model = floorModel(30);
+                addBox(model, "below", {0, 0, 0}, {2, 1, 1});
+                addBox(model, "beside", {2, 0, 0}, {2, 1, 1});
+                addBox(model, "above", {0, 0, 1}, {2, 1, 1});
+                State state = *buildState(model, false);
+                state.blocks.position.set(3, state.blocks.position.get(3) + Vec3(2 * share, 0, -depth));
+                const auto find = [&state](Springs springs, bool initial) {
+                    state.springs = springs;
+                    return examine(state, 0.05, initial, false)[{2, 3}];
+                };
+                CHECK_FALSE(find(Springs::keep_energy, false).faces.empty());
+                CHECK_FALSE(find(Springs::follow_gaps, true).faces.empty());
+                const PairFinding quasi_static = find(Springs::follow_gaps, false);
+                CHECK(quasi_static.faces.empty() == (share < kLeastShare));
+                CHECK((share > 1e-2 || quasi_static.may_meet_by_vertices));
+            }
+    }
+
     TEST_CASE("examinePairs: a pair without places meets by no vertex or edge before the next search") {
         Random random(93);
         std::vector<State> states;
