@@ -3,7 +3,7 @@
 namespace talus::equilibrium {
 namespace {
 
-constexpr double kIterations = 40;  // that a system is taken to need
+constexpr double kIterations = 15;  // that a system is taken to need
 constexpr int kDirectAfterFailure = 8;
 
 /// Products of blocks in complete factors, and what iterations take in such products.
