@@ -113,6 +113,33 @@ TEST_CASE("bridges: water lifts what lies over the joint, and not over the rock 
             }
 }
 
+/// A water table is the pore pressure of the whole mass, of rock as of joints: normal stresses are effective ones everywhere.
+TEST_CASE("bridges: a water table lifts the rock beyond a joint as it lifts the joint") {
+    for (const double dip_deg : {35.0, 40.0})
+        for (const double end : {2.0, 5.0, 8.0})
+            for (const double depth :
+                 {0.2, 0.6}) {  // below it at the bed's upper end, where the back is; none at the toe
+                CAPTURE(dip_deg);
+                CAPTURE(end);
+                CAPTURE(depth);
+                const double dip = radians(dip_deg), top = 1 + 10 * std::tan(dip) + depth;
+                const auto scenario = formats::parseScenario(
+                    bench(dip_deg, end, 5e3, 60e3, "bridge = \"intact\"\n") +
+                        "[[water]]\nsurface = [[0, 1], [10, " + std::to_string(top) + "]]\n",
+                    "bench.toml");
+                REQUIRE(scenario.ok());
+                const SearchResult result = *safetyFactor(scenario->model);
+                CHECK((result.status == SearchStatus::found));
+                const double uplift = 1000 * 9.81 * 2 * 0.5 * depth * 10 / std::cos(dip);
+                const double thrust = 1000 * 9.81 * 2 * 0.5 * depth * depth;  // on the back
+                const double weight = 2600 * 9.81 * 2 * 10 * (9 - 5 * std::tan(dip));
+                const double dry = factorOf(dip_deg, end, 5e3, 60e3, uplift + thrust * std::sin(dip));
+                const double driving = weight * std::sin(dip);
+                CHECK(result.answer ==
+                      doctest::Approx(dry * driving / (driving + thrust * std::cos(dip))).epsilon(2e-3));
+            }
+}
+
 TEST_CASE("bridges: water in a disc pushes on as much as the disc has, on both sides, at any inclination") {
     for (const double dip : {0.0, 30.0, 85.0})
         for (const double direction : {0.0, 77.0}) {
