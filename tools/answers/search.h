@@ -7,8 +7,8 @@
 
 namespace talus::tools {
 
-/// Contact points of models whose searches also try another loading history; as much again as a search.
-inline constexpr std::size_t kMostPointsOfRange = 1000;
+/// Contact points of models whose searches also try another loading history: a tenth to two thirds of a search more.
+inline constexpr std::size_t kMostPointsOfRange = 15'000;
 
 /// Whether another loading history is tried; neither: up to a model size.
 struct RangeOptions {
