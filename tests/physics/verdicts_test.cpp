@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "support/models.h"
@@ -78,9 +79,73 @@ struct ArchCase {
     double thickness, critical_deg;
 };
 
+/// A cube of 0.1 m on fixed pads under its edges or corners, and apart from it a block on joints so soft that contacts are searched anew.
+std::string cubeOnPads(double ledge, bool corners, double stiffness, double cohesion,
+                       const std::string& points) {
+    const auto number = [](double value) {
+        char digits[32];
+        std::snprintf(digits, sizeof digits, "%.17g", value);
+        return std::string(digits);
+    };
+    std::string text =
+        "[material.rock]\ndensity = 2600\n[analysis]\nstart_deg = 0\nstop_deg = 60\n[contact]\npoints = \"" +
+        points + "\"\n[joint.default]\nnormal_stiffness = " + number(stiffness) +
+        "\nshear_stiffness = " + number(stiffness) + "\nfriction_deg = 30\ncohesion = " + number(cohesion) +
+        "\n[joint.soft]\nnormal_stiffness = 1e6\nshear_stiffness = 1e6\nfriction_deg = 70\n"
+        "[[block]]\nname = \"cube\"\nbox = { min = [0, 0, 0], max = [0.1, 0.1, 0.1] }\n"
+        "[[block]]\nname = \"base\"\nbox = { min = [0.8, -0.1, -0.1], max = [1.2, 0.2, 0] }\n"
+        "fixed = true\njoint = \"soft\"\n"
+        "[[block]]\nname = \"soft\"\nbox = { min = [0.9, 0, 0], max = [1.1, 0.1, 0.05] }\njoint = \"soft\"\n";
+    const auto pad = [&](const std::string& name, double x, double y, double width) {
+        text += "[[block]]\nname = \"" + name + "\"\nfixed = true\nbox = { min = [" + number(x) + ", " +
+                number(y) + ", -0.1], max = [" + number(x + 0.1) + ", " + number(y + width) + ", 0] }\n";
+    };
+    const double low = ledge - 0.1, high = 0.1 - ledge;
+    for (const double x : {low, high}) {
+        const std::string name = x < 0 ? "left" : "right";
+        if (!corners) pad(name, x, 0, 0.1);
+        if (corners) pad(name + " front", x, low, 0.1), pad(name + " back", x, high, 0.1);
+    }
+    return text;
+}
+
 }  // namespace
 
 TEST_SUITE("physics") {
+    // Narrower than what is left out of a search as too little to matter, if nothing else carried (kLeastShare).
+    TEST_CASE(
+        "a block that stands on narrow ledges alone slides at the angle of friction, however narrow they "
+        "are") {
+        for (const double share : {2.5e-4, 3e-4, 3.8e-4, 1e-3, 1e-2})
+            for (const double stiffness : {1e12, 1e13})
+                for (const std::string points : {"vertex", "corner"}) {
+                    CAPTURE(share);
+                    CAPTURE(stiffness);
+                    CAPTURE(points);
+                    const auto scenario = formats::parseScenario(
+                        cubeOnPads(0.1 * share, false, stiffness, 0, points), "ledges.toml");
+                    REQUIRE(scenario.ok());
+                    const SearchResult result = *criticalAngle(scenario->model);
+                    CHECK((result.status == SearchStatus::found));
+                    CHECK(degrees(result.answer) == doctest::Approx(30).epsilon(1e-3));
+                }
+    }
+
+    TEST_CASE(
+        "a block that is bonded to small pads under its corners topples about them and does not slide") {
+        for (const double ledge : {1.7e-3, 1.9e-3, 2.1e-3}) {  // shares of 2.9e-4, 3.6e-4, 4.4e-4
+            CAPTURE(ledge);
+            const auto scenario =
+                formats::parseScenario(cubeOnPads(ledge, true, 1e12, 1e7, "vertex"), "pads.toml");
+            REQUIRE(scenario.ok());
+            const SearchResult result = *criticalAngle(scenario->model);
+            CHECK((result.status == SearchStatus::found));
+            CHECK(degrees(result.answer) >
+                  44);  // bonds without tensile strength: at 45 about the edge itself
+            CHECK(degrees(result.answer) < 45.01);
+        }
+    }
+
     TEST_CASE("a block that nothing holds is named, and the slope behind it has the answer it has without") {
         const double alone = criticalAngle(slope())->answer;
         CHECK(degrees(alone) == doctest::Approx(25.0).epsilon(0.001));

@@ -77,7 +77,7 @@ std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, co
     const Polygon patch = simplify(common, limits.outline_tolerance * extent(common));
     if (patch.empty()) return {};
     const double share = area(patch) / std::min(area_a, area_b);
-    if (share <= limits.min_area_share) return {};
+    if (!(share > limits.min_area_share)) return {};
     FacePair pair{static_cast<std::int32_t>(face_a), static_cast<std::int32_t>(face_b), patch, share,
                   gapAt(frame, in_b, centroid(patch))};
     pair.least_gap = pair.most_gap = pair.gap;

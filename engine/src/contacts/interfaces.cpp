@@ -187,8 +187,8 @@ struct SearchRemarks {
     bool stopped = false;
 };
 
-SearchRemarks appendInterfaces(State& state, const SearchRange& range, const PlacePairs& with_places,
-                               bool initial, bool parallel, const Control& control) {
+SearchRemarks appendInterfaces(State& state, const SearchRange& range, const KnownPairs& known, bool initial,
+                               bool parallel, const Control& control) {
     SearchRemarks remarks;
     InterfaceWindow window;
     const auto take = [&](const PairFinding& finding) {
@@ -208,7 +208,7 @@ SearchRemarks appendInterfaces(State& state, const SearchRange& range, const Pla
         }
         if (finding.may_meet_by_vertices) window.add(state, {finding.part_a, finding.part_b});
     };
-    remarks.stopped = !examinePairs(state, range, with_places, initial, parallel, take, control);
+    remarks.stopped = !examinePairs(state, range, known, initial, parallel, take, control);
     window.append(state);
     return remarks;
 }
@@ -233,12 +233,13 @@ std::vector<Error> interrupted() { return {{"", "interrupted while its contacts 
 
 std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel,
                                   const Control& control) {
-    const PlacePairs with_places = pairsWithPlaces(*state.geometry, state.interfaces);
+    const bool narrow_count = initial || state.springs == Springs::keep_energy;
+    const KnownPairs known{pairsWithPlaces(*state.geometry, state.interfaces),
+                           narrow_count ? PlacePairs{} : pairsThatBear(state)};
     const std::vector<PairEnergy> held =
         state.springs == Springs::keep_energy ? energyOfPairs(contactsOf(state)) : std::vector<PairEnergy>{};
     OldInterfaces old = takeInterfaces(state);
-    const SearchRemarks remarks =
-        appendInterfaces(state, {margin, ahead}, with_places, initial, parallel, control);
+    const SearchRemarks remarks = appendInterfaces(state, {margin, ahead}, known, initial, parallel, control);
     if (remarks.stopped) {
         state.interfaces = std::move(old.interfaces);
         state.points = std::move(old.points);

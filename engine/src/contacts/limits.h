@@ -27,10 +27,10 @@ inline constexpr double kFaceAnglePerDepth = 10.0;
 /// (share of the smaller block's size) it leaves that to the vertices and edges.
 inline constexpr double kSliverDepth = 1e-4;
 
-/// In quasi-static work faces that lie on each other with less than this share of the smaller one make no interface once the model
-/// has moved: a slope that has slid by microns has more such strips than joints. They are narrower than what has to be seen of
-/// a failure, and one pressed as deep as its neighbours carries a thousandth of what they do. What is pressed deeper is carried by vertices
-/// and edges (kSliverDepth).
+/// In quasi-static work faces that lie on each other with less than this share of the smaller one, and less than a vertex stands
+/// for, make no interface once the model has moved: a slope that has slid by microns has more such strips than joints. They are
+/// narrower than what has to be seen of a failure, and one pressed as deep as its neighbours carries a thousandth of what they do.
+/// One that is bonded or that carries a hundredth of what its block does stays: a block may stand on nothing else.
 inline constexpr double kLeastShare = 4e-4;
 
 /// What counts as a meeting of two blocks by vertices or edges that may go this far before the next look [m].

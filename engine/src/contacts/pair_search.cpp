@@ -17,6 +17,7 @@
 namespace talus {
 namespace {
 
+constexpr double kBears = 0.01;         // of the forces on a block: strips of neighbours have a thousandth
 constexpr double kMostFaceAngle = 0.8;  // [rad] however deep: then a box always has one such face
 
 Box boundingBox(const WorldShape& shape, double margin) {
@@ -143,22 +144,35 @@ void dropCovered(const WorldShape& a, const WorldShape& b, PairFinding& finding)
 
 /// Leaves out patches that are too small for the depth they are pressed to, or to matter. \return whether one may get there before
 /// the next search, or is left out: then the pair needs places
-bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, PairFinding& finding,
-                 bool initial) {
+bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, double least_share,
+                 PairFinding& finding, bool initial) {
     const double least = vertexEdgeArea(*state.geometry, a, b);
     const auto isSliver = [&](const FacePair& face) {
         return area(face.patch) < least && !(initial && std::abs(face.least_gap) <= kClosedGap * size);
     };
     if (std::none_of(finding.faces.begin(), finding.faces.end(), isSliver)) return false;
-    const double least_share = initial || state.springs == Springs::keep_energy ? 0.0 : kLeastShare;
     std::erase_if(finding.faces, [&](const FacePair& face) {
         return isSliver(face) && (-face.least_gap > kSliverDepth * size || face.share < least_share);
     });
     return true;
 }
 
-bool hadPlaces(const PlacePairs& pairs, BoxPair pair) {
+bool isAmong(const PlacePairs& pairs, BoxPair pair) {
     return std::binary_search(pairs.begin(), pairs.end(), pair);
+}
+
+/// The least share of a face that counts, see kLeastShare.
+double leastShare(const State& state, const KnownPairs& known, BoxPair pair, bool initial) {
+    const bool all_count = initial || state.springs == Springs::keep_energy || isAmong(known.bearing, pair);
+    return all_count ? 0.0 : kLeastShare;
+}
+
+bool isBonded(const State& state, std::size_t i) {
+    const Interfaces& f = state.interfaces;
+    if (!state.laws[static_cast<std::size_t>(f.joint[i])].bonded) return false;
+    for (std::size_t k = 0; k < f.pointCount(i); ++k)
+        if (state.points.memoryAt(f.pointSlot(i, k)).bond > 0) return true;
+    return false;
 }
 
 }  // namespace
@@ -167,6 +181,24 @@ PlacePairs pairsWithPlaces(const Geometry& geometry, const Interfaces& f) {
     PlacePairs pairs;
     for (std::size_t i = 0; i < f.size(); ++i)
         if (isVertexEdge(f, i)) pairs.push_back(partsOf(geometry, f, i));
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+PlacePairs pairsThatBear(const State& state) {
+    const Interfaces& f = state.interfaces;
+    std::vector<double> carried(state.blocks.size(), 0.0);
+    for (std::size_t i = 0; i < f.size(); ++i)
+        for (const std::int32_t block : {f.block_a[i], f.block_b[i]})
+            carried[static_cast<std::size_t>(block)] += f.wrench(i).force.norm();
+    PlacePairs pairs;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
+        if (isVertexEdge(f, i) || f.area[i] >= vertexEdgeArea(*state.geometry, a, b)) continue;
+        if (f.wrench(i).force.norm() >= kBears * std::min(carried[a], carried[b]) || isBonded(state, i))
+            pairs.push_back(partsOf(*state.geometry, f, i));
+    }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
@@ -182,7 +214,7 @@ double wayAhead(const State& state, std::size_t block, double margin) {
 }
 
 PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair pair,
-                        const SearchRange& range, const PlacePairs& with_places, bool initial) {
+                        const SearchRange& range, const KnownPairs& known, bool initial) {
     PairFinding finding;
     const auto part_1 = static_cast<std::size_t>(pair.first), part_2 = static_cast<std::size_t>(pair.second);
     const std::size_t first = placed.blockOf(part_1), second = placed.blockOf(part_2);
@@ -206,13 +238,14 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     dropTilted(placed_a, placed_b, size, finding);
     dropFalsePairs(placed_a, placed_b, closed, finding);
     dropCovered(placed_a, placed_b, finding);
-    const bool slivers = dropSlivers(state, a, b, size, finding, initial);
+    const bool slivers =
+        dropSlivers(state, a, b, size, leastShare(state, known, pair, initial), finding, initial);
     // A pair that has places keeps them as long as it is near.
     const double fast = kFasterAhead * range.ahead * (speedBound(state, a) + speedBound(state, b));
     const VertexEdgeLimits sharp = vertexEdgeLimits(*state.geometry, a, b, fast);
     const double travel = wayAhead(state, a, range.margin) + wayAhead(state, b, range.margin);
     finding.may_meet_by_vertices =
-        slivers || hadPlaces(with_places, pair) ||
+        slivers || isAmong(known.with_places, pair) ||
         approachOf(placed_a, placed_b, sharp, travel, 2.0 * kTurnLimit) == Approach::vertex_edge;
     for (FacePair& face : finding.faces) {
         face.face_a += firstFace(*state.geometry, finding.part_a);
@@ -238,11 +271,12 @@ std::vector<BoxPair> nearPairs(const PlacedShapes& placed, double margin, bool p
 
 }  // namespace
 
-bool examinePairs(const State& state, const SearchRange& range, const PlacePairs& with_places, bool initial,
+bool examinePairs(const State& state, const SearchRange& range, const KnownPairs& known, bool initial,
                   bool parallel, const std::function<void(const PairFinding&)>& take,
                   const Control& control) {
     constexpr std::size_t kPiece = 16384;
-    assert(range.margin > 0 && range.ahead >= 0 && std::is_sorted(with_places.begin(), with_places.end()));
+    assert(range.margin > 0 && range.ahead >= 0 &&
+           std::is_sorted(known.with_places.begin(), known.with_places.end()));
     const PlacedShapes placed = placeShapes(state, parallel);
     if (isStopped(control)) return false;
     const std::vector<BoxPair> pairs = nearPairs(placed, range.margin, parallel);
@@ -256,7 +290,7 @@ bool examinePairs(const State& state, const SearchRange& range, const PlacePairs
         findings.assign(std::min(kPiece, pairs.size() - begin), {});
         forRange(findings.size(), 64, parallel, [&](Range piece) {
             for (std::size_t k = piece.begin; k < piece.end; ++k)
-                findings[k] = examinePair(state, placed, pairs[begin + k], range, with_places, initial);
+                findings[k] = examinePair(state, placed, pairs[begin + k], range, known, initial);
         });
         for (const PairFinding& finding : findings) take(finding);
     }

@@ -27,6 +27,16 @@ struct PairFinding {
 using PlacePairs = std::vector<BoxPair>;
 PlacePairs pairsWithPlaces(const Geometry& geometry, const Interfaces& interfaces);
 
+/// What a search knows of pairs of parts by the interfaces before it; each sorted.
+struct KnownPairs {
+    PlacePairs with_places{};  ///< keep their places as long as they are near
+    PlacePairs bearing{};      ///< keep their patch, however narrow (kLeastShare)
+};
+
+/// Pairs that lie on each other by a sliver and are bonded there, or carry there some of what one of their blocks does (kBears).
+/// \pre forces of the interfaces are those of the last step or solve
+PlacePairs pairsThatBear(const State& state);
+
 /// What a search foresees.
 struct SearchRange {
     double margin = 0;  ///< pairs of faces nearer than this count [m]
@@ -36,10 +46,9 @@ struct SearchRange {
 /// \pre range.margin > 0
 /// Examines all pairs of parts of different blocks nearer than `range.margin` and hands what it finds to `take`, pair by pair in order. In
 /// pieces: of a million blocks' thirteen million pairs all findings at once would take more memory than the state.
-/// \param with_places pairs that keep their places as long as they are near, sorted
 /// \param initial    whether the blocks stand as the model has them: then overlaps are looked for
 /// \param control    told the share that is done; \return false when it asked to stop: then pairs are missing
-bool examinePairs(const State& state, const SearchRange& range, const PlacePairs& with_places, bool initial,
+bool examinePairs(const State& state, const SearchRange& range, const KnownPairs& known, bool initial,
                   bool parallel, const std::function<void(const PairFinding&)>& take,
                   const Control& control = {});
 

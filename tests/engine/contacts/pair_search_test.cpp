@@ -26,10 +26,10 @@ namespace {
 using Findings = std::map<BoxPair, PairFinding>;
 
 Findings examine(const State& state, double margin, bool initial, bool parallel,
-                 const PlacePairs& with_places = {}) {
+                 const KnownPairs& known = {}) {
     Findings findings;
     BoxPair last{-1, -1};
-    examinePairs(state, {margin, 0.0}, with_places, initial, parallel, [&](const PairFinding& finding) {
+    examinePairs(state, {margin, 0.0}, known, initial, parallel, [&](const PairFinding& finding) {
         if (finding.block_a == finding.block_b) return;  // neither of the two can move
         const BoxPair pair = std::minmax(finding.block_a, finding.block_b);
         CHECK(last < pair);  // in order, each once
@@ -256,6 +256,8 @@ TEST_SUITE("contacts") {
                 CHECK_FALSE(find(Springs::follow_gaps, true).faces.empty());
                 const PairFinding quasi_static = find(Springs::follow_gaps, false);
                 CHECK(quasi_static.faces.empty() == (share < kLeastShare));
+                const KnownPairs bearing{{}, {{2, 3}}};
+                CHECK_FALSE(examine(state, 0.05, false, false, bearing)[{2, 3}].faces.empty());
                 CHECK((share > 1e-2 || quasi_static.may_meet_by_vertices));
             }
     }
@@ -304,7 +306,7 @@ TEST_SUITE("contacts") {
     TEST_CASE("examinePairs: a pair keeps its places for vertices and edges as long as it is near") {
         const State state = *buildState(stackModel(2, 1, 1, 30), false);
         const auto mayMeet = [&](const PlacePairs& with_places) {
-            return examine(state, 0.005, false, false, with_places).at({1, 2}).may_meet_by_vertices;
+            return examine(state, 0.005, false, false, {with_places, {}}).at({1, 2}).may_meet_by_vertices;
         };
         CHECK_FALSE(mayMeet({}));
         CHECK(mayMeet({{0, 1}, {1, 2}}));
