@@ -189,9 +189,11 @@ PlacePairs pairsWithPlaces(const Geometry& geometry, const Interfaces& f) {
 PlacePairs pairsThatBear(const State& state) {
     const Interfaces& f = state.interfaces;
     std::vector<double> carried(state.blocks.size(), 0.0);
-    for (std::size_t i = 0; i < f.size(); ++i)
-        for (const std::int32_t block : {f.block_a[i], f.block_b[i]})
-            carried[static_cast<std::size_t>(block)] += f.wrench(i).force.norm();
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        const double force = f.wrench(i).force.norm();
+        carried[static_cast<std::size_t>(f.block_a[i])] += force;
+        carried[static_cast<std::size_t>(f.block_b[i])] += force;
+    }
     PlacePairs pairs;
     for (std::size_t i = 0; i < f.size(); ++i) {
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
