@@ -235,7 +235,7 @@ std::vector<Error> makeInterfaces(State& state, double margin, double ahead, boo
                                   const Control& control) {
     const bool narrow_count = initial || state.springs == Springs::keep_energy;
     const KnownPairs known{pairsWithPlaces(*state.geometry, state.interfaces),
-                           narrow_count ? PlacePairs{} : pairsThatBear(state)};
+                           narrow_count ? PartPairs{} : pairsThatBear(state)};
     const std::vector<PairEnergy> held =
         state.springs == Springs::keep_energy ? energyOfPairs(contactsOf(state)) : std::vector<PairEnergy>{};
     OldInterfaces old = takeInterfaces(state);

@@ -157,7 +157,7 @@ bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, 
     return true;
 }
 
-bool isAmong(const PlacePairs& pairs, BoxPair pair) {
+bool isAmong(const PartPairs& pairs, BoxPair pair) {
     return std::binary_search(pairs.begin(), pairs.end(), pair);
 }
 
@@ -177,8 +177,8 @@ bool isBonded(const State& state, std::size_t i) {
 
 }  // namespace
 
-PlacePairs pairsWithPlaces(const Geometry& geometry, const Interfaces& f) {
-    PlacePairs pairs;
+PartPairs pairsWithPlaces(const Geometry& geometry, const Interfaces& f) {
+    PartPairs pairs;
     for (std::size_t i = 0; i < f.size(); ++i)
         if (isVertexEdge(f, i)) pairs.push_back(partsOf(geometry, f, i));
     std::sort(pairs.begin(), pairs.end());
@@ -186,7 +186,7 @@ PlacePairs pairsWithPlaces(const Geometry& geometry, const Interfaces& f) {
     return pairs;
 }
 
-PlacePairs pairsThatBear(const State& state) {
+PartPairs pairsThatBear(const State& state) {
     const Interfaces& f = state.interfaces;
     std::vector<double> carried(state.blocks.size(), 0.0);
     for (std::size_t i = 0; i < f.size(); ++i) {
@@ -194,7 +194,7 @@ PlacePairs pairsThatBear(const State& state) {
         carried[static_cast<std::size_t>(f.block_a[i])] += force;
         carried[static_cast<std::size_t>(f.block_b[i])] += force;
     }
-    PlacePairs pairs;
+    PartPairs pairs;
     for (std::size_t i = 0; i < f.size(); ++i) {
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
         if (isVertexEdge(f, i) || f.area[i] >= vertexEdgeArea(*state.geometry, a, b)) continue;

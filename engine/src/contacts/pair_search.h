@@ -23,19 +23,20 @@ struct PairFinding {
     double depth = 0;  ///< [m], when they overlap
 };
 
-/// Pairs of parts with places for vertices and edges, sorted.
-using PlacePairs = std::vector<BoxPair>;
-PlacePairs pairsWithPlaces(const Geometry& geometry, const Interfaces& interfaces);
+/// Pairs of parts, sorted.
+using PartPairs = std::vector<BoxPair>;
+/// Those with places for vertices and edges.
+PartPairs pairsWithPlaces(const Geometry& geometry, const Interfaces& interfaces);
 
 /// What a search knows of pairs of parts by the interfaces before it; each sorted.
 struct KnownPairs {
-    PlacePairs with_places{};  ///< keep their places as long as they are near
-    PlacePairs bearing{};      ///< keep their patch, however narrow (kLeastShare)
+    PartPairs with_places{};  ///< keep their places as long as they are near
+    PartPairs bearing{};      ///< keep their patch, however narrow (kLeastShare)
 };
 
 /// Pairs that lie on each other by a sliver and are bonded there, or carry there some of what one of their blocks does (kBears).
 /// \pre forces of the interfaces are those of the last step or solve
-PlacePairs pairsThatBear(const State& state);
+PartPairs pairsThatBear(const State& state);
 
 /// What a search foresees.
 struct SearchRange {

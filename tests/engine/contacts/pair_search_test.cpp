@@ -305,7 +305,7 @@ TEST_SUITE("contacts") {
 
     TEST_CASE("examinePairs: a pair keeps its places for vertices and edges as long as it is near") {
         const State state = *buildState(stackModel(2, 1, 1, 30), false);
-        const auto mayMeet = [&](const PlacePairs& with_places) {
+        const auto mayMeet = [&](const PartPairs& with_places) {
             return examine(state, 0.005, false, false, {with_places, {}}).at({1, 2}).may_meet_by_vertices;
         };
         CHECK_FALSE(mayMeet({}));
