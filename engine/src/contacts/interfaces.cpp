@@ -233,9 +233,8 @@ std::vector<Error> interrupted() { return {{"", "interrupted while its contacts 
 
 std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel,
                                   const Control& control) {
-    const bool narrow_count = initial || state.springs == Springs::keep_energy;
     const KnownPairs known{pairsWithPlaces(*state.geometry, state.interfaces),
-                           narrow_count ? PartPairs{} : pairsThatBear(state)};
+                           narrowPatchesCount(state, initial) ? PartPairs{} : pairsThatBear(state)};
     const std::vector<PairEnergy> held =
         state.springs == Springs::keep_energy ? energyOfPairs(contactsOf(state)) : std::vector<PairEnergy>{};
     OldInterfaces old = takeInterfaces(state);

@@ -163,7 +163,7 @@ bool isAmong(const PartPairs& pairs, BoxPair pair) {
 
 /// The least share of a face that counts, see kLeastShare.
 double leastShare(const State& state, const KnownPairs& known, BoxPair pair, bool initial) {
-    const bool all_count = initial || state.springs == Springs::keep_energy || isAmong(known.bearing, pair);
+    const bool all_count = narrowPatchesCount(state, initial) || isAmong(known.bearing, pair);
     return all_count ? 0.0 : kLeastShare;
 }
 

@@ -34,6 +34,11 @@ struct KnownPairs {
     PartPairs bearing{};      ///< keep their patch, however narrow (kLeastShare)
 };
 
+/// Whether patches count however narrow they are (kLeastShare): in histories, and of a model as it was built.
+inline bool narrowPatchesCount(const State& state, bool initial) {
+    return initial || state.springs == Springs::keep_energy;
+}
+
 /// Pairs that lie on each other by a sliver and are bonded there, or carry there some of what one of their blocks does (kBears).
 /// \pre forces of the interfaces are those of the last step or solve
 PartPairs pairsThatBear(const State& state);
