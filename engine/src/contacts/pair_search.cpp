@@ -177,10 +177,10 @@ bool isBonded(const State& state, std::size_t i) {
 
 }  // namespace
 
-PartPairs pairsWithPlaces(const Geometry& geometry, const Interfaces& f) {
+PartPairs pairsWithPlaces(const Geometry& geometry, const Interfaces& interfaces) {
     PartPairs pairs;
-    for (std::size_t i = 0; i < f.size(); ++i)
-        if (isVertexEdge(f, i)) pairs.push_back(partsOf(geometry, f, i));
+    for (std::size_t i = 0; i < interfaces.size(); ++i)
+        if (isVertexEdge(interfaces, i)) pairs.push_back(partsOf(geometry, interfaces, i));
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
