@@ -316,7 +316,9 @@ TEST_CASE("a batch whose folder is removed says so") {
     const BatchFolder batch(draws(100000));
     Program program(batch.command());
     REQUIRE(waitFor([&] { return std::filesystem::exists(batch.out() + "/results.csv"); }));
-    std::filesystem::remove_all(batch.out());
+    // Moved away at one stroke: while entries are removed one by one, the batch may still add another.
+    std::filesystem::rename(batch.out(), batch.folder / "removed");
+    std::filesystem::remove_all(batch.folder / "removed");
     CHECK(program.outcome().exit_code == 4);
 }
 
