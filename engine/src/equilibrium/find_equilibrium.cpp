@@ -191,9 +191,9 @@ class Solver {
     }
 
     /// The longest of a few halved Newton steps that lessens the residual enough, else the best of them.
+    /// \param before  the merit at the trial
     /// \return its share of the step, 0 where none gives a number; of_whole_ is the residual after the whole step
-    double searchLine(double h, double rounding, Trial& trial) {
-        const double before = merit();
+    double searchLine(double h, double rounding, double before, Trial& trial) {
         double best = kInfinity;
         double share = 1, best_share = 0;
         for (int k = 0; k < kHalvings; ++k, share *= 0.5) {
@@ -216,12 +216,13 @@ class Solver {
         int stalled = 0;
         for (int k = 0; k < most; ++k) {
             if (residual(trial, h, rounding, true) < tolerance) return true;
-            stalled = merit() < 0.5 * least ? 0 : stalled + 1;
-            if (stalled == 0) least = merit();
+            double now = merit();
+            stalled = now < 0.5 * least ? 0 : stalled + 1;
+            if (stalled == 0) least = now;
             if (are_many && stalled == kStalled) {
                 if (!slowFew(residual_)) return false;
                 residual(trial, h, rounding, true);
-                least = merit();
+                least = now = merit();
                 stalled = 0;
             }
             for (std::size_t r = 0; r < residual_.size(); ++r)
@@ -230,7 +231,7 @@ class Solver {
             ++result_.factors;
             direction_ = residual_;
             if (!linear_->solve(balance_.matrix, balance_.weight, direction_)) return false;
-            const double share = searchLine(h, rounding, trial);
+            const double share = searchLine(h, rounding, now, trial);
             if (share == 0) return false;
             if (are_many && share <= kShortShare && slowFew(of_whole_)) least = kInfinity;
         }

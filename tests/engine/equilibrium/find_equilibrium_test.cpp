@@ -2,11 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include "analysis/loose_blocks.h"
 #include "build/build.h"
 #include "measure/measure.h"
 #include "step/step.h"
 #include "support/models.h"
 #include "support/structures.h"
+#include "support/verification.h"
 
 using namespace talus;
 using namespace talus::test;
@@ -85,6 +87,21 @@ TEST_SUITE("equilibrium") {
             MESSAGE(std::to_string(voussoirs) << " voussoirs: " << stands << " to " << fails);
             CHECK(fails > exact - 0.05);
             CHECK(stands < exact + 0.001);
+        }
+    }
+
+    // Newton's method stalls on a few blocks of such masses, other ones at each step.
+    TEST_CASE("rock masses of many blocks come to rest under their weight, by the engine's own measure") {
+        for (const std::string name : {"rock-slope-842", "random-slope-513"}) {
+            CAPTURE(name);
+            Model model = verification(name);
+            model.joints = analysis::strongest(model.joints);
+            State state = *buildState(model, false);
+            const Equilibrium found = findEquilibrium(state, {.most_factors = 700});
+            MESSAGE(name << ": " << found.factors << " factorisations");
+            CHECK((found.verdict == Verdict::stable));
+            updateForces(state, false);
+            CHECK(outOfBalanceRatio(state) < 1e-6);
         }
     }
 
