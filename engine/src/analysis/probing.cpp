@@ -13,12 +13,17 @@ namespace {
 // Steps of a probe before the implicit solve is asked; most slides need 1,000 to 3,000. Of many free blocks in proportion more:
 // a mass of many is slower to come to rest (a slope of 1,406 that stands to 0.907 was called failing at 0.880 after 3,000).
 constexpr std::int64_t kFirstSteps = 3'000, kFirstStepsBlocks = 400;
+constexpr std::int64_t kManyBlocks = 1'000, kFactorsOfWeight = 300;
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
 // Rest is near when it is no farther than this times the way the assembly has come, from rest to rest (engine/README.md says
 // what smaller and larger ones do).
 constexpr double kNear = 1.5;
 constexpr double kSettlingDrag = 0.125;
+
+std::int64_t freeBlocks(const State& state) {
+    return std::count(state.blocks.motion.begin(), state.blocks.motion.end(), Motion::free);
+}
 
 /// Between which loads the answer lies by the probes so far: a later rest above a failure takes that failure back.
 std::string bracketText(const Probing& p) {
@@ -117,22 +122,19 @@ void keepLearnt(Probing& p, const QuasiStaticWork& work) {
     p.work.settings = settings;
 }
 
-std::int64_t freeBlocks(const State& state) {
-    return std::count(state.blocks.motion.begin(), state.blocks.motion.end(), Motion::free);
-}
-
 std::int64_t firstSteps(const State& state) {
     return std::max(kFirstSteps, kFirstSteps * freeBlocks(state) / kFirstStepsBlocks);
 }
 
 /// From the last stable state, the whole change of load at once. \param asked_factors  most factorisations; 0: what is due
 Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const Ramp& ramp,
-                        std::int64_t asked_factors = 0) {
+                        std::int64_t asked_factors = 0, const State* from = nullptr) {
     const bool doubtful = p.implicit_first || !p.has_stood;
     const std::int64_t own_factors =
         doubtful ? kMostFactors : std::clamp(p.steps / kStepsPerFactor, kLeastFactors, kMostFactors);
     const std::int64_t most_factors = asked_factors > 0 ? asked_factors : own_factors;
-    State state = p.last_stable;
+    State state = from != nullptr ? *from : p.last_stable;
+    if (from != nullptr) takeBack(state, p.work);
     ramp(state, 1.0);
     report(p, stage, load, "solving");
     Probe found = findRest(state, p.work, most_factors);
@@ -163,16 +165,21 @@ Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ram
         if (const Verdict found = probeImplicitly(p, stage, load, ramp); found != Verdict::undecided)
             return found;
     QuasiStaticWork work = p.work;
-    work.settings.max_steps_per_probe =
-        std::min(firstSteps(p.last_stable), p.work.settings.max_steps_per_probe);
+    // Of many blocks some are loose: explicit steps see them fall. Else they bring the weight to where the solve is quick.
+    const bool begins = !p.has_stood && freeBlocks(p.last_stable) > kManyBlocks;
+    const std::int64_t first_steps = firstSteps(p.last_stable);
+    work.settings.max_steps_per_probe = std::min(
+        begins ? std::max(kFirstSteps, first_steps / 4) : first_steps, p.work.settings.max_steps_per_probe);
     Verdict verdict = probeExplicitly(p, stage, load, p.last_stable, work, ramp, ramp);
     keepLearnt(p, work);
     const bool doubtful = verdict == Verdict::failing && !p.has_stood;
-    if (verdict == Verdict::stable || (verdict == Verdict::failing && !doubtful) || interrupted(p))
+    if (verdict == Verdict::stable || (verdict == Verdict::failing && (!doubtful || begins)) ||
+        interrupted(p))
         return verdict;
     if (!p.implicit_first) {
         const State moving = p.last_moving;
-        const Verdict found = probeImplicitly(p, stage, load, ramp);
+        const Verdict found =
+            probeImplicitly(p, stage, load, ramp, begins ? kFactorsOfWeight : 0, begins ? &moving : nullptr);
         if (found != Verdict::undecided) p.implicit_first = true;
         if (found != Verdict::stable) p.last_moving = moving;  // nearer to rest, where a failure is let go
         if (found != Verdict::undecided) return found;

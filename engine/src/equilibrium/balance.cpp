@@ -15,11 +15,11 @@ namespace {
 
 bool moves(const State& state, std::size_t b) { return state.blocks.motion[b] == Motion::free; }
 
-void listRows(const State& state, Balance& balance) {
+void listRows(const State& state, const std::vector<char>& moving, Balance& balance) {
     const double g = state.geometry->model.gravity.magnitude;
     balance.row.assign(state.blocks.size(), -1);
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
-        if (!moves(state, b)) continue;
+        if (!moves(state, b) || (!moving.empty() && moving[b] == 0)) continue;
         balance.row[b] = static_cast<std::int32_t>(balance.block.size());
         balance.block.push_back(b);
         balance.weight.push_back(state.blocks.mass[b] * (g > 0 ? g : 1.0));
@@ -32,7 +32,7 @@ void listInterfaces(const State& state, Balance& balance) {
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
-        if ((!moves(state, a) && !moves(state, b)) || isIdle(f, i)) continue;
+        if ((balance.row[a] < 0 && balance.row[b] < 0) || isIdle(f, i)) continue;
         balance.interfaces.push_back({.interface = i,
                                       .block_a = a,
                                       .block_b = b,
@@ -51,6 +51,7 @@ void listTies(const State& state, Balance& balance) {
         const std::vector<Tie> ties = force.tying->ties(state);
         for (std::size_t k = 0; k < ties.size(); ++k) {
             const auto a = static_cast<std::size_t>(ties[k].a), b = static_cast<std::size_t>(ties[k].b);
+            if (balance.row[a] < 0 && balance.row[b] < 0) continue;
             balance.ties.push_back({.force = force.tying,
                                     .tie = k,
                                     .block_a = a,
@@ -234,12 +235,18 @@ void addContacts(const State& state, Balance& balance, const Poses& poses, doubl
         balance.stiffness.resize(kGroupsAtOnce * kWidth * kStiffnessQuantities);
         view.stiffness = balance.stiffness.data();
     }
-    const std::size_t groups = state.interfaces.groups.size();
+    const auto group_of = [](const ActiveInterface& i) { return i.slot / kWidth; };
     auto next = balance.interfaces.begin();
-    for (std::size_t begin = 0; begin < groups; begin += kGroupsAtOnce) {
-        const std::size_t end = std::min(begin + kGroupsAtOnce, groups);
+    while (next != balance.interfaces.end()) {
+        const std::size_t begin = group_of(*next);
+        auto last = next;
+        std::size_t end = begin + 1;
+        for (; last != balance.interfaces.end() && group_of(*last) <= end &&
+               group_of(*last) < begin + kGroupsAtOnce;
+             ++last)
+            end = group_of(*last) + 1;
         respond(view, begin, end);
-        for (; next != balance.interfaces.end() && next->slot < end * kWidth; ++next) {
+        for (; next != last; ++next) {
             if (balance.carries[next->slot] == 0) continue;
             addWrench(balance, *next, force);
             if (stiffness) {
@@ -264,9 +271,9 @@ Quaternion turned(const Quaternion& q, const Vec3& by) {
 
 }  // namespace
 
-Balance makeBalance(const State& state) {
+Balance makeBalance(const State& state, const std::vector<char>& moving) {
     Balance balance;
-    listRows(state, balance);
+    listRows(state, moving, balance);
     listInterfaces(state, balance);
     listTies(state, balance);
     makeStructure(balance);

@@ -54,7 +54,8 @@ struct Balance {
 };
 
 /// Reads blocks and interfaces. Idle places are left out.
-Balance makeBalance(const State& state);
+/// \param moving  by block: which of the free ones move, the others stay where they are; empty: all
+Balance makeBalance(const State& state, const std::vector<char>& moving = {});
 
 /// Forces on blocks beside contacts and what follows their mass, as last computed.
 void readApplied(const State& state, Balance& balance);

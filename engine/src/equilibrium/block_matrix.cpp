@@ -47,10 +47,10 @@ void BlockMatrix::multiply(const Vec6s& x, Vec6s& y) const {
 }
 
 BlockLu::BlockLu(const BlockMatrix& structure, simd::InstructionSet instructions,
-                 const std::atomic<bool>* stop)
+                 const std::atomic<bool>* stop, double most_products)
     : kernel_(simd::buildFor(instructions, kEliminateScalar, kEliminateAvx2, kEliminateAvx512)), stop_(stop) {
     order(structure);
-    has_structure_ = findStructure(structure);
+    has_structure_ = findStructure(structure, most_products);
     if (!has_structure_) return;
     findPanels();
     findReach();
@@ -81,8 +81,8 @@ void BlockLu::order(const BlockMatrix& structure) {
 }
 
 /// A column's structure is its own entries and what its children in the tree of elimination bring (George and Liu 1981).
-/// \return false when asked to stop
-bool BlockLu::findStructure(const BlockMatrix& structure) {
+/// \return false when asked to stop, or too large
+bool BlockLu::findStructure(const BlockMatrix& structure, double most_products) {
     const std::size_t n = place_.size();
     std::vector<std::vector<std::int32_t>> columns(n);
     std::vector<std::vector<std::size_t>> children(n);
@@ -92,6 +92,7 @@ bool BlockLu::findStructure(const BlockMatrix& structure) {
         columns[static_cast<std::size_t>(first)].push_back(second);
     }
     begin_.assign(1, 0);
+    double products = 0;
     for (std::size_t i = 0; i < n; ++i) {
         if (isStopped(stop_)) return false;
         std::vector<std::int32_t>& rows = columns[i];
@@ -99,6 +100,10 @@ bool BlockLu::findStructure(const BlockMatrix& structure) {
             rows.insert(rows.end(), columns[child].begin() + 1, columns[child].end());
         std::sort(rows.begin(), rows.end());
         rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+        const auto count = static_cast<double>(rows.size());
+        products += count * (count + 1);
+        is_too_large_ = products > most_products;
+        if (is_too_large_) return false;
         if (!rows.empty()) children[static_cast<std::size_t>(rows.front())].push_back(i);
         row_.insert(row_.end(), rows.begin(), rows.end());
         begin_.push_back(row_.size());
@@ -225,15 +230,6 @@ bool BlockLu::factorise(const BlockMatrix& matrix) {
         if (!eliminateWithin(panel)) return false;
     }
     return true;
-}
-
-double BlockLu::products() const {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < begin_.size(); ++i) {
-        const auto count = static_cast<double>(begin_[i + 1] - begin_[i]);
-        sum += count * (count + 1);
-    }
-    return sum;
 }
 
 void BlockLu::solve(Vec6s& x) const {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -43,9 +44,14 @@ class BlockLu {
  public:
     /// \param instructions  of the products; the same bits with each
     /// \param stop  ends the work early, and every later one: then nothing is factorised
+    /// \param most_products  of blocks in a factorisation; where it would take more nothing is factorised
     explicit BlockLu(const BlockMatrix& structure,
                      simd::InstructionSet instructions = simd::bestInstructionSet(),
-                     const std::atomic<bool>* stop = nullptr);
+                     const std::atomic<bool>* stop = nullptr,
+                     double most_products = std::numeric_limits<double>::infinity());
+
+    /// Whether a factorisation would take more products than it may.
+    bool isTooLarge() const { return is_too_large_; }
 
     /// False when a diagonal block is singular, or when asked to stop.
     bool factorise(const BlockMatrix& matrix);
@@ -53,8 +59,6 @@ class BlockLu {
     void solve(Vec6s& x) const;
     /// Blocks in the factors, the diagonal counted once.
     std::size_t entries() const { return diagonal_inverse_.size() + 2 * row_.size(); }
-    /// Products of blocks that a factorisation takes.
-    double products() const;
 
  private:
     /// Columns side by side of one structure: each one's rows are those of the one before it, less itself.
@@ -74,7 +78,7 @@ class BlockLu {
     };
 
     void order(const BlockMatrix& structure);
-    bool findStructure(const BlockMatrix& structure);
+    bool findStructure(const BlockMatrix& structure, double most_products);
     void findPanels();
     void findReach();
     void placeEntries(const BlockMatrix& structure);
@@ -84,7 +88,8 @@ class BlockLu {
 
     EliminationKernel kernel_;
     const std::atomic<bool>* stop_;
-    bool has_structure_ = false;         ///< was not stopped before it had
+    bool has_structure_ = false;  ///< was not stopped before it had
+    bool is_too_large_ = false;
     std::vector<std::int32_t> place_{};  ///< of each row in the order of elimination
     std::vector<std::size_t> begin_{};   ///< of each column's structure in row_; one more at the end
     std::vector<std::int32_t> row_{};    ///< rows below the diagonal, ascending

@@ -41,13 +41,17 @@ constexpr int kMostIterations = 15, kMostIterationsOfMany = 30;
 // Where Newton's method fails to come nearer it is nearly always for a few blocks that slip, lift off and close again (five have
 // 98 % of the residual in three of four such iterations): they have more drag, and with it shorter steps of their own, so that all
 // others can go on with long ones. Drag has no part in an equilibrium. Not so of few blocks: there shorter steps for all cost little,
-// and friction remembers who slid first (Barla's table of leaning columns: 8.76 to 8.92 degrees for 8.85).
-constexpr std::size_t kMany = 150;
+// and friction remembers who slid first (Barla's table of leaning columns: 8.76 to 8.92 degrees for 8.85). Of very many, the few go on by
+// themselves after each step, with what they touch, to where they come to rest.
+constexpr std::size_t kMany = 150, kVeryMany = 1'000;
 constexpr int kStalled = 4;              // iterations in which the residual is not halved
 constexpr double kShortShare = 1.0 / 8;  // of a Newton step that could be gone
 constexpr double kMoreDrag = 16.0, kMostDrag = 1e6, kLessDrag = 0.5;  // the last after each step
 constexpr std::size_t kMostSlowed = 64;
-constexpr double kOfOthers = 0.2;  // of the square of the residual: more, and it is not a few blocks
+constexpr double kOfOthers = 0.2;     // of the square of the residual: more, and it is not a few blocks
+constexpr int kRings = 2;             // of blocks around the few, that move with them
+constexpr double kMostOfPart = 0.25;  // of all blocks
+constexpr std::int64_t kFactorsOfPart = 300;
 constexpr int kFewIterations = 6, kSomeIterations = 12;  // the step grows much, or a little
 // A step that Newton's method does not come to the end of costs most of all: the next ones stay below it, and are let
 // grow beyond it only after some have gone well.
@@ -73,19 +77,36 @@ struct Trial {
     Vec6s way;  ///< in the unknowns
 };
 
+/// What the solve of an assembly and those of its parts share.
+struct Course {
+    std::optional<FirstOrderGaps> first_order{};
+    Poses start{};
+    double deepest = 0;          ///< of the joints at the start [m]
+    double reach = 0;            ///< of bolts, at the start [m]
+    double median_weight = 0;    ///< [N]
+    std::vector<double> gone{};  ///< by each block since contacts were looked for, kFiner times [m]
+    double way_since_look = 0;   ///< farthest of any, over its size
+};
+
 class Solver {
  public:
-    Solver(State& state, const Options& options) : state_(state), options_(options) {
-        if (options.stood != nullptr) first_order_.emplace(*options.stood, state);
-        if (first_order_) first_order_->set(state_);
+    /// \param moving  by block: of a part of the assembly, the blocks that move; empty: all, and the course begins here
+    Solver(State& state, const Options& options, Course& course, std::vector<char> moving)
+        : state_(state), options_(options), course_(course), moving_(std::move(moving)) {
+        slowed_.assign(state_.blocks.size(), 1.0);
+        if (isPart()) {
+            takeContacts();
+            return;
+        }
+        if (options.stood != nullptr) course_.first_order.emplace(*options.stood, state);
+        if (course_.first_order) course_.first_order->set(state_);
         updateBlockForces(state_);
         takeContacts();
-        gone_.resize(state_.blocks.size());
-        slowed_.assign(state_.blocks.size(), 1.0);
-        start_ = at_.poses;
-        deepest_ = deepestPoint(state_, balance_);
-        reach_ = tieReach(state_);
-        median_weight_ = median(balance_.weight);
+        course_.gone.resize(state_.blocks.size());
+        course_.start = at_.poses;
+        course_.deepest = deepestPoint(state_, balance_);
+        course_.reach = tieReach(state_);
+        course_.median_weight = median(balance_.weight);
     }
 
     Equilibrium run() {
@@ -104,9 +125,10 @@ class Solver {
             }
             for (double& slowed : slowed_) slowed = std::max(1.0, kLessDrag * slowed);
             commit();
-            ratio = result_.out_of_balance;
             judge(h);
             if (result_.verdict == Verdict::undecided) lookForContacts();
+            if (result_.verdict == Verdict::undecided && !isPart() && settleFew() && isBalanced()) settle(h);
+            ratio = result_.out_of_balance;
             h = nextStep(h);
             --steps_below_;
         }
@@ -115,13 +137,15 @@ class Solver {
     }
 
  private:
+    bool isPart() const { return !moving_.empty(); }
+
     bool finished() const {
         return result_.verdict != Verdict::undecided || result_.factors >= options_.most_factors ||
                isStopped(options_.stop);
     }
 
     void takeContacts() {
-        Balance next = makeBalance(state_);
+        Balance next = makeBalance(state_, moving_);
         if (!linear_ || next.matrix.edges != balance_.matrix.edges)
             linear_.emplace(next.matrix, state_.instructions, options_.stop);
         balance_ = std::move(next);
@@ -243,10 +267,67 @@ class Solver {
     bool newtonByRounding(double h, double tolerance, Trial& trial) {
         bool converged = false;
         for (const double rounding : kRoundings) {
-            converged = newton(h, tolerance, rounding * median_weight_, trial);
+            converged = newton(h, tolerance, rounding * course_.median_weight, trial);
             if (!converged && rounding == kRoundings[0]) return false;
         }
         return converged;
+    }
+
+    /// The few blocks that are not at rest; where many are not, those of them that lag behind the others.
+    std::vector<std::size_t> fewRestless() const {
+        const Vec3 acceleration = bodyAcceleration(state_);
+        std::vector<std::size_t> restless, lagging;
+        for (const std::size_t b : balance_.block) {
+            if (outOfBalanceRatio(state_, b, acceleration) < options_.limit) continue;
+            restless.push_back(b);
+            if (slowed_[b] > 1) lagging.push_back(b);
+        }
+        return restless.size() <= kMostSlowed ? restless : lagging;
+    }
+
+    /// By block: whether it is one of these, or kRings of contacts from one.
+    std::vector<char> withNeighbours(const std::vector<std::size_t>& blocks) const {
+        std::vector<char> part(state_.blocks.size(), 0);
+        for (const std::size_t b : blocks) part[b] = 1;
+        for (int ring = 0; ring < kRings; ++ring) {
+            const std::vector<char> inner = part;
+            for (const ActiveInterface& i : balance_.interfaces)
+                if (inner[i.block_a] != inner[i.block_b]) part[i.block_a] = part[i.block_b] = 1;
+        }
+        return part;
+    }
+
+    /// Lets the few blocks that lag behind go on by themselves while all others stay; where they leave their place, so does the
+    /// assembly. \return whether they have come to rest
+    bool settleFew() {
+        if (balance_.block.size() < kVeryMany) return false;
+        const std::vector<std::size_t> few = fewRestless();
+        if (few.empty()) return false;
+        std::vector<char> part = withNeighbours(few);
+        const double share = static_cast<double>(std::count(part.begin(), part.end(), 1)) /
+                             static_cast<double>(balance_.block.size());
+        if (share > kMostOfPart) return false;
+        Options options = options_;
+        options.most_factors = kFactorsOfPart;
+        const Equilibrium found = Solver(state_, options, course_, std::move(part)).run();
+        count(found, share);
+        takeContacts();
+        result_.out_of_balance = outOfBalanceRatio(state_);
+        if (found.verdict == Verdict::stable)
+            for (const std::size_t b : few) slowed_[b] = 1.0;
+        return found.verdict == Verdict::stable;
+    }
+
+    /// Takes over what was found of a part with this share of the blocks.
+    void count(const Equilibrium& part, double share) {
+        work_of_parts_ += share * static_cast<double>(part.factors);
+        const double whole = std::floor(work_of_parts_);
+        work_of_parts_ -= whole;
+        result_.factors += static_cast<std::int64_t>(whole);
+        if (part.verdict != Verdict::failing) return;
+        result_.verdict = Verdict::failing;
+        result_.parted = std::max(result_.parted, part.parted);
+        result_.displacement = std::max(result_.displacement, part.displacement);
     }
 
     /// One step of backward Euler. False, and nothing has moved, when it is too long.
@@ -265,7 +346,8 @@ class Solver {
         for (std::size_t r = 0; r < trial.way.size(); ++r)
             motion_ = std::max(motion_, way_of(r) / std::max(balance_.size[r], least_size));
         if (motion_ > kStepMotion) return false;
-        for (std::size_t r = 0; r < trial.way.size(); ++r) gone_[balance_.block[r]] += kFiner * way_of(r);
+        for (std::size_t r = 0; r < trial.way.size(); ++r)
+            course_.gone[balance_.block[r]] += kFiner * way_of(r);
         at_.poses = std::move(trial.poses);
         return true;
     }
@@ -273,9 +355,17 @@ class Solver {
     /// Makes the poses those of the state: plastic slides by its own kernel, bonds let down, water where it is now.
     void commit() {
         setPoses(at_.poses, state_);
-        if (first_order_) first_order_->set(state_);
+        if (course_.first_order) course_.first_order->set(state_);
         updateForces(state_, options_.parallel);
-        result_.out_of_balance = outOfBalanceRatio(state_);
+        result_.out_of_balance = isPart() ? outOfBalanceOfPart() : outOfBalanceRatio(state_);
+    }
+
+    double outOfBalanceOfPart() const {
+        const Vec3 acceleration = bodyAcceleration(state_);
+        double largest = 0;
+        for (const std::size_t b : balance_.block)
+            largest = std::max(largest, outOfBalanceRatio(state_, b, acceleration));
+        return largest;
     }
 
     bool bondsGive() const {
@@ -293,22 +383,28 @@ class Solver {
         for (std::size_t r = 0; r < balance_.block.size(); ++r) {
             const std::size_t b = balance_.block[r];
             const double way =
-                (at_.poses.position.get(b) - start_.position.get(b)).norm() +
-                rotationFrom(start_.orientation, at_.poses.orientation, b) * balance_.radius[r];
+                (at_.poses.position.get(b) - course_.start.position.get(b)).norm() +
+                rotationFrom(course_.start.orientation, at_.poses.orientation, b) * balance_.radius[r];
             result_.displacement = std::max(result_.displacement, way);
         }
         for (const ActiveInterface& i : balance_.interfaces)
-            result_.parted = std::max(result_.parted, relativeMotion(state_, i, start_, at_.poses));
-        if (result_.out_of_balance < options_.limit) {
-            const double slowest = *std::max_element(slowed_.begin(), slowed_.end());
-            if (h >= kRestStep * slowest && !bondsGive()) result_.verdict = Verdict::stable;
-            return;
-        }
+            result_.parted = std::max(result_.parted, relativeMotion(state_, i, course_.start, at_.poses));
+        if (isBalanced()) return settle(h);
         const double size = state_.geometry->length_scale;
-        const double leaves = std::max(options_.leaves * size, kElasticParting * deepest_) + reach_;
-        if (result_.parted > kGone * size + reach_ || (result_.parted > leaves && goesOnAsFast(motion_ / h)))
+        const double leaves =
+            std::max(options_.leaves * size, kElasticParting * course_.deepest) + course_.reach;
+        if (result_.parted > kGone * size + course_.reach ||
+            (!isPart() && result_.parted > leaves && goesOnAsFast(motion_ / h)))
             result_.verdict = Verdict::failing;
         track_.push_back({result_.parted, motion_ / h});
+    }
+
+    bool isBalanced() const { return result_.out_of_balance < options_.limit; }
+
+    /// Balanced, it is at rest if the last step was a long one for all.
+    void settle(double h) {
+        const double slowest = *std::max_element(slowed_.begin(), slowed_.end());
+        if (h >= kRestStep * slowest && !bondsGive()) result_.verdict = Verdict::stable;
     }
 
     /// Whether it is about as fast as it was at any time since a quarter of the way. A spring that stops it would
@@ -321,11 +417,11 @@ class Solver {
     }
 
     void lookForContacts() {
-        way_since_look_ += motion_;
-        if (way_since_look_ > kLookMotion && !first_order_) {
-            way_since_look_ = 0;
-            refreshInterfaces(state_, options_.parallel, 0.0, options_.stop, gone_);
-            gone_.assign(gone_.size(), 0.0);
+        course_.way_since_look += motion_;
+        if (course_.way_since_look > kLookMotion && !course_.first_order) {
+            course_.way_since_look = 0;
+            refreshInterfaces(state_, options_.parallel, 0.0, options_.stop, course_.gone);
+            course_.gone.assign(course_.gone.size(), 0.0);
             takeContacts();
         } else {
             readApplied(state_, balance_);
@@ -349,11 +445,9 @@ class Solver {
     const Options& options_;
     Balance balance_{};
     Trial at_{};  ///< where the state is, its way zero
-    Poses start_{};
-    double deepest_ = 0;        ///< of the joints at the start [m]
-    double reach_ = 0;          ///< of bolts, at the start [m]
-    double median_weight_ = 0;  ///< [N]
-    std::optional<FirstOrderGaps> first_order_{};
+    Course& course_;
+    std::vector<char> moving_;  ///< by block; empty: all that are free
+    double work_of_parts_ = 0;  ///< in factorisations of all blocks, not counted yet
     std::optional<LinearSolver> linear_{};
     Equilibrium result_{};
     std::vector<std::pair<double, double>> track_{};  ///< after each step: way, speed
@@ -361,15 +455,16 @@ class Solver {
     int steps_below_ = 0;                             ///< still to be made shorter than that
     int iterations_ = 0;                              ///< of the last step
     double motion_ = 0;                               ///< of it, over the block's size
-    double way_since_look_ = 0;                       ///< likewise
     std::vector<double> slowed_{};                    ///< times its own that each block's drag is
-    std::vector<double> gone_{};  ///< what each block has gone since then, kFiner times [m]
     Vec6s residual_{}, of_whole_{}, direction_{};
     Trial tried_{};
 };
 
 }  // namespace
 
-Equilibrium findEquilibrium(State& state, const Options& options) { return Solver(state, options).run(); }
+Equilibrium findEquilibrium(State& state, const Options& options) {
+    Course course;
+    return Solver(state, options, course, {}).run();
+}
 
 }  // namespace talus::equilibrium

@@ -155,14 +155,15 @@ void IterativeSolver::combine(std::size_t count, Vec6s& x) const {
     for (std::size_t k = 0; k < count; ++k) numbers(x) += share[k] * numbers(basis_[k]);
 }
 
-bool IterativeSolver::solve(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x) {
+bool IterativeSolver::solve(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x,
+                            std::size_t most_iterations) {
     if (rows_ == 0) return true;
     if (!factorise(matrix)) return false;
-    basis_.resize(kMostIterations + 1);
-    columns_.resize(kMostIterations);
-    cosine_.resize(kMostIterations);
-    sine_.resize(kMostIterations);
-    residual_.assign(kMostIterations + 1, 0.0);
+    basis_.resize(most_iterations + 1);
+    columns_.resize(most_iterations);
+    cosine_.resize(most_iterations);
+    sine_.resize(most_iterations);
+    residual_.assign(most_iterations + 1, 0.0);
     Vec6s& first = basis_[0];
     first = x;
     for (std::size_t r = 0; r < rows_; ++r) first[r] /= weight[r];
@@ -171,7 +172,7 @@ bool IterativeSolver::solve(const BlockMatrix& matrix, const std::vector<double>
     if (!std::isfinite(length)) return false;
     numbers(first) /= length;
     residual_[0] = length;
-    for (std::size_t k = 0; k < kMostIterations; ++k) {
+    for (std::size_t k = 0; k < most_iterations; ++k) {
         apply(matrix, weight, basis_[k], basis_[k + 1]);
         orthogonalise(k);
         if (!std::isfinite(residual_[k + 1]) || columns_[k][k] == 0) return false;

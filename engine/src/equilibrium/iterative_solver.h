@@ -22,8 +22,9 @@ class IterativeSolver {
 
     /// x = A^-1 x, but for a residual of kAccuracy of the right side, both over each row's weight.
     /// \pre  a matrix of the same structure
-    /// \return false, and x as it was, when that takes more than kMostIterations
-    bool solve(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x);
+    /// \return false, and x as it was, when that takes more than most_iterations
+    bool solve(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x,
+               std::size_t most_iterations = kMostIterations);
 
     /// What Newton's steps need: a smaller residual than that the next one sees to.
     static constexpr double kAccuracy = 1e-2;

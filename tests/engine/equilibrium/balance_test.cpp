@@ -76,6 +76,37 @@ TEST_SUITE("equilibrium") {
         }
     }
 
+    TEST_CASE("of some of the blocks: their rows of the whole system, the others held") {
+        State state = *buildState(stackModel(7, 6, 2, 30), false);
+        for (std::size_t b = 0; b < state.blocks.size(); ++b)
+            if (state.blocks.motion[b] == Motion::free)
+                state.blocks.position.set(
+                    b, state.blocks.position.get(b) - Vec3(0, 0, 1e-7 * static_cast<double>(b % 5)));
+        Balance all = makeBalance(state);
+        std::vector<char> moving(state.blocks.size(), 0);
+        for (std::size_t b = 0; b < moving.size(); ++b) moving[b] = b % 3 == 1;
+        Balance some = makeBalance(state, moving);
+        REQUIRE((some.block.size() > 20 && some.block.size() < all.block.size() / 2));
+        Vec6s of_all, of_some;
+        sumForces(state, all, posesOf(state), 0.0, true, of_all);
+        sumForces(state, some, posesOf(state), 0.0, true, of_some);
+        for (std::size_t r = 0; r < some.block.size(); ++r) {
+            const auto row = static_cast<std::size_t>(all.row[some.block[r]]);
+            CHECK((of_some[r].array() == of_all[row].array()).all());
+            CHECK(some.matrix.diagonal[r] == all.matrix.diagonal[row]);
+            CHECK(some.drag[r] == all.drag[row]);
+        }
+        const auto block_of = [&](std::int32_t row) { return some.block[static_cast<std::size_t>(row)]; };
+        for (std::size_t e = 0; e < some.matrix.edges.size(); ++e) {
+            const std::pair pair{all.row[block_of(some.matrix.edges[e].first)],
+                                 all.row[block_of(some.matrix.edges[e].second)]};
+            const auto& edges = all.matrix.edges;
+            const auto found = std::lower_bound(edges.begin(), edges.end(), pair);
+            REQUIRE((found != edges.end() && *found == pair));
+            CHECK(some.matrix.upper[e] == all.matrix.upper[static_cast<std::size_t>(found - edges.begin())]);
+        }
+    }
+
     TEST_CASE("momentum: force and moment of the two sides add up to nothing") {
         for (int seed = 0; seed < 20; ++seed) {
             const State state = shaken(seed);

@@ -57,4 +57,16 @@ TEST_SUITE("equilibrium") {
         CHECK(lu.entries() == 50 + 2 * 49);
         CHECK_FALSE(lu.factorise(matrix));
     }
+
+    TEST_CASE("factors that would take more products than allowed are not begun") {
+        const BlockMatrix matrix = randomMatrix(90, 300, 7);
+        const auto withMost = [&](double most) {
+            return BlockLu(matrix, simd::bestInstructionSet(), nullptr, most);
+        };
+        BlockLu few = withMost(1e3), many = withMost(1e6);
+        CHECK(few.isTooLarge());
+        CHECK_FALSE(few.factorise(matrix));
+        CHECK_FALSE(many.isTooLarge());
+        CHECK(many.factorise(matrix));
+    }
 }

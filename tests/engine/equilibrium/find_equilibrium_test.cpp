@@ -105,6 +105,17 @@ TEST_SUITE("equilibrium") {
         }
     }
 
+    // Above a thousand free blocks few that are not at rest go on by themselves.
+    TEST_CASE("of many blocks, few that nothing holds leave their place") {
+        Model model = stackModel(12, 10, 10, 30);
+        for (Vec3& vertex : model.blocks.back().shape.vertices) vertex.x() += 0.11;  // by more than its half
+        State state = *buildState(model, false);
+        const Equilibrium found = findEquilibrium(state, {});
+        MESSAGE(found.factors << " factorisations, " << found.steps << " steps");
+        CHECK((found.verdict == Verdict::failing));
+        CHECK(found.factors <= 100);
+    }
+
     TEST_CASE("the same bits with and without threads") {
         State one = *buildState(stackModel(3, 5, 1, 30), false), two = one;
         one.load.tilt = two.load.tilt = radians(10);
