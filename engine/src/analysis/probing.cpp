@@ -13,6 +13,7 @@ namespace {
 // Steps of a probe before the implicit solve is asked; most slides need 1,000 to 3,000. Of many free blocks in proportion more:
 // a mass of many is slower to come to rest (a slope of 1,406 that stands to 0.907 was called failing at 0.880 after 3,000).
 constexpr std::int64_t kFirstSteps = 3'000, kFirstStepsBlocks = 400;
+// More free blocks than that begin with fewer explicit steps, and so many factorisations from where these end.
 constexpr std::int64_t kManyBlocks = 1'000, kFactorsOfWeight = 300;
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
@@ -126,7 +127,7 @@ std::int64_t firstSteps(const State& state) {
     return std::max(kFirstSteps, kFirstSteps * freeBlocks(state) / kFirstStepsBlocks);
 }
 
-/// From the last stable state, the whole change of load at once. \param asked_factors  most factorisations; 0: what is due
+/// The whole change of load at once, from the last stable state or another. \param asked_factors  most factorisations; 0: what is due
 Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const Ramp& ramp,
                         std::int64_t asked_factors = 0, const State* from = nullptr) {
     const bool doubtful = p.implicit_first || !p.has_stood;
