@@ -312,7 +312,7 @@ class Solver {
         const Equilibrium found = Solver(state_, options, course_, std::move(part)).run();
         count(found, share);
         takeContacts();
-        result_.out_of_balance = outOfBalanceRatio(state_);
+        result_.out_of_balance = outOfBalance();
         if (found.verdict == Verdict::stable)
             for (const std::size_t b : few) slowed_[b] = 1.0;
         return found.verdict == Verdict::stable;
@@ -357,10 +357,11 @@ class Solver {
         setPoses(at_.poses, state_);
         if (course_.first_order) course_.first_order->set(state_);
         updateForces(state_, options_.parallel);
-        result_.out_of_balance = isPart() ? outOfBalanceOfPart() : outOfBalanceRatio(state_);
+        result_.out_of_balance = outOfBalance();
     }
 
-    double outOfBalanceOfPart() const {
+    /// As outOfBalanceRatio of the state, but of the blocks that move here.
+    double outOfBalance() const {
         const Vec3 acceleration = bodyAcceleration(state_);
         double largest = 0;
         for (const std::size_t b : balance_.block)
