@@ -287,9 +287,10 @@ def trace(name, start, end, joint=None):
             + ", ".join(point(*p) for p in corners) + "]\n")
 
 
-def bridged(outline):
+def bridged(outline, rock="intact"):
     return ("[rock_mass]\nregion = { y = [0.0, 1.0], profile = [" + ", ".join(point(*p) for p in outline) + "] }\n"
-            'bridge = "intact"                # what the traces below do not reach\nfixed = [{ boundary = "-z" }]\n')
+            f'bridge = "{rock}"                # what the traces below do not reach\n'
+            'fixed = [{ boundary = "-z" }]\n')
 
 
 def intact(friction, cohesion=0.0, tension=0.0):
@@ -314,12 +315,14 @@ elements (RS2) 1.24, limit equilibrium 1.213: to lie between 1.20 and 1.29.
                                         ("bridge-broken", 0.0, 1.551, "no tensile strength")):
         write(name, f"""
 A face 50 m high, a joint that daylights in it and one that comes down from the crest and ends 1.4 m above it: friction angle 40 degrees,
-27 kN/m3. The bridge between their ends: {what}. Limit equilibrium: factor of safety {factor}, to be met
-within 0.5 %.
+27 kN/m3. The bridge between their ends: {what}; the rock beyond them does not break. Limit equilibrium: factor of safety
+{factor}, to be met within 0.5 %.
   talus safety-factor bench/verification/{name}.toml""",
               "[analysis]\nreduce_tensile_strength = true\n" if tension else "",
-              material(27), joint("default", 40), intact(40, tension=tension),
-              bridged([(30, 20), (60, 70), (100, 70), (100, 0), (30, 0)]),
+              material(27), joint("default", 40),
+              intact(40, tension=tension) + ("softening_displacement = 1.0         # m: counted to the end\n" if tension else ""),
+              joint("rock", 40, cohesion=1e8) + "tensile_strength = 1e8\n",
+              bridged([(30, 20), (60, 70), (100, 70), (100, 0), (30, 0)], "rock"),
               trace("lower", (39.0149, 35.0248), (63, 48)), trace("upper", (62, 49), (76, 70)),
               trace("bridge", (63, 48), (62, 49), "intact"))
 

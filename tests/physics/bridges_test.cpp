@@ -54,6 +54,43 @@ TEST_CASE("bridges: a block on a joint that ends under it has Jennings's factor 
             }
 }
 
+/// A cube on a slope held by the rock behind it, whose strength in tension is a share of the cube's weight along the slope.
+/// Limit equilibrium counts it to the end; a joint that tears at once has nothing left when the cube begins to slide.
+TEST_CASE("bridges: what holds a block in tension counts as far as it softens with the opening") {
+    for (const double dip_deg : {20.0, 30.0})
+        for (const double share : {0.2, 0.6})
+            for (const bool reduced : {true, false}) {
+                CAPTURE(dip_deg);
+                CAPTURE(share);
+                CAPTURE(reduced);
+                const double dip = radians(dip_deg), friction = std::tan(radians(40));
+                const double weight = 2700 * 9.81, driving = weight * std::sin(dip);
+                Model model = floorModel(40);
+                model.gravity.tilt = dip;
+                addBox(model, "held", {0, 0, 0}, {1, 1, 1});
+                model.blocks.push_back(box("behind", {1, 0, 0}, {3, 1, 1}, 2700, Motion::fixed));
+                model.joints.push_back(joint(40, 1e11));
+                model.joints[1].name = "rock";
+                model.joints[1].tensile_strength = share * driving;
+                model.joints[1].tension_reduced = reduced;
+                model.pair_joints.push_back({1, 2, 1, true, "interface[0]"});
+                const double on_friction = weight * std::cos(dip) * friction / driving;
+                const double to_the_end = reduced ? on_friction + share : on_friction / (1 - share);
+                double last = 0;
+                for (const double softening : {0.0, 1e-6, 1e-5, 1e-4, 1.0}) {
+                    CAPTURE(softening);
+                    model.joints[1].softening_displacement = softening;
+                    const SearchResult result = *safetyFactor(model);
+                    REQUIRE((result.status == SearchStatus::found));
+                    if (softening == 0.0) CHECK(result.answer == doctest::Approx(on_friction).epsilon(2e-3));
+                    CHECK(result.answer >= (1 - 1e-3) * last);
+                    CHECK(result.answer <= (1 + 2e-3) * to_the_end);
+                    last = result.answer;
+                }
+                CHECK(last == doctest::Approx(to_the_end).epsilon(2e-3));
+            }
+}
+
 TEST_CASE("bridges: without rock the joint's strength goes on, and that is said") {
     const auto scenario = formats::parseScenario(bench(40, 5, 5e3, 60e3), "bench.toml");
     REQUIRE(scenario.ok());

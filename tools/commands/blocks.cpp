@@ -57,23 +57,59 @@ std::string line(const std::string& name, const std::string& value) {
     return name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') + value + "\n";
 }
 
+std::string shortText(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.4g", value);
+    return buffer;
+}
+
+/// The discs that were drawn for a fracture set, or read.
+struct Network {
+    std::string set;
+    std::size_t discs = 0;
+    double p32 = 0;  ///< their area in the region over its volume [m^2/m^3]
+};
+
+std::vector<Network> networksOf(const std::vector<formats::RockJoint>& joints, double volume) {
+    std::vector<Network> networks;
+    for (const formats::RockJoint& joint : joints) {
+        if (!joint.disc) continue;
+        auto network = std::find_if(networks.begin(), networks.end(),
+                                    [&](const Network& n) { return n.set == joint.set; });
+        if (network == networks.end()) network = networks.insert(network, Network{joint.set});
+        ++network->discs;
+        network->p32 += joint.area_inside / volume;
+    }
+    return networks;
+}
+
+std::string networkLines(const std::vector<Network>& networks) {
+    std::string lines;
+    for (const Network& network : networks)
+        lines += line("discs of " + network.set,
+                      std::to_string(network.discs) + ", " + shortText(network.p32) + " m2 of them per m3");
+    return lines;
+}
+
+Json networkJson(const std::vector<Network>& networks) {
+    Json list = Json::array();
+    for (const Network& network : networks)
+        list.push_back({{"name", network.set}, {"discs", network.discs}, {"p32", number(network.p32)}});
+    return list;
+}
+
 std::string summary(const Model& model, const Sizes& sizes, const formats::FiniteCuts& cuts) {
-    const auto short_text = [](double value) {
-        char buffer[32];
-        std::snprintf(buffer, sizeof buffer, "%.4g", value);
-        return std::string(buffer);
-    };
     const auto range = [&](const std::vector<double>& v, const char* unit) {
-        return short_text(v.front()) + " to " + short_text(v.back()) + " " + unit + ", median " +
-               short_text(median(v));
+        return shortText(v.front()) + " to " + shortText(v.back()) + " " + unit + ", median " +
+               shortText(median(v));
     };
     return line("blocks",
                 std::to_string(model.blocks.size()) + " (" + std::to_string(fixedCount(model)) + " fixed)") +
-           line("volume", short_text(sizes.total) + " m3") +
-           line("block volumes", range(sizes.volume, "m3")) + line("thickness", range(sizes.thickness, "m")) +
+           line("volume", shortText(sizes.total) + " m3") + line("block volumes", range(sizes.volume, "m3")) +
+           line("thickness", range(sizes.thickness, "m")) +
            (cuts.interfaces == 0
                 ? ""
-                : line("finite joints", short_text(cuts.beyond) + " of " + short_text(cuts.area) +
+                : line("finite joints", shortText(cuts.beyond) + " of " + shortText(cuts.area) +
                                             " m2 of their cuts beyond them, " +
                                             (cuts.are_bridges ? "intact rock" : "with their strength")));
 }
@@ -131,14 +167,13 @@ std::string discsCsv(const BlocksOptions& options, const std::vector<formats::Ro
 
 /// Pictures and table of the joints that cut the blocks. Returns warnings: what there are no joints for. Where nothing
 /// else is asked for, that is an error.
-std::vector<std::string> writeJoints(const BlocksOptions& options, const formats::Scenario& scenario) {
+std::vector<std::string> writeJoints(const BlocksOptions& options, const formats::Scenario& scenario,
+                                     const std::vector<formats::RockJoint>& joints) {
     std::vector<const char*> asked;
     for (const JointsFile& file : jointsFiles(options))
         if (!file.path.empty()) asked.push_back(file.option);
     if (asked.empty()) return {};
-    const auto joints = formats::rockJoints(scenario);
-    if (!joints) throw BadInput(joints.errors());
-    if (joints->empty()) {
+    if (joints.empty()) {
         const std::string found = "no joint set in " + options.scenario.name();
         if (options.output.empty()) {
             throw BadInput(
@@ -152,10 +187,10 @@ std::vector<std::string> writeJoints(const BlocksOptions& options, const formats
         return warnings;
     }
     if (!options.stereonet.empty())
-        writeFile(options.stereonet, stereonetSvg(*joints, "Joints of " + options.scenario.name()));
+        writeFile(options.stereonet, stereonetSvg(joints, "Joints of " + options.scenario.name()));
     if (!options.sizes.empty())
-        writeFile(options.sizes, sizesSvg(*joints, scenario.model, "Sizes in " + options.scenario.name()));
-    if (!options.fractures.empty()) writeFile(options.fractures, discsCsv(options, *joints));
+        writeFile(options.sizes, sizesSvg(joints, scenario.model, "Sizes in " + options.scenario.name()));
+    if (!options.fractures.empty()) writeFile(options.fractures, discsCsv(options, joints));
     return {};
 }
 
@@ -178,18 +213,22 @@ int blocks(const BlocksOptions& options) {
         if (!file.path.empty()) requireEnding(file.option, file.path, {file.ending});
     refuseOneNameTwice(options);
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
-    const std::vector<std::string> warnings = writeJoints(options, scenario);
+    const auto joints = formats::rockJoints(scenario);
+    if (!joints) throw BadInput(joints.errors());
+    const std::vector<std::string> warnings = writeJoints(options, scenario, *joints);
     const auto [drawn, sizes] = [&] {
         const EndsAtOnce drawing = endsWhile("the blocks were drawn", options.common);
         return std::pair(options.output.empty() ? "" : drawnWithProgress(options, scenario.model),
                          sizesOf(scenario.model));
     }();
     if (!options.output.empty()) writeFile(options.output, drawn);
+    const std::vector<Network> networks = networksOf(*joints, sizes.total);
     if (!options.common.json) {
-        printResult(summary(scenario.model, sizes, scenario.finite_cuts));
+        printResult(summary(scenario.model, sizes, scenario.finite_cuts) + networkLines(networks));
         return kDone;
     }
     Json result = json(scenario.model, sizes, scenario.finite_cuts);
+    result["fracture_sets"] = networkJson(networks);
     result["warnings"] = scenario.warnings;
     for (const std::string& warning : warnings) result["warnings"].push_back(warning);
     result["provenance"] = provenance(options.common, options.scenario.name());

@@ -61,9 +61,10 @@ struct Joint {
     double residual_friction =
         0;                ///< phi_r, after the first slip; to Barton and Bandis, of a smooth joint [rad]
     double dilation = 0;  ///< psi, opening per slip [rad]
-    double restitution_normal = 1;  ///< e, share of the normal speed that an impact gives back
-    double jrc = 0;                 ///< JRC, roughness [deg per decade of stress, as it is defined]
-    double jcs = 0;                 ///< JCS, strength of the wall [Pa]
+    double softening_displacement = 0;  ///< opening or slip beyond its peak, over which it is lost [m]
+    double restitution_normal = 1;      ///< e, share of the normal speed that an impact gives back
+    double jrc = 0;                     ///< JRC, roughness [deg per decade of stress, as it is defined]
+    double jcs = 0;                     ///< JCS, strength of the wall [Pa]
     double max_friction = 70 * (3.14159265358979323846 / 180);  ///< greatest angle of tau over sigma_n [rad]
     double a = 0;                  ///< strength at a normal stress of 1 Pa [Pa^(1 - b)]
     double b = 0;                  ///< exponent of the normal stress

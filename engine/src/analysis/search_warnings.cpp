@@ -8,11 +8,14 @@
 
 namespace talus::analysis {
 
-double lostCohesion(const State& state) {
+namespace {
+
+/// Share of the area of joints that `may_lose` strength for good that has lost it, 0..1.
+double lostShare(const State& state, bool (*may_lose)(const contact::JointLaw&)) {
     double all = 0, lost = 0;
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-        if (!(law.cohesion > law.residual_cohesion) || isIdle(state.interfaces, i)) continue;
+        if (!may_lose(law) || isIdle(state.interfaces, i)) continue;
         for (const ContactPoint& point : contactPoints(state, i)) {
             all += point.area;
             lost += (1 - point.memory.bond) * point.area;
@@ -21,7 +24,11 @@ double lostCohesion(const State& state) {
     return all > 0 ? lost / all : 0.0;
 }
 
-namespace {
+double lostTension(const State& state) {
+    return lostShare(state, [](const contact::JointLaw& law) {
+        return law.tensile_strength > 0 && !contact::softens(law);
+    });
+}
 
 /// Limit equilibrium keeps cohesion to the end; eq 9 does not.
 std::optional<std::string> ofLostCohesion(double lost) {
@@ -30,6 +37,15 @@ std::optional<std::string> ofLostCohesion(double lost) {
            formatted("%.0f", 100 * lost) +
            " % of its area in the failure): with residual_cohesion = cohesion, as limit equilibrium has it, "
            "it may be "
+           "higher; the ceiling of limit analysis counts it as kept";
+}
+
+/// What tears at once does so at its edge first.
+std::optional<std::string> ofLostTension(double lost) {
+    if (lost == 0) return std::nullopt;
+    return "the answer hangs on tensile strength that is lost at once where a joint first opens or slips (" +
+           formatted("%.0f", 100 * lost) +
+           " % of its area in the failure): with softening_displacement, over which rock tears, it may be "
            "higher; the ceiling of limit analysis counts it as kept";
 }
 
@@ -70,13 +86,21 @@ std::optional<std::string> ofJointsPressedIn(const State& state) {
 
 }  // namespace
 
+double lostCohesion(const State& state) {
+    return lostShare(state,
+                     [](const contact::JointLaw& law) { return law.cohesion > law.residual_cohesion; });
+}
+
 std::vector<std::string> searchWarnings(const Probing& probing, const State& last, bool fails) {
     std::vector<std::string> warnings = last.warnings;
     if (auto soft = ofSoftJoints(probing, last)) warnings.push_back(std::move(*soft));
     if (!fails) return warnings;
     if (!probing.has_stood)
         if (auto pressed = ofJointsPressedIn(last)) warnings.push_back(std::move(*pressed));
-    if (auto lost = ofLostCohesion(lostCohesion(last))) warnings.push_back(std::move(*lost));
+    if (auto lost = ofLostCohesion(lostCohesion(last)))
+        warnings.push_back(std::move(*lost));
+    else if (auto torn = ofLostTension(lostTension(last)))
+        warnings.push_back(std::move(*torn));
     return warnings;
 }
 

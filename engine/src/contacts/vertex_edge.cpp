@@ -64,10 +64,11 @@ void releaseGap(State& state, std::size_t i) {
 }
 
 double shearEnergy(const contact::JointLaw& law, double area, double along_1, double along_2) {
+    constexpr double kNoBond = 0;
     contact::PointForce force;
     force.shear_1 = along_1;
     force.shear_2 = along_2;
-    return contact::storedEnergy(law, area, force);
+    return contact::storedEnergy(law, area, kNoBond, force);
 }
 
 /// Of the shear force that a place takes over: one spring with the force of two may hold more than both did.
@@ -288,14 +289,12 @@ std::vector<CarriedPoint> carriedPoints(const Contacts& contacts, std::size_t i)
             pose.slide_1.x() + point.position.x() * pose.slide_1.y() + point.position.y() * pose.slide_1.z();
         const double slide_2 =
             pose.slide_2.x() + point.position.x() * pose.slide_2.y() + point.position.y() * pose.slide_2.z();
-        carried.push_back(
-            {pose.origin + (point.position.x() + slide_1) * pose.e1 +
-                 (point.position.y() + slide_2) * pose.e2,
-             sign * pose.e3, sign * (point.force.shear_1 * pose.e1 + point.force.shear_2 * pose.e2),
-             contact::normalEnergy(law, point.area, point.force.normal),
-             contact::storedEnergy(
-                 law, point.area,
-                 {.normal = 0, .shear_1 = point.force.shear_1, .shear_2 = point.force.shear_2})});
+        carried.push_back({pose.origin + (point.position.x() + slide_1) * pose.e1 +
+                               (point.position.y() + slide_2) * pose.e2,
+                           sign * pose.e3,
+                           sign * (point.force.shear_1 * pose.e1 + point.force.shear_2 * pose.e2),
+                           contact::normalEnergy(law, point.area, point.force.normal),
+                           shearEnergy(law, point.area, point.force.shear_1, point.force.shear_2)});
     }
     return carried;
 }

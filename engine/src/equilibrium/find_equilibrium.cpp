@@ -369,13 +369,17 @@ class Solver {
         return largest;
     }
 
+    /// Whether bonds are being let down, call by call. One that softens is always as weak as its place makes it.
     bool bondsGive() const {
         if (!state_.points.remembers()) return false;
-        for (const ActiveInterface& i : balance_.interfaces)
+        for (const ActiveInterface& i : balance_.interfaces) {
+            const auto joint = static_cast<std::size_t>(state_.interfaces.joint[i.interface]);
+            if (contact::softens(state_.laws[joint])) continue;
             for (std::size_t k = 0; k < state_.interfaces.pointCount(i.interface); ++k) {
                 const double bond = state_.points.memoryAt(state_.interfaces.pointSlot(i.interface, k)).bond;
                 if (bond > 0 && bond < 1) return true;
             }
+        }
         return false;
     }
 

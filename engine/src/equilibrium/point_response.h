@@ -59,9 +59,14 @@ TALUS_KERNEL PointResponse<V> pointResponse(const contact::JointParameters<V>& j
     const V zero{};
     PointResponse<V> point;
     const contact::StiffnessOf<V> sticking = contact::stiffnessOf(joint);
-    const V normal_stiffness = sticking.normal * area, stiffness = sticking.shear * area;
+    V normal_stiffness = sticking.normal * area;
+    const V stiffness = sticking.shear * area;
     const V tension_limit = contact::tensileStrength(joint, area, memory.bond);
-    const V trial_normal = -normal_stiffness * (gap - memory.dilation);
+    const V opening = gap - memory.dilation;
+    if (any(joint.softening > 0.0))
+        normal_stiffness =
+            select(opening > 0.0, contact::tensionStiffness(joint, memory.bond) * area, normal_stiffness);
+    const V trial_normal = -normal_stiffness * opening;
     point.open = both(trial_normal < 0.0, tension_limit == 0.0);
     if (rounding > 0) point.open = simd::MaskOf<V>{};
     const NormalResponse<V> normal = normalResponse(trial_normal, tension_limit, rounding);

@@ -145,7 +145,7 @@ double storedEnergy(const Contacts& contacts, std::size_t i) {
     const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(contacts.interfaces.joint[i])];
     double sum = 0;
     for (const ContactPoint& point : contactPoints(contacts, i))
-        sum += contact::storedEnergy(law, point.area, point.force);
+        sum += contact::storedEnergy(law, point.area, point.memory.bond, point.force);
     return sum;
 }
 

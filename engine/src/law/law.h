@@ -29,6 +29,9 @@ inline bool hasMemory(const JointLaw& joint) {
            joint.tan_dilation != 0;
 }
 
+/// Whether it loses strength with the way it goes, not at once.
+inline bool softens(const JointLaw& joint) { return joint.softening > 0; }
+
 /// Whether it has strength to lose that `held` can hold.
 inline bool isBrittle(const JointLaw& joint) { return !joint.curved && (joint.bonded || falls(joint)); }
 
@@ -81,6 +84,33 @@ TALUS_KERNEL StiffnessOf<V> stiffnessOf(const JointParameters<V>& joint) {
 template <class V>
 TALUS_KERNEL V tensileStrength(const JointParameters<V>& joint, V area, V bond) {
     return bond * joint.tensile_strength * area;
+}
+
+/// Stiffness in tension, with what is left of the bond [Pa/m]: what has opened beyond its strength and softens goes
+/// back to closed along a straight line.
+template <class V>
+TALUS_KERNEL V tensionStiffness(const JointParameters<V>& joint, V bond) {
+    using simd::both, simd::select;
+    const V opened = (V{} + 1.0 - bond) * joint.softening;
+    const V damaged = joint.normal_stiffness * bond * joint.tensile_strength /
+                      (joint.tensile_strength + joint.normal_stiffness * opened);
+    return select(both(opened > 0.0, bond > 0.0), damaged, joint.normal_stiffness);
+}
+
+/// What is left of a bond that softens, at an opening [m]: all up to that of its strength, nothing after `softening`
+/// more. The strength falls along a straight line (A. Hillerborg, M. Modeer and P.-E. Petersson, Cem. Concr. Res. 6, 1976).
+template <class V>
+TALUS_KERNEL V bondAtOpening(const JointParameters<V>& joint, V opening, V bond) {
+    using simd::larger, simd::smaller;
+    const V beyond = opening - joint.tensile_strength / joint.normal_stiffness;
+    return smaller(bond, larger(V{} + 1.0 - beyond / joint.softening, V{}));
+}
+
+/// The same after a slip beyond its strength [m] (slip weakening: Y. Ida, J. Geophys. Res. 77, 1972).
+template <class V>
+TALUS_KERNEL V bondAfterSlip(const JointParameters<V>& joint, V slip, V bond) {
+    using simd::larger;
+    return larger(bond - slip / joint.softening, V{});
 }
 
 /// How Coulomb's strength grows with the normal force: between residual and peak by what is left of the bond.
@@ -137,7 +167,8 @@ TALUS_KERNEL V strengthSlope(const JointParameters<V>& joint, V area, V normal_f
 /// Forces at a contact point from its gap and slide; updates its memory.
 ///
 /// `release` is the share of the bond that goes per call once it breaks: 1 in a time history (brittle, eqs 7-9),
-/// less in quasi-static work, where a break is released slowly so that its energy does not break its neighbours.
+/// less in quasi-static work, where a break is released slowly so that its energy does not break its neighbours. A joint
+/// that softens loses its bond with the way it goes instead: a second call at the same place changes nothing.
 /// `Remembers` may be false when no joint `hasMemory`, `Curved` when none is; the result is the same, to the bit.
 template <bool Remembers = true, bool Curved = true, class V>
 TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V gap, V slide_1, V slide_2,
@@ -149,8 +180,15 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     V trial_normal, bond = memory.bond;
     if constexpr (Remembers) {
         trial_normal = -joint.normal_stiffness * area * (gap - memory.dilation);
+        const auto softens = joint.softening > 0.0;
+        if (any(softens)) {
+            const V opening = gap - memory.dilation;
+            bond = select(both(softens, joint.bonded), bondAtOpening(joint, opening, bond), bond);
+            trial_normal =
+                select(opening > 0.0, -tensionStiffness(joint, bond) * area * opening, trial_normal);
+        }
         const auto torn = both(joint.bonded, trial_normal < -tensileStrength(joint, area, bond));
-        bond = select(either(torn, bond < 1.0), larger(bond - release, zero), bond);
+        bond = select(both(!softens, either(torn, bond < 1.0)), larger(bond - release, zero), bond);
         const V tension_limit = tensileStrength(joint, area, bond);
         force.open = both(trial_normal < 0.0, tension_limit == 0.0);
         force.normal = select(force.open, zero, larger(trial_normal, -tension_limit));
@@ -183,15 +221,27 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     force.slips = both(!force.open, trial_squared > strength * strength);
     V stiffness_left = stiffness;
     if (any(force.slips)) {
+        const V trial = squareRoot(trial_squared);
         if constexpr (Remembers) {
-            auto breaks = both(force.slips, bond == 1.0);
+            const auto softens = joint.softening > 0.0;
+            auto breaks = both(force.slips, either(softens, bond == 1.0));
             if constexpr (Curved) breaks = both(breaks, either(!joint.curved, joint.residual_factor < 1.0));
-            bond = select(breaks, larger(bond - release, zero), bond);
+            V weaker = larger(bond - release, zero);
+            if (any(softens))
+                weaker = select(softens, bondAfterSlip(joint, (trial - strength) / stiffness, bond), weaker);
+            bond = select(breaks, weaker, bond);
+            if (any(softens)) {
+                const auto drawn = both(softens, force.normal < 0.0);
+                const V limit = tensileStrength(joint, area, bond);
+                const V tension =
+                    smaller(tensionStiffness(joint, bond) * area * (gap - memory.dilation), limit);
+                force.normal = select(drawn, -tension, force.normal);
+                force.open = either(force.open, both(drawn, limit == 0.0));
+            }
             V left = coulombStrength(joint, area, force.normal, bond);
             if constexpr (Curved) left = select(joint.curved, on_curve * curveShare(joint, bond), left);
             strength = select(breaks, smaller(strength, left), strength);
         }
-        const V trial = squareRoot(trial_squared);
         const V keep = strength / trial;
         stiffness_left = select(force.slips, keep * stiffness, stiffness);
         memory.offset_1 = select(force.slips, slide_1 + keep * back_1, memory.offset_1);
@@ -228,11 +278,11 @@ inline double normalEnergy(const JointLaw& joint, double area, double normal_for
     return 0.5 * normal_force * normal_force / (joint.normal_stiffness * area);
 }
 
-/// Energy of all its springs [J].
-inline double storedEnergy(const JointLaw& joint, double area, const PointForce& force) {
+/// Energy of all its springs [J], with what is left of its bond.
+inline double storedEnergy(const JointLaw& joint, double area, double bond, const PointForce& force) {
     const double shear = force.shear_1 * force.shear_1 + force.shear_2 * force.shear_2;
-    return 0.5 / area *
-           (force.normal * force.normal / joint.normal_stiffness + shear / joint.shear_stiffness);
+    const double normal = force.normal < 0 ? tensionStiffness(joint, bond) : joint.normal_stiffness;
+    return 0.5 / area * (force.normal * force.normal / normal + shear / joint.shear_stiffness);
 }
 
 /// Energy that presses an overlap deeper by `further` [J].

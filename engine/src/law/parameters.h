@@ -25,6 +25,7 @@ struct JointParameters {
     V residual_cohesion{};          ///< C_r [Pa]
     V tan_dilation{};               ///< tan(psi)
     V strength_factor{};            ///< that the curve was made with
+    V softening{};                  ///< opening or slip over which the peak strength is lost [m]; 0: at once
     V residual_factor = V{} + 1.0;  ///< share of the curve's strength after the first slip
     V unloading_loss{};             ///< 1 - e^2: of the normal force while a contact point parts
     simd::MaskOf<V> bonded{};       ///< C > 0 or sigma_t > 0: opening breaks it for good
@@ -61,7 +62,8 @@ inline constexpr std::array kLawParameters{
     LawParameter<V>{"residual_tan_friction", &JointParameters<V>::residual_tan_friction},
     LawParameter<V>{"residual_cohesion", &JointParameters<V>::residual_cohesion},
     LawParameter<V>{"tan_dilation", &JointParameters<V>::tan_dilation},
-    LawParameter<V>{"strength_factor", &JointParameters<V>::strength_factor}};
+    LawParameter<V>{"strength_factor", &JointParameters<V>::strength_factor},
+    LawParameter<V>{"softening_displacement", &JointParameters<V>::softening}};
 inline constexpr std::size_t kLawParameterCount = kLawParameters<double>.size();
 
 }  // namespace talus::contact

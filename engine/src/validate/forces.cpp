@@ -28,14 +28,15 @@ double affineAt(const Vec3& f, const Eigen::Vector2d& at) { return f.x() + at.x(
 double springEnergy(const contact::JointLaw& law, const RelativePose& pose, const ContactPoint& point) {
     const contact::PointForce& force = point.force;
     if (force.open) return 0;
-    const double overlap = force.normal < 0 ? contact::overlapFor(law, point.area, force.normal)
-                                            : point.memory.dilation - affineAt(pose.gap, point.position);
+    const double overlap = point.memory.dilation - affineAt(pose.gap, point.position);
+    const double normal =
+        force.normal < 0 ? contact::storedEnergy(law, point.area, point.memory.bond, {.normal = force.normal})
+                         : contact::energyToPress(law, point.area, 0.0, overlap);
     const double slid = force.slips
                             ? contact::offsetFor(law, point.area, std::hypot(force.shear_1, force.shear_2))
                             : std::hypot(point.memory.offset_1 - affineAt(pose.slide_1, point.position),
                                          point.memory.offset_2 - affineAt(pose.slide_2, point.position));
-    return contact::energyToPress(law, point.area, 0.0, overlap) +
-           0.5 * contact::stiffnessOf(law).shear * point.area * slid * slid;
+    return normal + 0.5 * contact::stiffnessOf(law).shear * point.area * slid * slid;
 }
 
 PointSum sumOver(const State& state, std::size_t i, const RelativePose& pose) {

@@ -179,6 +179,9 @@ std::int32_t Joints::withBridge(std::int32_t base, std::int32_t rock, double sha
                                     ? std::atan((1 - part) * std::tan(own) + part * std::tan(of_rock))
                                     : (1 - part) * own + part * of_rock;
     }
+    // The share without a peak has none to lose: what there is of it softens as where it is.
+    joint.softening_displacement =
+        std::max(joints_[index].softening_displacement, joints_[other].softening_displacement);
     return derive(base, JointOrigin::Kind::bridge, JointProperties{}.set(), std::move(joint));
 }
 

@@ -20,7 +20,10 @@ RockJoint jointOf(const RockMass& rock, const CutPlane& plane) {
     }
     const SingleJoint& single = rock.singles[plane.joint - rock.sets.size()];
     joint.set = !single.name.empty() ? single.name : single.of_network ? single.field : "single joints";
-    if (single.of_network) joint.disc = {single.point, single.dip, single.dip_direction, *single.radius};
+    if (single.of_network) {
+        joint.disc = {single.point, single.dip, single.dip_direction, *single.radius};
+        joint.area_inside = areaInside(*joint.disc, rock.region);
+    }
     return joint;
 }
 

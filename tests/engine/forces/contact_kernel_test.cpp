@@ -83,6 +83,12 @@ Joint brittle() {
     return strength;
 }
 
+Joint softening() {
+    Joint strength = brittle();
+    strength.softening_displacement = 5e-8;
+    return strength;
+}
+
 /// What has been seen of the law in some steps of random motion; `then` is before the law, at the same place.
 struct Seen {
     int stuck = 0, slipped = 0, open = 0, closed_again = 0, broken = 0;
@@ -215,6 +221,9 @@ TEST_SUITE("forces") {
                 const Seen rich = compare(rule, brittle(), damping);
                 seenAll(rich);
                 CHECK(rich.broken > 0);
+                const Seen soft = compare(rule, softening(), damping);
+                seenAll(soft);
+                CHECK(soft.broken > 0);
                 for (const StrengthLaw law :
                      {StrengthLaw::barton_bandis, StrengthLaw::envelope, StrengthLaw::power}) {
                     Joint strength = curved(law);

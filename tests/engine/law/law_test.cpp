@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+
 using talus::contact::JointLaw;
 using talus::contact::PointForce;
 using talus::contact::PointMemory;
@@ -157,6 +161,95 @@ TEST_SUITE("law") {
         contactLaw(joint, kArea, -1e-5, 3e-5, 0, 1, memory);  // elastic 1e-5, slips 2e-5
         CHECK(memory.dilation == doctest::Approx(2e-6));
         CHECK(contactLaw(joint, kArea, -1e-5, 2e-5, 0, 1, memory).normal == doctest::Approx(240));
+    }
+
+    TEST_CASE("a joint that softens takes sigma_t (sigma_t / k_n + w) / 2 a square metre to tear") {
+        for (const double way : {1e-6, 2e-5, 1e-3})
+            for (const double strength : {1e3, 5e4}) {
+                CAPTURE(way);
+                CAPTURE(strength);
+                JointLaw joint = cohesive();
+                joint.tensile_strength = strength;
+                joint.softening = way;
+                PointMemory memory;
+                const double closed = strength / joint.normal_stiffness, end = closed + way;
+                const int n = 20000;
+                double work = 0, last = 0;
+                for (int k = 1; k <= n; ++k) {
+                    const double now = contactLaw(joint, kArea, 1.01 * end * k / n, 0, 0, 1, memory).normal;
+                    work -= 0.5 * (now + last) * (1.01 * end / n);
+                    last = now;
+                }
+                CHECK(work == doctest::Approx(kArea * strength * end / 2).epsilon(1e-3));
+                CHECK(last == 0);
+                CHECK(memory.bond == 0);
+            }
+    }
+
+    TEST_CASE("a joint that softens closes where it was closed, and gives back what its springs hold") {
+        JointLaw joint = cohesive();
+        joint.softening = 4e-5;
+        PointMemory memory;
+        const PointForce half = contactLaw(joint, kArea, 2.5e-5 + 2e-5, 0, 0, 1, memory);
+        CHECK(memory.bond == doctest::Approx(0.5));
+        CHECK(half.normal == doctest::Approx(-250));
+        CHECK(talus::contact::storedEnergy(joint, kArea, memory.bond, half) ==
+              doctest::Approx(0.5 * 250 * 4.5e-5));
+        CHECK(contactLaw(joint, kArea, 0.5 * 4.5e-5, 0, 0, 1, memory).normal == doctest::Approx(-125));
+        CHECK(contactLaw(joint, kArea, -1e-5, 0, 0, 1, memory).normal == doctest::Approx(200));
+        CHECK(contactLaw(joint, kArea, 4.5e-5, 0, 0, 1, memory).normal == doctest::Approx(-250));
+        CHECK(memory.bond == doctest::Approx(0.5));
+    }
+
+    TEST_CASE("a joint that softens loses its peak along a straight line as it slips, in steps of any size") {
+        JointLaw joint = cohesive();
+        joint.residual_cohesion = 2e4;
+        joint.residual_tan_friction = 0.25;
+        joint.softening = 3e-4;
+        // 100 N of friction and 1000 N of cohesion: slips beyond 1.1e-4 m; 50 and 200 N are left.
+        for (const int steps : {1, 7, 1000}) {
+            PointMemory memory;
+            double force = 0;
+            for (int k = 1; k <= steps; ++k)
+                force = contactLaw(joint, kArea, -1e-5, (1.1e-4 + 2e-4) * k / steps, 0, 1, memory).shear_1;
+            CHECK(memory.bond == doctest::Approx(1.0 / 3));
+            CHECK(force == doctest::Approx(-(250 + 850 / 3.0)));
+            CHECK(contactLaw(joint, kArea, -1e-5, 1e-2, 0, 1, memory).shear_1 == doctest::Approx(-250));
+            CHECK(memory.bond == 0);
+        }
+    }
+
+    TEST_CASE("a joint that softens makes no energy on any way, and a second call changes nothing") {
+        std::mt19937 random(3);
+        std::normal_distribution<double> gauss(0, 1);
+        for (int history = 0; history < 200; ++history) {
+            JointLaw joint = cohesive();
+            joint.softening = std::pow(10.0, -6 + 3 * std::abs(gauss(random)) / 3);
+            PointMemory memory;
+            double gap = 0, slide = 0, work = 0, dissipated = 0, largest = 0;
+            PointForce last;
+            for (int walk = 0; walk < 20; ++walk) {
+                const double to_gap = 4e-5 * gauss(random), to_slide = 1e-4 * gauss(random);
+                const int n = 2000;
+                const double by_gap = (to_gap - gap) / n, by_slide = (to_slide - slide) / n;
+                for (int k = 0; k < n; ++k) {
+                    gap += by_gap, slide += by_slide;
+                    const PointForce now = contactLaw(joint, kArea, gap, slide, 0, 1, memory);
+                    work -= 0.5 * (now.normal + last.normal) * by_gap +
+                            0.5 * (now.shear_1 + last.shear_1) * by_slide;
+                    last = now;
+                    const double stored = talus::contact::storedEnergy(joint, kArea, memory.bond, now);
+                    largest = std::max(largest, stored);
+                    REQUIRE(work - stored > dissipated - 1e-3 * largest);
+                    dissipated = std::max(dissipated, work - stored);
+                }
+                const PointMemory before = memory;
+                const PointForce again = contactLaw(joint, kArea, gap, slide, 0, 1, memory);
+                CHECK(again.normal == doctest::Approx(last.normal).epsilon(1e-9));
+                CHECK(again.shear_1 == doctest::Approx(last.shear_1).epsilon(1e-9));
+                CHECK(memory.bond == doctest::Approx(before.bond).epsilon(1e-9));
+            }
+        }
     }
 
     TEST_CASE("an open Lp forgets its shear") {

@@ -138,6 +138,7 @@ TEST_CASE("scenario errors: materials and joints") {
     inJoint("nan", "residual_cohesion", "a finite number");
     inJoint("90", "residual_friction_deg", "found 90, allowed: at least 0 and less than 90");
     inJoint("-0.5", "dilation_deg", "at least 0");
+    inJoint("-1e-3", "softening_displacement", "at least 0");
     inJoint("[1]", "cohesion", "found an array, allowed: a number, at least 0");
     inJoint("{ a = 1 }", "cohesion", "found a table, allowed: a number");
 

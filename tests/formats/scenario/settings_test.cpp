@@ -90,7 +90,7 @@ TEST_CASE("scenario: joints in the order of the file, every value") {
         modelOf(material() +
                 "[joint.weak]\nnormal_stiffness = 2e8\nshear_stiffness = 3.5e8\nfriction_deg = 20\n"
                 "cohesion = 4\ntensile_strength = 5\nresidual_cohesion = 6\n"
-                "residual_friction_deg = 17\ndilation_deg = 8\n" +
+                "residual_friction_deg = 17\ndilation_deg = 8\nsoftening_displacement = 0.009\n" +
                 joint() + joint("alpha") + stack());
     REQUIRE(model.joints.size() == 3);
     CHECK(model.joints[0].name == "weak");
@@ -105,6 +105,7 @@ TEST_CASE("scenario: joints in the order of the file, every value") {
     CHECK(weak.residual_cohesion == 6);
     CHECK(weak.residual_friction == doctest::Approx(17 * kDeg).epsilon(1e-15));
     CHECK(weak.dilation == doctest::Approx(8 * kDeg).epsilon(1e-15));
+    CHECK(weak.softening_displacement == 0.009);
     const Joint& plain = model.joints[1];
     CHECK(plain.normal_stiffness == 2e9);
     CHECK(plain.shear_stiffness == 1e9);
@@ -113,6 +114,7 @@ TEST_CASE("scenario: joints in the order of the file, every value") {
     CHECK(plain.residual_cohesion == 0);
     CHECK(plain.residual_friction == plain.friction);
     CHECK(plain.dilation == 0);
+    CHECK(plain.softening_displacement == 0);
 }
 
 TEST_CASE("scenario: materials by row, by stack, by block") {

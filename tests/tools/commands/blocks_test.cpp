@@ -37,6 +37,24 @@ TEST_CASE("blocks: without joint sets the picture is drawn and the stereonet lef
     CHECK(Json::parse(said.out).at("warnings").dump().find("no joint set") != std::string::npos);
 }
 
+TEST_CASE("blocks: says how many discs were drawn, and what P32 they have") {
+    const TemporaryFolder folder;
+    const std::string set = "dip_deg = 40\ndip_direction_deg = 270\nradius = 2.0\n";
+    const std::string scenario = folder.write(
+        "network.toml", std::string(kStack).substr(0, std::string(kStack).find("[[stack]]")) +
+                            "[rock_mass]\nregion = { box = { min = [0, 0, 0], max = [8, 8, 8] } }\n"
+                            "[[fracture_set]]\nname = \"F\"\nfisher = 30\np32 = 0.3\n" +
+                            set + "[[fracture_set]]\ncount = 5\n" + set);
+    const Json result = Json::parse(runTalus({"blocks", scenario, "--json", "--quiet"}).out);
+    const Json& sets = result.at("fracture_sets");
+    REQUIRE(sets.size() == 2);
+    CHECK(sets[0].at("name") == "F");
+    CHECK(sets[0].at("p32").get<double>() == doctest::Approx(0.3).epsilon(0.01));
+    CHECK(sets[1].at("name") == "fracture_set[1]");
+    CHECK(sets[1].at("discs") == 5);
+    CHECK(runTalus({"blocks", scenario, "--quiet"}).out.find("discs of F") != std::string::npos);
+}
+
 TEST_CASE("blocks: no two files have one name") {
     const TemporaryFolder folder;
     const std::string scenario = folder.write("stack.toml", kStack), one = folder / "one.svg";

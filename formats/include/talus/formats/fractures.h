@@ -28,6 +28,7 @@ struct RockJoint {
     std::string set;                 ///< what it is one of: the name, or else the field, of its table
     Vec3 normal = Vec3::UnitZ();     ///< upwards
     std::optional<Fracture> disc{};  ///< of a fracture set
+    double area_inside = 0;          ///< of a disc, in the region [m^2]
 };
 
 /// All planes that cut the rock mass of a scenario, in the order of cutting; none without a rock mass.
