@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <utility>
 
 #include "build/build.h"
 #include "contacts/overlap.h"
@@ -109,15 +110,23 @@ bool drop(unsigned seed, int rocks, double seconds) {
 }  // namespace
 
 int main(int count, char** words) {
-    const auto word = [&](int k, double otherwise) { return count > k ? std::atof(words[k]) : otherwise; };
     unsigned first = 1, last = 10;
-    if (count > 1 && std::sscanf(words[1], "%u-%u", &first, &last) == 1) {
-        last = first;
-        first = 1;
+    int rocks = 1000, rest = 0;
+    double seconds = 1.5;
+    bool understood = count <= 4;
+    if (count > 1) {
+        const int read = std::sscanf(words[1], "%u%n-%u%n", &first, &rest, &last, &rest);
+        understood = understood && read > 0 && words[1][rest] == '\0';
+        if (read == 1) last = std::exchange(first, 1);
     }
-    const int rocks = static_cast<int>(word(2, 1000));
-    const double seconds = word(3, 1.5);
-    if (first < 1 || last < first || rocks < 1 || !(seconds > 0)) {
+    const auto number = [&](int k, const char* format, auto& value) {
+        if (count > k)
+            understood =
+                understood && std::sscanf(words[k], format, &value, &rest) == 1 && words[k][rest] == '\0';
+    };
+    number(2, "%d%n", rocks);
+    number(3, "%lf%n", seconds);
+    if (!understood || first < 1 || last < first || rocks < 1 || !(seconds > 0)) {
         std::fprintf(stderr, "usage: talus-piles [SEEDS|FIRST-LAST [ROCKS [SECONDS]]]\n");
         return 2;
     }
