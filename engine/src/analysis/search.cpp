@@ -56,19 +56,30 @@ using Find = Result<SearchResult> (*)(const Model&, const Control&, const QuasiS
 // to which other loading histories are looked at.
 constexpr std::size_t kDearerThanRange = 15;
 
-/// To the warning of an answer that hangs on cohesion lost at the first slip adds the answer for cohesion that is kept, in small
-/// models.
-void tellKeptCohesion(Find find, const Model& model, const Control& control, const QuasiStatic& settings,
+// As limit equilibrium has it: what slips or tears keeps its strength.
+void keepCohesion(Joint& joint) {
+    joint.residual_cohesion = std::max(joint.residual_cohesion, joint.cohesion);
+}
+void keepTension(Joint& joint) {
+    if (joint.tensile_strength > 0)
+        joint.softening_displacement = propertyOf(&Joint::softening_displacement).allowed.max;
+}
+
+/// To the warning of an answer that hangs on cohesion or tensile strength lost at the first slip or opening adds the answer for
+/// strength that is kept, in small models.
+void tellKeptStrength(Find find, const Model& model, const Control& control, const QuasiStatic& settings,
                       const std::function<std::string(double)>& say, SearchResult& result) {
     const auto warning =
-        std::find_if(result.warnings.begin(), result.warnings.end(),
-                     [](const std::string& text) { return text.starts_with(analysis::kHangsOnCohesion); });
+        std::find_if(result.warnings.begin(), result.warnings.end(), [](const std::string& text) {
+            return text.starts_with(analysis::kHangsOnCohesion) ||
+                   text.starts_with(analysis::kHangsOnTension);
+        });
     if (warning == result.warnings.end() || result.status != SearchStatus::found ||
         result.contact_points > control.most_points_of_range / kDearerThanRange)
         return;
+    const bool is_cohesion = warning->starts_with(analysis::kHangsOnCohesion);
     Model kept = model;
-    for (Joint& joint : kept.joints)
-        joint.residual_cohesion = std::max(joint.residual_cohesion, joint.cohesion);
+    for (Joint& joint : kept.joints) is_cohesion ? keepCohesion(joint) : keepTension(joint);
     Control alone = control;
     alone.keep_failing_state = false;
     alone.groups = 1;
@@ -77,8 +88,9 @@ void tellKeptCohesion(Find find, const Model& model, const Control& control, con
     if (!found) return;
     result.wall_seconds += found->wall_seconds;
     if (found->status != SearchStatus::found) return;
-    result.kept_cohesion = found->answer;
-    *warning += "; the answer with cohesion kept: " + say(found->answer);
+    if (is_cohesion) result.kept_cohesion = found->answer;
+    *warning += std::string("; the answer with ") + (is_cohesion ? "cohesion" : "tensile strength") +
+                " kept: " + say(found->answer);
 }
 
 // Farthest load steps of the implicit solve: beyond, it may pass a failure and come to rest where the assembly stands again.
@@ -103,7 +115,7 @@ Result<SearchResult> criticalAngle(const Model& model, const Control& control, c
     axis.apply = [](State& state, double tilt) { state.load.tilt = tilt; };
     axis.say = [](double tilt) { return analysis::formatted("tilt %.4f deg", degrees(tilt)); };
     Result<SearchResult> result = analysis::searchOfTheRest(model, axis, control, settings);
-    if (result) tellKeptCohesion(criticalAngle, model, control, settings, axis.say, *result);
+    if (result) tellKeptStrength(criticalAngle, model, control, settings, axis.say, *result);
     return result;
 }
 
@@ -126,7 +138,7 @@ Result<SearchResult> safetyFactor(const Model& model, const Control& control, co
     Result<SearchResult> result = analysis::searchOfTheRest(model, axis, control, settings);
     if (result) analysis::addGroups(model, axis, control, settings, *result);
     const auto say = [](double factor) { return analysis::formatted("factor %.4f", factor); };
-    if (result) tellKeptCohesion(safetyFactor, model, control, settings, say, *result);
+    if (result) tellKeptStrength(safetyFactor, model, control, settings, say, *result);
     return result;
 }
 
@@ -147,7 +159,7 @@ Result<SearchResult> criticalAcceleration(const Model& model, const Control& con
         return analysis::formatted("horizontal %.5f of the weight", horizontal);
     };
     Result<SearchResult> result = analysis::searchOfTheRest(model, axis, control, settings);
-    if (result) tellKeptCohesion(criticalAcceleration, model, control, settings, axis.say, *result);
+    if (result) tellKeptStrength(criticalAcceleration, model, control, settings, axis.say, *result);
     return result;
 }
 

@@ -43,7 +43,7 @@ std::optional<std::string> ofLostCohesion(double lost) {
 /// What tears at once does so at its edge first.
 std::optional<std::string> ofLostTension(double lost) {
     if (lost == 0) return std::nullopt;
-    return "the answer hangs on tensile strength that is lost at once where a joint first opens or slips (" +
+    return kHangsOnTension + std::string(" at once where a joint first opens or slips (") +
            formatted("%.0f", 100 * lost) +
            " % of its area in the failure): with softening_displacement, over which rock tears, it may be "
            "higher; the ceiling of limit analysis counts it as kept";

@@ -10,6 +10,8 @@ namespace talus::analysis {
 
 /// How the warning begins of an answer that hangs on cohesion lost at the first slip.
 inline constexpr const char* kHangsOnCohesion = "the answer hangs on cohesion that is lost";
+/// Likewise, on tensile strength.
+inline constexpr const char* kHangsOnTension = "the answer hangs on tensile strength that is lost";
 
 /// \param last  the state the search ended in: let go if it `fails`
 std::vector<std::string> searchWarnings(const Probing& probing, const State& last, bool fails);

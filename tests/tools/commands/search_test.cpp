@@ -218,6 +218,26 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "an answer that hangs on tensile strength lost at once says so, with the one for strength that is kept") {
+    const auto answerOf = [](const std::string& softening) {
+        return runTalus({"safety-factor", TALUS_SOURCE_DIR "/bench/verification/bridge-in-tension.toml",
+                         "--set", "joint.intact.softening_displacement=" + softening, "--json", "--quiet",
+                         "--no-ceiling"})
+            .json();
+    };
+    const auto warnings = [](const nlohmann::json& answer) { return answer.at("warnings").dump(); };
+    const auto kept = answerOf("1.0"), lost = answerOf("0");
+    CHECK(warnings(kept).find("hangs on tensile strength") == std::string::npos);
+    CHECK(lost.at("safety_factor").get<double>() < 0.98 * kept.at("safety_factor").get<double>());
+    const std::string told = "the answer with tensile strength kept: factor ";
+    const std::string warning = warnings(lost);
+    REQUIRE(warning.find(told) != std::string::npos);
+    CHECK(std::stod(warning.substr(warning.find(told) + told.size())) ==
+          doctest::Approx(kept.at("safety_factor").get<double>()).epsilon(1e-3));
+    CHECK(lost.at("kept_cohesion").is_null());
+}
+
+TEST_CASE(
     "blocks that a level table pushes off at any strength are told, and a history whose water never drains") {
     const TemporaryFolder folder;
     // A wedge of rock on a joint that daylights, with water up to its crest.
