@@ -152,6 +152,7 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
 Probing beginProbing(const State& state, const LoadAxis& axis, const Control& control,
                      const QuasiStatic& settings, bool parallel) {
     Probing p{.axis = axis, .control = control, .last_stable = state, .last_moving = {}, .work = {}};
+    p.last_stable.searches_around = freeBlocks(state) > kManyBlocks;
     p.work = prepare(p.last_stable, settings, control, axis.imbalance_tolerance, parallel);
     p.reach = tieReach(state);
     p.implicit_first = p.reach > 0;

@@ -142,6 +142,13 @@ void carryPlace(const OldInterfaces& old, std::size_t o, State& state, std::size
     state.points.setMemory(f.pointSlot(n, 0), old.points.memoryAt(from.pointSlot(o, 0)));
 }
 
+/// What the search has left as it is goes on so.
+void keepMemory(const OldInterfaces& old, std::size_t o, State& state, std::size_t n) {
+    for (std::size_t k = 0; k < state.interfaces.pointCount(n); ++k)
+        state.points.setMemory(state.interfaces.pointSlot(n, k),
+                               old.points.memoryAt(old.interfaces.pointSlot(o, k)));
+}
+
 /// Shear force of other contacts of the same blocks goes to the nearest closed contact points of a new pair of faces.
 void takeShear(const std::vector<CarriedPoint>& carried, State& state, std::size_t i) {
     const Interfaces& f = state.interfaces;
@@ -198,7 +205,14 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
     const Geometry& geometry = *state.geometry;
     std::map<Key, std::size_t> faces;  // of face to face interfaces
     std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> slots;  // of pairs of parts
+    std::vector<char> is_kept(f.size(), 0);
     for (std::size_t o = 0; o < old.interfaces.size(); ++o) {
+        if (!old.kept_as.empty() && old.kept_as[o] >= 0) {
+            const auto n = static_cast<std::size_t>(old.kept_as[o]);
+            keepMemory(old, o, state, n);
+            is_kept[n] = 1;
+            continue;
+        }
         if (isVertexEdge(old.interfaces, o))
             slots[partsOf(geometry, old.interfaces, o)].push_back(o);
         else
@@ -207,6 +221,7 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
     std::vector<std::size_t> new_faces;
     std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> next_place;
     for (std::size_t n = 0; n < f.size(); ++n) {
+        if (is_kept[n]) continue;
         if (isVertexEdge(f, n)) {
             const auto pair = partsOf(geometry, f, n);
             const auto found = slots.find(pair);

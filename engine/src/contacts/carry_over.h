@@ -12,6 +12,8 @@ struct OldInterfaces {
     Interfaces interfaces;
     ContactPoints points;
     std::vector<double> depth;  ///< per block: its deepest closed contact point; 0 for fixed ones [m]
+    /// Those that the search leaves as they are: which they are now, else -1. Empty: none.
+    std::vector<std::int64_t> kept_as{};
 
     Contacts contacts(const State& state) const {
         return {state.blocks, interfaces, points, state.laws, state.geometry->model.points};

@@ -17,6 +17,7 @@
 #include "law/points.h"
 #include "state/caller.h"
 #include "state/incidence.h"
+#include "state/placed_shape.h"
 #include "state/point_layout.h"
 
 namespace talus {
@@ -128,16 +129,40 @@ void closeInitialInterfaces(State& state) {
     }
 }
 
-/// One interface to be made between two blocks; without a patch: the places of two parts that may meet by vertices or edges.
+/// Appends an interface as it was before the search.
+void appendKept(State& state, OldInterfaces& old, std::size_t o) {
+    const Interfaces& from = old.interfaces;
+    Interfaces& f = state.interfaces;
+    const std::vector<Eigen::Vector2d> outline = patchOutline(from, o);
+    addToGroups(f, outline.size(), from.pointCount(o));
+    for (auto index : {&Interfaces::block_a, &Interfaces::block_b, &Interfaces::face_a, &Interfaces::face_b,
+                       &Interfaces::joint})
+        (f.*index).push_back((from.*index)[o]);
+    f.area.push_back(from.area[o]);
+    f.kind.push_back(from.kind[o]);
+    f.idle.push_back(from.idle[o]);
+    f.travel_left.push_back(from.travel_left[o]);
+    f.faces_are_apart.push_back(from.faces_are_apart[o]);
+    const std::size_t n = f.size() - 1;
+    f.setFrame(n, from.frame(o));
+    f.setWrench(n, from.wrench(o));
+    placeCorners(f, n, outline);
+    old.kept_as[o] = static_cast<std::int64_t>(n);
+}
+
+/// One interface to be made between two blocks; without a patch: the places of two parts that may meet by vertices or edges. Or
+/// some of before the search, one after the other, that are to be left as they are.
 struct Found {
     std::int32_t a = 0, b = 0;
     FacePair faces{};
+    std::size_t first_old = 0, old_count = 0;
 };
 
 /// Appends interfaces in the order they are stored in: that of the search, but those with as many corners side by side
 /// within windows short enough that neighbours in space stay neighbours in memory.
 struct InterfaceWindow {
     static constexpr std::size_t kSize = 256;
+    OldInterfaces& old;
     std::vector<Found> found{};
     std::vector<const Found*> order{};
 
@@ -149,10 +174,16 @@ struct InterfaceWindow {
     void append(State& state) {
         order.clear();
         for (const Found& one : found) order.push_back(&one);
-        std::stable_sort(order.begin(), order.end(), [](const Found* a, const Found* b) {
-            return a->faces.patch.size() < b->faces.patch.size();
-        });
+        const auto corners = [&](const Found& one) {
+            if (one.old_count == 0) return one.faces.patch.size();
+            return isVertexEdge(old.interfaces, one.first_old) ? 0
+                                                               : old.interfaces.cornerCount(one.first_old);
+        };
+        std::stable_sort(order.begin(), order.end(),
+                         [&](const Found* a, const Found* b) { return corners(*a) < corners(*b); });
         for (const Found* one : order) {
+            for (std::size_t k = 0; k < one->old_count; ++k) appendKept(state, old, one->first_old + k);
+            if (one->old_count > 0) continue;
             const Polygon& patch = one->faces.patch;
             if (patch.empty()) {
                 appendVertexEdgePlaces(state, one->a, one->b);
@@ -187,10 +218,28 @@ struct SearchRemarks {
     bool stopped = false;
 };
 
-SearchRemarks appendInterfaces(State& state, const SearchRange& range, const KnownPairs& known, bool initial,
-                               bool parallel, const Control& control) {
+/// All of before the search that it does not look at; the places of a pair stay together.
+void appendFarFrom(const SearchRange& range, State& state, InterfaceWindow& window) {
+    const Interfaces& from = window.old.interfaces;
+    window.old.kept_as.assign(from.size(), -1);
+    for (std::size_t o = 0, next = 0; o < from.size(); o = next) {
+        next = o + 1;
+        if (isVertexEdge(from, o)) {
+            const auto parts = partsOf(*state.geometry, from, o);
+            while (next < from.size() && isVertexEdge(from, next) &&
+                   partsOf(*state.geometry, from, next) == parts)
+                ++next;
+        }
+        if (!range.has(static_cast<std::size_t>(from.block_a[o]), static_cast<std::size_t>(from.block_b[o])))
+            window.add(state, {.first_old = o, .old_count = next - o});
+    }
+}
+
+SearchRemarks appendInterfaces(State& state, OldInterfaces& old, const SearchRange& range,
+                               const KnownPairs& known, bool initial, bool parallel, const Control& control) {
     SearchRemarks remarks;
-    InterfaceWindow window;
+    InterfaceWindow window{.old = old};
+    if (range.around != nullptr) appendFarFrom(range, state, window);
     const auto take = [&](const PairFinding& finding) {
         if (finding.overlaps)
             remarks.overlaps.push_back({{},
@@ -227,18 +276,33 @@ std::vector<Error> touchErrors(const State& state) {
     return errors;
 }
 
+/// Of the blocks around which was searched, or of all.
+void keepSearchPoses(State& state, const std::vector<char>& around) {
+    if (around.empty()) {
+        state.search_position = state.blocks.position;
+        state.search_orientation = state.blocks.orientation;
+        return;
+    }
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (!around[b]) continue;
+        state.search_position.set(b, state.blocks.position.get(b));
+        state.search_orientation[b] = state.blocks.orientation[b];
+    }
+}
+
 std::vector<Error> interrupted() { return {{"", "interrupted while its contacts were searched for"}}; }
 
 }  // namespace
 
 std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel,
-                                  const Control& control) {
+                                  const Control& control, const std::vector<char>& around) {
     const KnownPairs known{pairsWithPlaces(*state.geometry, state.interfaces),
                            narrowPatchesCount(state, initial) ? PartPairs{} : pairsThatBear(state)};
     const std::vector<PairEnergy> held =
         state.springs == Springs::keep_energy ? energyOfPairs(contactsOf(state)) : std::vector<PairEnergy>{};
     OldInterfaces old = takeInterfaces(state);
-    const SearchRemarks remarks = appendInterfaces(state, {margin, ahead}, known, initial, parallel, control);
+    const SearchRemarks remarks = appendInterfaces(
+        state, old, {margin, ahead, around.empty() ? nullptr : &around}, known, initial, parallel, control);
     if (remarks.stopped) {
         state.interfaces = std::move(old.interfaces);
         state.points = std::move(old.points);
@@ -258,10 +322,9 @@ std::vector<Error> makeInterfaces(State& state, double margin, double ahead, boo
         carried = carryOver(old, state, ahead);
     if (initial && isStopped(control)) return interrupted();
     buildIncidence(state);
-    renewVertexEdges(state, ahead, parallel, carried);
+    renewVertexEdges(state, ahead, parallel, carried, around);
     if (state.springs == Springs::keep_energy) balanceEnergy(state, held);
-    state.search_position = state.blocks.position;
-    state.search_orientation = state.blocks.orientation;
+    keepSearchPoses(state, around);
     state.search_margin = margin;
     if (initial) return touchErrors(state);
     rebuildPairWater(state);

@@ -15,10 +15,11 @@ namespace talus {
 /// Asked to stop it makes none: at the start the state is to be thrown away, later it is as it was.
 /// \param ahead time until the next look [s]
 /// \param control  asked to stop, told how far it has come
+/// \param around  by block: interfaces of pairs of which neither is marked are left as they are; empty: none is
 /// Reads:  poses, velocities, shapes, old interfaces and points
 /// Writes: interfaces, points, incidence, walls of water between two blocks, search poses and margin, shear_lost
 /// \return faults of the model; what was asked to stop is one
 std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel,
-                                  const Control& control = {});
+                                  const Control& control = {}, const std::vector<char>& around = {});
 
 }  // namespace talus

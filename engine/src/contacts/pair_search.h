@@ -1,6 +1,6 @@
 #pragma once
 // The half of a search that looks: which pairs of blocks, part by part, are near, and what they may touch each other with. The other
-// half (patches.cpp) makes interfaces of it.
+// half (interfaces.cpp) makes interfaces of it.
 
 #include <cstdint>
 #include <functional>
@@ -47,6 +47,12 @@ PartPairs pairsThatBear(const State& state);
 struct SearchRange {
     double margin = 0;  ///< pairs of faces nearer than this count [m]
     double ahead = 0;   ///< time until the next look, not negative [s]
+    /// By block: pairs of which neither is marked are left out; null: none is.
+    const std::vector<char>* around = nullptr;
+
+    bool has(std::size_t a, std::size_t b) const {
+        return around == nullptr || (*around)[a] != 0 || (*around)[b] != 0;
+    }
 };
 
 /// \pre range.margin > 0

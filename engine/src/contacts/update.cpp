@@ -26,38 +26,80 @@ constexpr double kSlideLimit =
     0.01;  // of the root of the patch area or the smaller block's size, the larger of the
            // two: then the patch is clipped again
 
+constexpr double kWider = 1.001;      // than the last margin: then that is too narrow
+constexpr double kFartherThan = 1.5;  // it has to: what falls soon is faster
+constexpr double kFew = 0.2;          // of all blocks: around more a search is as dear as one of all
+
 double searchMargin(const State& state, double ahead) {
     double fastest = 0;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) fastest = std::max(fastest, speedBound(state, b));
     return std::max(kSearchMargin * state.geometry->length_scale, kFasterAhead * fastest * ahead);
 }
 
+double slideLimit(const State& state, std::size_t i) {
+    const Interfaces& f = state.interfaces;
+    const double size = std::min(state.geometry->size[static_cast<std::size_t>(f.block_a[i])],
+                                 state.geometry->size[static_cast<std::size_t>(f.block_b[i])]);
+    return kSlideLimit * std::max(std::sqrt(f.area[i]), size);
+}
+
+bool hasSlid(const State& state, std::size_t i) {
+    const RelativePose pose = relativePose(state, i);
+    return std::hypot(pose.slide_1.x(), pose.slide_2.x()) > slideLimit(state, i);
+}
+
+/// Since the last search.
+struct Way {
+    double motion = 0;  ///< of the point of a block that has gone farthest [m]
+    double turn = 0;    ///< [rad]
+};
+Way wayOf(const State& state, std::size_t b) {
+    if (state.blocks.motion[b] == Motion::fixed) return {};
+    const double shift = (state.blocks.position.get(b) - state.search_position.get(b)).norm();
+    const double turn = rotationFrom(state.search_orientation, state.blocks.orientation, b);
+    return {shift + turn * state.geometry->radius[b], turn};
+}
+
 /// Far enough that a contact could be missed, or that a patch has slid or turned too far over its partner.
 bool movedTooFar(const State& state, double margin) {
     double farthest = 0, most_turned = 0;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
-        if (state.blocks.motion[b] == Motion::fixed) continue;
-        const double shift = (state.blocks.position.get(b) - state.search_position.get(b)).norm();
-        const double turn = rotationFrom(state.search_orientation, state.blocks.orientation, b);
-        const double motion = shift + turn * state.geometry->radius[b];
-        if (motion > kTravelLimit * state.geometry->size[b]) return true;
-        farthest = std::max(farthest, motion);
-        most_turned = std::max(most_turned, turn);
+        const Way way = wayOf(state, b);
+        if (way.motion > kTravelLimit * state.geometry->size[b]) return true;
+        farthest = std::max(farthest, way.motion);
+        most_turned = std::max(most_turned, way.turn);
     }
     if (most_turned > kTurnLimit) return true;
     // Half the margin each, less what they may go before the next look.
-    if (farthest > kShareOfMargin * state.search_margin || margin > 1.001 * state.search_margin) return true;
+    if (farthest > kShareOfMargin * state.search_margin || margin > kWider * state.search_margin) return true;
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
         if (isVertexEdge(f, i)) continue;
-        const double size = std::min(state.geometry->size[static_cast<std::size_t>(f.block_a[i])],
-                                     state.geometry->size[static_cast<std::size_t>(f.block_b[i])]);
-        const double limit = kSlideLimit * std::max(std::sqrt(f.area[i]), size);
-        if (2.0 * farthest < limit) continue;
-        const RelativePose pose = relativePose(state, i);
-        if (std::hypot(pose.slide_1.x(), pose.slide_2.x()) > limit) return true;
+        if (2.0 * farthest >= slideLimit(state, i) && hasSlid(state, i)) return true;
     }
     return false;
+}
+
+/// Blocks that have gone as far as movedTooFar says, and those of patches that have slid so far.
+std::vector<char> farMovers(const State& state) {
+    std::vector<char> marked(state.blocks.size(), 0);
+    double farthest = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        const Way way = wayOf(state, b);
+        marked[b] = way.motion > kTravelLimit * state.geometry->size[b] || way.turn > kTurnLimit ||
+                    way.motion > kShareOfMargin * state.search_margin;
+        farthest = std::max(farthest, way.motion);
+    }
+    // A patch is as old as the later search around one of its blocks: the other may have gone to and fro since its own.
+    constexpr double kToAndFro = 2.0;
+    const Interfaces& f = state.interfaces;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
+        if (isVertexEdge(f, i) || marked[a] || marked[b]) continue;
+        if (2.0 * kToAndFro * farthest < slideLimit(state, i) || !hasSlid(state, i)) continue;
+        for (const std::size_t block : {a, b}) marked[block] = state.blocks.motion[block] != Motion::fixed;
+    }
+    return marked;
 }
 
 /// Forces of the contacts as they are now, for the next half kick: of their springs. A contact point that has just been placed
@@ -93,10 +135,24 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
 
 bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop,
                        const std::vector<double>& gone, bool may_wait) {
-    const double margin = searchMargin(state, ahead);
-    const PlaceChanges changes = movedTooFar(state, margin)
-                                     ? PlaceChanges{.places = false, .search = true}
-                                     : updateVertexEdges(state, ahead, parallel, gone, may_wait);
+    double margin = searchMargin(state, ahead);
+    std::vector<char> around;
+    PlaceChanges changes;
+    if (state.searches_around && margin <= kWider * state.search_margin) {
+        margin = state.search_margin;
+        around = farMovers(state);
+        changes = updateVertexEdges(state, ahead, parallel, gone, may_wait, &around);
+        const auto count = std::count(around.begin(), around.end(), 1);
+        changes.search = count > 0;
+        if (static_cast<double>(count) > kFew * static_cast<double>(around.size())) around.clear();
+    } else if (state.searches_around) {
+        margin *= kFartherThan;
+        changes.search = true;
+    } else if (movedTooFar(state, margin)) {
+        changes.search = true;
+    } else {
+        changes = updateVertexEdges(state, ahead, parallel, gone, may_wait);
+    }
     if (!changes.search) {
         const bool recovered = recoverGaps(state);
         // The next half kick is that of the springs as they are now; the old one would do work that none of them holds.
@@ -107,7 +163,7 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
     }
     Control control;
     control.stop = stop;
-    if (!makeInterfaces(state, margin, ahead, false, parallel, control).empty()) return false;
+    if (!makeInterfaces(state, margin, ahead, false, parallel, control, around).empty()) return false;
     // Forces are there again before anything looks at them.
     if (state.springs == Springs::keep_energy) {
         updateSpringForces(state, parallel);

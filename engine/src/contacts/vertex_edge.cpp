@@ -351,7 +351,7 @@ void updatePairs(Interfaces& f, bool parallel, const Each& each) {
 }  // namespace
 
 PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const std::vector<double>& gone,
-                               bool may_wait) {
+                               bool may_wait, std::vector<char>* wanting) {
     assert(ahead >= 0 && (gone.empty() || gone.size() == state.blocks.size()));
     const auto way_of = [&](std::int32_t block) {
         const auto b = static_cast<std::size_t>(block);
@@ -367,6 +367,10 @@ PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const 
         if (look.changes) {
             search = !may_wait;
             left = may_wait ? look.travel : left;
+            if (wanting != nullptr && !may_wait)
+                for (const std::int32_t block : {f.block_a[begin], f.block_b[begin]})
+                    if (state.blocks.motion[static_cast<std::size_t>(block)] != Motion::fixed)
+                        std::atomic_ref<char>{(*wanting)[static_cast<std::size_t>(block)]}.store(1);
             return;
         }
         if (writePlaces(state, begin, look.found, {}, look.size)) places = true;
@@ -375,9 +379,14 @@ PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const 
     return {.places = places, .search = search};
 }
 
-void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried) {
+void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried,
+                      const std::vector<char>& around) {
     assert(ahead >= 0 && state.incidence.interface_begin.size() == state.blocks.size() + 1);
+    const auto isFar = [&](std::int32_t block) { return !around[static_cast<std::size_t>(block)]; };
     updatePairs(state.interfaces, parallel, [&](std::size_t begin) {
+        if (!around.empty() && isFar(state.interfaces.block_a[begin]) &&
+            isFar(state.interfaces.block_b[begin]))
+            return;
         const Look look = lookAtPair(state, begin, ahead, true);
         state.interfaces.faces_are_apart[begin] = look.no_faces ? 1 : 0;
         const auto of_pair = carried.find(partsOf(*state.geometry, state.interfaces, begin));

@@ -49,10 +49,14 @@ struct PlaceChanges {
 /// \pre incidence is that of the interfaces
 /// Reads:  poses, velocities, shapes
 /// Writes: places, their contact points, incidence
+/// \param wanting  blocks, not fixed, of pairs that ask for a search are marked in it; null: nobody wants to know
 PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel,
-                               const std::vector<double>& gone = {}, bool may_wait = false);
+                               const std::vector<double>& gone = {}, bool may_wait = false,
+                               std::vector<char>* wanting = nullptr);
 
 /// The same just after a search. \param carried contact points that are gone beside those of the places
-void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried);
+/// \param around  by block: pairs of which neither is marked stay as they are; empty: none does
+void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried,
+                      const std::vector<char>& around = {});
 
 }  // namespace talus

@@ -296,6 +296,8 @@ struct State {
     PositionArray search_position;        ///< poses at the last neighbour search
     QuaternionArray search_orientation;
     double search_margin = 0;  ///< gap up to which that search made interfaces [m]
+    /// A search is around the blocks that have gone far; poses at the last one are of each block its own.
+    bool searches_around = false;
     double shear_lost = 0;     ///< shear force that could not be carried over to clipped patches, in all [N]
     std::vector<std::string> warnings;
 };

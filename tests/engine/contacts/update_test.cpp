@@ -200,6 +200,59 @@ TEST_SUITE("contacts") {
         CHECK_FALSE(isOnFaces());
     }
 
+    TEST_CASE("a search around the blocks that have gone far leaves others as they are, and misses nothing") {
+        // Columns on a steep floor: the front ones slide off and topple, the ones behind them follow.
+        Model model = stackModel(4, 3, 2, 20, {0.2, 0.1, 0.1}, 1e8);
+        model.gravity.tilt = radians(35);
+        State state = *buildState(model, false);
+        state.searches_around = true;
+        state.damping.local = 0.3;
+        const double dt = 1e-4, weight = model.gravity.magnitude * 2700 * 0.002;
+        int whole = 0, around = 0, kept = 0;
+        for (int look = 0; look < 900; ++look) {
+            for (int step = 0; step < 10; ++step) advance(state, {dt, false});
+            const PositionArray before = state.search_position;
+            const Interfaces old = state.interfaces;
+            if (!refreshInterfaces(state, false, 10 * dt)) continue;
+            checkValid(state, true);
+            std::size_t as_they_were = 0;
+            for (std::size_t b = 1; b < state.blocks.size(); ++b)
+                as_they_were += before.get(b) == state.search_position.get(b) ? 1 : 0;
+            const auto isFar = [&](std::int32_t block) {
+                const auto b = static_cast<std::size_t>(block);
+                return before.get(b) == state.search_position.get(b);
+            };
+            const Interfaces& f = state.interfaces;
+            for (std::size_t i = 0; i < f.size(); ++i) {
+                if (isVertexEdge(f, i) || !isFar(f.block_a[i]) || !isFar(f.block_b[i])) continue;
+                std::size_t o = 0;
+                while (o < old.size() && (isVertexEdge(old, o) || old.block_a[o] != f.block_a[i] ||
+                                          old.block_b[o] != f.block_b[i] || old.face_a[o] != f.face_a[i] ||
+                                          old.face_b[o] != f.face_b[i]))
+                    ++o;
+                REQUIRE(o < old.size());
+                REQUIRE(old.frame(o).origin_a == f.frame(i).origin_a);
+                ++kept;
+            }
+            whole += as_they_were == 0;
+            around += as_they_were > 0;
+            // All that touches by a search of everything touches here, with the same forces.
+            State anew = state;
+            REQUIRE(findInterfaces(anew, false, false).empty());
+            updateForces(anew, false);
+            updateForces(state, false);
+            for (std::size_t b = 1; b < state.blocks.size(); ++b) {
+                const Vec3 force = outOfBalance(state, b, Vec3::Zero()).force;
+                const Vec3 wanted = outOfBalance(anew, b, Vec3::Zero()).force;
+                // A patch that has slid less than the limit is as it was: that is a tenth of a force at most.
+                REQUIRE((force - wanted).norm() < 0.2 * (weight + wanted.norm()));
+            }
+        }
+        CHECK(around > 20);
+        CHECK(whole > 0);
+        CHECK(kept > 0);
+    }
+
     TEST_CASE("a falling block meets the floor; none is missed however fast") {
         for (const double speed : {0.5, 20.0}) {
             Model model = floorModel(30, 1e8);
