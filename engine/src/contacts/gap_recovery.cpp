@@ -52,15 +52,14 @@ bool recoverGap(State& state, std::size_t i, double missing) {
     return true;
 }
 
-/// Whether there was a search since the first: before it no pair of faces has a gap to recover.
+}  // namespace
+
 bool searchedAgain(const State& state) {
     const PositionArray &first = state.geometry->initial_position, &last = state.search_position;
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
         if (first.get(b) != last.get(b)) return true;
     return false;
 }
-
-}  // namespace
 
 bool recoverGaps(State& state) {
     bool changes = false;

@@ -18,4 +18,7 @@ namespace talus {
 /// \return whether any contact has recovered something
 bool recoverGaps(State& state);
 
+/// Whether there was a search since the first: before it no pair of faces has a gap to recover.
+bool searchedAgain(const State& state);
+
 }  // namespace talus

@@ -138,17 +138,15 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
     double margin = searchMargin(state, ahead);
     std::vector<char> around;
     PlaceChanges changes;
-    if (state.searches_around && margin <= kWider * state.search_margin) {
+    if (state.searches_around && searchedAgain(state) && margin <= kWider * state.search_margin) {
         margin = state.search_margin;
         around = farMovers(state);
         changes = updateVertexEdges(state, ahead, parallel, gone, may_wait, &around);
         const auto count = std::count(around.begin(), around.end(), 1);
         changes.search = count > 0;
         if (static_cast<double>(count) > kFew * static_cast<double>(around.size())) around.clear();
-    } else if (state.searches_around) {
-        margin *= kFartherThan;
-        changes.search = true;
     } else if (movedTooFar(state, margin)) {
+        if (state.searches_around) margin *= kFartherThan;
         changes.search = true;
     } else {
         changes = updateVertexEdges(state, ahead, parallel, gone, may_wait);

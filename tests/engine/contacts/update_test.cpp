@@ -236,6 +236,7 @@ TEST_SUITE("contacts") {
             }
             whole += as_they_were == 0;
             around += as_they_were > 0;
+            if (whole + around == 1) CHECK(whole == 1);  // blocks that touch as built meet elsewhere then
             // All that touches by a search of everything touches here, with the same forces.
             State anew = state;
             REQUIRE(findInterfaces(anew, false, false).empty());
