@@ -134,6 +134,7 @@ View viewSummary(formats::SnapshotReader& reader, const std::string& path) {
             std::size_t idle = 0;
             for (std::size_t i = 0; i < f.size(); ++i) idle += f.isIdle(i) ? 1 : 0;
             facts["interfaces"] = f.size() - idle;
+            facts["idle_interfaces"] = idle;
             facts["contact_points"] = full->points.size() - idle;  // an idle one has one Lp
         }
     }
