@@ -85,9 +85,10 @@ std::vector<Network> networksOf(const std::vector<formats::RockJoint>& joints, d
 
 std::string networkLines(const std::vector<Network>& networks) {
     std::string lines;
-    for (const Network& network : networks)
-        lines += line("discs of " + network.set,
-                      std::to_string(network.discs) + ", " + shortText(network.p32) + " m2 of them per m3");
+    for (const Network& network : networks) {
+        const std::string p32 = shortText(network.p32) + " m2 of them per m3";
+        lines += line("discs of " + network.set, std::to_string(network.discs) + ", " + p32);
+    }
     return lines;
 }
 

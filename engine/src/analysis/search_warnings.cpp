@@ -97,10 +97,11 @@ std::vector<std::string> searchWarnings(const Probing& probing, const State& las
     if (!fails) return warnings;
     if (!probing.has_stood)
         if (auto pressed = ofJointsPressedIn(last)) warnings.push_back(std::move(*pressed));
-    if (auto lost = ofLostCohesion(lostCohesion(last)))
+    if (auto lost = ofLostCohesion(lostCohesion(last))) {
         warnings.push_back(std::move(*lost));
-    else if (auto torn = ofLostTension(lostTension(last)))
+    } else if (auto torn = ofLostTension(lostTension(last))) {
         warnings.push_back(std::move(*torn));
+    }
     return warnings;
 }
 

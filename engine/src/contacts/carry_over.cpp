@@ -144,9 +144,10 @@ void carryPlace(const OldInterfaces& old, std::size_t o, State& state, std::size
 
 /// What the search has left as it is goes on so.
 void keepMemory(const OldInterfaces& old, std::size_t o, State& state, std::size_t n) {
-    for (std::size_t k = 0; k < state.interfaces.pointCount(n); ++k)
-        state.points.setMemory(state.interfaces.pointSlot(n, k),
-                               old.points.memoryAt(old.interfaces.pointSlot(o, k)));
+    for (std::size_t k = 0; k < state.interfaces.pointCount(n); ++k) {
+        const contact::PointMemory memory = old.points.memoryAt(old.interfaces.pointSlot(o, k));
+        state.points.setMemory(state.interfaces.pointSlot(n, k), memory);
+    }
 }
 
 /// Shear force of other contacts of the same blocks goes to the nearest closed contact points of a new pair of faces.

@@ -357,6 +357,10 @@ PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const 
         const auto b = static_cast<std::size_t>(block);
         return gone.empty() ? kFaster * speedBound(state, b) * ahead : gone[b];
     };
+    const auto mark = [&](std::int32_t block) {
+        const auto b = static_cast<std::size_t>(block);
+        if (state.blocks.motion[b] != Motion::fixed) std::atomic_ref<char>{(*wanting)[b]}.store(1);
+    };
     std::atomic<bool> search = false, places = false;
     updatePairs(state.interfaces, parallel, [&](std::size_t begin) {
         Interfaces& f = state.interfaces;
@@ -367,10 +371,10 @@ PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const 
         if (look.changes) {
             search = !may_wait;
             left = may_wait ? look.travel : left;
-            if (wanting != nullptr && !may_wait)
-                for (const std::int32_t block : {f.block_a[begin], f.block_b[begin]})
-                    if (state.blocks.motion[static_cast<std::size_t>(block)] != Motion::fixed)
-                        std::atomic_ref<char>{(*wanting)[static_cast<std::size_t>(block)]}.store(1);
+            if (wanting != nullptr && !may_wait) {
+                mark(f.block_a[begin]);
+                mark(f.block_b[begin]);
+            }
             return;
         }
         if (writePlaces(state, begin, look.found, {}, look.size)) places = true;
@@ -382,11 +386,11 @@ PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const 
 void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPoints& carried,
                       const std::vector<char>& around) {
     assert(ahead >= 0 && state.incidence.interface_begin.size() == state.blocks.size() + 1);
-    const auto isFar = [&](std::int32_t block) { return !around[static_cast<std::size_t>(block)]; };
+    const auto is_near = [&](std::int32_t block) {
+        return around.empty() || around[static_cast<std::size_t>(block)] != 0;
+    };
     updatePairs(state.interfaces, parallel, [&](std::size_t begin) {
-        if (!around.empty() && isFar(state.interfaces.block_a[begin]) &&
-            isFar(state.interfaces.block_b[begin]))
-            return;
+        if (!is_near(state.interfaces.block_a[begin]) && !is_near(state.interfaces.block_b[begin])) return;
         const Look look = lookAtPair(state, begin, ahead, true);
         state.interfaces.faces_are_apart[begin] = look.no_faces ? 1 : 0;
         const auto of_pair = carried.find(partsOf(*state.geometry, state.interfaces, begin));
