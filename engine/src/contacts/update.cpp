@@ -43,9 +43,12 @@ double slideLimit(const State& state, std::size_t i) {
     return kSlideLimit * std::max(std::sqrt(f.area[i]), size);
 }
 
-bool hasSlid(const State& state, std::size_t i) {
+/// Whether a patch has slid too far over its partner, if blocks may have gone as far as `motion` [m] since it was clipped.
+bool hasSlid(const State& state, std::size_t i, double motion) {
+    const double limit = slideLimit(state, i);
+    if (2.0 * motion < limit) return false;
     const RelativePose pose = relativePose(state, i);
-    return std::hypot(pose.slide_1.x(), pose.slide_2.x()) > slideLimit(state, i);
+    return std::hypot(pose.slide_1.x(), pose.slide_2.x()) > limit;
 }
 
 /// Since the last search.
@@ -74,8 +77,7 @@ bool movedTooFar(const State& state, double margin) {
     if (farthest > kShareOfMargin * state.search_margin || margin > kWider * state.search_margin) return true;
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
-        if (isVertexEdge(f, i)) continue;
-        if (2.0 * farthest >= slideLimit(state, i) && hasSlid(state, i)) return true;
+        if (!isVertexEdge(f, i) && hasSlid(state, i, farthest)) return true;
     }
     return false;
 }
@@ -96,7 +98,7 @@ std::vector<char> farMovers(const State& state) {
     for (std::size_t i = 0; i < f.size(); ++i) {
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
         if (isVertexEdge(f, i) || marked[a] || marked[b]) continue;
-        if (2.0 * kToAndFro * farthest < slideLimit(state, i) || !hasSlid(state, i)) continue;
+        if (!hasSlid(state, i, kToAndFro * farthest)) continue;
         for (const std::size_t block : {a, b}) marked[block] = state.blocks.motion[block] != Motion::fixed;
     }
     return marked;

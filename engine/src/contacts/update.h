@@ -20,7 +20,7 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
 
 /// Brings the contacts up to date for the next `ahead` seconds:
 ///  1. when a block has come so far that a contact could be missed, or a patch has slid or turned by more than a small share
-///     of its size, all interfaces are found again (findInterfaces);
+///     of its size, all interfaces are found again (findInterfaces); with State::searches_around those around such blocks alone;
 ///  2. else pairs that meet by vertices and edges are looked at again, each when it may have moved enough: a contact whose vertex
 ///     and face are the same stays to the bit, others are placed anew. Where faces came to meet that have no
 ///     interface (with Springs::keep_energy: may before the next look), or no longer meet, all interfaces are found again as
