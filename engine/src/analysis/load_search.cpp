@@ -1,6 +1,7 @@
 #include "analysis/load_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -22,6 +23,10 @@ constexpr int kMostReopenings = 12;  // times a failing motion may come to rest 
 // A failure is a failure when blocks have been seen to go some share of their size (kSeenShare) and gather speed. At the
 // start, where no deflection at rest is known to compare with, more is asked for.
 constexpr double kSeenAtStart = 0.01;
+// Load steps of many blocks: so far they may part in one, of what leaves their place; how much the next one may be longer; and how
+// much longer than those of few blocks.
+constexpr double kPace = 0.25, kGrowthOfPace = 4.0;
+constexpr std::int64_t kLongestPace = 4;
 // Steps of the continuation: as many as the probes took, but a number that shows something, and not without bound.
 constexpr std::int64_t kLeastSteps = 120'000, kMostSteps = 400'000, kMostStepsAtStart = 100'000;
 // What is let go before it was watched patiently has to leave its place: a splinter may jump by some hundredths of its size.
@@ -91,15 +96,26 @@ class Search {
         const auto ramp = [&](State& state, double share) { axis_.apply(state, from + share * (to - from)); };
         const Verdict verdict =
             probe(probing_, "probe " + std::to_string(probing_.probes.size() + 1), to, ramp);
+        if (verdict == Verdict::stable) learnPace(cell - bracket_.low());
         if (verdict == Verdict::stable) bracket_.stands(cell);
         if (verdict == Verdict::failing) bracket_.fails(cell, probing_.probes.back().out_of_balance);
         return verdict;
     }
 
-    /// The implicit solve takes a load step as one: from far below it may come to rest beyond a failure.
+    /// The implicit solve takes a load step as one: from far below it may come to rest beyond a failure. Many blocks go by steps in
+    /// which none goes far: far below the failure these are longer, close to it shorter.
     std::int64_t within(std::int64_t cell) const {
-        return probing_.implicit_first && axis_.farthest ? std::min(cell, axis_.farthest(bracket_.low()))
-                                                         : cell;
+        if (!probing_.implicit_first || !axis_.farthest) return cell;
+        const std::int64_t step = axis_.farthest(bracket_.low()) - bracket_.low();
+        const std::int64_t own = pace_ > 0 ? std::clamp(pace_, std::int64_t{1}, kLongestPace * step) : step;
+        return std::min(cell, bracket_.low() + own);
+    }
+
+    /// From a load step in which it has come to rest again.
+    void learnPace(std::int64_t step) {
+        if (!probing_.areMany() || !probing_.implicit_first) return;
+        const double grown = kPace / std::max(probing_.work.leaving, kPace / kGrowthOfPace);
+        pace_ = std::max<std::int64_t>(1, std::llround(static_cast<double>(step) * grown));
     }
 
     /// Finds a failing cell and lets it go on. True when the motion came to rest there: the assembly has moved to where
@@ -305,7 +321,8 @@ class Search {
     Probing probing_;
     SearchResult result_;
     std::vector<std::size_t> falling_{}, restless_{};
-    bool no_rest_ = false;  ///< at the failing load, nearby or elsewhere
+    std::int64_t pace_ = 0;  ///< most cells of the next load step; 0: the axis's own
+    bool no_rest_ = false;   ///< at the failing load, nearby or elsewhere
     std::int64_t continuation_steps_ = 0;
 };
 

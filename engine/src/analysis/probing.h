@@ -39,6 +39,8 @@ struct Probing {
     bool stands_elsewhere = false;  ///< an equilibrium was found at the failing load, but far away or jammed
     State elsewhere{};              ///< that one; of blocks that jam one on their way there, were they not to
 
+    bool areMany() const { return last_stable.searches_around; }
+
     /// The last load at which the implicit solve found no rest nearby, and from which state: it would find the same again.
     struct NoNearRest {
         double load = -std::numeric_limits<double>::infinity();

@@ -446,6 +446,7 @@ Probe findRest(State& state, QuasiStaticWork& work, std::int64_t most_factors) {
         found.displacement = std::max(found.displacement, whole.displacement);
     }
     work.factors += found.factors;
+    work.leaving = found.leaving;
     fitToContacts(state, work);
     Probe probe{.verdict = found.verdict,
                 .factors = found.factors,

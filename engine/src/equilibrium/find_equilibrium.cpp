@@ -394,10 +394,11 @@ class Solver {
         }
         for (const ActiveInterface& i : balance_.interfaces)
             result_.parted = std::max(result_.parted, relativeMotion(state_, i, course_.start, at_.poses));
-        if (isBalanced()) return settle(h);
         const double size = state_.geometry->length_scale;
         const double leaves =
             std::max(options_.leaves * size, kElasticParting * course_.deepest) + course_.reach;
+        result_.leaving = result_.parted / leaves;
+        if (isBalanced()) return settle(h);
         if (result_.parted > kGone * size + course_.reach ||
             (!isPart() && result_.parted > leaves && goesOnAsFast(motion_ / h)))
             result_.verdict = Verdict::failing;

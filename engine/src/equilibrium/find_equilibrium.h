@@ -28,6 +28,7 @@ struct Equilibrium {
     double out_of_balance = 0;  ///< outOfBalanceRatio of the state, by the exact law
     double displacement = 0;    ///< of the farthest-moved block [m]
     double parted = 0;          ///< largest change of slide or gap at a contact point [m]
+    double leaving = 0;         ///< of that, in what neighbours part by that leave their place
     std::int64_t steps = 0;     ///< in pseudo-time
     std::int64_t factors = 0;   ///< factorisations
 };

@@ -1,17 +1,17 @@
 #pragma once
-// Linear systems of many free blocks: generalised minimal residuals, preconditioned by an incomplete factorisation.
+// Linear systems of many free blocks: generalised minimal residuals, preconditioned by incomplete factors.
 
-#include <cstdint>
 #include <vector>
 
 #include "equilibrium/block_matrix.h"
+#include "equilibrium/incomplete_lu.h"
 #include "equilibrium/iteration_view.h"
 #include "simd/instruction_set.h"
 
 namespace talus::equilibrium {
 
-/// GMRES (Saad and Schultz 1986) without restart, preconditioned from the right by LU factors of 6 x 6 blocks that are kept only
-/// where the matrix has one, ILU(0) (Meijerink and van der Vorst 1977). Time and memory grow with the contacts.
+/// GMRES (Saad and Schultz 1986) without restart, preconditioned from the right by incomplete factors. Time and memory grow with the
+/// contacts.
 class IterativeSolver {
  public:
     /// \param instructions  of the products; the same bits with each
@@ -28,12 +28,10 @@ class IterativeSolver {
 
     /// What Newton's steps need: a smaller residual than that the next one sees to.
     static constexpr double kAccuracy = 1e-2;
-    /// Most systems take 15 to 40, and one that takes many more is hard.
+    /// Most systems take 5 to 30, and one that takes many more is hard.
     static constexpr std::size_t kMostIterations = 100;
 
  private:
-    void listUpdates();
-    bool factorise(const BlockMatrix& matrix);
     /// x = (L U)^-1 W x, in the rows' weights W
     void precondition(const std::vector<double>& weight, Vec6s& x) const;
     /// y = W^-1 A (L U)^-1 W x
@@ -41,13 +39,8 @@ class IterativeSolver {
     void orthogonalise(std::size_t k);
     void combine(std::size_t count, Vec6s& x) const;
 
-    std::size_t rows_ = 0, edges_ = 0;
-    std::vector<std::size_t> upper_begin_{}, lower_begin_{}, update_begin_{};
-    std::vector<std::int32_t> upper_column_{}, lower_column_{};
-    std::vector<std::size_t> lower_edge_{};  ///< of the matrix, of each block below the diagonal
-    std::vector<IncompleteUpdate> updates_{};
-    Mat6s blocks_{};  ///< as IterationView says
-    IterationView view_{};
+    std::size_t rows_ = 0;
+    IncompleteLu factors_;
     IterationKernels kernels_;
     std::vector<Vec6s> basis_{};  ///< orthonormal
     Vec6s work_{};
