@@ -77,6 +77,20 @@ TEST_SUITE("slow: physics") {
         CHECK(high - low < 0.03);
     }
 
+    // Above a thousand free blocks a load step is as long as blocks hardly part in one.
+    TEST_CASE("a row of many columns topples at the load at which one does") {
+        const Vec3 size(0.2, 0.02, 0.1);
+        const Model one = stackModel(1, 5, 1, 30, size), many = stackModel(1, 5, 210, 30, size);
+        using Search = Result<SearchResult> (*)(const Model&, const Control&, const QuasiStatic&);
+        for (const Search search : {Search(criticalAngle), Search(criticalAcceleration)}) {
+            const SearchResult alone = *search(one, {}, {}), together = *search(many, {}, {});
+            MESSAGE(alone.answer << " and " << together.answer << ", " << together.probes.size()
+                                 << " probes, " << together.factors << " factorisations");
+            CHECK((together.status == SearchStatus::found));
+            CHECK(together.answer == doctest::Approx(alone.answer).epsilon(0.005));
+        }
+    }
+
     TEST_CASE("factor of safety") {
         Model model = stackModel(4, 5, 1, 25);
         model.gravity.tilt = radians(10);
