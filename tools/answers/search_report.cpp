@@ -138,11 +138,13 @@ std::string movingText(const SearchResult& result) {
 
 /// An answer that is one of a small part of the slope says so, with the way to the rest.
 std::string smallPartText(const SearchReport& report) {
-    constexpr double kSmall = 0.05;
+    constexpr double kSmall = 0.05, kLeastTold = 1e-4;
     const double share = massShare(report.scenario.model, report.result.moving_blocks);
     if (!report.search.follows_groups || report.result.groups.size() > 1 || !(share > 0 && share < kSmall))
         return "";
-    return row("", "these have " + text(100 * share, share < 0.01 ? 2 : 1) +
+    const std::string percent =
+        share < kLeastTold ? "less than 0.01" : text(100 * share, share < 0.01 ? 2 : 1);
+    return row("", "these have " + percent +
                        " % of the free blocks' mass; --groups 4 tells who goes next, and when");
 }
 

@@ -258,6 +258,7 @@ class Search {
         const double load = failing_load + axis_.overload * axis_.cell;
         State& moving = probing_.last_moving;
         axis_.apply(moving, load);
+        report(probing_, "failure", failing_load, "let go");
         std::shared_ptr<FailingState> failing;
         if (control_.keep_failing_state)
             failing = std::make_shared<FailingState>(FailingState{fullFrameOf(moving), load});

@@ -38,17 +38,6 @@ std::string bracketText(const Probing& p) {
            (std::isfinite(failed) ? ", failed at " + p.axis.say(failed) : "");
 }
 
-/// \param what  of the load: a verdict, or what is being done
-void report(const Probing& p, const std::string& stage, double load, const std::string& what) {
-    if (!p.control.progress) return;
-    // Longer than most, and never down to nothing: what comes after the last probe takes as long as some of them.
-    constexpr double kAfterwards = 4.0;
-    const double probes = static_cast<double>(p.probes.size());
-    const double expected = std::max(6.0 + std::log2(static_cast<double>(p.axis.stop)) / 2, probes + 1);
-    p.control.progress(
-        {stage, probes / (expected + kAfterwards), p.axis.say(load) + ", " + what + bracketText(p)});
-}
-
 /// Of the farthest-moved point of any block, since the assembly last stood: a probe may have had several parts [m].
 double wayFromRest(const Probing& p, const State& state) {
     return largestMotion(state, p.last_stable.blocks.position, p.last_stable.blocks.orientation);
@@ -148,6 +137,16 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
 }
 
 }  // namespace
+
+void report(const Probing& p, const std::string& stage, double load, const std::string& what) {
+    if (!p.control.progress) return;
+    // Longer than most, and never down to nothing: what comes after the last probe takes as long as some of them.
+    constexpr double kAfterwards = 4.0;
+    const double probes = static_cast<double>(p.probes.size());
+    const double expected = std::max(6.0 + std::log2(static_cast<double>(p.axis.stop)) / 2, probes + 1);
+    p.control.progress(
+        {stage, probes / (expected + kAfterwards), p.axis.say(load) + ", " + what + bracketText(p)});
+}
 
 Probing beginProbing(const State& state, const LoadAxis& axis, const Control& control,
                      const QuasiStatic& settings, bool parallel) {

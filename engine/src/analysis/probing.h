@@ -56,6 +56,10 @@ Probing beginProbing(const State& state, const LoadAxis& axis, const Control& co
 
 bool interrupted(const Probing& probing);
 
+/// Tells who asked for progress where the search is.
+/// \param what  of the load: a verdict, or what is being done
+void report(const Probing& probing, const std::string& stage, double load, const std::string& what);
+
 /// One probe from the last stable state; keeps the state it ends in. Explicit steps first, which are quick where
 /// blocks slide; what they leave open, and what seems to fail before the assembly has stood, the implicit solve
 /// answers. A model that once needed it is asked that way first. Where neither knows, explicit steps go on.

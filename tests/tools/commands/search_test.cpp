@@ -372,6 +372,12 @@ TEST_CASE("an answer that is one of a small part of the slope says so, with the 
     CHECK(json.at("moving_blocks") == nlohmann::json{"pebble"});
     CHECK(json.at("moving_mass_share").get<double>() == doctest::Approx(0.004 / 0.504).epsilon(1e-6));
     CHECK(said({}).out.find("0.79 % of the free blocks' mass; --groups 4") != std::string::npos);
+    slope(
+        "[[block]]\nname = \"grain\"\nvertices = "
+        "[[3.4,0.4,0.21268376],[3.42,0.4,0.223317948],[3.4,0.42,0.21268376],[3.42,0.42,0.223317948],"
+        "[3.4,0.4,0.22268376],[3.42,0.4,0.233317948],[3.4,0.42,0.22268376],[3.42,0.42,0.233317948]]\n");
+    CHECK(said({}).out.find("less than 0.01 % of the free blocks' mass") != std::string::npos);
+    slope(pebble);
     const Outcome groups = said({"--groups", "2"});
     CHECK(groups.out.find("then go") != std::string::npos);
     CHECK(groups.out.find("free blocks' mass") == std::string::npos);
