@@ -108,8 +108,9 @@ void IncompleteLu::eliminateRow(std::size_t row) {
             slotOf(at(upper_column_[q]));
             targets_.push_back(place_[at(upper_column_[q])]);
         }
-        kernels_.eliminate(row_[slot].data(), diagonal_inverse_[k].data(), numbers(upper_) + 36 * begin,
-                           targets_.data(), targets_.size(), row_.front().data());
+        const double* upper = numbers(upper_) + begin * Mat6::SizeAtCompileTime;
+        kernels_.eliminate(row_[slot].data(), diagonal_inverse_[k].data(), upper, targets_.data(),
+                           targets_.size(), row_.front().data());
         lower_column_.push_back(static_cast<std::int32_t>(k));
         lower_.push_back(row_[slot]);
     }
