@@ -111,7 +111,7 @@ class Search {
         return std::min(cell, bracket_.low() + own);
     }
 
-    /// From a load step in which it has come to rest again.
+    /// From a load step in which it has come to rest again. Where explicit steps have brought it there, by the solve before them.
     void learnPace(std::int64_t step) {
         if (!probing_.areMany() || !probing_.implicit_first) return;
         const double grown = kPace / std::max(probing_.work.leaving, kPace / kGrowthOfPace);

@@ -29,8 +29,7 @@ struct QuasiStaticWork {
     std::int64_t searched_at = 0;     ///< the last search for contacts, in these steps
     std::int64_t pair_waits = 0;      ///< steps for which a pair may wait that alone wants a search
     std::int64_t factors = 0;         ///< factorisations, likewise
-    double leaving =
-        0;  ///< on the way to the last equilibrium, of what blocks part by that leave their place
+    double leaving = 0;  ///< in the last solve for one, of what neighbours part by that leave their place
     bool inertia_scaled = false;
     std::vector<double> inertia_scale{};  ///< per block, over the true inertia
     Damping damping{};

@@ -67,8 +67,8 @@ bool IncompleteLu::isSmall(std::size_t row, std::size_t column, const Mat6& bloc
     return square < least * least;
 }
 
-/// The row's block of a column, zero where it had none.
-double* IncompleteLu::slotOf(std::size_t column) {
+/// Where the row has its block of a column, zero where it had none.
+std::size_t IncompleteLu::slotOf(std::size_t column) {
     if (place_[column] < 0) {
         place_[column] = static_cast<std::int32_t>(row_.size());
         row_.emplace_back(Mat6::Zero());
@@ -78,14 +78,15 @@ double* IncompleteLu::slotOf(std::size_t column) {
             std::push_heap(pending_.begin(), pending_.end(), std::greater<>());
         }
     }
-    return row_[at(place_[column])].data();
+    return at(place_[column]);
 }
 
 void IncompleteLu::takeRow(const BlockMatrix& matrix, std::size_t row) {
     row_.clear();
     column_.clear();
     const auto take = [this](std::size_t column, const Mat6& block) {
-        Eigen::Map<Mat6>(slotOf(column)) = block;
+        const std::size_t slot = slotOf(column);  // which may move the others
+        row_[slot] = block;
     };
     take(row, matrix.diagonal[row]);
     for (std::size_t p = matrix_upper_begin_[row]; p < matrix_upper_begin_[row + 1]; ++p)
@@ -104,10 +105,8 @@ void IncompleteLu::eliminateRow(std::size_t row) {
         if (isSmall(row, k, row_[slot])) continue;
         const std::size_t begin = upper_begin_[k], end = upper_begin_[k + 1];
         targets_.clear();
-        for (std::size_t q = begin; q < end; ++q) {
-            slotOf(at(upper_column_[q]));
-            targets_.push_back(place_[at(upper_column_[q])]);
-        }
+        for (std::size_t q = begin; q < end; ++q)
+            targets_.push_back(static_cast<std::int32_t>(slotOf(at(upper_column_[q]))));
         const double* upper = numbers(upper_) + begin * Mat6::SizeAtCompileTime;
         kernels_.eliminate(row_[slot].data(), diagonal_inverse_[k].data(), upper, targets_.data(),
                            targets_.size(), row_.front().data());

@@ -32,7 +32,7 @@ class IncompleteLu {
 
  private:
     void readScales(const BlockMatrix& matrix);
-    double* slotOf(std::size_t column);
+    std::size_t slotOf(std::size_t column);
     void takeRow(const BlockMatrix& matrix, std::size_t row);
     void eliminateRow(std::size_t row);
     bool keepRow(std::size_t row);
