@@ -85,6 +85,10 @@ class Program {
         return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
     }
 
+    /// Whether it has computed for so long [s of CPU time] and catches Ctrl-C: built with sanitizers, on a busy machine, it may
+    /// still be reading its command line after a tenth of a second, and a signal simply ends it.
+    bool hasBegun(double seconds) const { return cpuSeconds() > seconds && catches(SIGINT); }
+
     Outcome outcome() {
         int status = 0;
         if (process_ < 0 || waitpid(process_, &status, 0) != process_) return {};
@@ -93,6 +97,15 @@ class Program {
     }
 
  private:
+    /// proc(5): the mask of the signals that a process catches.
+    bool catches(int number) const {
+        constexpr std::string_view key = "SigCgt:";
+        const std::string status = contentOf("/proc/" + std::to_string(process_) + "/status");
+        const std::size_t at = status.find(key);
+        return at != std::string::npos &&
+               (std::strtoull(status.c_str() + at + key.size(), nullptr, 16) >> (number - 1) & 1) != 0;
+    }
+
     void start(std::vector<std::string>& arguments, const std::string& stdout_path) {
         std::vector<char*> argv;
         for (std::string& argument : arguments) argv.push_back(argument.data());

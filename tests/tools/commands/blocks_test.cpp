@@ -76,7 +76,7 @@ TEST_CASE("blocks: Ctrl-C ends it at once whatever it is at, and leaves no pictu
     int interrupted = 0;
     for (const double begun : {0.05, 0.2, 0.4, 0.6, 0.8}) {
         Program program({"blocks", scenario, "-o", picture});
-        waitFor([&] { return program.cpuSeconds() > begun || program.endsWithin(0); });
+        waitFor([&] { return program.hasBegun(begun) || program.endsWithin(0); });
         program.signal(SIGINT);
         CHECK(program.endsWithin(kSlower * 0.5));
         const Outcome outcome = program.outcome();

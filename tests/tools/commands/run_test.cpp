@@ -188,7 +188,7 @@ TEST_CASE("Ctrl-C ends a run on the way to its start, too, within half a second,
     for (const double begun : {0.6, 1.0, 1.6, 2.4}) {
         CAPTURE(begun);
         Program program({"run", path, "-o", folder / "run.mcap", "--threads", "1"});
-        REQUIRE(waitFor([&] { return program.cpuSeconds() > begun; }));
+        REQUIRE(waitFor([&] { return program.hasBegun(begun); }));
         program.signal(SIGINT);
         CHECK(program.endsWithin(kSlower * 0.5));
         const Outcome outcome = program.outcome();
