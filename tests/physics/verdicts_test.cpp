@@ -9,6 +9,7 @@
 #include "support/models.h"
 #include "talus/analysis.h"
 #include "talus/formats/scenario.h"
+#include "talus/searches.h"
 
 using namespace talus;
 using namespace talus::test;
@@ -219,6 +220,108 @@ TEST_SUITE("physics") {
             CHECK(result.groups[k].factor == doctest::Approx(expected).epsilon(0.001));
             CHECK(result.groups[k].blocks == std::vector<std::string>{"b" + std::to_string(order[k])});
         }
+    }
+
+    TEST_CASE("what fails and has too little mass to be the answer is let go, whatever is searched for") {
+        using Find = Result<SearchResult> (*)(const Model&, const Control&, const QuasiStatic&);
+        struct Kind {
+            Find find;
+            double tilt;                       // [deg] of the model
+            double (*answer)(double, double);  // of friction and that tilt, both [rad]
+        };
+        const Kind kinds[] = {
+            {criticalAngle, 0, [](double phi, double) { return phi; }},
+            {safetyFactor, 10, [](double phi, double tilt) { return std::tan(phi) / std::tan(tilt); }},
+            {criticalAcceleration, 5, [](double phi, double tilt) { return std::tan(phi - tilt); }}};
+        // Friction under each box of so many metres; masses in all are 1 + 0.027 + 0.008 + 1.
+        const double friction[] = {35, 24, 20, 40}, size[] = {1, 0.3, 0.2, 1};
+        struct Wanted {
+            double share;
+            std::size_t answer, let_go;
+        };
+        for (const Kind& kind : kinds)
+            for (const Wanted& wanted : {Wanted{0, 2, 0}, Wanted{0.003, 2, 0}, Wanted{0.005, 1, 1},
+                                         Wanted{0.05, 0, 2}, Wanted{0.6, 0, 2}}) {
+                CAPTURE(kind.tilt);
+                CAPTURE(wanted.share);
+                Model model = floorModel(30);
+                for (int k = 0; k < 4; ++k) {
+                    model.joints.push_back(joint(friction[k]));
+                    addBox(model, "b" + std::to_string(k), {2.0 * k, 0, 0}, {size[k], size[k], size[k]});
+                    model.pair_joints.push_back({0, k + 1, k + 1});
+                }
+                model.gravity.tilt = radians(kind.tilt);
+                model.analysis.least_mass_share = wanted.share;
+                const SearchResult result = *kind.find(model, {}, {});
+                const auto answer = [&](std::size_t k) {
+                    return kind.answer(radians(friction[k]), radians(kind.tilt));
+                };
+                // With the last share what is left after that would not have the mass of an answer.
+                CHECK((result.status == SearchStatus::found));
+                CHECK(result.answer == doctest::Approx(answer(wanted.answer)).epsilon(0.001));
+                CHECK(result.moving_blocks == std::vector{"b" + std::to_string(wanted.answer)});
+                REQUIRE(result.let_go.size() == wanted.let_go);
+                for (std::size_t k = 0; k < wanted.let_go; ++k) {
+                    CHECK(result.let_go[k].factor == doctest::Approx(answer(2 - k)).epsilon(0.001));
+                    CHECK(result.let_go[k].blocks == std::vector{"b" + std::to_string(2 - k)});
+                }
+                CHECK(leftOut(result).size() == wanted.let_go);
+            }
+    }
+
+    TEST_CASE(
+        "what has too little mass to be the answer is let go at the start, too, and is not called loose") {
+        for (const double tilt : {25.0, 31.0, 34.0}) {  // beyond the friction of one or two
+            CAPTURE(tilt);
+            Model model = floorModel(35);
+            for (const double friction : {20.0, 30.0}) {
+                model.joints.push_back(joint(friction));
+                const auto b = static_cast<std::int32_t>(model.blocks.size());
+                addBox(model, "b" + std::to_string(b), {2.0 * b, 0, 0}, {0.2, 0.2, 0.2});
+                model.pair_joints.push_back({0, b, b});
+            }
+            addBox(model, "slope", {0, 0, 0}, {1, 1, 1});
+            model.analysis.start = radians(tilt);
+            CHECK((criticalAngle(model)->status == SearchStatus::unstable_at_start));
+            model.analysis.least_mass_share = 0.05;
+            const SearchResult result = *criticalAngle(model);
+            CHECK((result.status == SearchStatus::found));
+            CHECK(degrees(result.answer) == doctest::Approx(35).epsilon(0.001));
+            CHECK(result.fallen_at_start.empty());
+            CHECK(leftOut(result).size() == 2);
+            CHECK(result.let_go[0].factor == doctest::Approx(radians(tilt)));
+            // No answer where what fails has that much of the mass.
+            model.analysis.least_mass_share = 0.001;
+            CHECK((criticalAngle(model)->status == SearchStatus::unstable_at_start));
+        }
+    }
+
+    TEST_CASE(
+        "what does not stand without a block that is let go goes with it, and together they may be the "
+        "answer") {
+        const auto plank = [](double share) {
+            Model model = floorModel(35);
+            model.joints.push_back(joint(15));
+            model.joints.push_back(joint(1));
+            addBox(model, "pier", {0, 0, 0}, {1, 1, 0.2});
+            addBox(model, "prop", {1.7, 0.4, 0}, {0.2, 0.2, 0.2});
+            addBox(model, "plank", {0.55, 0.4, 0.2}, {1.3, 0.2, 0.05});  // its centre is beside the pier
+            model.pair_joints = {{0, 2, 1}, {2, 3, 2}};
+            model.analysis.least_mass_share = share;
+            return *criticalAngle(model);
+        };
+        // Of 0.2 + 0.008 + 0.013 cubic metres: the prop has 3.6 % and the plank 5.9 %.
+        const SearchResult gone = plank(0.12);
+        CHECK((gone.status == SearchStatus::found));
+        CHECK(degrees(gone.answer) == doctest::Approx(35).epsilon(0.001));
+        CHECK(gone.moving_blocks == std::vector<std::string>{"pier"});
+        REQUIRE(gone.let_go.size() == 1);
+        CHECK(gone.let_go[0].blocks == std::vector<std::string>{"plank", "prop"});
+        const SearchResult together = plank(0.08);
+        CHECK((together.status == SearchStatus::found));
+        CHECK(together.answer == gone.let_go[0].factor);
+        CHECK(together.moving_blocks == std::vector<std::string>{"plank", "prop"});
+        CHECK(together.let_go.empty());
     }
 }
 

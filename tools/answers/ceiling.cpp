@@ -33,7 +33,7 @@ Ceiling findCeiling(const formats::Scenario& scenario, Varied load, const Ceilin
     if (options.never) return {std::nullopt, "not wanted (--no-ceiling)"};
     if (result.status == SearchStatus::interrupted) return {std::nullopt, "the search was interrupted"};
     LimitSettings settings;
-    settings.left_out = result.fallen_at_start;  // the answer is for the others
+    settings.left_out = leftOut(result);  // the answer is for the others
     return valueOf(limitCeiling(scenario.model, load, options.always, control, settings), scenario);
 }
 

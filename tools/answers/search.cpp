@@ -8,12 +8,13 @@ namespace talus::tools {
 
 namespace {
 
-/// Of what the answer is for: without the blocks that fall at the start.
+/// Of what the answer is for.
 Ceiling ceilingOf(const formats::Scenario& scenario, Varied load, const CeilingOptions& options,
                   const SearchResult& result, const Control& control) {
-    if (result.fallen_at_start.empty()) return findCeiling(scenario, load, options, result, control);
+    const std::vector<std::string> others = leftOut(result);
+    if (others.empty()) return findCeiling(scenario, load, options, result, control);
     formats::Scenario rest = scenario;
-    rest.model = withoutBlocks(scenario.model, result.fallen_at_start);
+    rest.model = withoutBlocks(scenario.model, others);
     return findCeiling(rest, load, options, result, control);
 }
 

@@ -136,22 +136,38 @@ std::string movingText(const SearchResult& result) {
     return std::to_string(result.moving_blocks.size()) + of + ": " + compactNames(result.moving_blocks);
 }
 
+std::string percentText(double share) {
+    constexpr double kLeastTold = 1e-4;
+    return (share < kLeastTold ? "less than 0.01" : text(100 * share, share < 0.01 ? 2 : 1)) + " %";
+}
+
 /// An answer that is one of a small part of the slope says so, with the way to the rest.
 std::string smallPartText(const SearchReport& report) {
-    constexpr double kSmall = 0.05, kLeastTold = 1e-4;
+    constexpr double kSmall = 0.05;
     const double share = massShare(report.scenario.model, report.result.moving_blocks);
     if (!report.search.follows_groups || report.result.groups.size() > 1 || !(share > 0 && share < kSmall))
         return "";
-    const std::string percent =
-        share < kLeastTold ? "less than 0.01" : text(100 * share, share < 0.01 ? 2 : 1);
-    return row("", "these have " + percent +
-                       " % of the free blocks' mass; --groups 4 tells who goes next, and when");
+    return row("", "these have " + percentText(share) +
+                       " of the free blocks' mass; --groups 4 tells who goes next, and when; "
+                       "analysis.least_mass_share lets such go on the way");
 }
 
 std::string fallenText(const SearchResult& result) {
     if (result.fallen_at_start.empty()) return "";
     return row("fallen at start",
                std::to_string(result.fallen_at_start.size()) + ": " + compactNames(result.fallen_at_start));
+}
+
+/// What failed before and was too little to be the answer.
+std::string letGoText(const SearchReport& report) {
+    std::string rows;
+    for (const BlockGroup& group : report.result.let_go)
+        rows += row(rows.empty() ? "let go before" : "",
+                    "at " + figureOf(report, group.factor) + unitOf(report) + ": " +
+                        std::to_string(group.blocks.size()) + " with " +
+                        percentText(massShare(report.scenario.model, group.blocks)) +
+                        " of the mass: " + compactNames(group.blocks));
+    return rows;
 }
 
 /// The groups after the first, which is the answer.
@@ -297,6 +313,11 @@ Json searchJson(const SearchReport& report) {
     json["moving_blocks"] = result.moving_blocks;
     json["moving_mass_share"] = number(massShare(report.scenario.model, result.moving_blocks));
     json["fallen_at_start"] = result.fallen_at_start;
+    json["let_go"] = list(result.let_go, [&](const BlockGroup& group) {
+        return Json{{search.answer_key, number(group.factor / search.load->scale)},
+                    {"blocks", group.blocks},
+                    {"mass_share", number(massShare(report.scenario.model, group.blocks))}};
+    });
     addSupports(result.supports, json);
     if (search.follows_groups) json["groups"] = list(result.groups, groupJson);
     json["theory"] = theoryJson(report);
@@ -332,8 +353,9 @@ std::string searchText(const SearchReport& report, bool verbose) {
     const std::string method = wasInterrupted(result) ? "" : row("method", methodText(result));
     std::string table = row("scenario", report.scenario.path) +
                         row(report.search.answer, answerText(report)) + beside + fallenText(result) +
-                        groupsText(result) + supportsText(result) + row("model", sizeText(result)) + method +
-                        row("cost", costText(result)) + row("state hash", hashText(result.state_hash));
+                        letGoText(report) + groupsText(result) + supportsText(result) +
+                        row("model", sizeText(result)) + method + row("cost", costText(result)) +
+                        row("state hash", hashText(result.state_hash));
     for (const std::string& warning : result.warnings) table += row("warning", warning);
     if (report.kept)
         for (const auto& [label, content] : keptRunLines(*report.kept)) table += row(label, content);

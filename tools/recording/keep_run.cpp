@@ -33,8 +33,8 @@ std::string loadText(const KeptRun& kept) {
 }
 
 std::string whyNothing(const SearchResult& result) {
-    if (!result.fallen_at_start.empty())
-        return "blocks that fall at the start were taken out, and the scenario still has them";
+    if (!leftOut(result).empty())
+        return "blocks that fell before were taken out, and the scenario still has them";
     switch (result.status) {
         case SearchStatus::stable_to_stop:
             return "the slope stands to the end of the search";

@@ -81,9 +81,9 @@ struct FailingState {
     double block_size = 0;       ///< median of the blocks' smallest extents [m]
 };
 
-/// Blocks that go together when strength is reduced.
+/// Blocks that go together.
 struct BlockGroup {
-    double factor = 0;                ///< of safety
+    double factor = 0;                ///< of safety, or the load of another search
     std::vector<std::string> blocks;  ///< sorted
 };
 
@@ -98,6 +98,9 @@ struct SearchResult {
     std::vector<BlockMotion> motions;        ///< evidence, one per free block, in the order of the blocks
     /// fall whatever the strength: taken out before the search; sorted
     std::vector<std::string> fallen_at_start;
+    /// failed below the answer and had too little mass to be it (AnalysisSettings::least_mass_share), in that order, each with
+    /// what did not stand without it
+    std::vector<BlockGroup> let_go{};
     /// low and high answers of other ways to the same load, where they differ; valid when found
     std::optional<std::pair<double, double>> range;
     std::string range_reason;  ///< why there is a range, or none

@@ -193,8 +193,10 @@ struct AnalysisSettings {
     double tolerance = 1.7453292519943296e-4;  ///< width of the bracket [rad]
     double factor_tolerance = 0.001;           ///< width of the bracket of a factor of safety
     double acceleration_tolerance = 1e-4;      ///< width of the bracket of a seismic coefficient
-    bool reduce_tensile_strength = false;      ///< all joints are Joint::tension_reduced
-    bool time_scaling = true;                  ///< inertia scaling in quasi-static work
+    /// of the free blocks' mass: what fails and has less is let go, and the search goes on with the rest; 0: is the answer
+    double least_mass_share = 0;
+    bool reduce_tensile_strength = false;  ///< all joints are Joint::tension_reduced
+    bool time_scaling = true;              ///< inertia scaling in quasi-static work
 };
 
 struct RunSettings {

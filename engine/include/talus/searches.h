@@ -80,6 +80,9 @@ std::span<const LoadSearch> loadSearches();
 /// The one of this name; nullptr when there is none.
 const LoadSearch* loadSearch(std::string_view name);
 
+/// Blocks that the answer is not for: those that fell at the start and those let go before.
+std::vector<std::string> leftOut(const SearchResult& result);
+
 /// Share of the free blocks' mass that those of these names have, 0..1: whether an answer is one of the slope or of a small block.
 double massShare(const Model& model, const std::vector<std::string>& blocks);
 

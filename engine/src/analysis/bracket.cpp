@@ -12,6 +12,10 @@ void Bracket::fails(std::int64_t cell, double out_of_balance) {
 
 void Bracket::reopen() {
     low_ = *high_;
+    goOn();
+}
+
+void Bracket::goOn() {
     high_.reset();
     failures_.clear();
     width_two_probes_ago_ = width_last_probe_ = 0;

@@ -20,6 +20,8 @@ class Bracket {
     /// The assembly came to rest after all at the failing load, with what it has moved: the search goes on upwards from
     /// there, a cell at first, then twice as far each time.
     void reopen();
+    /// What failed has been taken out, and the rest stands where the assembly last did: likewise on from there.
+    void goOn();
     /// The load to probe on the way up: `next`, or nearer after the bracket was opened again. \pre not high()
     std::int64_t up(std::int64_t next);
 

@@ -79,6 +79,10 @@ class Afresh {
 void addHistoryRange(const State& built, const LoadAxis& axis, const Control& control,
                      const QuasiStatic& settings, bool parallel, SearchResult& result) {
     if (result.status != SearchStatus::found) return;
+    if (!result.let_go.empty()) {
+        result.range_reason = "another loading history would not let the same blocks go before";
+        return;
+    }
     const std::size_t points = countContacts(built.interfaces).points;
     if (points > control.most_points_of_range) {
         result.range_reason = "the model has " + std::to_string(points) + " contact points; up to " +

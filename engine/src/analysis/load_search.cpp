@@ -11,6 +11,7 @@
 #include "analysis/loose_blocks.h"
 #include "analysis/probing.h"
 #include "analysis/search_warnings.h"
+#include "contacts/update.h"
 #include "forces/sum.h"
 #include "frame/frame.h"
 #include "measure/measure.h"
@@ -47,6 +48,15 @@ std::vector<std::size_t> restlessSplinters(const State& state) {
     return restless;
 }
 
+/// Whether a bolt ties any of these blocks: taken out it would hold on to where they were.
+bool areTied(const State& state, const std::vector<std::size_t>& blocks) {
+    const auto are = [&](std::int32_t block) {
+        return std::binary_search(blocks.begin(), blocks.end(), static_cast<std::size_t>(block));
+    };
+    return std::any_of(state.bolts.segments.begin(), state.bolts.segments.end(),
+                       [&](const BoltSegment& tie) { return are(tie.block_a) || are(tie.block_b); });
+}
+
 class Search {
  public:
     Search(const State& state, const LoadAxis& axis, const Control& control, const QuasiStatic& settings,
@@ -54,11 +64,12 @@ class Search {
         : axis_(axis),
           control_(control),
           parallel_(parallel),
+          least_mass_(state.geometry->model.analysis.least_mass_share * freeMass(state)),
           bracket_(axis.stop),
           probing_(beginProbing(state, axis, control, settings, parallel)) {}
 
     SearchResult run() {
-        if (start())
+        for (bool goes_on = start(); goes_on; goes_on = letSmallGo())
             for (int k = 0; k <= kMostReopenings && searchUpwards(); ++k) {
             }
         finish();
@@ -129,6 +140,62 @@ class Search {
         result_.confirmed = false;
         bracket_.reopen();
         return true;
+    }
+
+    /// A failure of less mass than counts is taken out where the assembly last stood, with all that does not stand there without
+    /// it. True when the rest stands: the search is to go on from that. The answer is what has enough mass, all together, and
+    /// what would leave less than that.
+    bool letSmallGo() {
+        if (!claimsSmallFailure()) return false;
+        const double load = axis_.load(bracket_.low());
+        BlockGroup group{0.5 * (load + axis_.load(*bracket_.high())), {}};
+        double mass = 0;
+        for (bool stands = false; !stands;) {
+            State& stable = probing_.last_stable;
+            const std::vector<std::size_t> going = blocksOf(result_.moving_blocks);
+            double own = 0;
+            for (const std::size_t b : going) own += stable.blocks.mass[b];
+            mass += own;
+            group.blocks.insert(group.blocks.end(), result_.moving_blocks.begin(),
+                                result_.moving_blocks.end());
+            std::sort(group.blocks.begin(), group.blocks.end());
+            if (mass >= least_mass_ || freeMass(stable) - own < least_mass_ || areTied(stable, going)) {
+                result_.moving_blocks = std::move(group.blocks);
+                return false;
+            }
+            takeOut(stable, going, parallel_);
+            probing_.no_near_rest = {};
+            stands = standsWithout(load);
+            if (interrupted(probing_)) return false;
+            if (!stands && (result_.status != SearchStatus::found || !result_.confirmed)) return false;
+        }
+        result_.let_go.push_back(std::move(group));
+        bracket_.goOn();
+        return true;
+    }
+
+    bool claimsSmallFailure() const {
+        return least_mass_ > 0 && result_.status == SearchStatus::found && result_.confirmed &&
+               !result_.moving_blocks.empty() && !interrupted(probing_);
+    }
+
+    /// Whether the rest stands at the load at which all last stood; what fails there is let go likewise.
+    bool standsWithout(double load) {
+        result_.confirmed = false;
+        const Verdict verdict = probe(probing_, "without what has failed", load,
+                                      [&](State& state, double) { axis_.apply(state, load); });
+        if (verdict == Verdict::stable) return true;
+        if (verdict == Verdict::failing) return !hasFailed(load);
+        result_.status = SearchStatus::undecided;
+        return false;
+    }
+
+    std::vector<std::size_t> blocksOf(const std::vector<std::string>& names) const {
+        const std::vector<char> named = blocksNamed(probing_.last_stable.geometry->model, names);
+        std::vector<std::size_t> blocks;
+        for (std::size_t b = 0; b < named.size(); ++b)
+            if (named[b]) blocks.push_back(b);
+        return blocks;
     }
 
     /// Up from the start until a probe fails or the end is reached.
@@ -318,6 +385,7 @@ class Search {
     const LoadAxis& axis_;
     const Control& control_;
     bool parallel_;
+    double least_mass_;  ///< of a failure that is the answer [kg]
     Bracket bracket_;
     Probing probing_;
     SearchResult result_;

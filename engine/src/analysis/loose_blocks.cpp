@@ -108,13 +108,18 @@ double looseShare(const Model& model, const std::vector<char>& gone) {
     return all > 0 ? loose / all : 0.0;
 }
 
+double freeMass(const State& state) {
+    double mass = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free) mass += state.blocks.mass[b];
+    return mass;
+}
+
 bool areSplinters(const State& state, const std::vector<std::size_t>& blocks) {
     constexpr double kMost = 1e-3;
-    double all = 0, part = 0;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
-        if (state.blocks.motion[b] == Motion::free) all += state.blocks.mass[b];
+    double part = 0;
     for (const std::size_t b : blocks) part += state.blocks.mass[b];
-    return part <= kMost * all;
+    return part <= kMost * freeMass(state);
 }
 
 }  // namespace talus::analysis

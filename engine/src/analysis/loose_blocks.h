@@ -33,6 +33,9 @@ Model withoutBlocks(const Model& model, const std::vector<char>& gone);
 /// Share of the mass of free blocks that the marked ones have, 0..1.
 double looseShare(const Model& model, const std::vector<char>& gone);
 
+/// [kg]
+double freeMass(const State& state);
+
 /// Whether free blocks are splinters, all of them together: a thousandth of the free blocks' mass at most.
 bool areSplinters(const State& state, const std::vector<std::size_t>& blocks);
 

@@ -16,6 +16,7 @@
 #include "law/joint_laws.h"
 #include "state/caller.h"
 #include "step/time_step.h"
+#include "talus/searches.h"
 
 namespace talus::analysis {
 namespace {
@@ -71,6 +72,7 @@ void warnOfFreeBlocks(State& state) {
 void putInUnits(double unit, SearchResult& result) {
     if (unit == 1) return;
     for (double* load : {&result.low, &result.high, &result.answer}) *load *= unit;
+    for (BlockGroup& group : result.let_go) group.factor *= unit;
     if (result.range) result.range = {unit * result.range->first, unit * result.range->second};
     for (Probe& probe : result.probes) probe.load *= unit;
     if (result.failing) {
@@ -122,7 +124,8 @@ class SearchOfTheRest {
             if (outcome.result.status == SearchStatus::unstable_at_start)
                 if (auto pushed = pushedByWater(*built, outcome.falling))
                     warnings_.push_back(std::move(*pushed));
-            if (outcome.result.status != SearchStatus::unstable_at_start || !letGo(outcome.falling))
+            if (outcome.result.status != SearchStatus::unstable_at_start ||
+                !(letGo(outcome.falling) || letSmallGo(outcome.result)))
                 return withRange(*built, parallel, named(std::move(outcome.result)));
             steps = outcome.result.steps;
         }
@@ -176,7 +179,22 @@ class SearchOfTheRest {
         return true;
     }
 
+    /// Of a failure at the start that has less mass than an answer. False where what is left would have less, too.
+    bool letSmallGo(const SearchResult& result) {
+        const double least = model_.analysis.least_mass_share;
+        if (!result.confirmed || isStopped(control_)) return false;
+        std::vector<char> going = blocksNamed(model_, result.moving_blocks);
+        if (looseShare(model_, going) >= least) return false;
+        for (std::size_t b = 0; b < gone_.size(); ++b) going[b] = going[b] || gone_[b];
+        if (1 - looseShare(model_, going) < least) return false;
+        gone_ = std::move(going);
+        let_go_.push_back({result.high, result.moving_blocks});
+        return true;
+    }
+
     SearchResult named(SearchResult result) const {
+        result.let_go.insert(result.let_go.begin(), let_go_.begin(), let_go_.end());
+        if (!result.let_go.empty()) result.failing = nullptr;  // its blocks are not the model's
         result.warnings.insert(result.warnings.end(), warnings_.begin(), warnings_.end());
         for (std::size_t b = 0; b < loose_.size(); ++b)
             if (loose_[b]) result.fallen_at_start.push_back(model_.blocks[b].name);
@@ -199,10 +217,11 @@ class SearchOfTheRest {
     const LoadAxis& axis_;
     const Control& control_;
     const QuasiStatic& settings_;
-    std::vector<char> gone_;     ///< per block: not in the search
-    std::vector<char> loose_{};  ///< per block: because it falls; empty: none
-    std::size_t restless_ = 0;   ///< of those: taken out because they come neither to rest nor fall
-    std::size_t rounded_ = 0;    ///< of those: so small that rounding is a part of their weight
+    std::vector<char> gone_;            ///< per block: not in the search
+    std::vector<char> loose_{};         ///< per block: because it falls; empty: none
+    std::vector<BlockGroup> let_go_{};  ///< failed at the start and had too little mass to be the answer
+    std::size_t restless_ = 0;          ///< of those: taken out because they come neither to rest nor fall
+    std::size_t rounded_ = 0;           ///< of those: so small that rounding is a part of their weight
     std::vector<std::string> warnings_{};
 };
 
@@ -225,7 +244,7 @@ void addGroups(const Model& model, const LoadAxis& axis, const Control& control,
                SearchResult& result) {
     if (result.status != SearchStatus::found) return;
     result.groups.push_back({result.answer, result.moving_blocks});
-    std::vector<std::string> gone = result.fallen_at_start;
+    std::vector<std::string> gone = leftOut(result);
     const auto goes = [&](const std::vector<std::string>& blocks) {
         gone.insert(gone.end(), blocks.begin(), blocks.end());
     };
@@ -239,6 +258,8 @@ void addGroups(const Model& model, const LoadAxis& axis, const Control& control,
         if (!next) return;
         result.steps += next->steps;
         result.wall_seconds += next->wall_seconds;
+        result.let_go.insert(result.let_go.end(), next->let_go.begin(), next->let_go.end());
+        for (const BlockGroup& group : next->let_go) goes(group.blocks);
         BlockGroup& last = result.groups.back();
         last.blocks.insert(last.blocks.end(), next->fallen_at_start.begin(), next->fallen_at_start.end());
         std::sort(last.blocks.begin(), last.blocks.end());

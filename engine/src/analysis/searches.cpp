@@ -252,6 +252,13 @@ const LoadSearch* loadSearch(std::string_view name) {
     return found == kSearches.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> leftOut(const SearchResult& result) {
+    std::vector<std::string> names = result.fallen_at_start;
+    for (const BlockGroup& group : result.let_go)
+        names.insert(names.end(), group.blocks.begin(), group.blocks.end());
+    return names;
+}
+
 double massShare(const Model& model, const std::vector<std::string>& blocks) {
     return analysis::looseShare(model, analysis::blocksNamed(model, blocks));
 }

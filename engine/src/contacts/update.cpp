@@ -175,4 +175,25 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
     return true;
 }
 
+void takeOut(State& state, const std::vector<std::size_t>& blocks, bool parallel) {
+    Blocks& all = state.blocks;
+    all.gone.resize(all.size(), 0);
+    std::vector<char> around(all.size(), 0);
+    for (const std::size_t b : blocks) {
+        assert(all.motion[b] == Motion::free);
+        all.motion[b] = Motion::fixed;
+        all.free[b] = 0;
+        all.gone[b] = 1;
+        all.inverse_mass[b] = 0;
+        for (auto vectors : {&Blocks::inverse_inertia, &Blocks::velocity, &Blocks::angular_momentum,
+                             &Blocks::angular_velocity})
+            (all.*vectors).set(b, Vec3::Zero());
+        around[b] = 1;
+    }
+    makeInterfaces(state, state.search_margin, 0.0, false, parallel, {}, around);
+    updateContacts(state, {0, state.interfaces.groups.size()});
+    updateBlockForces(state);
+    assert(isSound(state) && haveSoundForces(state));
+}
+
 }  // namespace talus

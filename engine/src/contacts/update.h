@@ -39,4 +39,11 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
 bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop = nullptr,
                        const std::vector<double>& gone = {}, bool may_wait = false);
 
+/// Takes free blocks out of a state at rest: they stay where they are, fixed, and touch nothing any more; contacts of others are
+/// left to the bit.
+/// Reads:  as findInterfaces
+/// Writes: the blocks' motion, inertia, velocities and `gone`; as findInterfaces, forces of contacts and water
+/// \pre no bolt ties them
+void takeOut(State& state, const std::vector<std::size_t>& blocks, bool parallel);
+
 }  // namespace talus

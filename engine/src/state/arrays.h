@@ -70,9 +70,11 @@ struct Blocks {
     std::vector<double> inverse_mass;  ///< of the inertia used in the motion; 0: fixed or driven [1/kg]
     VectorArray inverse_inertia;       ///< likewise [1/(kg m^2)]
     std::vector<Motion> motion;
-    std::vector<std::uint8_t> free;  ///< 1 where motion is free, for the kernels
+    std::vector<std::uint8_t> free;    ///< 1 where motion is free, for the kernels
+    std::vector<std::uint8_t> gone{};  ///< 1: taken out (takeOut), fixed and touching nothing; empty: none is
 
     std::size_t size() const { return mass.size(); }
+    bool isGone(std::size_t b) const { return !gone.empty() && gone[b] != 0; }
 };
 
 /// What an interface is between.

@@ -17,6 +17,7 @@ constexpr int kMaxGrid = 64;
 constexpr Interval kToleranceDeg{1e-9, 45, false, false};
 constexpr Interval kFactorTolerance{1e-9, 1, false, false};
 constexpr Interval kAccelerationTolerance{1e-9, 1, false, false};
+constexpr Interval kMassShare{0, 1, false, true};
 
 void readDirection(TableReader& table, Gravity& gravity) {
     if (table.has("direction") && table.has("tilt_deg"))
@@ -51,9 +52,9 @@ void checkSearchRange(TableReader& table, double start_deg, double stop_deg) {
 void readAnalysis(TableReader& root, Model& model, double tilt_deg) {
     AnalysisSettings& settings = model.analysis;
     settings.stop = defaultStopDeg(tilt_deg) * kRadPerDeg;
-    auto table =
-        root.table("analysis", {"start_deg", "stop_deg", "tolerance_deg", "factor_tolerance",
-                                "acceleration_tolerance", "time_scaling", "reduce_tensile_strength"});
+    auto table = root.table(
+        "analysis", {"start_deg", "stop_deg", "tolerance_deg", "factor_tolerance", "acceleration_tolerance",
+                     "least_mass_share", "time_scaling", "reduce_tensile_strength"});
     if (!table) return;
     const auto start_deg = table->number("start_deg", kTiltDeg);
     const auto stop_deg = table->number("stop_deg", kTiltDeg);
@@ -68,6 +69,8 @@ void readAnalysis(TableReader& root, Model& model, double tilt_deg) {
         table->number("factor_tolerance", kFactorTolerance).value_or(settings.factor_tolerance);
     settings.acceleration_tolerance = table->number("acceleration_tolerance", kAccelerationTolerance)
                                           .value_or(settings.acceleration_tolerance);
+    settings.least_mass_share =
+        table->number("least_mass_share", kMassShare).value_or(settings.least_mass_share);
     settings.reduce_tensile_strength =
         table->boolean("reduce_tensile_strength").value_or(settings.reduce_tensile_strength);
     settings.time_scaling = table->boolean("time_scaling").value_or(settings.time_scaling);

@@ -355,4 +355,39 @@ TEST_SUITE("contacts") {
         CHECK(deepest > 6e-4);
         CHECK(deepest < 1.5e-3);
     }
+
+    TEST_CASE("blocks that are taken out touch nothing any more, and contacts of others stay to the bit") {
+        const Model model = stackModel(4, 3, 2, 30, {0.2, 0.1, 0.1}, 1e9);
+        State before = *buildState(model, false);
+        for (std::size_t b = 1; b < before.blocks.size(); ++b)  // pressed, differently
+            before.blocks.position[b].z -= 1e-6 * static_cast<double>(b);
+        updateForces(before, false);
+        for (const std::vector<std::size_t>& out :
+             {std::vector<std::size_t>{1}, {5}, {3, 4, 24}, {1, 2, 3, 4, 5, 6}}) {
+            CAPTURE(out.size());
+            State after = before;
+            takeOut(after, out, false);
+            checkValid(after, true);
+            const auto isOut = [&](std::int32_t block) {
+                return std::count(out.begin(), out.end(), static_cast<std::size_t>(block)) > 0;
+            };
+            std::size_t left = 0;
+            double pressed = 0;
+            for (std::size_t o = 0; o < before.interfaces.size(); ++o)
+                left += isOut(before.interfaces.block_a[o]) || isOut(before.interfaces.block_b[o]) ? 0 : 1;
+            CHECK(after.interfaces.size() == left);
+            for (std::size_t i = 0; i < after.interfaces.size(); ++i) {
+                const std::size_t o = sameFaces(after.interfaces, i, before.interfaces);
+                REQUIRE(o < before.interfaces.size());
+                CHECK(after.interfaces.wrench(i).force == before.interfaces.wrench(o).force);
+                pressed += after.interfaces.wrench(i).force.norm();
+            }
+            CHECK(pressed > 0);
+            for (const std::size_t b : out) CHECK(after.blocks.isGone(b));
+            State anew = after;  // nor do later searches find them
+            REQUIRE(findInterfaces(anew, false, false).empty());
+            for (std::size_t i = 0; i < anew.interfaces.size(); ++i)
+                CHECK_FALSE((isOut(anew.interfaces.block_a[i]) || isOut(anew.interfaces.block_b[i])));
+        }
+    }
 }

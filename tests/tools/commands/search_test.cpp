@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "answers/search.h"
+#include "cli/text.h"
 #include "talus/formats/scenario.h"
 #include "tools/program.h"
 
@@ -382,4 +383,24 @@ TEST_CASE("an answer that is one of a small part of the slope says so, with the 
     CHECK(groups.out.find("then go") != std::string::npos);
     CHECK(groups.out.find("free blocks' mass") == std::string::npos);
     CHECK(said({"--set", "block[3].fixed=true"}).out.find("free blocks' mass") == std::string::npos);
+    const Outcome rest = said({"--set", "analysis.least_mass_share=0.05"});
+    CHECK(rest.exit_code == 0);
+    CHECK(rest.out.find("factor of safety  1.71") != std::string::npos);
+    CHECK(rest.out.find("let go before     at 0.4338: 1 with 0.79 % of the mass: pebble") !=
+          std::string::npos);
+    const auto behind =
+        runTalus({"safety-factor", path, "--json", "--set", "analysis.least_mass_share=0.05"}).json();
+    CHECK(behind.at("moving_blocks") == nlohmann::json{"key"});
+    const double without = std::tan(radians(20)) / std::tan(radians(12));
+    CHECK(behind.at("ceiling").get<double>() == doctest::Approx(without).epsilon(0.001));
+    CHECK(behind.at("range").is_null());
+    REQUIRE(behind.at("let_go").size() == 1);
+    const auto& gone = behind.at("let_go")[0];
+    CHECK(gone.at("blocks") == nlohmann::json{"pebble"});
+    CHECK(gone.at("mass_share").get<double>() == doctest::Approx(0.004 / 0.504).epsilon(1e-6));
+    CHECK(gone.at("safety_factor").get<double>() ==
+          doctest::Approx(std::tan(radians(20)) / std::tan(radians(40))).epsilon(0.002));
+    const Outcome wrong = said({"--set", "analysis.least_mass_share=1"});
+    CHECK(wrong.exit_code == 2);
+    CHECK(wrong.err.find("least_mass_share") != std::string::npos);
 }
