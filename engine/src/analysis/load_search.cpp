@@ -144,13 +144,14 @@ class Search {
 
     /// A failure of less mass than counts is taken out where the assembly last stood, with all that does not stand there without
     /// it. True when the rest stands: the search is to go on from that. The answer is what has enough mass, all together, and
-    /// what would leave less than that.
+    /// what would leave less than that; where the rest is neither seen to stand nor to fail there is none.
     bool letSmallGo() {
         if (!claimsSmallFailure()) return false;
         const double load = axis_.load(bracket_.low());
         BlockGroup group{0.5 * (load + axis_.load(*bracket_.high())), {}};
         double mass = 0;
-        for (bool stands = false; !stands;) {
+        bool stands = false, fails = true;
+        while (!stands && fails) {
             State& stable = probing_.last_stable;
             const std::vector<std::size_t> going = blocksOf(result_.moving_blocks);
             double own = 0;
@@ -167,11 +168,15 @@ class Search {
             probing_.no_near_rest = {};
             stands = standsWithout(load);
             if (interrupted(probing_)) return false;
-            if (!stands && (result_.status != SearchStatus::found || !result_.confirmed)) return false;
+            fails = result_.status == SearchStatus::found && result_.confirmed;
         }
         result_.let_go.push_back(std::move(group));
         bracket_.goOn();
-        return true;
+        if (!stands) {
+            result_.status = SearchStatus::undecided;
+            is_rest_unknown_ = true;
+        }
+        return stands;
     }
 
     bool claimsSmallFailure() const {
@@ -379,6 +384,9 @@ class Search {
         result_.interfaces = contacts.interfaces;
         result_.contact_points = contacts.points;
         result_.warnings = searchWarnings(probing_, last, fails);
+        if (is_rest_unknown_)
+            result_.warnings.push_back(
+                "without the blocks let go last the rest is neither seen to stand nor to fail at that load");
         if (fails) result_.lost_cohesion = lostCohesion(last);
     }
 
@@ -390,8 +398,9 @@ class Search {
     Probing probing_;
     SearchResult result_;
     std::vector<std::size_t> falling_{}, restless_{};
-    std::int64_t pace_ = 0;  ///< most cells of the next load step; 0: the axis's own
-    bool no_rest_ = false;   ///< at the failing load, nearby or elsewhere
+    std::int64_t pace_ = 0;         ///< most cells of the next load step; 0: the axis's own
+    bool no_rest_ = false;          ///< at the failing load, nearby or elsewhere
+    bool is_rest_unknown_ = false;  ///< whether what is left stands without what was let go last
     std::int64_t continuation_steps_ = 0;
 };
 
