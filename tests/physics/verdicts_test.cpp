@@ -239,7 +239,8 @@ TEST_SUITE("physics") {
             double share;
             std::size_t answer, let_go;
         };
-        for (const Kind& kind : kinds)
+        for (const Kind& kind : kinds) {
+            std::uint64_t hash = 0;
             for (const Wanted& wanted : {Wanted{0, 2, 0}, Wanted{0.003, 2, 0}, Wanted{0.005, 1, 1},
                                          Wanted{0.05, 0, 2}, Wanted{0.6, 0, 2}}) {
                 CAPTURE(kind.tilt);
@@ -266,7 +267,10 @@ TEST_SUITE("physics") {
                     CHECK(result.let_go[k].blocks == std::vector{"b" + std::to_string(2 - k)});
                 }
                 CHECK(leftOut(result).size() == wanted.let_go);
+                if (wanted.share == 0) hash = result.state_hash;
+                if (wanted.let_go == 0) CHECK(result.state_hash == hash);  // the same search
             }
+        }
     }
 
     TEST_CASE(
