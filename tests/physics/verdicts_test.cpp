@@ -300,6 +300,66 @@ TEST_SUITE("physics") {
         }
     }
 
+    TEST_CASE("a small block that a bolt ties is not let go: the bolt would hold on to where it was") {
+        for (const bool is_tied : {false, true}) {
+            CAPTURE(is_tied);
+            Model model = floorModel(35);
+            model.joints.push_back(joint(20));
+            addBox(model, "pebble", {0, 0, 0}, {0.2, 0.2, 0.2});
+            addBox(model, "slope", {2, 0, 0}, {1, 1, 1});
+            model.pair_joints = {{0, 1, 1}};
+            model.analysis.least_mass_share = 0.05;
+            if (is_tied) {
+                Bolt bolt;  // upslope, and far too weak
+                bolt.name = "B";
+                bolt.head = {0, 0.1, 0.1};
+                bolt.end = {1.5, 0.1, -0.5};
+                bolt.area = 1e-4;
+                bolt.modulus = 2e11;
+                bolt.yield_force = 10;
+                model.bolts = {bolt};
+            }
+            const SearchResult result = *criticalAngle(model);
+            CHECK((result.status == SearchStatus::found));
+            CHECK(result.let_go.size() == (is_tied ? 0 : 1));
+            CHECK(result.moving_blocks == std::vector<std::string>{is_tied ? "pebble" : "slope"});
+            CHECK(degrees(result.answer) > (is_tied ? 20.5 : 34.9));
+            CHECK(degrees(result.answer) < (is_tied ? 25.0 : 35.1));
+        }
+    }
+
+    TEST_CASE("water presses on what is left as it did when a small block is let go") {
+        const std::string pebble =
+            "[joint.slick]\nnormal_stiffness = 1e10\nshear_stiffness = 1e10\nfriction_deg = 2\n"
+            "[[block]]\nname = \"shelf\"\nfixed = true\nbox = { min = [-9, 0, -1], max = [-7, 1, 0] }\n"
+            "[[block]]\nname = \"pebble\"\njoint = \"slick\"\nbox = { min = [-8.05, 0.5, 0], max = [-8, "
+            "0.55, 0.05] }\n";
+        for (const std::string water :
+             {"[[water]]\nfissure = 1\ndepth = 0.35\n", "[[water]]\nfissure = 2\ndepth = 0.2\n",
+              "[[water]]\nsurface = [[-20, 0.1], [20, 0.1]]\n"}) {
+            CAPTURE(water);
+            const auto found = [&](const std::string& more) {
+                const auto scenario = formats::parseScenario(
+                    "[material.granite]\ndensity = 2700\n[joint.default]\nnormal_stiffness = "
+                    "1e10\nshear_stiffness = 1e10\nfriction_deg = 19.5\n[[stack]]\ncolumns = 4\nrows = "
+                    "4\nslices = 1\nblock = [0.2, 0.1, 0.1]\n" +
+                        water + more,
+                    "wet.toml");
+                REQUIRE(scenario.ok());
+                return *criticalAngle(scenario->model);
+            };
+            const SearchResult alone = found(""),
+                               rest = found(pebble + "[analysis]\nleast_mass_share = 0.05\n");
+            CHECK((alone.status == SearchStatus::found));
+            CHECK((rest.status == SearchStatus::found));
+            REQUIRE(rest.let_go.size() == 1);
+            CHECK(rest.let_go[0].blocks == std::vector<std::string>{"pebble"});
+            CHECK(rest.moving_blocks == alone.moving_blocks);
+            CHECK(degrees(rest.answer) == doctest::Approx(degrees(alone.answer)).epsilon(0.002));
+            CHECK(degrees(alone.answer) < 19);  // by the water
+        }
+    }
+
     TEST_CASE(
         "what does not stand without a block that is let go goes with it, and together they may be the "
         "answer") {
