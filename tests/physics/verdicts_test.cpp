@@ -269,6 +269,14 @@ TEST_SUITE("physics") {
                 CHECK(leftOut(result).size() == wanted.let_go);
                 if (wanted.share == 0) hash = result.state_hash;
                 if (wanted.let_go == 0) CHECK(result.state_hash == hash);  // the same search
+                if (kind.find != safetyFactor || wanted.share != 0.05) continue;
+                Control control;
+                control.groups = 3;
+                const SearchResult groups = *safetyFactor(model, control);
+                CHECK(groups.let_go.size() == 2);
+                REQUIRE(groups.groups.size() == 2);
+                CHECK(groups.groups[0].blocks == std::vector<std::string>{"b0"});
+                CHECK(groups.groups[1].factor == doctest::Approx(answer(3)).epsilon(0.001));
             }
         }
     }

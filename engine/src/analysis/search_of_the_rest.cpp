@@ -179,9 +179,10 @@ class SearchOfTheRest {
         return true;
     }
 
-    /// Of a failure at the start that has less mass than an answer. False where what is left would have less, too.
+    /// Of a failure at the start that has less mass than an answer, of what is in the search. False where what is left would have
+    /// less, too.
     bool letSmallGo(const SearchResult& result) {
-        const double least = model_.analysis.least_mass_share;
+        const double least = model_.analysis.least_mass_share * (1 - looseShare(model_, gone_));
         if (!result.confirmed || isStopped(control_)) return false;
         std::vector<char> going = blocksNamed(model_, result.moving_blocks);
         if (looseShare(model_, going) >= least) return false;
@@ -258,10 +259,9 @@ void addGroups(const Model& model, const LoadAxis& axis, const Control& control,
         if (!next) return;
         result.steps += next->steps;
         result.wall_seconds += next->wall_seconds;
-        result.let_go.insert(result.let_go.end(), next->let_go.begin(), next->let_go.end());
-        for (const BlockGroup& group : next->let_go) goes(group.blocks);
+        const std::vector<std::string> before_next = leftOut(*next);
         BlockGroup& last = result.groups.back();
-        last.blocks.insert(last.blocks.end(), next->fallen_at_start.begin(), next->fallen_at_start.end());
+        last.blocks.insert(last.blocks.end(), before_next.begin(), before_next.end());
         std::sort(last.blocks.begin(), last.blocks.end());
         result.groups_undecided = next->status == SearchStatus::undecided;
         if (result.groups_undecided)
@@ -269,7 +269,7 @@ void addGroups(const Model& model, const LoadAxis& axis, const Control& control,
         if (!claimsFailure(*next) || next->moving_blocks.empty()) return;
         const double factor = next->status == SearchStatus::found ? next->answer : last.factor;
         result.groups.push_back({std::max(factor, last.factor), next->moving_blocks});
-        goes(next->fallen_at_start);
+        goes(before_next);
         goes(next->moving_blocks);
     }
 }

@@ -16,7 +16,7 @@ Result<SearchResult> searchOfTheRest(const Model& model, const LoadAxis& axis, c
                                      const std::vector<std::string>& without = {});
 
 /// The groups that go one after the other: the search is made again without those that have gone. What then falls at
-/// the start whatever the strength goes with the group before it; a group that fails at a lower factor than the one
+/// the start whatever the strength, or is let go before the next group, goes with the group before it; a group that fails at a lower factor than the one
 /// before goes at that one's.
 void addGroups(const Model& model, const LoadAxis& axis, const Control& control, const QuasiStatic& settings,
                SearchResult& result);
