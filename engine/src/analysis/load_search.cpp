@@ -69,9 +69,10 @@ class Search {
           probing_(beginProbing(state, axis, control, settings, parallel)) {}
 
     SearchResult run() {
-        for (bool goes_on = start(); goes_on; goes_on = letSmallGo())
+        for (bool goes_on = start(); goes_on; goes_on = letSmallGo()) {
             for (int k = 0; k <= kMostReopenings && searchUpwards(); ++k) {
             }
+        }
         finish();
         return std::move(result_);
     }
@@ -384,9 +385,10 @@ class Search {
         result_.interfaces = contacts.interfaces;
         result_.contact_points = contacts.points;
         result_.warnings = searchWarnings(probing_, last, fails);
-        if (is_rest_unknown_)
+        if (is_rest_unknown_) {
             result_.warnings.push_back(
                 "without the blocks let go last the rest is neither seen to stand nor to fail at that load");
+        }
         if (fails) result_.lost_cohesion = lostCohesion(last);
     }
 
