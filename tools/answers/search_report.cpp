@@ -161,12 +161,13 @@ std::string fallenText(const SearchResult& result) {
 /// What failed before and was too little to be the answer.
 std::string letGoText(const SearchReport& report) {
     std::string rows;
-    for (const BlockGroup& group : report.result.let_go)
+    for (const BlockGroup& group : report.result.let_go) {
+        const std::string share = percentText(massShare(report.scenario.model, group.blocks));
         rows += row(rows.empty() ? "let go before" : "",
                     "at " + figureOf(report, group.factor) + unitOf(report) + ": " +
-                        std::to_string(group.blocks.size()) + " with " +
-                        percentText(massShare(report.scenario.model, group.blocks)) +
+                        std::to_string(group.blocks.size()) + " with " + share +
                         " of the mass: " + compactNames(group.blocks));
+    }
     return rows;
 }
 
