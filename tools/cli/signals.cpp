@@ -29,15 +29,17 @@ void say(int file, const std::string& text) {
     if (::write(file, text.data(), text.size()) < 0) return;  // nobody is left to tell
 }
 
+[[noreturn]] void endWith(const std::pair<std::string, std::string>& words) {
+    say(STDOUT_FILENO, words.first);
+    say(STDERR_FILENO, words.second);
+    ::_exit(kInterrupted);
+}
+
 /// One request may arrive as two signals (timeout and shells also signal the process group), so only one that comes
 /// clearly later means "now".
 void onStopSignal(int signal_number) {
     constexpr std::int64_t kPatience = 2;  // [s]
-    if (const auto* words = last_words.load()) {
-        say(STDOUT_FILENO, words->first);
-        say(STDERR_FILENO, words->second);
-        ::_exit(kInterrupted);
-    }
+    if (const auto* words = last_words.load()) endWith(*words);
     if (!stop_flag.exchange(true)) {
         first_signal_seconds = secondsNow();
     } else if (secondsNow() - first_signal_seconds > kPatience) {
@@ -62,7 +64,9 @@ const std::atomic<bool>& stopRequested() { return stop_flag; }
 void requestStop() { stop_flag = true; }
 
 EndsAtOnce::EndsAtOnce(std::string on_stdout, std::string on_stderr)
-    : words_(std::move(on_stdout), std::move(on_stderr)), before_(last_words.exchange(&words_)) {}
+    : words_(std::move(on_stdout), std::move(on_stderr)), before_(last_words.exchange(&words_)) {
+    if (first_signal_seconds != 0) endWith(words_);
+}
 
 EndsAtOnce::~EndsAtOnce() { last_words = before_; }
 
