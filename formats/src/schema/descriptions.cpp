@@ -18,9 +18,7 @@ constexpr Description kScenario[] = {
     {"analysis.acceleration_tolerance", "critical-acceleration: width of the bracket; default 0.0001"},
     {"analysis.least_mass_share",
      "searches: what fails and has less than this share of the free blocks' mass (without loose ones) is let "
-     "go and named, and "
-     "the search "
-     "goes on with the rest; default 0: whatever fails is the answer"},
+     "go and named, and the search goes on with the rest; default 0: whatever fails is the answer"},
     {"analysis.reduce_tensile_strength",
      "the factor of safety divides tensile strengths, too; default false"},
     {"analysis.time_scaling",
