@@ -7,16 +7,19 @@
 45 m high over 60 m, with half a metre of roughness in waves of some 12 m and longer. The surface is simplified to DEVIATION
 (m, default 0.2; 0 leaves it as it is).
 """
+import argparse
 import math
 import pathlib
 import random
-import sys
 
 SIDES = 100  # of a metre
 WAVES = 25
 
-folder = pathlib.Path(sys.argv[1])
-deviation = float(sys.argv[2]) if len(sys.argv) > 2 else 0.2
+parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+parser.add_argument("folder", type=pathlib.Path, metavar="FOLDER")
+parser.add_argument("deviation", type=float, nargs="?", default=0.2, metavar="DEVIATION")
+arguments = parser.parse_args()
+folder, deviation = arguments.folder, arguments.deviation
 folder.mkdir(parents=True, exist_ok=True)
 random.seed(5)
 waves = [(random.uniform(0.05, 0.5), random.uniform(0, 2 * math.pi), random.uniform(0, 2 * math.pi)) for _ in range(WAVES)]
