@@ -93,10 +93,14 @@ constexpr double kDeeper =
     1.05;  // times the deepest contact of the blocks; an elastic turn makes it a little more
 constexpr double kDeepest = 1e-7;  // of the smaller block's size: never mind less
 
-std::vector<double> deepestContacts(const State& state) {
+std::vector<double> deepestContacts(const State& state, const std::vector<char>& near) {
     const Interfaces& f = state.interfaces;
     std::vector<double> deepest(state.blocks.size(), 0.0);
+    const auto is_near = [&](std::int32_t block) {
+        return near.empty() || near[static_cast<std::size_t>(block)] != 0;
+    };
     for (std::size_t i = 0; i < f.size(); ++i) {
+        if (isIdle(f, i) || !(is_near(f.block_a[i]) || is_near(f.block_b[i]))) continue;
         const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
         for (const ContactPoint& point : contactPoints(state, i))
             for (const std::int32_t block : {f.block_a[i], f.block_b[i]}) {
@@ -191,9 +195,9 @@ void startSliding(State& state, std::size_t i, double ahead) {
 
 }  // namespace
 
-OldInterfaces takeInterfaces(State& state) {
+OldInterfaces takeInterfaces(State& state, const std::vector<char>& near) {
     OldInterfaces old;
-    old.depth = deepestContacts(state);
+    old.depth = deepestContacts(state, near);
     old.interfaces = std::exchange(state.interfaces, {});
     old.points = std::exchange(state.points, {});
     return old;

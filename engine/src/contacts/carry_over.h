@@ -11,7 +11,8 @@ namespace talus {
 struct OldInterfaces {
     Interfaces interfaces;
     ContactPoints points;
-    std::vector<double> depth;  ///< per block: its deepest closed contact point; 0 for fixed ones [m]
+    /// per block near the search: its deepest closed contact point; 0 for fixed ones [m]
+    std::vector<double> depth;
     /// Those that the search leaves as they are: which they are now, else -1. Empty: none.
     std::vector<std::int64_t> kept_as{};
 
@@ -20,8 +21,8 @@ struct OldInterfaces {
     }
 };
 
-/// Takes the interfaces and their contact points out of a state.
-OldInterfaces takeInterfaces(State& state);
+/// Takes the interfaces and their contact points out of a state. \param near  by block: what the search may touch; empty: all
+OldInterfaces takeInterfaces(State& state, const std::vector<char>& near = {});
 
 /// For each new interface between the same two faces as an old one: the reference gap goes with the reference face;
 /// each new contact point takes the shear traction, the bond and the dilation of the nearest old one, and the

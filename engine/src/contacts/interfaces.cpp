@@ -133,8 +133,8 @@ void closeInitialInterfaces(State& state) {
 void appendKept(State& state, OldInterfaces& old, std::size_t o) {
     const Interfaces& from = old.interfaces;
     Interfaces& f = state.interfaces;
-    const std::vector<Eigen::Vector2d> outline = patchOutline(from, o);
-    addToGroups(f, outline.size(), from.pointCount(o));
+    const std::size_t corners = from.cornerCount(o);
+    addToGroups(f, corners, from.pointCount(o));
     for (auto index : {&Interfaces::block_a, &Interfaces::block_b, &Interfaces::face_a, &Interfaces::face_b,
                        &Interfaces::joint})
         (f.*index).push_back((from.*index)[o]);
@@ -146,56 +146,81 @@ void appendKept(State& state, OldInterfaces& old, std::size_t o) {
     const std::size_t n = f.size() - 1;
     f.setFrame(n, from.frame(o));
     f.setWrench(n, from.wrench(o));
-    placeCorners(f, n, outline);
+    growCorners(f, n);
+    for (std::size_t k = 0; k < corners; ++k)
+        for (std::size_t axis = 0; axis < kCornerQuantities; ++axis)
+            f.corners.set(f.cornerSlot(n, k), axis, from.corners.get(from.cornerSlot(o, k), axis));
     old.kept_as[o] = static_cast<std::int64_t>(n);
 }
 
-/// One interface to be made between two blocks; without a patch: the places of two parts that may meet by vertices or edges. Or
-/// some of before the search, one after the other, that are to be left as they are.
-struct Found {
-    std::int32_t a = 0, b = 0;
-    FacePair faces{};
-    std::size_t first_old = 0, old_count = 0;
-};
+/// Interfaces on their way into a state. They are stored in the order in which they are added, but those with as many corners side by
+/// side within windows short enough that neighbours in space stay neighbours in memory.
+class InterfaceWindow {
+ public:
+    InterfaceWindow(State& state, OldInterfaces& old) : state_(state), old_(old) {}
 
-/// Appends interfaces in the order they are stored in: that of the search, but those with as many corners side by side
-/// within windows short enough that neighbours in space stay neighbours in memory.
-struct InterfaceWindow {
+    /// To be made between a face of one block and one of another.
+    void add(std::int32_t block_a, std::int32_t block_b, const FacePair& faces) {
+        const auto index = static_cast<std::size_t>(faces_.size());
+        faces_.push_back(faces);
+        add({Kind::faces, faces.patch.size(), block_a, block_b, index});
+    }
+    /// Places of two parts that may meet by vertices or edges.
+    void addPlaces(std::int32_t part_a, std::int32_t part_b) { add({Kind::places, 0, part_a, part_b}); }
+    /// Some of before the search, one after the other, that are to be left as they are.
+    void addKept(std::size_t first, std::size_t count) {
+        const Interfaces& from = old_.interfaces;
+        add({Kind::kept, isVertexEdge(from, first) ? 0 : from.cornerCount(first), 0, 0, first, count});
+    }
+    /// What was added last.
+    void append() {
+        std::size_t most = 0;
+        for (const Entry& entry : entries_) most = std::max(most, entry.corners);
+        for (std::size_t corners = 0; corners <= most; ++corners)
+            for (const Entry& entry : entries_)
+                if (entry.corners == corners) append(entry);
+        entries_.clear();
+        faces_.clear();
+    }
+
+ private:
     static constexpr std::size_t kSize = 256;
-    OldInterfaces& old;
-    std::vector<Found> found{};
-    std::vector<const Found*> order{};
+    enum class Kind : std::uint8_t { faces, places, kept };
+    struct Entry {
+        Kind kind;
+        std::size_t corners;    ///< 0: places
+        std::int32_t a, b;      ///< blocks, or parts
+        std::size_t first = 0;  ///< in faces_, or of before the search
+        std::size_t count = 0;
+    };
 
-    void add(State& state, const Found& next) {
-        found.push_back(next);
-        if (found.size() == kSize) append(state);
+    void add(const Entry& entry) {
+        entries_.push_back(entry);
+        if (entries_.size() == kSize) append();
     }
 
-    void append(State& state) {
-        order.clear();
-        for (const Found& one : found) order.push_back(&one);
-        const auto corners = [&](const Found& one) {
-            if (one.old_count == 0) return one.faces.patch.size();
-            return isVertexEdge(old.interfaces, one.first_old) ? 0
-                                                               : old.interfaces.cornerCount(one.first_old);
-        };
-        std::stable_sort(order.begin(), order.end(),
-                         [&](const Found* a, const Found* b) { return corners(*a) < corners(*b); });
-        for (const Found* one : order) {
-            for (std::size_t k = 0; k < one->old_count; ++k) appendKept(state, old, one->first_old + k);
-            if (one->old_count > 0) continue;
-            const Polygon& patch = one->faces.patch;
-            if (patch.empty()) {
-                appendVertexEdgePlaces(state, one->a, one->b);
-                continue;
-            }
-            addToGroups(
-                state.interfaces, patch.size(),
-                contact::pointCount(std::span(patch.begin(), patch.size()), state.geometry->model.points));
-            appendInterface(state, one->a, one->b, one->faces);
+    void append(const Entry& entry) {
+        switch (entry.kind) {
+            case Kind::kept:
+                for (std::size_t k = 0; k < entry.count; ++k) appendKept(state_, old_, entry.first + k);
+                return;
+            case Kind::places:
+                appendVertexEdgePlaces(state_, entry.a, entry.b);
+                return;
+            case Kind::faces:
+                break;
         }
-        found.clear();
+        const FacePair& faces = faces_[entry.first];
+        addToGroups(state_.interfaces, faces.patch.size(),
+                    contact::pointCount(std::span(faces.patch.begin(), faces.patch.size()),
+                                        state_.geometry->model.points));
+        appendInterface(state_, entry.a, entry.b, faces);
     }
+
+    State& state_;
+    OldInterfaces& old_;
+    std::vector<Entry> entries_{};
+    std::vector<FacePair> faces_{};
 };
 
 Error gridError(const State& state, const PairFinding& finding, const FacePair& pair) {
@@ -219,9 +244,10 @@ struct SearchRemarks {
 };
 
 /// All of before the search that it does not look at; the places of a pair stay together.
-void appendFarFrom(const SearchRange& range, State& state, InterfaceWindow& window) {
-    const Interfaces& from = window.old.interfaces;
-    window.old.kept_as.assign(from.size(), -1);
+void appendFarFrom(const SearchRange& range, const State& state, OldInterfaces& old,
+                   InterfaceWindow& window) {
+    const Interfaces& from = old.interfaces;
+    old.kept_as.assign(from.size(), -1);
     for (std::size_t o = 0, next = 0; o < from.size(); o = next) {
         next = o + 1;
         if (isVertexEdge(from, o)) {
@@ -231,15 +257,15 @@ void appendFarFrom(const SearchRange& range, State& state, InterfaceWindow& wind
                 ++next;
         }
         if (!range.has(static_cast<std::size_t>(from.block_a[o]), static_cast<std::size_t>(from.block_b[o])))
-            window.add(state, {.first_old = o, .old_count = next - o});
+            window.addKept(o, next - o);
     }
 }
 
 SearchRemarks appendInterfaces(State& state, OldInterfaces& old, const SearchRange& range,
                                const KnownPairs& known, bool initial, bool parallel, const Control& control) {
     SearchRemarks remarks;
-    InterfaceWindow window{.old = old};
-    if (range.around != nullptr) appendFarFrom(range, state, window);
+    InterfaceWindow window(state, old);
+    if (!range.around.empty()) appendFarFrom(range, state, old, window);
     const auto take = [&](const PairFinding& finding) {
         if (finding.overlaps)
             remarks.overlaps.push_back({{},
@@ -253,12 +279,12 @@ SearchRemarks appendInterfaces(State& state, OldInterfaces& old, const SearchRan
         for (const FacePair& pair : finding.faces) {
             if (initial && remarks.grid.empty() && !suitsRule(state, pair))
                 remarks.grid.push_back(gridError(state, finding, pair));
-            if (remarks.grid.empty()) window.add(state, {finding.block_a, finding.block_b, pair});
+            if (remarks.grid.empty()) window.add(finding.block_a, finding.block_b, pair);
         }
-        if (finding.may_meet_by_vertices) window.add(state, {finding.part_a, finding.part_b});
+        if (finding.may_meet_by_vertices) window.addPlaces(finding.part_a, finding.part_b);
     };
     remarks.stopped = !examinePairs(state, range, known, initial, parallel, take, control);
-    window.append(state);
+    window.append();
     return remarks;
 }
 
@@ -294,15 +320,14 @@ std::vector<Error> interrupted() { return {{"", "interrupted while its contacts 
 
 }  // namespace
 
-std::vector<Error> makeInterfaces(State& state, double margin, double ahead, bool initial, bool parallel,
-                                  const Control& control, const std::vector<char>& around) {
-    const KnownPairs known{pairsWithPlaces(*state.geometry, state.interfaces),
-                           narrowPatchesCount(state, initial) ? PartPairs{} : pairsThatBear(state)};
+std::vector<Error> makeInterfaces(State& state, const SearchRange& range, bool initial, bool parallel,
+                                  const Control& control) {
+    const KnownPairs known{pairsWithPlaces(*state.geometry, state.interfaces, range),
+                           narrowPatchesCount(state, initial) ? PartPairs{} : pairsThatBear(state, range)};
     const std::vector<PairEnergy> held =
         state.springs == Springs::keep_energy ? energyOfPairs(contactsOf(state)) : std::vector<PairEnergy>{};
-    OldInterfaces old = takeInterfaces(state);
-    const SearchRemarks remarks = appendInterfaces(
-        state, old, {margin, ahead, around.empty() ? nullptr : &around}, known, initial, parallel, control);
+    OldInterfaces old = takeInterfaces(state, range.near);
+    const SearchRemarks remarks = appendInterfaces(state, old, range, known, initial, parallel, control);
     if (remarks.stopped) {
         state.interfaces = std::move(old.interfaces);
         state.points = std::move(old.points);
@@ -319,13 +344,13 @@ std::vector<Error> makeInterfaces(State& state, double margin, double ahead, boo
     if (initial)
         closeInitialInterfaces(state);
     else
-        carried = carryOver(old, state, ahead);
+        carried = carryOver(old, state, range.ahead);
     if (initial && isStopped(control)) return interrupted();
     buildIncidence(state);
-    renewVertexEdges(state, ahead, parallel, carried, around);
+    renewVertexEdges(state, range.ahead, parallel, carried, range.around);
     if (state.springs == Springs::keep_energy) balanceEnergy(state, held);
-    keepSearchPoses(state, around);
-    state.search_margin = margin;
+    keepSearchPoses(state, range.around);
+    state.search_margin = range.margin;
     if (initial) return touchErrors(state);
     rebuildPairWater(state);
     return {};

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "state/range.h"
@@ -245,7 +246,67 @@ std::vector<BoxPair> sorted(const std::vector<std::vector<BoxPair>>& lists, std:
     return pairs;
 }
 
+/// One grid over the marked boxes, of which a cell meets one or does not.
+class MarkedCells {
+ public:
+    /// \pre some box is marked
+    MarkedCells(const std::vector<Box>& boxes, const std::vector<char>& marked) {
+        std::vector<Box> of_marked;
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            if (marked[i]) of_marked.push_back(boxes[i]);
+        bounds_ = boundsOf(of_marked);
+        cells_.assign(static_cast<std::size_t>(kCells * kCells * kCells), 0);
+        for (const Box& box : of_marked) {
+            anyCell(box, [](char& cell) {
+                cell = 1;
+                return false;
+            });
+        }
+    }
+
+    bool meet(const Box& box) {
+        return overlaps(box, bounds_) && anyCell(box, [](const char& cell) { return cell != 0; });
+    }
+
+ private:
+    static constexpr std::int64_t kCells = 32;  // along each axis
+
+    /// Along an axis; the same coordinate is in the same cell, whichever box asks.
+    std::int64_t cellAt(double coordinate, int axis) const {
+        const double extent = bounds_.max[axis] - bounds_.min[axis];
+        const double share = extent > 0 ? (coordinate - bounds_.min[axis]) / extent : 0.0;
+        return static_cast<std::int64_t>(std::clamp(share, 0.0, 1.0) * (kCells - 1));
+    }
+
+    /// Whether `is` says so of a cell that the box lies in; none after that is asked.
+    template <class Is>
+    bool anyCell(const Box& box, const Is& is) {
+        Cell low, high;
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = cellAt(box.min[axis], axis);
+            high[axis] = cellAt(box.max[axis], axis);
+        }
+        for (std::int64_t z = low[2]; z <= high[2]; ++z)
+            for (std::int64_t y = low[1]; y <= high[1]; ++y)
+                for (std::int64_t x = low[0]; x <= high[0]; ++x)
+                    if (is(cells_[static_cast<std::size_t>((z * kCells + y) * kCells + x)])) return true;
+        return false;
+    }
+
+    Box bounds_;
+    std::vector<char> cells_;
+};
+
 }  // namespace
+
+std::vector<char> findNearMarked(const std::vector<Box>& boxes, const std::vector<char>& marked) {
+    assert(marked.size() == boxes.size());
+    std::vector<char> near(boxes.size(), 0);
+    if (std::find(marked.begin(), marked.end(), 1) == marked.end()) return near;
+    MarkedCells cells(boxes, marked);
+    for (std::size_t i = 0; i < boxes.size(); ++i) near[i] = cells.meet(boxes[i]);
+    return near;
+}
 
 std::vector<BoxPair> findNeighbours(const std::vector<Box>& boxes, bool parallel) {
     if (boxes.size() < 2) return {};

@@ -40,11 +40,11 @@ bool firstIsReference(const State& state, std::size_t first, std::size_t second)
     return radius_1 >= radius_2 * (1.0 - 1e-9);
 }
 
-/// Shapes of all blocks where they are now, with their face normals; the faces' outlines are those of the own frame.
+/// Shapes of the blocks of a range where they are now, with their face normals; the faces' outlines are those of the own frame.
 struct PlacedShapes {
     const Geometry& geometry;
     const std::vector<Polyhedron>& own;
-    std::vector<std::size_t> first_vertex, first_normal;  ///< of each block; one more at the end
+    std::vector<std::size_t> first_vertex, first_normal;  ///< of each block
     std::vector<Vec3> vertices, normals;
     std::vector<std::int32_t> body;  ///< of each part: its place in `bodies`, -1 where it is a whole block
     std::vector<PartOfBody> bodies;
@@ -72,11 +72,12 @@ struct PlacedShapes {
     }
 };
 
-void placeBodies(const State& state, PlacedShapes& placed) {
+void placeBodies(const State& state, const SearchRange& range, PlacedShapes& placed) {
     const std::size_t parts = state.geometry->part_block.size();
     if (parts == state.blocks.size()) return;
     placed.body.assign(parts, -1);
     for (std::size_t part = 0; part < parts; ++part) {
+        if (!range.isNear(placed.blockOf(part))) continue;
         const auto body = partOfBody(state, static_cast<std::int32_t>(part));
         if (!body) continue;
         placed.body[part] = static_cast<std::int32_t>(placed.bodies.size());
@@ -84,27 +85,32 @@ void placeBodies(const State& state, PlacedShapes& placed) {
     }
 }
 
-PlacedShapes placeShapes(const State& state, bool parallel) {
+PlacedShapes placeShapes(const State& state, const SearchRange& range, bool parallel) {
     const std::size_t n = state.blocks.size();
-    PlacedShapes placed{*state.geometry, state.geometry->shape, {0}, {0}, {}, {}, {}, {}};
-    placed.first_vertex.reserve(n + 1);
-    placed.first_normal.reserve(n + 1);
-    for (const Polyhedron& shape : placed.own) {
-        placed.first_vertex.push_back(placed.first_vertex.back() + shape.vertices.size());
-        placed.first_normal.push_back(placed.first_normal.back() + shape.faces.size());
+    PlacedShapes placed{*state.geometry, state.geometry->shape, {}, {}, {}, {}, {}, {}};
+    placed.first_vertex.reserve(n);
+    placed.first_normal.reserve(n);
+    std::size_t vertices = 0, normals = 0;
+    for (std::size_t b = 0; b < n; ++b) {
+        placed.first_vertex.push_back(vertices);
+        placed.first_normal.push_back(normals);
+        if (!range.isNear(b)) continue;
+        vertices += placed.own[b].vertices.size();
+        normals += placed.own[b].faces.size();
     }
-    placed.vertices.resize(placed.first_vertex.back());
-    placed.normals.resize(placed.first_normal.back());
-    forRange(n, 256, parallel, [&](Range range) {
+    placed.vertices.resize(vertices);
+    placed.normals.resize(normals);
+    forRange(n, 256, parallel, [&](Range some) {
         Polyhedron shape;
-        for (std::size_t b = range.begin; b < range.end; ++b) {
+        for (std::size_t b = some.begin; b < some.end; ++b) {
+            if (!range.isNear(b)) continue;
             placeShape(state, b, shape);
             std::copy(shape.vertices.begin(), shape.vertices.end(), &placed.vertices[placed.first_vertex[b]]);
             for (std::size_t f = 0; f < shape.faces.size(); ++f)
                 placed.normals[placed.first_normal[b] + f] = shape.faceNormal(f);
         }
     });
-    placeBodies(state, placed);
+    placeBodies(state, range, placed);
     return placed;
 }
 
@@ -177,27 +183,44 @@ bool isBonded(const State& state, std::size_t i) {
 
 }  // namespace
 
-PartPairs pairsWithPlaces(const Geometry& geometry, const Interfaces& interfaces) {
+std::vector<char> blocksNear(const State& state, const std::vector<char>& around, double margin) {
+    constexpr double kRounding = 1 + 1e-9;
+    std::vector<Box> boxes(state.blocks.size());
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        const Vec3 centre = state.blocks.position.get(b);
+        const Vec3 half = Vec3::Constant(kRounding * (state.geometry->radius[b] + 0.5 * margin));
+        boxes[b] = {centre - half, centre + half};
+    }
+    return findNearMarked(boxes, around);
+}
+
+PartPairs pairsWithPlaces(const Geometry& geometry, const Interfaces& interfaces, const SearchRange& range) {
     PartPairs pairs;
-    for (std::size_t i = 0; i < interfaces.size(); ++i)
-        if (isVertexEdge(interfaces, i)) pairs.push_back(partsOf(geometry, interfaces, i));
+    for (std::size_t i = 0; i < interfaces.size(); ++i) {
+        const auto a = static_cast<std::size_t>(interfaces.block_a[i]),
+                   b = static_cast<std::size_t>(interfaces.block_b[i]);
+        if (isVertexEdge(interfaces, i) && range.has(a, b)) pairs.push_back(partsOf(geometry, interfaces, i));
+    }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
 }
 
-PartPairs pairsThatBear(const State& state) {
+PartPairs pairsThatBear(const State& state, const SearchRange& range) {
     const Interfaces& f = state.interfaces;
     std::vector<double> carried(state.blocks.size(), 0.0);
     for (std::size_t i = 0; i < f.size(); ++i) {
+        const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
+        if (!range.isNear(a) && !range.isNear(b)) continue;
         const double force = f.wrench(i).force.norm();
-        carried[static_cast<std::size_t>(f.block_a[i])] += force;
-        carried[static_cast<std::size_t>(f.block_b[i])] += force;
+        carried[a] += force;
+        carried[b] += force;
     }
     PartPairs pairs;
     for (std::size_t i = 0; i < f.size(); ++i) {
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
-        if (isVertexEdge(f, i) || f.area[i] >= vertexEdgeArea(*state.geometry, a, b)) continue;
+        if (isVertexEdge(f, i) || !range.has(a, b)) continue;
+        if (f.area[i] >= vertexEdgeArea(*state.geometry, a, b)) continue;
         if (f.wrench(i).force.norm() >= kBears * std::min(carried[a], carried[b]) || isBonded(state, i))
             pairs.push_back(partsOf(*state.geometry, f, i));
     }
@@ -263,13 +286,23 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     return finding;
 }
 
-std::vector<BoxPair> nearPairs(const PlacedShapes& placed, double margin, bool parallel) {
-    std::vector<Box> boxes(placed.geometry.part_block.size());
-    forRange(boxes.size(), 1024, parallel, [&](Range range) {
-        for (std::size_t part = range.begin; part < range.end; ++part)
-            boxes[part] = boundingBox(placed.world(part), 0.5 * margin);
+/// Pairs of parts of the range, and others beside, in order.
+std::vector<BoxPair> nearPairs(const PlacedShapes& placed, const SearchRange& range, bool parallel) {
+    std::vector<std::int32_t> parts;
+    for (std::size_t part = 0; part < placed.geometry.part_block.size(); ++part)
+        if (range.isNear(placed.blockOf(part))) parts.push_back(static_cast<std::int32_t>(part));
+    std::vector<Box> boxes(parts.size());
+    forRange(boxes.size(), 1024, parallel, [&](Range some) {
+        for (std::size_t k = some.begin; k < some.end; ++k)
+            boxes[k] = boundingBox(placed.world(static_cast<std::size_t>(parts[k])), 0.5 * range.margin);
     });
-    return findNeighbours(boxes, parallel);
+    std::vector<BoxPair> pairs = findNeighbours(boxes, parallel);
+    if (range.near.empty()) return pairs;
+    for (auto& [first, second] : pairs) {
+        first = parts[static_cast<std::size_t>(first)];
+        second = parts[static_cast<std::size_t>(second)];
+    }
+    return pairs;
 }
 
 }  // namespace
@@ -280,9 +313,9 @@ bool examinePairs(const State& state, const SearchRange& range, const KnownPairs
     constexpr std::size_t kPiece = 16384;
     assert(range.margin > 0 && range.ahead >= 0 &&
            std::is_sorted(known.with_places.begin(), known.with_places.end()));
-    const PlacedShapes placed = placeShapes(state, parallel);
+    const PlacedShapes placed = placeShapes(state, range, parallel);
     if (isStopped(control)) return false;
-    const std::vector<BoxPair> pairs = nearPairs(placed, range.margin, parallel);
+    const std::vector<BoxPair> pairs = nearPairs(placed, range, parallel);
     std::vector<PairFinding> findings;
     for (std::size_t begin = 0; begin < pairs.size(); begin += kPiece) {
         if (isStopped(control)) return false;

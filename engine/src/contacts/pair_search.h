@@ -25,9 +25,6 @@ struct PairFinding {
 
 /// Pairs of parts, sorted.
 using PartPairs = std::vector<BoxPair>;
-/// Those with places for vertices and edges.
-PartPairs pairsWithPlaces(const Geometry& geometry, const Interfaces& interfaces);
-
 /// What a search knows of pairs of parts by the interfaces before it; each sorted.
 struct KnownPairs {
     PartPairs with_places{};  ///< keep their places as long as they are near
@@ -39,21 +36,30 @@ inline bool narrowPatchesCount(const State& state, bool initial) {
     return initial || state.springs == Springs::keep_energy;
 }
 
-/// Pairs that lie on each other by a sliver and are bonded there, or carry there some of what one of their blocks does (kBears).
-/// \pre forces of the interfaces are those of the last step or solve
-PartPairs pairsThatBear(const State& state);
-
-/// What a search foresees.
+/// What a search foresees, and where it looks.
 struct SearchRange {
     double margin = 0;  ///< pairs of faces nearer than this count [m]
     double ahead = 0;   ///< time until the next look, not negative [s]
-    /// By block: pairs of which neither is marked are left out; null: none is.
-    const std::vector<char>* around = nullptr;
+    /// By block: pairs of which neither is marked are left out; empty: none is.
+    std::vector<char> around{};
+    /// By block: 1 of those in any pair that is not left out, and of some beside (blocksNear); empty: all are.
+    std::vector<char> near{};
 
     bool has(std::size_t a, std::size_t b) const {
-        return around == nullptr || (*around)[a] != 0 || (*around)[b] != 0;
+        return around.empty() || around[a] != 0 || around[b] != 0;
     }
+    bool isNear(std::size_t block) const { return near.empty() || near[block] != 0; }
 };
+
+/// By block: 1 of the marked ones, of all that may be nearer than `margin` [m] to one, and of some beside.
+std::vector<char> blocksNear(const State& state, const std::vector<char>& around, double margin);
+
+/// Pairs of the range with places for vertices and edges.
+PartPairs pairsWithPlaces(const Geometry& geometry, const Interfaces& interfaces, const SearchRange& range);
+
+/// Pairs of the range that lie on each other by a sliver and are bonded there, or carry there some of what one of their blocks does
+/// (kBears). \pre forces of the interfaces are those of the last step or solve
+PartPairs pairsThatBear(const State& state, const SearchRange& range);
 
 /// \pre range.margin > 0
 /// Examines all pairs of parts of different blocks nearer than `range.margin` and hands what it finds to `take`, pair by pair in order. In

@@ -130,13 +130,13 @@ bool haveSoundForces(const State& state) { return !isFinite(state) || areNone(va
 
 std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, const Control& control) {
     std::vector<Error> errors =
-        makeInterfaces(state, searchMargin(state, 0.0), 0.0, initial, parallel, control);
+        makeInterfaces(state, {.margin = searchMargin(state, 0.0)}, initial, parallel, control);
     assert(!errors.empty() || isSound(state));
     return errors;
 }
 
-bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop,
-                       const std::vector<double>& gone, bool may_wait) {
+FoundAgain refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop,
+                             const std::vector<double>& gone, bool may_wait) {
     double margin = searchMargin(state, ahead);
     std::vector<char> around;
     PlaceChanges changes;
@@ -159,11 +159,13 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
         if (state.springs == Springs::keep_energy && (changes.places || recovered))
             updateSpringForces(state, parallel);
         assert(isSound(state));
-        return false;
+        return {};
     }
     Control control;
     control.stop = stop;
-    if (!makeInterfaces(state, margin, ahead, false, parallel, control, around).empty()) return false;
+    FoundAgain found{true, around.empty() ? around : blocksNear(state, around, margin)};
+    const SearchRange range{margin, ahead, std::move(around), found.near};
+    if (!makeInterfaces(state, range, false, parallel, control).empty()) return {};
     // Forces are there again before anything looks at them.
     if (state.springs == Springs::keep_energy) {
         updateSpringForces(state, parallel);
@@ -172,7 +174,7 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
         updateBlockForces(state);
     }
     assert(isSound(state) && haveSoundForces(state));
-    return true;
+    return found;
 }
 
 void takeOut(State& state, const std::vector<std::size_t>& blocks, bool parallel) {
@@ -190,7 +192,9 @@ void takeOut(State& state, const std::vector<std::size_t>& blocks, bool parallel
             (all.*vectors).set(b, Vec3::Zero());
         around[b] = 1;
     }
-    makeInterfaces(state, state.search_margin, 0.0, false, parallel, {}, around);
+    SearchRange range{.margin = state.search_margin, .near = blocksNear(state, around, state.search_margin)};
+    range.around = std::move(around);
+    makeInterfaces(state, range, false, parallel);
     updateContacts(state, {0, state.interfaces.groups.size()});
     updateBlockForces(state);
     assert(isSound(state) && haveSoundForces(state));

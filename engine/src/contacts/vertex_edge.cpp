@@ -353,10 +353,12 @@ void updatePairs(Interfaces& f, bool parallel, const Each& each) {
 PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const std::vector<double>& gone,
                                bool may_wait, std::vector<char>* wanting) {
     assert(ahead >= 0 && (gone.empty() || gone.size() == state.blocks.size()));
-    const auto way_of = [&](std::int32_t block) {
-        const auto b = static_cast<std::size_t>(block);
-        return gone.empty() ? kFaster * speedBound(state, b) * ahead : gone[b];
-    };
+    std::vector<double> ways = gone;
+    if (gone.empty()) {
+        ways.resize(state.blocks.size());
+        for (std::size_t b = 0; b < ways.size(); ++b) ways[b] = kFaster * speedBound(state, b) * ahead;
+    }
+    const auto way_of = [&](std::int32_t block) { return ways[static_cast<std::size_t>(block)]; };
     const auto mark = [&](std::int32_t block) {
         const auto b = static_cast<std::size_t>(block);
         if (state.blocks.motion[b] != Motion::fixed) std::atomic_ref<char>{(*wanting)[b]}.store(1);

@@ -40,6 +40,7 @@ Vec3 toOwn(const Blocks& blocks, std::int32_t block, const Vec3& x) {
 
 std::int32_t partOf(const Geometry& geometry, std::int32_t block, std::int32_t face) {
     const auto b = static_cast<std::size_t>(block);
+    if (geometry.first_part[b + 1] == geometry.first_part[b] + 1) return geometry.first_part[b];
     return geometry.first_part[b] +
            static_cast<std::int32_t>(partOf(geometry.shape[b].faces, static_cast<std::size_t>(face)));
 }

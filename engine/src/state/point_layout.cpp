@@ -27,11 +27,16 @@ void addToGroups(Interfaces& f, std::size_t corners, std::size_t points) {
                      f.groups.back().size++);
 }
 
+void growCorners(Interfaces& f, std::size_t i) {
+    assert(i < f.slot.size());
+    const std::size_t slots = static_cast<std::size_t>(f.groupOf(i).first_corner) +
+                              f.cornerCount(i) * static_cast<std::size_t>(simd::kLanes);
+    if (f.corners.slots() < slots) f.corners.grow(slots);
+}
+
 void placeCorners(Interfaces& f, std::size_t i, const std::vector<Eigen::Vector2d>& outline) {
     assert(i < f.slot.size() && outline.size() == f.cornerCount(i));
-    const std::size_t slots = static_cast<std::size_t>(f.groupOf(i).first_corner) +
-                              outline.size() * static_cast<std::size_t>(simd::kLanes);
-    if (f.corners.slots() < slots) f.corners.grow(slots);
+    growCorners(f, i);
     for (std::size_t k = 0; k < outline.size(); ++k) {
         f.corners.set(f.cornerSlot(i, k), 0, outline[k].x());
         f.corners.set(f.cornerSlot(i, k), 1, outline[k].y());

@@ -12,6 +12,9 @@ namespace talus {
 /// \pre corners >= 3, or one corner and one point
 void addToGroups(Interfaces& interfaces, std::size_t corners, std::size_t points);
 
+/// Makes room for the corners of an interface whose group is known.
+void growCorners(Interfaces& interfaces, std::size_t interface);
+
 /// Stores the patch of an interface whose group is known and has as many corners; corners counter-clockwise from its
 /// origin along e1, e2 [m].
 void placeCorners(Interfaces& interfaces, std::size_t interface, const std::vector<Eigen::Vector2d>& outline);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "forces/contact_forces.h"
@@ -125,10 +126,17 @@ double frequencyBound(const State& state, std::size_t block) {
 
 std::vector<double> frequencyBounds(const State& state, bool parallel) {
     std::vector<double> bounds(state.blocks.size());
-    forRange(bounds.size(), 256, parallel, [&](Range range) {
-        for (std::size_t b = range.begin; b < range.end; ++b) bounds[b] = frequencyBound(state, b);
-    });
+    renewFrequencyBounds(state, {}, parallel, bounds);
     return bounds;
+}
+
+void renewFrequencyBounds(const State& state, const std::vector<char>& near, bool parallel,
+                          std::vector<double>& bounds) {
+    assert(bounds.size() == state.blocks.size() && (near.empty() || near.size() == bounds.size()));
+    forRange(bounds.size(), 256, parallel, [&](Range range) {
+        for (std::size_t b = range.begin; b < range.end; ++b)
+            if (near.empty() || near[b]) bounds[b] = frequencyBound(state, b);
+    });
 }
 
 double highestFrequency(const State& state, bool parallel) {

@@ -121,4 +121,29 @@ TEST_SUITE("contacts") {
             CHECK(arena.execute([&] { return findNeighbours(boxes, true); }) == serial);
         }
     }
+
+    TEST_CASE("findNearMarked: all that overlap a marked box are near it, and of many boxes few others") {
+        Random random(83);
+        for (int packing = 0; packing < 60; ++packing) {
+            const double spread = random.uniform(1, 30);
+            std::vector<Box> boxes{boxAt({-50, -50, -2}, {100, 100, 1})};  // a floor under all
+            for (int k = 0; k < 300; ++k)
+                boxes.push_back(boxAt(random.inBox(spread), Vec3::Constant(1.1) + random.inBox(1)));
+            std::vector<char> marked(boxes.size());
+            for (std::size_t k = 1; k < boxes.size(); ++k) marked[k] = random.uniform(0, 1) < 0.03;
+            const std::vector<char> near = findNearMarked(boxes, marked);
+            for (std::size_t i = 0; i < boxes.size(); ++i)
+                for (std::size_t j = 0; j < boxes.size(); ++j)
+                    if (marked[j] && overlaps(boxes[i], boxes[j])) REQUIRE(near[i]);
+        }
+        const std::vector<Box> wall = stack(20, 20, 20, {1, 2, 3}, {5, 6, 7});
+        std::vector<char> one(wall.size());
+        CHECK(findNearMarked(wall, one) == one);
+        one[4321] = 1;
+        const std::vector<char> near = findNearMarked(wall, one);
+        const auto count = std::count(near.begin(), near.end(), 1);
+        CHECK(count == 27);
+        CHECK(findNearMarked({}, {}).empty());
+        CHECK(findNearMarked({boxAt({1, 1, 1}, {0, 0, 0})}, {1}) == std::vector<char>{1});
+    }
 }
