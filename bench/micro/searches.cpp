@@ -1,6 +1,8 @@
-// Critical angles of the paper's cases, through the public face of the engine, as a user gets them.
+// Searches through the public face of the engine, as a user gets them: critical angles of the paper's cases, and what topples, arches
+// and rock masses take of explicit steps and of the implicit solve.
 
 #include <cmath>
+#include <functional>
 
 #include "suite.h"
 #include "talus/analysis.h"
@@ -10,11 +12,36 @@
 namespace talus::bench {
 namespace {
 
-constexpr const char* kCases[] = {"dry",       "fissure-1",          "fissure-2",
+constexpr const char* kPaper[] = {"dry",       "fissure-1",          "fissure-2",
                                   "fissure-3", "fissure-4",          "fissure-5",
                                   "fissure-6", "section5-fissure-7", "section5-fissures-7-10"};
 
-void searchBenchmark(benchmark::State& run, const std::string& file) {
+using Search = Result<SearchResult> (*)(const Model&, const Control&, const QuasiStatic&);
+constexpr double kDegrees = 180.0 / M_PI;
+
+/// What is asked of a scenario under bench/, and the unit of its answer.
+struct Case {
+    const char* scenario;
+    Search search;
+    double unit;
+    const char* unit_name;
+};
+
+constexpr Case kCases[] = {{"verification/column-20", criticalAngle, kDegrees, " deg"},
+                           {"verification/column-40", criticalAngle, kDegrees, " deg"},
+                           {"verification/column-20-3-deep", criticalAngle, kDegrees, " deg"},
+                           {"verification/arch-27-1.2m", criticalAngle, kDegrees, " deg"},
+                           {"verification/arch-27-1.5m", criticalAngle, kDegrees, " deg"},
+                           {"verification/barla-table", criticalAngle, kDegrees, " deg"},
+                           {"verification/brick-wall-1", criticalAcceleration, 1, ""},
+                           {"verification/brick-wall-2", criticalAcceleration, 1, ""},
+                           {"verification/goodman-bray", safetyFactor, 1, ""},
+                           {"verification/alejano-alonso", safetyFactor, 1, ""},
+                           {"verification/rock-slope-148", safetyFactor, 1, ""},
+                           {"examples/rock-slope", safetyFactor, 1, ""},
+                           {"verification/random-slope-225", safetyFactor, 1, ""}};
+
+void searchBenchmark(benchmark::State& run, const std::string& file, const Case& asked) {
     const auto scenario = formats::readScenario(file);
     if (!scenario) {
         run.SkipWithError(formats::format(scenario.errors().front()).c_str());
@@ -22,32 +49,39 @@ void searchBenchmark(benchmark::State& run, const std::string& file) {
     }
     SearchResult result;
     for (auto _ : run) {
-        auto found = criticalAngle(scenario->model);
+        auto found = asked.search(scenario->model, {.threads = 1}, {});
         if (!found) return run.SkipWithError(found.errors().front().message.c_str());
         result = *found;
     }
-    constexpr double kDegrees = 180.0 / M_PI;
     const auto predicted = theory::predict(scenario->model);
     char label[80];
-    std::snprintf(label, sizeof label, "%s %.3f deg, %016llx", toString(result.status),
-                  result.answer * kDegrees, static_cast<unsigned long long>(result.state_hash));
+    std::snprintf(label, sizeof label, "%s %.4g%s, %016llx", toString(result.status),
+                  result.answer * asked.unit, asked.unit_name,
+                  static_cast<unsigned long long>(result.state_hash));
     run.SetLabel(label);
     run.counters["points"] = static_cast<double>(result.contact_points) * static_cast<double>(result.steps);
     run.counters["steps"] = static_cast<double>(result.steps);
-    run.counters["angle"] = result.answer * kDegrees;
-    run.counters["error"] = predicted ? (result.answer - predicted->critical_tilt) * kDegrees : std::nan("");
+    run.counters["factorisations"] = static_cast<double>(result.factors);
+    run.counters["stepping"] = result.time.stepping;
+    run.counters["solving"] = result.time.solving;
+    run.counters["watching"] = result.time.watching;
+    if (asked.search == criticalAngle && predicted)
+        run.counters["error"] = (result.answer - predicted->critical_tilt) * kDegrees;
 }
 
 }  // namespace
 
 void addSearches(const Extent& extent) {
     constexpr std::int64_t kOnce = 1;
-    for (const std::string name : kCases) {
-        const std::string file = std::string(TALUS_SOURCE_DIR "/bench/paper/") + name + ".toml";
+    const auto add_search = [&](const std::string& name, const std::string& scenario, const Case& asked) {
+        const std::string file = TALUS_SOURCE_DIR "/bench/" + scenario + ".toml";
         add(
-            extent, "critical angle/" + name, 1, [=](benchmark::State& run) { searchBenchmark(run, file); },
-            kOnce);
-    }
+            extent, name, 1, [=](benchmark::State& run) { searchBenchmark(run, file, asked); }, kOnce);
+    };
+    for (const std::string name : kPaper)
+        add_search("critical angle/" + name, "paper/" + name, {nullptr, criticalAngle, kDegrees, " deg"});
+    for (const Case& asked : kCases)
+        add_search(std::string("search/") + asked.scenario, asked.scenario, asked);
 }
 
 }  // namespace talus::bench

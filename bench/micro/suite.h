@@ -21,8 +21,9 @@ struct Extent {
 };
 
 void addMachine(const Extent& extent);
-void addSlopes(const Extent& extent);    ///< kernels, step, detection; slope by slope
-void addSearches(const Extent& extent);  ///< critical angles of the paper's cases
+void addSlopes(const Extent& extent);  ///< kernels, step, detection; slope by slope
+void addSearches(
+    const Extent& extent);  ///< of the paper's cases, and of what topples, arches and rock masses
 
 /// What a benchmark of a slope says beside its time; counters of the same names.
 struct Facts {

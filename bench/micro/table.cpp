@@ -107,7 +107,7 @@ void printMemory(const std::vector<Best>& results) {
 void printSearches(const std::vector<Best>& results) {
     bool head = false;
     for (const Best& result : results) {
-        if (result.counter("steps") <= 0) continue;
+        if (result.name.rfind("critical angle/", 0) != 0) continue;
         if (!head)
             std::printf("\n%-38s %14s %10s %10s %10s  %s\n", "Critical angle, bracket 0.01 deg",
                         "processor time", "steps", "ns per Lp", "error", "answer, state hash");
@@ -115,6 +115,22 @@ void printSearches(const std::vector<Best>& results) {
         std::printf("%-38s %12.3f s %10.0f %10.2f %+10.3f  %s\n", result.name.c_str(), result.seconds,
                     result.counter("steps"), 1e9 * result.seconds / result.counter("points"),
                     result.counter("error"), result.label.c_str());
+    }
+}
+
+/// Explicit and implicit work of each search, side by side.
+void printWork(const std::vector<Best>& results) {
+    bool head = false;
+    for (const Best& result : results) {
+        if (result.counter("steps") <= 0) continue;
+        if (!head)
+            std::printf("\n%-38s %10s %16s %16s %16s  %s\n", "Searches", "processor", "explicit steps",
+                        "factorisations", "failures let go", "answer, state hash");
+        head = true;
+        std::printf("%-38s %8.2f s %9.0f %4.2f s %9.0f %4.2f s %9s %4.2f s  %s\n", result.name.c_str(),
+                    result.seconds, result.counter("steps"), result.counter("stepping"),
+                    result.counter("factorisations"), result.counter("solving"), "",
+                    result.counter("watching"), result.label.c_str());
     }
 }
 
@@ -139,6 +155,7 @@ void printTable(const std::vector<Best>& results, const Extent& extent) {
     printDetection(results);
     printMemory(results);
     printSearches(results);
+    printWork(results);
     warnIfBusy(results);
 }
 

@@ -36,7 +36,7 @@ depth = 0.05
 """
 
 # What a result says of the machine and not of the slope.
-OF_THE_CALL = ("provenance", "wall_seconds", "results", "summary", "page", "snapshots", "output")
+OF_THE_CALL = ("provenance", "wall_seconds", "time_s", "results", "summary", "page", "snapshots", "output")
 
 
 def talus(*arguments):

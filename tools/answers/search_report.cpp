@@ -189,8 +189,13 @@ std::string supportsText(const SearchResult& result) {
 }
 
 std::string costText(const SearchResult& result) {
+    const auto share = [&](double seconds) {
+        return text(result.wall_seconds > 0 ? 100 * seconds / result.wall_seconds : 0.0, 0) + " % ";
+    };
     return std::to_string(result.probes.size()) + " probes, " + std::to_string(result.steps) + " steps, " +
-           text(result.wall_seconds, 2) + " s";
+           std::to_string(result.factors) + " factorisations, " + text(result.wall_seconds, 2) +
+           " s: " + share(result.time.stepping) + "steps, " + share(result.time.solving) +
+           "implicit solve, " + share(result.time.watching) + "failures let go";
 }
 
 std::string methodText(const SearchResult& result) {
@@ -326,6 +331,9 @@ Json searchJson(const SearchReport& report) {
     json["steps"] = result.steps;
     json["factorisations"] = result.factors;
     json["wall_seconds"] = number(result.wall_seconds);
+    json["time_s"] = {{"steps", number(result.time.stepping)},
+                      {"implicit_solve", number(result.time.solving)},
+                      {"failures_let_go", number(result.time.watching)}};
     json["state_hash"] = hashText(result.state_hash);
     json["interrupted"] = wasInterrupted(result) || report.cut_short;
     json["warnings"] = warningsJson(report.scenario, result.warnings);

@@ -50,6 +50,20 @@ const char* toString(SearchStatus status);
 const char* toString(FailureMode mode);
 const char* toString(Verdict verdict);
 
+/// Wall time of a search by what it went to [s]; what is left went to contacts as built and to what stands beside the answer.
+struct TimeSpent {
+    double stepping = 0;  ///< explicit steps towards rest
+    double solving = 0;   ///< the implicit solve
+    double watching = 0;  ///< failures, let go with true inertia
+
+    TimeSpent& operator+=(const TimeSpent& other) {
+        stepping += other.stepping;
+        solving += other.solving;
+        watching += other.watching;
+        return *this;
+    }
+};
+
 /// One probe of a search: the load was brought to `load`, then the assembly came to rest or did not.
 struct Probe {
     double load = 0;  ///< tilt [rad], factor of safety, or seismic coefficient
@@ -58,7 +72,8 @@ struct Probe {
     std::int64_t factors = 0;   ///< factorisations of the implicit solve, where it was asked
     double out_of_balance = 0;  ///< largest out-of-balance force of a block over its weight, at the end
     double displacement = 0;    ///< largest of a block during the probe [m]
-    std::string reason;         ///< why this verdict, for people
+    TimeSpent time{};
+    std::string reason;  ///< why this verdict, for people
 };
 
 /// How one block moves at failure, and on what that rests.
@@ -118,6 +133,7 @@ struct SearchResult {
     std::int64_t steps = 0;
     std::int64_t factors = 0;  ///< factorisations of the implicit solve
     double wall_seconds = 0;
+    TimeSpent time{};              ///< of that
     std::uint64_t state_hash = 0;  ///< over the state at the end of the last step computed
     bool inertia_scaled = false;
     double damping_local = 0;  ///< what the quasi-static part used

@@ -11,6 +11,7 @@
 #include "analysis/loose_blocks.h"
 #include "analysis/probing.h"
 #include "analysis/search_warnings.h"
+#include "analysis/stopwatch.h"
 #include "contacts/update.h"
 #include "forces/sum.h"
 #include "frame/frame.h"
@@ -96,7 +97,11 @@ class Search {
         return true;
     }
 
-    std::int64_t steps() const { return probing_.steps + continuation_steps_; }
+    Effort effort() const {
+        TimeSpent time = probing_.time;
+        time += continuations_.time;
+        return {probing_.steps + continuations_.steps, probing_.factors, time};
+    }
 
     /// Blocks that were seen to fall in the continuation.
     const std::vector<std::size_t>& falling() const { return falling_; }
@@ -336,7 +341,9 @@ class Search {
         if (control_.keep_failing_state)
             failing = std::make_shared<FailingState>(FailingState{fullFrameOf(moving), load});
         result_.supports = supportReports(moving);
+        const Stopwatch watching;
         Failure failure = continueFailure(moving, wanted, control_, parallel_);
+        continuations_ += {.steps = failure.steps, .time = {.watching = watching.seconds()}};
         if (failing) {
             failing->contact_damping = failure.contact_damping;
             failing->block_size = moving.geometry->length_scale;
@@ -355,7 +362,6 @@ class Search {
         result_.motions = std::move(failure.motions);
         result_.continuation_seconds = failure.seconds;
         result_.time_step = failure.time_step;
-        continuation_steps_ += failure.steps;
         result_.confirmed = failure.confirmed;
         falling_ = std::move(failure.falling);
     }
@@ -370,8 +376,7 @@ class Search {
         if (result_.status == SearchStatus::found) result_.answer = 0.5 * (result_.low + result_.high);
         if (!fails) result_.failing = nullptr;
         if (!fails) result_.supports = supportReports(probing_.last_stable);
-        result_.factors = probing_.factors;
-        result_.steps = steps();
+        setEffort(effort(), result_);
         describe(fails ? probing_.last_moving : probing_.last_stable, fails);
         result_.probes = std::move(probing_.probes);
     }
@@ -403,7 +408,7 @@ class Search {
     std::int64_t pace_ = 0;         ///< most cells of the next load step; 0: the axis's own
     bool no_rest_ = false;          ///< at the failing load, nearby or elsewhere
     bool is_rest_unknown_ = false;  ///< whether what is left stands without what was let go last
-    std::int64_t continuation_steps_ = 0;
+    Effort continuations_{};
 };
 
 }  // namespace
@@ -419,7 +424,7 @@ Start loadStart(const State& state, const LoadAxis& axis, const Control& control
                 bool parallel) {
     Search search(state, axis, control, settings, parallel);
     search.start();
-    return {search.falling(), search.steps()};
+    return {search.falling(), search.effort()};
 }
 
 }  // namespace talus::analysis

@@ -9,6 +9,28 @@
 
 namespace talus::analysis {
 
+/// What searches have cost.
+struct Effort {
+    std::int64_t steps = 0;
+    std::int64_t factors = 0;  ///< factorisations of the implicit solve
+    TimeSpent time{};
+
+    Effort& operator+=(const Effort& other) {
+        steps += other.steps;
+        factors += other.factors;
+        time += other.time;
+        return *this;
+    }
+};
+inline Effort effortOf(const SearchResult& result) { return {result.steps, result.factors, result.time}; }
+inline void setEffort(const Effort& effort, SearchResult& result) {
+    result.steps = effort.steps;
+    result.factors = effort.factors;
+    result.time = effort.time;
+}
+/// Adds what came before it to what a search has cost.
+inline void addEffort(Effort before, SearchResult& result) { setEffort(before += effortOf(result), result); }
+
 struct Outcome {
     SearchResult result;
     std::vector<std::size_t> falling;  ///< blocks of the state that were seen to fall
@@ -25,7 +47,7 @@ Outcome searchLoad(const State& state, const LoadAxis& axis, const Control& cont
 /// What falls under weight and water at the start.
 struct Start {
     std::vector<std::size_t> falling;
-    std::int64_t steps = 0;
+    Effort effort{};
 };
 Start loadStart(const State& state, const LoadAxis& axis, const Control& control, const QuasiStatic& settings,
                 bool parallel);

@@ -47,6 +47,7 @@ Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, Sta
     probe.load = load;
     p.steps += probe.steps;
     p.factors += probe.factors;
+    p.time += probe.time;
     p.probes.push_back(probe);
     report(p, stage, load, toString(probe.verdict));
     if (probe.verdict == Verdict::stable) {
@@ -73,6 +74,7 @@ bool standsThere(Probing& p, const State& state, Probe& rest) {
         const Probe found =
             findRestOfFirstOrder(p.last_stable, moved, p.work, p.has_stood ? kMostFactors : kPatientFactors);
         rest.factors += found.factors;
+        rest.time += found.time;
         if (interrupted(p)) {
             rest.verdict = Verdict::undecided;
             rest.reason = "interrupted";

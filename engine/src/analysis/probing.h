@@ -28,6 +28,7 @@ struct Probing {
     QuasiStaticWork work;
     std::vector<Probe> probes{};
     std::int64_t steps = 0, factors = 0;
+    TimeSpent time{};
     std::int64_t states_at_rest = 0;  ///< the search has been in
     bool has_stood = false;           ///< under weight and water
     double start_tilt = 0;            ///< [rad]

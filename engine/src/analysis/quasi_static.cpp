@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/plausible.h"
+#include "analysis/stopwatch.h"
 #include "contacts/update.h"
 #include "equilibrium/find_equilibrium.h"
 #include "equilibrium/first_order_gaps.h"
@@ -401,6 +402,7 @@ void takeBack(State& state, const QuasiStaticWork& work) {
 }
 
 Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
+    const Stopwatch stepping;
     Probe probe;
     // The last probe may have left its blocks elsewhere, and searches around few blocks do not see the others.
     if (state.searches_around) fitToContacts(state, work);
@@ -430,10 +432,12 @@ Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
         const double period = observedPeriod(state, start.position, before);
         work.slow_period = std::clamp(period, work.slow_period, work.slow_period_limit);
     }
+    probe.time.stepping = stepping.seconds();
     return probe;
 }
 
 Probe findRest(State& state, QuasiStaticWork& work, std::int64_t most_factors) {
+    const Stopwatch solving;
     equilibrium::Options options{.limit = work.out_of_balance_limit,
                                  .most_factors = most_factors,
                                  .parallel = work.parallel,
@@ -455,6 +459,7 @@ Probe findRest(State& state, QuasiStaticWork& work, std::int64_t most_factors) {
                 .factors = found.factors,
                 .out_of_balance = found.out_of_balance,
                 .displacement = found.displacement,
+                .time = {.solving = solving.seconds()},
                 .reason = {}};
     char text[160];
     const char* what = found.verdict == Verdict::stable    ? "in equilibrium: out-of-balance force"
@@ -468,6 +473,7 @@ Probe findRest(State& state, QuasiStaticWork& work, std::int64_t most_factors) {
 
 Probe findRestOfFirstOrder(const State& stood, State& state, QuasiStaticWork& work,
                            std::int64_t most_factors) {
+    const Stopwatch solving;
     if (equilibrium::FirstOrderGaps(stood, state).share(state) < work.out_of_balance_limit)
         return {.verdict = Verdict::stable, .reason = {}};
     const equilibrium::Equilibrium found =
@@ -481,6 +487,7 @@ Probe findRestOfFirstOrder(const State& stood, State& state, QuasiStaticWork& wo
             .factors = found.factors,
             .out_of_balance = found.out_of_balance,
             .displacement = found.displacement,
+            .time = {.solving = solving.seconds()},
             .reason = {}};
 }
 

@@ -1,7 +1,6 @@
 #include "analysis/search_of_the_rest.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "analysis/load_search.h"
 #include "analysis/loose_blocks.h"
 #include "analysis/plausible.h"
+#include "analysis/stopwatch.h"
 #include "analysis/threads.h"
 #include "analysis/water_warnings.h"
 #include "build/build.h"
@@ -34,12 +34,11 @@ bool claimsFailure(const SearchResult& result) {
 /// windows, and is undecided if that does not help.
 Outcome searchConfirmed(const State& state, const LoadAxis& axis, const Control& control,
                         QuasiStatic settings, bool parallel) {
-    std::int64_t steps = 0, factors = 0;
+    Effort before;
     for (int attempt = 1;; ++attempt) {
         Outcome outcome = searchLoad(state, axis, control, settings, parallel);
         SearchResult& result = outcome.result;
-        result.steps += steps;
-        result.factors += factors;
+        addEffort(before, result);
         if (!claimsFailure(result) || result.confirmed) return outcome;
         if (isStopped(control)) {
             result.status = SearchStatus::interrupted;
@@ -52,8 +51,7 @@ Outcome searchConfirmed(const State& state, const LoadAxis& axis, const Control&
                 "the failing motion is not borne out by the continuation with true inertia");
             return {std::move(result), {}, std::move(outcome.restless)};
         }
-        steps = result.steps;
-        factors = result.factors;
+        before = effortOf(result);
         settings.step_safety *= 0.5;
         settings.watch_periods *= kMorePatience;
     }
@@ -95,10 +93,10 @@ class SearchOfTheRest {
           gone_(blocksNamed(model, without)) {}
 
     Result<SearchResult> run() {
-        std::int64_t steps = 0;
+        Effort before;
         for (;;) {
             Result<State> built = buildState(left(), control_.threads != 1, control_);
-            if (isStopped(control_)) return notBegun(steps);
+            if (isStopped(control_)) return notBegun(before);
             if (!built) return built.errors();
             const bool parallel = worthThreads(*built, control_.threads);
             const std::vector<double> bounds = frequencyBounds(*built, parallel);
@@ -114,32 +112,32 @@ class SearchOfTheRest {
             warnOfFreeBlocks(*built);
             Outcome outcome = searchConfirmed(*built, axis_, control_, settings_, parallel);
             if (letGo(outcome.restless)) {
-                steps += outcome.result.steps;
+                before += effortOf(outcome.result);
                 restless_ += outcome.restless.size();
                 continue;
             }
             if (outcome.result.status == SearchStatus::unstable_at_start && !axis_.strongest_at_start)
-                outcome.falling = fallingAtStrongest(*built, parallel, steps);
-            outcome.result.steps += steps;
+                outcome.falling = fallingAtStrongest(*built, parallel, before);
+            addEffort(before, outcome.result);
             if (outcome.result.status == SearchStatus::unstable_at_start)
                 if (auto pushed = pushedByWater(*built, outcome.falling))
                     warnings_.push_back(std::move(*pushed));
             if (outcome.result.status != SearchStatus::unstable_at_start ||
                 !(letGo(outcome.falling) || letSmallGo(outcome.result)))
                 return withRange(*built, parallel, named(std::move(outcome.result)));
-            steps = outcome.result.steps;
+            before = effortOf(outcome.result);
         }
     }
 
  private:
     /// Nothing is known.
-    SearchResult notBegun(std::int64_t steps) const {
+    SearchResult notBegun(const Effort& before) const {
         SearchResult result;
         result.status = SearchStatus::interrupted;
         result.low = -kInfinity;
         result.high = kInfinity;
         result.blocks = model_.blocks.size();
-        result.steps = steps;
+        setEffort(before, result);
         return named(std::move(result));
     }
 
@@ -154,10 +152,10 @@ class SearchOfTheRest {
         return all ? keptByCaller(model_) : std::make_shared<const Model>(withoutBlocks(model_, gone_));
     }
 
-    std::vector<std::size_t> fallingAtStrongest(State strong, bool parallel, std::int64_t& steps) const {
+    std::vector<std::size_t> fallingAtStrongest(State strong, bool parallel, Effort& effort) const {
         strong.laws = jointLaws(model_.joints, strongestFactor(model_.joints));
         Start start = loadStart(strong, axis_, control_, settings_, parallel);
-        steps += start.steps;
+        effort += start.effort;
         return std::move(start.falling);
     }
 
@@ -231,12 +229,11 @@ class SearchOfTheRest {
 Result<SearchResult> searchOfTheRest(const Model& model, const LoadAxis& axis, const Control& control,
                                      const QuasiStatic& settings, const std::vector<std::string>& without) {
     return inArena(control.threads, [&]() -> Result<SearchResult> {
-        const auto begin = std::chrono::steady_clock::now();
+        const Stopwatch all;
         Result<SearchResult> result = SearchOfTheRest(model, axis, control, settings, without).run();
         if (!result) return result;
         putInUnits(axis.unit, *result);
-        result->wall_seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        result->wall_seconds = all.seconds();
         return result;
     });
 }
@@ -257,7 +254,7 @@ void addGroups(const Model& model, const LoadAxis& axis, const Control& control,
            !isStopped(control)) {
         const Result<SearchResult> next = searchOfTheRest(model, axis, control, settings, gone);
         if (!next) return;
-        result.steps += next->steps;
+        addEffort(effortOf(*next), result);
         result.wall_seconds += next->wall_seconds;
         const std::vector<std::string> before_next = leftOut(*next);
         BlockGroup& last = result.groups.back();

@@ -33,6 +33,15 @@ void checkCommonKeys(const nlohmann::json& json) {
     CHECK(isStateHash(json.at("state_hash")));
     CHECK(json.at("probe_list").size() == json.at("probes").get<std::size_t>());
     CHECK(json.at("steps").get<long>() > 0);
+    double spent = 0;
+    for (const char* part : {"steps", "implicit_solve", "failures_let_go"}) {
+        CAPTURE(part);
+        CHECK(json.at("time_s").at(part).get<double>() >= 0);
+        spent += json.at("time_s").at(part).get<double>();
+    }
+    CHECK(spent > 0);
+    CHECK(spent <= json.at("wall_seconds").get<double>());
+    CHECK((json.at("factorisations").get<long>() > 0) == (json.at("time_s").at("implicit_solve") > 0));
 }
 
 }  // namespace

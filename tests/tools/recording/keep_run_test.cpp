@@ -21,6 +21,7 @@ constexpr double kDegree = 0.017453292519943295;
 /// What a search says, without what differs from call to call.
 json withoutTimes(json result) {
     result.erase("wall_seconds");
+    result.erase("time_s");
     result.erase("provenance");
     result.erase("kept_run");
     return result;
