@@ -75,10 +75,37 @@ TEST_SUITE("physics") {
             CHECK(result->range_reason.find("friction remembers") != std::string::npos);
             const bool warned =
                 std::any_of(result->warnings.begin(), result->warnings.end(), [](const std::string& w) {
-                    return w.starts_with("the answer is the upper end of its range");
+                    return w.starts_with("the answer is above the lower end of its range");
                 });
             CHECK(warned == (result->answer == high && high - low > 0.01 * high));
         }
+    }
+
+    // Pressed by nanometres, side faces rougher than 45 degrees hold columns that lean on each other at tilts at which each of them
+    // topples by itself: whatever holds them, the range has to begin no later than there.
+    TEST_CASE("columns rougher than 45 degrees have a range that begins where one column topples") {
+        int above = 0;
+        for (const int columns : {2, 3, 4, 6, 8})
+            for (const double friction : {50.0, 55.0, 60.0}) {
+                CAPTURE(columns);
+                CAPTURE(friction);
+                const double exact = std::atan(0.3 / (0.2 * 4));
+                const auto result =
+                    criticalAngle(stackModel(columns, 4, 1, friction, {0.3, 1.0, 0.2}, 3.4e11), kAnySize);
+                REQUIRE(result.ok());
+                REQUIRE((result->status == SearchStatus::found));
+                const double low = result->range ? result->range->first : result->answer;
+                CHECK(low < 1.005 * exact);
+                CHECK(low > 0.85 * exact);
+                if (result->answer < 1.01 * low) continue;
+                ++above;
+                CHECK(std::any_of(result->warnings.begin(), result->warnings.end(),
+                                  [](const std::string& warning) {
+                                      return warning.starts_with("the answer is above the lower end");
+                                  }));
+            }
+        MESSAGE(above << " of 15 answers lie above their range's lower end");
+        CHECK(above > 0);
     }
 
     TEST_CASE(

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "analysis/load_search.h"
 #include "analysis/probing.h"
+#include "law/law.h"
 #include "state/caller.h"
 #include "state/incidence.h"
 
@@ -16,6 +20,7 @@ constexpr std::int64_t kNoDifference = 2;  // [cells] answers as near as that ar
 constexpr double kShareBeforeRange = 0.9;  // of the progress of the whole
 constexpr double kWorthAWarning = 0.01;    // of the answer
 constexpr double kFarEnough = 0.5;         // of the answer: no farther is looked
+constexpr double kLocks = 1.0;             // tan(phi) from which blocks that lean on each other may lock
 
 /// Loads that are brought on afresh, on the search's own cells.
 class Afresh {
@@ -74,6 +79,65 @@ class Afresh {
     QuasiStaticWork work_;
 };
 
+/// \return whether some friction was more than that from which blocks lock; strength curves stay as they are
+bool limitFriction(std::vector<contact::JointLaw>& laws) {
+    bool any = false;
+    for (contact::JointLaw& law : laws) {
+        if (law.curved) continue;
+        any = any || law.tan_friction > kLocks;
+        law.tan_friction = std::min(law.tan_friction, kLocks);
+        law.residual_tan_friction = std::min(law.residual_tan_friction, kLocks);
+    }
+    return any;
+}
+
+/// The answer with no more friction than that; nothing where there is no more, blocks slide, or none is found.
+std::optional<double> answerWithoutLocking(const State& built, const LoadAxis& axis, const Control& control,
+                                           const QuasiStatic& settings, bool parallel,
+                                           const SearchResult& result) {
+    State state = built;
+    axis.apply(state, result.low);
+    if (result.mode == FailureMode::sliding || !limitFriction(state.laws)) return std::nullopt;
+    state = built;
+    limitFriction(state.laws);
+    LoadAxis limited = axis;
+    limited.apply = [&axis](State& at, double load) {
+        axis.apply(at, load);
+        limitFriction(at.laws);
+    };
+    const SearchResult found = searchLoad(state, limited, control, settings, parallel).result;
+    if (found.status != SearchStatus::found || !found.confirmed) return std::nullopt;
+    return found.answer;
+}
+
+/// The answer of another way, in words.
+struct OtherAnswer {
+    double load;
+    std::string way;     ///< after the load
+    std::string advice;  ///< when not to count on the lower end
+};
+
+void addOthers(const LoadAxis& axis, const std::vector<OtherAnswer>& others, SearchResult& result) {
+    double low = result.answer, high = result.answer;
+    std::string said;
+    const OtherAnswer* lowest = nullptr;
+    for (const OtherAnswer& other : others) {
+        if (other.load < low) lowest = &other;
+        low = std::min(low, other.load);
+        high = std::max(high, other.load);
+        said += ", " + axis.say(other.load) + " " + other.way;
+    }
+    result.range = {low, high};
+    result.range_reason = "friction remembers how a load was reached: " + axis.say(result.answer) +
+                          " when it grows step by step" + said;
+    const double below = (result.answer - low) / std::abs(result.answer);
+    if (lowest == nullptr || below <= kWorthAWarning) return;
+    result.warnings.push_back("the answer is above the lower end of its range: " + lowest->way +
+                              " the assembly fails at " + axis.say(low) + ", " +
+                              formatted("%.0f", 100 * below) + " % below; count on the lower end unless " +
+                              lowest->advice);
+}
+
 }  // namespace
 
 void addHistoryRange(const State& built, const LoadAxis& axis, const Control& control,
@@ -94,10 +158,12 @@ void addHistoryRange(const State& built, const LoadAxis& axis, const Control& co
         control.progress({"another loading history", kShareBeforeRange, axis.say(result.answer)});
     Control quiet = control;
     quiet.progress = {};
+    quiet.keep_failing_state = false;
     Afresh afresh(built, axis, quiet, settings, parallel);
     const auto answer = static_cast<std::int64_t>(std::llround((result.low - axis.start) / axis.cell));
     const auto farthest = static_cast<std::int64_t>(kFarEnough * std::abs(result.answer) / axis.cell);
     const auto last = afresh.lastStable(answer, farthest);
+    std::vector<OtherAnswer> others;
     if (afresh.stopped()) {
         result.range_reason = "interrupted";
     } else if (!last) {
@@ -106,19 +172,14 @@ void addHistoryRange(const State& built, const LoadAxis& axis, const Control& co
     } else if (std::abs(*last - answer) <= kNoDifference) {
         result.range_reason = "weight brought on at that load fails in the same place";
     } else {
-        const double other = 0.5 * (axis.load(*last) + axis.load(*last + 1));
-        result.range = std::minmax(result.answer, other);
-        result.range_reason = "friction remembers how a load was reached: " + axis.say(result.answer) +
-                              " when it grows step by step, " + axis.say(other) +
-                              " when weight is brought on at that load";
-        const double below = (result.answer - other) / std::abs(result.answer);
-        if (below > kWorthAWarning)
-            result.warnings.push_back(
-                "the answer is the upper end of its range: with weight brought on at that load the "
-                "assembly fails at " +
-                axis.say(other) + ", " + formatted("%.0f", 100 * below) +
-                " % below; count on the lower end unless the load grows as the search has it");
+        others.push_back({0.5 * (axis.load(*last) + axis.load(*last + 1)),
+                          "with weight brought on at that load", "the load grows as the search has it"});
     }
+    if (const auto unlocked = answerWithoutLocking(built, axis, quiet, settings, parallel, result))
+        if (std::abs(*unlocked - result.answer) > static_cast<double>(kNoDifference) * axis.cell)
+            others.push_back(
+                {*unlocked, "with friction of no more than 45 degrees", "joints are known to lock"});
+    if (!others.empty() && !afresh.stopped()) addOthers(axis, others, result);
 }
 
 }  // namespace talus::analysis
