@@ -175,10 +175,9 @@ void addHistoryRange(const State& built, const LoadAxis& axis, const Control& co
         others.push_back({0.5 * (axis.load(*last) + axis.load(*last + 1)),
                           "with weight brought on at that load", "the load grows as the search has it"});
     }
-    if (const auto unlocked = answerWithoutLocking(built, axis, quiet, settings, parallel, result))
-        if (std::abs(*unlocked - result.answer) > static_cast<double>(kNoDifference) * axis.cell)
-            others.push_back(
-                {*unlocked, "with friction of no more than 45 degrees", "joints are known to lock"});
+    const auto unlocked = answerWithoutLocking(built, axis, quiet, settings, parallel, result);
+    if (unlocked && std::abs(*unlocked - result.answer) > static_cast<double>(kNoDifference) * axis.cell)
+        others.push_back({*unlocked, "with friction of no more than 45 degrees", "joints are known to lock"});
     if (!others.empty() && !afresh.stopped()) addOthers(axis, others, result);
 }
 

@@ -147,9 +147,10 @@ void appendKept(State& state, OldInterfaces& old, std::size_t o) {
     f.setFrame(n, from.frame(o));
     f.setWrench(n, from.wrench(o));
     growCorners(f, n);
-    for (std::size_t k = 0; k < corners; ++k)
+    for (std::size_t k = 0; k < corners; ++k) {
         for (std::size_t axis = 0; axis < kCornerQuantities; ++axis)
             f.corners.set(f.cornerSlot(n, k), axis, from.corners.get(from.cornerSlot(o, k), axis));
+    }
     old.kept_as[o] = static_cast<std::int64_t>(n);
 }
 
@@ -176,9 +177,10 @@ class InterfaceWindow {
     void append() {
         std::size_t most = 0;
         for (const Entry& entry : entries_) most = std::max(most, entry.corners);
-        for (std::size_t corners = 0; corners <= most; ++corners)
+        for (std::size_t corners = 0; corners <= most; ++corners) {
             for (const Entry& entry : entries_)
                 if (entry.corners == corners) append(entry);
+        }
         entries_.clear();
         faces_.clear();
     }

@@ -286,10 +286,12 @@ class MarkedCells {
             low[axis] = cellAt(box.min[axis], axis);
             high[axis] = cellAt(box.max[axis], axis);
         }
-        for (std::int64_t z = low[2]; z <= high[2]; ++z)
-            for (std::int64_t y = low[1]; y <= high[1]; ++y)
+        for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+            for (std::int64_t y = low[1]; y <= high[1]; ++y) {
                 for (std::int64_t x = low[0]; x <= high[0]; ++x)
                     if (is(cells_[static_cast<std::size_t>((z * kCells + y) * kCells + x)])) return true;
+            }
+        }
         return false;
     }
 

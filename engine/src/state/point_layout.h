@@ -13,11 +13,11 @@ namespace talus {
 void addToGroups(Interfaces& interfaces, std::size_t corners, std::size_t points);
 
 /// Makes room for the corners of an interface whose group is known.
-void growCorners(Interfaces& interfaces, std::size_t interface);
+void growCorners(Interfaces& f, std::size_t i);
 
 /// Stores the patch of an interface whose group is known and has as many corners; corners counter-clockwise from its
 /// origin along e1, e2 [m].
-void placeCorners(Interfaces& interfaces, std::size_t interface, const std::vector<Eigen::Vector2d>& outline);
+void placeCorners(Interfaces& f, std::size_t i, const std::vector<Eigen::Vector2d>& outline);
 
 /// The corners again.
 std::vector<Eigen::Vector2d> patchOutline(const Interfaces& interfaces, std::size_t interface);
