@@ -219,7 +219,7 @@ ImpactGains runImpact(State state, TakeBack take_back, double parted) {
             log.now = totalEnergy(state, false);
         }
         log.record();
-        const bool searched = refreshInterfaces(state, false, kStepsPerLook * dt).any;
+        const bool searched = refreshInterfaces(state, false, kStepsPerLook * dt);
         log.add(state, searched ? gains.searches : gains.looks);
         log.record();
         if (searched) dt = timeStep(state);

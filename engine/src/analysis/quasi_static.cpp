@@ -234,15 +234,15 @@ std::vector<double> inertiaScale(const QuasiStaticWork& work, const std::vector<
     return scale;
 }
 
-/// New contacts may be stiffer than the inertia or the time step was made for. \param near  blocks that have some; empty: all may
-void fitToContacts(State& state, QuasiStaticWork& work, const std::vector<char>& near = {}) {
-    renewFrequencyBounds(state, near, work.parallel, work.bounds);
+/// New contacts may be stiffer than the inertia or the time step was made for.
+void fitToContacts(State& state, QuasiStaticWork& work) {
+    const std::vector<double> bounds = frequencyBounds(state, work.parallel);
     if (work.inertia_scaled) {
-        work.inertia_scale = inertiaScale(work, work.bounds);
+        work.inertia_scale = inertiaScale(work, bounds);
         setInertia(state, work.inertia_scale);
         return;
     }
-    const double highest = *std::max_element(work.bounds.begin(), work.bounds.end());
+    const double highest = *std::max_element(bounds.begin(), bounds.end());
     if (highest > 0) work.time_step = work.settings.step_safety * stableTimeStep(highest, 0.0);
 }
 
@@ -295,11 +295,11 @@ void takeSteps(State& state, QuasiStaticWork& work, Probe& probe, const SetLoad&
     probe.steps += kStepsPerSample;
     work.steps += kStepsPerSample;
     const bool may_wait = work.steps - work.searched_at < work.pair_waits;
-    const FoundAgain found = refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step,
-                                               work.control->stop, {}, may_wait);
-    if (!found) return;
+    if (!refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step, work.control->stop, {},
+                           may_wait))
+        return;
     work.searched_at = work.steps;
-    fitToContacts(state, work, found.near);
+    fitToContacts(state, work);
 }
 
 /// Where a probe begins.
@@ -342,13 +342,13 @@ void watchUntilDecided(State& state, QuasiStaticWork& work, const Start& start, 
 QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control& control,
                         double load_tolerance, bool parallel) {
     QuasiStaticWork work{.settings = settings, .control = &control, .parallel = parallel};
-    work.bounds = frequencyBounds(state, parallel);
-    const double highest = *std::max_element(work.bounds.begin(), work.bounds.end());
+    const std::vector<double> bounds = frequencyBounds(state, parallel);
+    const double highest = *std::max_element(bounds.begin(), bounds.end());
     const double bound = highest > 0 ? highest : 1.0;
     work.frequency_bound = bound;
     work.time_step = settings.step_safety * stableTimeStep(bound, 0.0);
     work.inertia_scaled = state.geometry->model.analysis.time_scaling;
-    work.inertia_scale = inertiaScale(work, work.bounds);
+    work.inertia_scale = inertiaScale(work, bounds);
     work.damping = {.local = settings.local_damping};
     stopDrivenBlocks(state);
     // A first guess that the gravity loading corrects: an assembly n blocks across has a slowest period of about 2 n
@@ -356,8 +356,7 @@ QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control
     const double across = std::cbrt(static_cast<double>(state.blocks.size()));
     work.slow_period = 4.0 * across * 2.0 * M_PI / std::sqrt(bound);
     work.slow_period_limit = kSlowPeriodGrowth * work.slow_period;
-    work.out_of_balance_limit =
-        std::max(kShareOfTolerance * load_tolerance, roundingLevel(state, work.bounds));
+    work.out_of_balance_limit = std::max(kShareOfTolerance * load_tolerance, roundingLevel(state, bounds));
     if (work.out_of_balance_limit > load_tolerance)
         state.warnings.push_back(
             "stiffness and coordinates are so large that rounding leaves the out-of-balance force at " +
@@ -404,8 +403,6 @@ void takeBack(State& state, const QuasiStaticWork& work) {
 Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     const Stopwatch stepping;
     Probe probe;
-    // The last probe may have left its blocks elsewhere, and searches around few blocks do not see the others.
-    if (state.searches_around) fitToContacts(state, work);
     DragTuner::setDrag(state, work, work.slow_period);
     const Start start{state.blocks.position, state.blocks.orientation, tieReach(state)};
     const ExternalLoad before = externalLoad(state);

@@ -31,7 +31,6 @@ struct QuasiStaticWork {
     std::int64_t factors = 0;         ///< factorisations, likewise
     double leaving = 0;  ///< in the last solve for one, of what neighbours part by that leave their place
     bool inertia_scaled = false;
-    std::vector<double> bounds{};  ///< per block, what its inertia is scaled by: frequencyBounds [1/s^2]
     std::vector<double> inertia_scale{};  ///< per block, over the true inertia
     Damping damping{};
     double release = 1;  ///< share of a broken bond released per step

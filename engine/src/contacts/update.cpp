@@ -135,8 +135,8 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
     return errors;
 }
 
-FoundAgain refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop,
-                             const std::vector<double>& gone, bool may_wait) {
+bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop,
+                       const std::vector<double>& gone, bool may_wait) {
     double margin = searchMargin(state, ahead);
     std::vector<char> around;
     PlaceChanges changes;
@@ -159,13 +159,14 @@ FoundAgain refreshInterfaces(State& state, bool parallel, double ahead, const st
         if (state.springs == Springs::keep_energy && (changes.places || recovered))
             updateSpringForces(state, parallel);
         assert(isSound(state));
-        return {};
+        return false;
     }
     Control control;
     control.stop = stop;
-    FoundAgain found{true, around.empty() ? around : blocksNear(state, around, margin)};
-    const SearchRange range{margin, ahead, std::move(around), found.near};
-    if (!makeInterfaces(state, range, false, parallel, control).empty()) return {};
+    SearchRange range{.margin = margin, .ahead = ahead};
+    if (!around.empty()) range.near = blocksNear(state, around, margin);
+    range.around = std::move(around);
+    if (!makeInterfaces(state, range, false, parallel, control).empty()) return false;
     // Forces are there again before anything looks at them.
     if (state.springs == Springs::keep_energy) {
         updateSpringForces(state, parallel);
@@ -174,7 +175,7 @@ FoundAgain refreshInterfaces(State& state, bool parallel, double ahead, const st
         updateBlockForces(state);
     }
     assert(isSound(state) && haveSoundForces(state));
-    return found;
+    return true;
 }
 
 void takeOut(State& state, const std::vector<std::size_t>& blocks, bool parallel) {

@@ -18,14 +18,6 @@ namespace talus {
 /// \param control  asked to stop: then that is the error, and of a state at its start nothing is to be used
 std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, const Control& control = {});
 
-/// What bringing the contacts up to date has found again: time step and inertia may have to follow.
-struct FoundAgain {
-    bool any = false;
-    /// By block: 0 of those whose interfaces are as they were; empty: none is known to be so.
-    std::vector<char> near{};
-    explicit operator bool() const { return any; }
-};
-
 /// Brings the contacts up to date for the next `ahead` seconds:
 ///  1. when a block has come so far that a contact could be missed, or a patch has slid or turned by more than a small share
 ///     of its size, all interfaces are found again (findInterfaces); with State::searches_around those around such blocks alone;
@@ -41,11 +33,11 @@ struct FoundAgain {
 ///         3: reference gaps, velocities, angular momenta; with Springs::keep_energy also forces on blocks
 /// Asked to stop while interfaces are found it leaves all as it was: then nothing may be computed further.
 /// With Springs::keep_energy no energy comes of 1 (contacts/energy_balance.h), and blocks have the force of what has changed.
+/// \return whether interfaces were found again: then time step and inertia may have to follow
 /// \param gone  how far each block has gone since the last call [m], where its velocity does not tell
 /// \param may_wait  what 2 finds again in one pair of blocks only may wait until a later call (updateVertexEdges)
-FoundAgain refreshInterfaces(State& state, bool parallel, double ahead,
-                             const std::atomic<bool>* stop = nullptr, const std::vector<double>& gone = {},
-                             bool may_wait = false);
+bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop = nullptr,
+                       const std::vector<double>& gone = {}, bool may_wait = false);
 
 /// Takes free blocks out of a state at rest: they stay where they are, fixed, and touch nothing any more; contacts of others are
 /// left to the bit.

@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "forces/contact_forces.h"
@@ -126,17 +125,10 @@ double frequencyBound(const State& state, std::size_t block) {
 
 std::vector<double> frequencyBounds(const State& state, bool parallel) {
     std::vector<double> bounds(state.blocks.size());
-    renewFrequencyBounds(state, {}, parallel, bounds);
-    return bounds;
-}
-
-void renewFrequencyBounds(const State& state, const std::vector<char>& near, bool parallel,
-                          std::vector<double>& bounds) {
-    assert(bounds.size() == state.blocks.size() && (near.empty() || near.size() == bounds.size()));
     forRange(bounds.size(), 256, parallel, [&](Range range) {
-        for (std::size_t b = range.begin; b < range.end; ++b)
-            if (near.empty() || near[b]) bounds[b] = frequencyBound(state, b);
+        for (std::size_t b = range.begin; b < range.end; ++b) bounds[b] = frequencyBound(state, b);
     });
+    return bounds;
 }
 
 double highestFrequency(const State& state, bool parallel) {

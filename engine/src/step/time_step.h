@@ -16,11 +16,6 @@ namespace talus {
 /// All contact points count as closed: opening and slipping only soften.
 std::vector<double> frequencyBounds(const State& state, bool parallel);
 
-/// The same of some blocks anew, the others' as they are. \param near  by block: 1 where anew; empty: everywhere
-/// \pre as many bounds as blocks
-void renewFrequencyBounds(const State& state, const std::vector<char>& near, bool parallel,
-                          std::vector<double>& bounds);
-
 /// The largest of them.
 double highestFrequency(const State& state, bool parallel);
 

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "build/build.h"
@@ -15,7 +14,6 @@
 #include "state/placed_shape.h"
 #include "step/motion.h"
 #include "step/step.h"
-#include "step/time_step.h"
 #include "support/models.h"
 #include "support/validated.h"
 
@@ -200,7 +198,7 @@ TEST_SUITE("contacts") {
             state.blocks.position[1].z = 0.5 * (std::cos(angle) + std::sin(angle)) - 1e-5;
         };
         const auto refresh = [&](bool may_wait) {
-            const bool searched = refreshInterfaces(state, false, 0, nullptr, {1, 1}, may_wait).any;
+            const bool searched = refreshInterfaces(state, false, 0, nullptr, {1, 1}, may_wait);
             updateForces(state, false);
             checkValid(state, true);
             return searched;
@@ -239,7 +237,6 @@ TEST_SUITE("contacts") {
         const double dt = 1e-4;
         int whole = 0, around = 0;
         std::size_t kept = 0;
-        double bounds_anew = 0, bounds_all = 0;
         for (int look = 0; look < 900; ++look) {
             for (int step = 0; step < 10; ++step) {
                 advance(state, {dt, false});
@@ -247,20 +244,9 @@ TEST_SUITE("contacts") {
             }
             const PositionArray before = state.search_position;
             const Interfaces old = state.interfaces;
-            std::vector<double> bounds = frequencyBounds(state, false);
             refreshInterfaces(twin, true, 10 * dt);
-            const FoundAgain found = refreshInterfaces(state, false, 10 * dt);
-            if (!found) continue;
+            if (!refreshInterfaces(state, false, 10 * dt)) continue;
             checkValid(state, true);
-            // What a block's inertia follows from has changed near the search alone, but for places that have gone elsewhere: as
-            // they do between searches, when nobody asks.
-            renewFrequencyBounds(state, found.near, false, bounds);
-            const std::vector<double> anew = frequencyBounds(state, false);
-            for (std::size_t b = 0; b < anew.size(); ++b) {
-                CHECK(std::abs(bounds[b] - anew[b]) <= 0.1 * anew[b]);
-                bounds_anew += bounds[b] == anew[b] ? 1 : 0;
-                bounds_all += 1;
-            }
             const auto isFar = [&](std::int32_t block) {
                 const auto b = static_cast<std::size_t>(block);
                 return before.get(b) == state.search_position.get(b);
@@ -281,7 +267,6 @@ TEST_SUITE("contacts") {
             }
             checkAgainstWholeSearch(state);
         }
-        CHECK(bounds_anew > 0.9 * bounds_all);
         CHECK(around > 20);
         CHECK(whole > 0);
         CHECK(kept > 0);
