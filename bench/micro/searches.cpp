@@ -2,7 +2,6 @@
 // and rock masses take of explicit steps and of the implicit solve.
 
 #include <cmath>
-#include <functional>
 
 #include "suite.h"
 #include "talus/analysis.h"

@@ -164,9 +164,7 @@ void addHistoryRange(const State& built, const LoadAxis& axis, const Control& co
     const auto farthest = static_cast<std::int64_t>(kFarEnough * std::abs(result.answer) / axis.cell);
     const auto last = afresh.lastStable(answer, farthest);
     std::vector<OtherAnswer> others;
-    if (afresh.stopped()) {
-        result.range_reason = "interrupted";
-    } else if (!last) {
+    if (!last) {
         result.range_reason =
             "another loading history (weight brought on at that load) gives no equilibrium near the answer";
     } else if (std::abs(*last - answer) <= kNoDifference) {
@@ -178,7 +176,11 @@ void addHistoryRange(const State& built, const LoadAxis& axis, const Control& co
     const auto unlocked = answerWithoutLocking(built, axis, quiet, settings, parallel, result);
     if (unlocked && std::abs(*unlocked - result.answer) > static_cast<double>(kNoDifference) * axis.cell)
         others.push_back({*unlocked, "with friction of no more than 45 degrees", "joints are known to lock"});
-    if (!others.empty() && !afresh.stopped()) addOthers(axis, others, result);
+    if (afresh.stopped()) {
+        result.range_reason = "interrupted";
+    } else if (!others.empty()) {
+        addOthers(axis, others, result);
+    }
 }
 
 }  // namespace talus::analysis

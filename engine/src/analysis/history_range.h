@@ -8,7 +8,8 @@
 namespace talus::analysis {
 
 /// Looks, near an answer that was found, for the load up to which an equilibrium is found when weight and water are brought
-/// on at that load, all at once, on joints that have not slid yet; fills `range` and `range_reason`.
+/// on at that load, all at once, on joints that have not slid yet; where blocks topple on joints rougher than 45 degrees also for the
+/// answer with no more than that. Fills `range` and `range_reason`.
 /// \param built  the state before the search, as `buildState` gives it
 void addHistoryRange(const State& built, const LoadAxis& axis, const Control& control,
                      const QuasiStatic& settings, bool parallel, SearchResult& result);

@@ -25,6 +25,7 @@ struct PairFinding {
 
 /// Pairs of parts, sorted.
 using PartPairs = std::vector<BoxPair>;
+
 /// What a search knows of pairs of parts by the interfaces before it; each sorted.
 struct KnownPairs {
     PartPairs with_places{};  ///< keep their places as long as they are near
