@@ -158,15 +158,19 @@ std::string fallenText(const SearchResult& result) {
                std::to_string(result.fallen_at_start.size()) + ": " + compactNames(result.fallen_at_start));
 }
 
+std::string betweenText(const SearchReport& report, const BlockGroup& group) {
+    if (group.low == group.high) return "at " + figureOf(report, group.factor) + unitOf(report);
+    return "between " + figureOf(report, group.low) + " and " + figureOf(report, group.high) + unitOf(report);
+}
+
 /// What failed before and was too little to be the answer.
 std::string letGoText(const SearchReport& report) {
     std::string rows;
     for (const BlockGroup& group : report.result.let_go) {
         const std::string share = percentText(massShare(report.scenario.model, group.blocks));
         rows += row(rows.empty() ? "let go before" : "",
-                    "at " + figureOf(report, group.factor) + unitOf(report) + ": " +
-                        std::to_string(group.blocks.size()) + " with " + share +
-                        " of the mass: " + compactNames(group.blocks));
+                    betweenText(report, group) + ": " + std::to_string(group.blocks.size()) + " with " +
+                        share + " of the mass: " + compactNames(group.blocks));
     }
     return rows;
 }
@@ -320,7 +324,9 @@ Json searchJson(const SearchReport& report) {
     json["moving_mass_share"] = number(massShare(report.scenario.model, result.moving_blocks));
     json["fallen_at_start"] = result.fallen_at_start;
     json["let_go"] = list(result.let_go, [&](const BlockGroup& group) {
-        return Json{{search.answer_key, number(group.factor / search.load->scale)},
+        const double scale = search.load->scale;
+        return Json{{search.answer_key, number(group.factor / scale)},
+                    {search.keyInUnit("bracket"), {number(group.low / scale), number(group.high / scale)}},
                     {"blocks", group.blocks},
                     {"mass_share", number(massShare(report.scenario.model, group.blocks))}};
     });

@@ -98,8 +98,10 @@ struct FailingState {
 
 /// Blocks that go together.
 struct BlockGroup {
-    double factor = 0;                ///< of safety, or the load of another search
-    std::vector<std::string> blocks;  ///< sorted
+    double factor = 0;                  ///< of safety, or the load of another search
+    std::vector<std::string> blocks{};  ///< sorted
+    /// of those let go: the loads at which they stood and failed, `factor` in the middle; of others, and at the start, that
+    double low = factor, high = factor;
 };
 
 struct SearchResult {

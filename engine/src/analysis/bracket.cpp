@@ -15,11 +15,11 @@ void Bracket::reopen() {
     goOn();
 }
 
-void Bracket::goOn() {
+void Bracket::goOn(std::int64_t step) {
     high_.reset();
     failures_.clear();
     width_two_probes_ago_ = width_last_probe_ = 0;
-    gallop_ = 1;
+    gallop_ = step;
 }
 
 std::int64_t Bracket::up(std::int64_t next) {

@@ -21,7 +21,8 @@ class Bracket {
     /// there, a cell at first, then twice as far each time.
     void reopen();
     /// What failed has been taken out, and the rest stands where the assembly last did: likewise on from there.
-    void goOn();
+    /// \param step  the first one [cells]
+    void goOn(std::int64_t step = 1);
     /// The load to probe on the way up: `next`, or nearer after the bracket was opened again. \pre not high()
     std::int64_t up(std::int64_t next);
 

@@ -38,24 +38,9 @@ constexpr std::int64_t kFirstLookAtStart = 20'000;  // what falls is seen to in 
 /// Blocks that are not at rest, when they are next to nothing of what is free: squeezed between others they may chatter
 /// without end.
 std::vector<std::size_t> restlessSplinters(const State& state) {
-    constexpr double kRestless = 0.01;  // of the block's own weight
-    const Vec3 acceleration = bodyAcceleration(state);
-    std::vector<std::size_t> restless;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
-        if (state.blocks.motion[b] == Motion::free && outOfBalanceRatio(state, b, acceleration) > kRestless)
-            restless.push_back(b);
-    }
+    std::vector<std::size_t> restless = restlessBlocks(state);
     if (!areSplinters(state, restless)) restless.clear();
     return restless;
-}
-
-/// Whether a bolt ties any of these blocks: taken out it would hold on to where they were.
-bool areTied(const State& state, const std::vector<std::size_t>& blocks) {
-    const auto are = [&](std::int32_t block) {
-        return std::binary_search(blocks.begin(), blocks.end(), static_cast<std::size_t>(block));
-    };
-    return std::any_of(state.bolts.segments.begin(), state.bolts.segments.end(),
-                       [&](const BoltSegment& tie) { return are(tie.block_a) || are(tie.block_b); });
 }
 
 class Search {
@@ -67,7 +52,9 @@ class Search {
           parallel_(parallel),
           least_mass_(state.geometry->model.analysis.least_mass_share * freeMass(state)),
           bracket_(axis.stop),
-          probing_(beginProbing(state, axis, control, settings, parallel)) {}
+          probing_(beginProbing(state, axis, control, settings, parallel)) {
+        probing_.least_mass = least_mass_;
+    }
 
     SearchResult run() {
         for (bool goes_on = start(); goes_on; goes_on = letSmallGo()) {
@@ -111,8 +98,12 @@ class Search {
     Verdict probeAt(std::int64_t cell) {
         const double from = axis_.load(bracket_.low()), to = axis_.load(cell);
         const auto ramp = [&](State& state, double share) { axis_.apply(state, from + share * (to - from)); };
-        const Verdict verdict =
-            probe(probing_, "probe " + std::to_string(probing_.probes.size() + 1), to, ramp);
+        Verdict verdict = probe(probing_, "probe " + std::to_string(probing_.probes.size() + 1), to, ramp);
+        if (verdict != Verdict::stable) {
+            std::vector<std::size_t> leaving = smallLeaving(probing_);
+            if (!leaving.empty()) verdict = Verdict::failing;
+            if (verdict == Verdict::failing) leaving_ = std::move(leaving);
+        }
         if (verdict == Verdict::stable) learnPace(cell - bracket_.low());
         if (verdict == Verdict::stable) bracket_.stands(cell);
         if (verdict == Verdict::failing) bracket_.fails(cell, probing_.probes.back().out_of_balance);
@@ -139,8 +130,15 @@ class Search {
     /// it stands again (columns that lean on each other do), and the search is to go on from that state.
     bool searchUpwards() {
         result_.status = SearchStatus::undecided;
-        findFailure();
-        narrow();
+        probing_.lets_small_go = probing_.areMany() && least_mass_ > 0;
+        for (;;) {
+            findFailure();
+            narrow();
+            if (!mayLetLeavingGo()) break;
+            probing_.lets_small_go = letLeavingGo();
+        }
+        probing_.lets_small_go = false;
+        leaving_.clear();
         if (result_.status != SearchStatus::found) return false;
         if (hasFailed(axis_.load(*bracket_.high()))) return false;
         result_.confirmed = false;
@@ -154,14 +152,13 @@ class Search {
     bool letSmallGo() {
         if (!claimsSmallFailure()) return false;
         const double load = axis_.load(bracket_.low());
-        BlockGroup group{0.5 * (load + axis_.load(*bracket_.high())), {}};
+        BlockGroup group = groupInBracket();
         double mass = 0;
         bool stands = false, fails = true;
         while (!stands && fails) {
             State& stable = probing_.last_stable;
             const std::vector<std::size_t> going = blocksOf(result_.moving_blocks);
-            double own = 0;
-            for (const std::size_t b : going) own += stable.blocks.mass[b];
+            const double own = massOf(stable, going);
             mass += own;
             group.blocks.insert(group.blocks.end(), result_.moving_blocks.begin(),
                                 result_.moving_blocks.end());
@@ -185,20 +182,76 @@ class Search {
         return stands;
     }
 
+    /// Of many blocks a failure of too little mass is not closed in on, nor waited for to be seen with inertia: what leaves its
+    /// place, or does not come to rest, is taken out as soon as the load step is short, where the assembly last stood. Where the rest
+    /// does not stand there, or that would be all that counts, nothing is taken out, and it is closed in on after all. \pre
+    /// mayLetLeavingGo()
+    bool letLeavingGo() {
+        const double load = axis_.load(bracket_.low());
+        const std::int64_t step = *bracket_.high() - bracket_.low();
+        const State stood = probing_.last_stable, moving = probing_.last_moving;
+        BlockGroup group = groupInBracket();
+        double mass = 0;
+        std::vector<std::size_t> leaving = std::exchange(leaving_, {});
+        for (; !leaving.empty() && !interrupted(probing_); leaving = smallLeaving(probing_)) {
+            mass += massOf(stood, leaving);
+            if (mass >= least_mass_) break;
+            for (const std::size_t b : leaving) group.blocks.push_back(nameOf(b));
+            takeOut(probing_.last_stable, leaving, parallel_);
+            probing_.no_near_rest = {};
+            if (probeAnew("without what leaves", load) == Verdict::stable) {
+                std::sort(group.blocks.begin(), group.blocks.end());
+                result_.let_go.push_back(std::move(group));
+                bracket_.goOn(step);
+                return true;
+            }
+        }
+        probing_.last_stable = stood;
+        probing_.last_moving = moving;
+        probing_.no_near_rest = {};
+        return false;
+    }
+
+    /// Of blocks yet to be named.
+    BlockGroup groupInBracket() const {
+        const double low = axis_.load(bracket_.low()), high = axis_.load(*bracket_.high());
+        return {.factor = 0.5 * (low + high), .low = low, .high = high};
+    }
+
+    /// Whether at the failing load small blocks leave, in a step as short as to take them out.
+    bool mayLetLeavingGo() const {
+        return bracket_.high() && !leaving_.empty() && isShort(*bracket_.high() - bracket_.low()) &&
+               !interrupted(probing_);
+    }
+
+    /// A quarter of the farthest step of the implicit solve; where there is none, a cell.
+    bool isShort(std::int64_t step) const {
+        const std::int64_t farthest = axis_.farthest ? axis_.farthest(bracket_.low()) - bracket_.low() : 1;
+        return step <= std::max<std::int64_t>(1, farthest / 4);
+    }
+
     bool claimsSmallFailure() const {
         return least_mass_ > 0 && result_.status == SearchStatus::found && result_.confirmed &&
                !result_.moving_blocks.empty() && !interrupted(probing_);
     }
 
+    /// At the load at which the assembly last stood.
+    Verdict probeAnew(const char* stage, double load) {
+        return probe(probing_, stage, load, [&](State& state, double) { axis_.apply(state, load); });
+    }
+
     /// Whether the rest stands at the load at which all last stood; what fails there is let go likewise.
     bool standsWithout(double load) {
         result_.confirmed = false;
-        const Verdict verdict = probe(probing_, "without what has failed", load,
-                                      [&](State& state, double) { axis_.apply(state, load); });
+        const Verdict verdict = probeAnew("without what has failed", load);
         if (verdict == Verdict::stable) return true;
         if (verdict == Verdict::failing) return !hasFailed(load);
         result_.status = SearchStatus::undecided;
         return false;
+    }
+
+    const std::string& nameOf(std::size_t block) const {
+        return probing_.last_stable.geometry->model.blocks[block].name;
     }
 
     std::vector<std::size_t> blocksOf(const std::vector<std::string>& names) const {
@@ -219,7 +272,7 @@ class Search {
     /// An undecided probe is answered by one between it and the failing load; a second one ends the search.
     void narrow() {
         std::int64_t left_open = -1;
-        while (bracket_.high() && !bracket_.closed() && !interrupted(probing_)) {
+        while (bracket_.high() && !bracket_.closed() && !interrupted(probing_) && !mayLetLeavingGo()) {
             const std::int64_t cell = within(bracket_.next());
             if (cell == left_open) break;  // from the same state it would be again
             if (probeAt(cell) != Verdict::undecided) continue;
@@ -405,9 +458,10 @@ class Search {
     Probing probing_;
     SearchResult result_;
     std::vector<std::size_t> falling_{}, restless_{};
-    std::int64_t pace_ = 0;         ///< most cells of the next load step; 0: the axis's own
-    bool no_rest_ = false;          ///< at the failing load, nearby or elsewhere
-    bool is_rest_unknown_ = false;  ///< whether what is left stands without what was let go last
+    std::vector<std::size_t> leaving_{};  ///< small blocks that leave at the failing load
+    std::int64_t pace_ = 0;               ///< most cells of the next load step; 0: the axis's own
+    bool no_rest_ = false;                ///< at the failing load, nearby or elsewhere
+    bool is_rest_unknown_ = false;        ///< whether what is left stands without what was let go last
     Effort continuations_{};
 };
 

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <unordered_set>
+#include <utility>
 
+#include "forces/sum.h"
+#include "measure/measure.h"
+#include "state/block_motion.h"
 #include "talus/polyhedron.h"
 
 namespace talus::analysis {
@@ -115,11 +120,54 @@ double freeMass(const State& state) {
     return mass;
 }
 
+double massOf(const State& state, const std::vector<std::size_t>& blocks) {
+    double mass = 0;
+    for (const std::size_t b : blocks) mass += state.blocks.mass[b];
+    return mass;
+}
+
 bool areSplinters(const State& state, const std::vector<std::size_t>& blocks) {
-    constexpr double kMost = 1e-3;
-    double part = 0;
-    for (const std::size_t b : blocks) part += state.blocks.mass[b];
-    return part <= kMost * freeMass(state);
+    return massOf(state, blocks) <= kSplinters * freeMass(state);
+}
+
+bool areTied(const State& state, const std::vector<std::size_t>& blocks) {
+    const auto are = [&](std::int32_t block) {
+        return std::binary_search(blocks.begin(), blocks.end(), static_cast<std::size_t>(block));
+    };
+    return std::any_of(state.bolts.segments.begin(), state.bolts.segments.end(),
+                       [&](const BoltSegment& tie) { return are(tie.block_a) || are(tie.block_b); });
+}
+
+std::vector<std::size_t> restlessBlocks(const State& state) {
+    constexpr double kRestless = 0.01;
+    const Vec3 acceleration = bodyAcceleration(state);
+    std::vector<std::size_t> restless;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free && outOfBalanceRatio(state, b, acceleration) > kRestless)
+            restless.push_back(b);
+    return restless;
+}
+
+std::vector<std::size_t> leavingBlocks(const State& stood, const State& state, double mass) {
+    constexpr double kLeftBehind = 2;
+    std::vector<std::pair<double, std::size_t>> ways;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free)
+            ways.emplace_back(wayFrom(stood.blocks.position, stood.blocks.orientation, state, b), b);
+    std::sort(ways.begin(), ways.end(), std::greater<>());
+    std::size_t count = 0;
+    double gone = 0, widest = kLeftBehind;
+    for (std::size_t k = 0; k + 1 < ways.size(); ++k) {
+        gone += state.blocks.mass[ways[k].second];
+        if (gone >= mass) break;
+        if (ways[k].first < widest * ways[k + 1].first || ways[k].first == 0) continue;
+        widest = ways[k + 1].first > 0 ? ways[k].first / ways[k + 1].first : kInfinity;
+        count = k + 1;
+    }
+    std::vector<std::size_t> leaving;
+    for (std::size_t k = 0; k < count; ++k) leaving.push_back(ways[k].second);
+    std::sort(leaving.begin(), leaving.end());
+    return leaving;
 }
 
 }  // namespace talus::analysis

@@ -35,8 +35,23 @@ double looseShare(const Model& model, const std::vector<char>& gone);
 
 /// [kg]
 double freeMass(const State& state);
+double massOf(const State& state, const std::vector<std::size_t>& blocks);
 
-/// Whether free blocks are splinters, all of them together: a thousandth of the free blocks' mass at most.
+/// Of the free blocks' mass: so much, all together, splinters may have.
+inline constexpr double kSplinters = 1e-3;
+
+/// Whether free blocks are splinters.
 bool areSplinters(const State& state, const std::vector<std::size_t>& blocks);
+
+/// Whether a bolt ties any of these blocks: taken out it would hold on to where they were. \param blocks  sorted
+bool areTied(const State& state, const std::vector<std::size_t>& blocks);
+
+/// Free blocks that are not at rest: more than a hundredth of their own weight is out of balance; sorted.
+std::vector<std::size_t> restlessBlocks(const State& state);
+
+/// Free blocks that have left the others behind since they all stood: each has gone at least twice as far as any that stays, and all
+/// of them have less than a mass; where there are several such sets, the one that is farthest ahead; sorted. Empty: none, as where
+/// a slope slides.
+std::vector<std::size_t> leavingBlocks(const State& stood, const State& state, double mass);
 
 }  // namespace talus::analysis

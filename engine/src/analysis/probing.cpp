@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/loose_blocks.h"
 #include "forces/sum.h"
 #include "state/caller.h"
 
@@ -164,9 +165,10 @@ bool interrupted(const Probing& p) { return isStopped(p.control); }
 
 Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ramp) {
     p.stands_elsewhere = false;
-    if (p.implicit_first)
-        if (const Verdict found = probeImplicitly(p, stage, load, ramp); found != Verdict::undecided)
-            return found;
+    if (p.implicit_first) {
+        const Verdict found = probeImplicitly(p, stage, load, ramp);
+        if (found != Verdict::undecided || !smallLeaving(p).empty()) return found;
+    }
     QuasiStaticWork work = p.work;
     // Of many blocks some are loose: explicit steps see them fall. Else they bring the weight to where the solve is quick.
     const bool begins = !p.has_stood && freeBlocks(p.last_stable) > kManyBlocks;
@@ -187,7 +189,7 @@ Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ram
         if (found != Verdict::stable) p.last_moving = moving;  // nearer to rest, where a failure is let go
         if (found != Verdict::undecided) return found;
     }
-    if (verdict == Verdict::failing) return verdict;
+    if (verdict == Verdict::failing || !smallLeaving(p).empty()) return verdict;
     work = p.work;
     verdict = probeExplicitly(
         p, stage, load, p.last_moving, work, [](State&, double) {}, ramp);
@@ -219,6 +221,20 @@ bool settles(Probing& p, const State& moving, double load, double watch_periods)
     Probe probe = bringOn(state, work, [](State&, double) {});
     if (probe.verdict == Verdict::stable) standsThere(p, state, probe);
     return keep(p, "settling", load, probe, state) == Verdict::stable;
+}
+
+std::vector<std::size_t> smallLeaving(const Probing& p) {
+    if (!p.lets_small_go) return {};
+    const State& stood = p.last_stable;
+    const State& state = p.stands_elsewhere ? p.elsewhere : p.last_moving;
+    // A solve ends as soon as something is seen to leave: of what is not at rest then the most would come to rest.
+    std::vector<std::size_t> leaving = p.probes.back().verdict == Verdict::failing
+                                           ? leavingBlocks(stood, state, p.least_mass)
+                                           : restlessBlocks(state);
+    const double mass = massOf(stood, leaving);
+    const bool are_small = mass < p.least_mass && freeMass(stood) - mass >= p.least_mass;
+    if (!are_small || areTied(stood, leaving)) leaving.clear();
+    return leaving;
 }
 
 double ownDeflection(const Probing& p) {

@@ -35,6 +35,8 @@ struct Probing {
     double deflection = 0;            ///< how far the assembly has come in all, from rest to rest [m]
     double settlement = 0;            ///< under weight and water at the start [m]
     double reach = 0;                 ///< of the bolts at the beginning [m]
+    double least_mass = 0;            ///< of a failure that counts [kg]
+    bool lets_small_go = false;       ///< a probe ends where blocks of less leave or do not come to rest
     /// explicit steps have not been enough, or will not be: bolts take hold over ways that they are slow to go
     bool implicit_first = false;
     bool stands_elsewhere = false;  ///< an equilibrium was found at the failing load, but far away or jammed
@@ -74,6 +76,10 @@ Verdict restAt(Probing& probing, double load, std::int64_t most_factors = kMostF
 /// mode many times slower than the slowest known one looks like failure for a while: close below the load at which a
 /// column topples its stiffness goes to zero. \param watch_periods  windows, in slowest periods
 bool settles(Probing& probing, const State& moving, double load, double watch_periods = 3.0);
+
+/// Those that left their place in the last probe, or were not at rest at its end, where they are let go: of many blocks, so few that
+/// they have too little mass to count, and no bolt ties them; sorted.
+std::vector<std::size_t> smallLeaving(const Probing& probing);
 
 /// How far the assembly has come in all, but for the way on which bolts took hold: then what it gave at its start [m].
 double ownDeflection(const Probing& probing);

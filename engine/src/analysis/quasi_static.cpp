@@ -48,9 +48,7 @@ bool hasGone(const State& state, const PositionArray& position, const Quaternion
              double reach) {
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
-        const double shift = (state.blocks.position.get(b) - position.get(b)).norm();
-        const double turn = rotationFrom(orientation, state.blocks.orientation, b);
-        if (shift + turn * state.geometry->radius[b] > kGone * state.geometry->size[b] + reach) return true;
+        if (wayFrom(position, orientation, state, b) > kGone * state.geometry->size[b] + reach) return true;
     }
     return false;
 }
@@ -379,12 +377,9 @@ QuasiStaticWork patient(const QuasiStaticWork& work, double drag_share, double w
 
 double largestMotion(const State& state, const PositionArray& position, const QuaternionArray& orientation) {
     double largest = 0;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
-        if (state.blocks.motion[b] != Motion::free) continue;
-        const double shift = (state.blocks.position.get(b) - position.get(b)).norm();
-        const double turn = rotationFrom(orientation, state.blocks.orientation, b);
-        largest = std::max(largest, shift + turn * state.geometry->radius[b]);
-    }
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free)
+            largest = std::max(largest, wayFrom(position, orientation, state, b));
     return largest;
 }
 

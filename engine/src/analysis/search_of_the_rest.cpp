@@ -70,7 +70,8 @@ void warnOfFreeBlocks(State& state) {
 void putInUnits(double unit, SearchResult& result) {
     if (unit == 1) return;
     for (double* load : {&result.low, &result.high, &result.answer}) *load *= unit;
-    for (BlockGroup& group : result.let_go) group.factor *= unit;
+    for (BlockGroup& group : result.let_go)
+        for (double* load : {&group.factor, &group.low, &group.high}) *load *= unit;
     if (result.range) result.range = {unit * result.range->first, unit * result.range->second};
     for (Probe& probe : result.probes) probe.load *= unit;
     if (result.failing) {
@@ -187,7 +188,7 @@ class SearchOfTheRest {
         for (std::size_t b = 0; b < gone_.size(); ++b) going[b] = going[b] || gone_[b];
         if (1 - looseShare(model_, going) < least) return false;
         gone_ = std::move(going);
-        let_go_.push_back({result.high, result.moving_blocks});
+        let_go_.push_back({.factor = result.high, .blocks = result.moving_blocks});
         return true;
     }
 
@@ -241,7 +242,7 @@ Result<SearchResult> searchOfTheRest(const Model& model, const LoadAxis& axis, c
 void addGroups(const Model& model, const LoadAxis& axis, const Control& control, const QuasiStatic& settings,
                SearchResult& result) {
     if (result.status != SearchStatus::found) return;
-    result.groups.push_back({result.answer, result.moving_blocks});
+    result.groups.push_back({.factor = result.answer, .blocks = result.moving_blocks});
     std::vector<std::string> gone = leftOut(result);
     const auto goes = [&](const std::vector<std::string>& blocks) {
         gone.insert(gone.end(), blocks.begin(), blocks.end());
@@ -265,7 +266,7 @@ void addGroups(const Model& model, const LoadAxis& axis, const Control& control,
             result.warnings.push_back("the search for the blocks that go after those is undecided");
         if (!claimsFailure(*next) || next->moving_blocks.empty()) return;
         const double factor = next->status == SearchStatus::found ? next->answer : last.factor;
-        result.groups.push_back({std::max(factor, last.factor), next->moving_blocks});
+        result.groups.push_back({.factor = std::max(factor, last.factor), .blocks = next->moving_blocks});
         goes(before_next);
         goes(next->moving_blocks);
     }

@@ -54,6 +54,13 @@ double rotationFrom(const QuaternionArray& froms, const QuaternionArray& tos, st
     return 2.0 * std::atan2(std::sqrt(x * x + y * y + z * z), std::abs(w));
 }
 
+double wayFrom(const PositionArray& position, const QuaternionArray& orientation, const State& state,
+               std::size_t block) {
+    const double shift = (state.blocks.position.get(block) - position.get(block)).norm();
+    const double turn = rotationFrom(orientation, state.blocks.orientation, block);
+    return shift + turn * state.geometry->radius[block];
+}
+
 Vec3 rotationVector(const Quaternion& from, const Quaternion& to) {
     const double w = from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z;
     const Vec3 u(from.x, from.y, from.z), v(to.x, to.y, to.z);

@@ -30,6 +30,10 @@ Vec3 velocityAt(const Blocks& blocks, std::size_t block, const Vec3& place);
 /// Angle a block has turned from a given orientation [rad].
 double rotationFrom(const QuaternionArray& from, const QuaternionArray& to, std::size_t block);
 
+/// How far a point of a block has gone at most from a given position and orientation, to first order [m].
+double wayFrom(const PositionArray& position, const QuaternionArray& orientation, const State& state,
+               std::size_t block);
+
 /// Axis times angle of the turn from one orientation to another, in the model frame [rad]. The vector part keeps small
 /// angles exact; of the two quaternions of a turn the one with the angle below pi counts.
 Vec3 rotationVector(const Quaternion& from, const Quaternion& to);
