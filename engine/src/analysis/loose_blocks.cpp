@@ -142,18 +142,20 @@ std::vector<std::size_t> restlessBlocks(const State& state) {
     constexpr double kRestless = 0.01;
     const Vec3 acceleration = bodyAcceleration(state);
     std::vector<std::size_t> restless;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] == Motion::free && outOfBalanceRatio(state, b, acceleration) > kRestless)
             restless.push_back(b);
+    }
     return restless;
 }
 
 std::vector<std::size_t> leavingBlocks(const State& stood, const State& state, double mass) {
     constexpr double kLeftBehind = 2;
     std::vector<std::pair<double, std::size_t>> ways;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] == Motion::free)
             ways.emplace_back(wayFrom(stood.blocks.position, stood.blocks.orientation, state, b), b);
+    }
     std::sort(ways.begin(), ways.end(), std::greater<>());
     std::size_t count = 0;
     double gone = 0, widest = kLeftBehind;

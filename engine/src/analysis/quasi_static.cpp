@@ -377,9 +377,10 @@ QuasiStaticWork patient(const QuasiStaticWork& work, double drag_share, double w
 
 double largestMotion(const State& state, const PositionArray& position, const QuaternionArray& orientation) {
     double largest = 0;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] == Motion::free)
             largest = std::max(largest, wayFrom(position, orientation, state, b));
+    }
     return largest;
 }
 
