@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -84,6 +85,38 @@ TEST_SUITE("slow: physics") {
                 }
             std::sort(gone.begin(), gone.end());
             CHECK(gone == std::vector<std::string>{"s0", "s1", "s2", "s3"});
+        }
+    }
+
+    TEST_CASE("however coarse the bracket, and wherever it is interrupted, the search says what it knows") {
+        for (const Kind& kind : kKinds) {
+            CAPTURE(kind.tilt);
+            Model model = field({{20, 0.1}}, kind.tilt);
+            model.analysis.least_mass_share = 0.01;
+            model.analysis.tolerance = radians(0.5);
+            model.analysis.factor_tolerance = 0.05;
+            model.analysis.acceleration_tolerance = 0.01;
+            for (const int after : {0, 1, 2, 3, 5, 8}) {  // reports after the pebble has been taken out
+                CAPTURE(after);
+                std::atomic<bool> stop = false;
+                bool begun_late = false;
+                int left = -1;
+                Control control;
+                control.stop = &stop;
+                control.progress = [&](const Progress& progress) {
+                    begun_late = begun_late || (stop && progress.stage == "failure");
+                    if (left < 0 && progress.stage == "without what leaves") left = after;
+                    if (left == 0) stop = true;
+                    if (left > 0) --left;
+                };
+                const SearchResult result = *kind.find(model, control, {});
+                CHECK(left >= 0);
+                CHECK(!begun_late);  // nothing is watched falling without a failing load, or after the stop
+                CHECK((result.status == SearchStatus::interrupted ||
+                       (!stop && result.status == SearchStatus::found)));
+                CHECK(result.low <= kind.at(kFriction));
+                CHECK(result.high >= kind.at(result.let_go.empty() ? 20 : kFriction));
+            }
         }
     }
 

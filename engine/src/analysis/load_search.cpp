@@ -50,11 +50,8 @@ class Search {
         : axis_(axis),
           control_(control),
           parallel_(parallel),
-          least_mass_(state.geometry->model.analysis.least_mass_share * freeMass(state)),
           bracket_(axis.stop),
-          probing_(beginProbing(state, axis, control, settings, parallel)) {
-        probing_.least_mass = least_mass_;
-    }
+          probing_(beginProbing(state, axis, control, settings, parallel)) {}
 
     SearchResult run() {
         for (bool goes_on = start(); goes_on; goes_on = letSmallGo()) {
@@ -129,9 +126,9 @@ class Search {
     /// Finds a failing cell and lets it go on. True when the motion came to rest there: the assembly has moved to where
     /// it stands again (columns that lean on each other do), and the search is to go on from that state.
     bool searchUpwards() {
-        result_.status = SearchStatus::undecided;
-        probing_.lets_small_go = probing_.areMany() && least_mass_ > 0;
+        probing_.lets_small_go = probing_.areMany() && probing_.least_mass > 0;
         for (;;) {
+            result_.status = SearchStatus::undecided;
             findFailure();
             narrow();
             if (!mayLetLeavingGo()) break;
@@ -139,7 +136,7 @@ class Search {
         }
         probing_.lets_small_go = false;
         leaving_.clear();
-        if (result_.status != SearchStatus::found) return false;
+        if (result_.status != SearchStatus::found || interrupted(probing_)) return false;
         if (hasFailed(axis_.load(*bracket_.high()))) return false;
         result_.confirmed = false;
         bracket_.reopen();
@@ -163,7 +160,8 @@ class Search {
             group.blocks.insert(group.blocks.end(), result_.moving_blocks.begin(),
                                 result_.moving_blocks.end());
             std::sort(group.blocks.begin(), group.blocks.end());
-            if (mass >= least_mass_ || freeMass(stable) - own < least_mass_ || areTied(stable, going)) {
+            if (mass >= probing_.least_mass || freeMass(stable) - own < probing_.least_mass ||
+                areTied(stable, going)) {
                 result_.moving_blocks = std::move(group.blocks);
                 return false;
             }
@@ -195,7 +193,7 @@ class Search {
         std::vector<std::size_t> leaving = std::exchange(leaving_, {});
         for (; !leaving.empty() && !interrupted(probing_); leaving = smallLeaving(probing_)) {
             mass += massOf(stood, leaving);
-            if (mass >= least_mass_) break;
+            if (mass >= probing_.least_mass) break;
             for (const std::size_t b : leaving) group.blocks.push_back(nameOf(b));
             takeOut(probing_.last_stable, leaving, parallel_);
             probing_.no_near_rest = {};
@@ -231,7 +229,7 @@ class Search {
     }
 
     bool claimsSmallFailure() const {
-        return least_mass_ > 0 && result_.status == SearchStatus::found && result_.confirmed &&
+        return probing_.least_mass > 0 && result_.status == SearchStatus::found && result_.confirmed &&
                !result_.moving_blocks.empty() && !interrupted(probing_);
     }
 
@@ -453,7 +451,6 @@ class Search {
     const LoadAxis& axis_;
     const Control& control_;
     bool parallel_;
-    double least_mass_;  ///< of a failure that is the answer [kg]
     Bracket bracket_;
     Probing probing_;
     SearchResult result_;

@@ -127,7 +127,8 @@ double massOf(const State& state, const std::vector<std::size_t>& blocks) {
 }
 
 bool areSplinters(const State& state, const std::vector<std::size_t>& blocks) {
-    return massOf(state, blocks) <= kSplinters * freeMass(state);
+    constexpr double kMost = 1e-3;
+    return massOf(state, blocks) <= kMost * freeMass(state);
 }
 
 bool areTied(const State& state, const std::vector<std::size_t>& blocks) {

@@ -37,10 +37,7 @@ double looseShare(const Model& model, const std::vector<char>& gone);
 double freeMass(const State& state);
 double massOf(const State& state, const std::vector<std::size_t>& blocks);
 
-/// Of the free blocks' mass: so much, all together, splinters may have.
-inline constexpr double kSplinters = 1e-3;
-
-/// Whether free blocks are splinters.
+/// Whether free blocks are splinters, all of them together: a thousandth of the free blocks' mass at most.
 bool areSplinters(const State& state, const std::vector<std::size_t>& blocks);
 
 /// Whether a bolt ties any of these blocks: taken out it would hold on to where they were. \param blocks  sorted

@@ -155,6 +155,7 @@ Probing beginProbing(const State& state, const LoadAxis& axis, const Control& co
                      const QuasiStatic& settings, bool parallel) {
     Probing p{.axis = axis, .control = control, .last_stable = state, .last_moving = {}, .work = {}};
     p.last_stable.searches_around = freeBlocks(state) > kManyBlocks;
+    p.least_mass = state.geometry->model.analysis.least_mass_share * freeMass(state);
     p.work = prepare(p.last_stable, settings, control, axis.imbalance_tolerance, parallel);
     p.reach = tieReach(state);
     p.implicit_first = p.reach > 0;
