@@ -54,11 +54,16 @@ void addParts(const Polyhedron& shape, Geometry& geometry) {
     const auto block = static_cast<std::int32_t>(geometry.first_part.size()) - 1;
     geometry.part_block.insert(geometry.part_block.end(), shape.partCount(), block);
     geometry.first_part.push_back(static_cast<std::int32_t>(geometry.part_block.size()));
-    if (shape.partCount() > 1) {
-        const std::vector<FacePlane> planes = facePlanes(shape);
-        geometry.part_planes.insert(geometry.part_planes.end(), planes.begin(), planes.end());
-    }
-    geometry.first_plane.push_back(geometry.part_planes.size());
+    const auto add_edges = [&](std::span<const std::vector<std::int32_t>> faces) {
+        const std::vector<PartEdge> edges = partEdges(faces);
+        geometry.part_edges.insert(geometry.part_edges.end(), edges.begin(), edges.end());
+        geometry.first_edge.push_back(geometry.part_edges.size());
+    };
+    if (shape.partCount() == 1) add_edges(shape.faces);
+    for (const ConvexPart& part : shape.faces.parts()) add_edges(part.faces);
+    const std::vector<FacePlane> planes = facePlanes(shape);
+    geometry.face_planes.insert(geometry.face_planes.end(), planes.begin(), planes.end());
+    geometry.first_plane.push_back(geometry.face_planes.size());
 }
 
 void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<Error>& errors) {

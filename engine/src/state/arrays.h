@@ -14,6 +14,7 @@
 
 #include "geometry/parts.h"
 #include "geometry/pressure.h"
+#include "geometry/world_shape.h"
 #include "law/law.h"
 #include "model/joint_choice.h"
 #include "simd/instruction_set.h"
@@ -243,7 +244,9 @@ struct Geometry {
     /// Convex parts of the blocks, numbered block by block; most blocks are one.
     std::vector<std::int32_t> first_part{0};  ///< of each block; one more at the end
     std::vector<std::int32_t> part_block;     ///< which block each is of
-    std::vector<FacePlane> part_planes;       ///< of the faces of all blocks of several parts, own frame
+    std::vector<PartEdge> part_edges;         ///< of all parts, vertices and faces as the part numbers them
+    std::vector<std::size_t> first_edge{0};   ///< of each part; one more at the end
+    std::vector<FacePlane> face_planes;       ///< of the faces of all blocks, own frame
     std::vector<std::size_t> first_plane{0};  ///< of each block; one more at the end
     std::vector<double> size;                 ///< smallest extent of each block [m]
     std::vector<double> radius;               ///< farthest vertex from the centroid [m]

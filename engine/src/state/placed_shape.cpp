@@ -13,6 +13,11 @@ const ConvexPart& partAt(const Geometry& geometry, std::int32_t part) {
     return geometry.shape[block].faces.parts()[static_cast<std::size_t>(part - geometry.first_part[block])];
 }
 
+std::span<const FacePlane> planesOf(const Geometry& geometry, std::size_t block) {
+    return std::span(geometry.face_planes)
+        .subspan(geometry.first_plane[block], geometry.shape[block].faces.size());
+}
+
 bool isWhole(const Geometry& geometry, std::int32_t part) {
     const auto block = static_cast<std::size_t>(geometry.part_block[static_cast<std::size_t>(part)]);
     return geometry.shape[block].partCount() == 1;
@@ -59,8 +64,7 @@ std::optional<PartOfBody> partOfBody(const State& state, std::int32_t part) {
     if (isWhole(geometry, part)) return std::nullopt;
     const auto block = static_cast<std::size_t>(geometry.part_block[static_cast<std::size_t>(part)]);
     return PartOfBody{geometry.shape[block],
-                      std::span(geometry.part_planes)
-                          .subspan(geometry.first_plane[block], geometry.shape[block].faces.size()),
+                      planesOf(geometry, block),
                       static_cast<std::size_t>(part - geometry.first_part[block]),
                       state.blocks.orientation.matrix(block),
                       state.blocks.position.get(block),
@@ -70,7 +74,9 @@ std::optional<PartOfBody> partOfBody(const State& state, std::int32_t part) {
 PlacedPart::PlacedPart(const State& state, std::int32_t part)
     : body_(partOfBody(state, part)), first_face_(talus::firstFace(*state.geometry, part)) {
     const Geometry& geometry = *state.geometry;
-    const auto block = static_cast<std::size_t>(geometry.part_block[static_cast<std::size_t>(part)]);
+    const auto p = static_cast<std::size_t>(part), first_edge = geometry.first_edge[p];
+    const auto block = static_cast<std::size_t>(geometry.part_block[p]);
+    edges_ = std::span(geometry.part_edges).subspan(first_edge, geometry.first_edge[p + 1] - first_edge);
     const Polyhedron& own = geometry.shape[block];
     std::span<const Vec3> vertices = own.vertices;
     faces_ = &own.faces;
@@ -87,13 +93,13 @@ PlacedPart::PlacedPart(const State& state, std::int32_t part)
     vertices_.reserve(vertices.size());
     normals_.reserve(faces_->size());
     for (const Vec3& v : vertices) vertices_.push_back(position + turn * v);
-    for (std::size_t face = 0; face < faces_->size(); ++face)
-        normals_.push_back(turn * (body_ ? body_->planes[static_cast<std::size_t>(first_face_) + face].normal
-                                         : own.faceNormal(static_cast<std::size_t>(first_face_) + face)));
+    const auto planes =
+        planesOf(geometry, block).subspan(static_cast<std::size_t>(first_face_), faces_->size());
+    for (const FacePlane& plane : planes) normals_.push_back(turn * plane.normal);
 }
 
 WorldShape PlacedPart::world() const {
-    return {vertices_, *faces_, normals_, covers_, body_ ? &*body_ : nullptr};
+    return {vertices_, *faces_, normals_, covers_, body_ ? &*body_ : nullptr, edges_};
 }
 
 }  // namespace talus

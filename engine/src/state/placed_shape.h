@@ -45,6 +45,7 @@ class PlacedPart {
  private:
     const FaceList* faces_;
     std::span<const Cover> covers_;
+    std::span<const PartEdge> edges_;
     std::optional<PartOfBody> body_;
     std::int32_t first_face_;
     std::vector<Vec3> vertices_, normals_;
