@@ -175,11 +175,10 @@ class Continuation {
     /// True inertia but for the stiffest blocks, at rest, with dashpots that only take out the rattle; more where it is the only witness.
     void makeDynamic() {
         setAtRest(state_.blocks);
-        bounds_ = frequencyBounds(state_, parallel_);
-        touched_.assign(bounds_.size(), 0);
-        cap_ = frequencyCap(bounds_);
-        is_scaled_ = scaleStiffest(state_, bounds_, cap_);
-        const double highest = *std::max_element(bounds_.begin(), bounds_.end());
+        const std::vector<double> bounds = frequencyBounds(state_, parallel_);
+        cap_ = frequencyCap(bounds);
+        is_scaled_ = scaleStiffest(state_, bounds, cap_);
+        const double highest = *std::max_element(bounds.begin(), bounds.end());
         failure_.contact_damping = dashpots(highest > 0 ? highest : cap_);
         state_.damping = {.contact = dashpots(cap_), .local = wanted_.alone ? kLocalAlone : 0.0};
         state_.release = 1.0;
@@ -194,13 +193,9 @@ class Continuation {
         failure_.steps += kStepsPerLook;
         const bool may_wait = failure_.steps - searched_at_ < kPairWaits;
         if (refreshInterfaces(state_, parallel_, kStepsPerLook * failure_.time_step, control_.stop, {},
-                              may_wait, &touched_)) {
+                              may_wait)) {
             searched_at_ = failure_.steps;
-            if (is_scaled_) {
-                renewFrequencyBounds(state_, touched_, parallel_, bounds_);
-                touched_.assign(bounds_.size(), 0);
-                scaleStiffest(state_, bounds_, cap_);
-            }
+            if (is_scaled_) scaleStiffest(state_, frequencyBounds(state_, parallel_), cap_);
         }
         measure();
         const double energy = kineticEnergy(state_);
@@ -275,10 +270,8 @@ class Continuation {
     double share_of_farthest_ =
         0;  ///< of the block that has gone farthest: what a splinter has gone says nothing of the whole
     double most_energy_ = 0;
-    double cap_ = 0;                ///< squared frequency that no block exceeds [1/s^2]
-    std::vector<double> bounds_{};  ///< as frequencyBounds, when contacts were found last
-    std::vector<char> touched_{};   ///< blocks that touch elsewhere since then
-    bool is_scaled_ = false;        ///< some blocks have more than their true inertia
+    double cap_ = 0;          ///< squared frequency that no block exceeds [1/s^2]
+    bool is_scaled_ = false;  ///< some blocks have more than their true inertia
 };
 
 }  // namespace

@@ -234,9 +234,7 @@ std::vector<double> inertiaScale(const QuasiStaticWork& work, const std::vector<
 
 /// New contacts may be stiffer than the inertia or the time step was made for.
 void fitToContacts(State& state, QuasiStaticWork& work) {
-    std::vector<double>& bounds = work.bounds;
-    renewFrequencyBounds(state, bounds.empty() ? std::vector<char>{} : work.touched, work.parallel, bounds);
-    work.touched.assign(bounds.size(), 0);
+    const std::vector<double> bounds = frequencyBounds(state, work.parallel);
     if (work.inertia_scaled) {
         work.inertia_scale = inertiaScale(work, bounds);
         setInertia(state, work.inertia_scale);
@@ -296,7 +294,7 @@ void takeSteps(State& state, QuasiStaticWork& work, Probe& probe, const SetLoad&
     work.steps += kStepsPerSample;
     const bool may_wait = work.steps - work.searched_at < work.pair_waits;
     if (!refreshInterfaces(state, work.parallel, kStepsPerSample * work.time_step, work.control->stop, {},
-                           may_wait, &work.touched))
+                           may_wait))
         return;
     work.searched_at = work.steps;
     fitToContacts(state, work);
@@ -401,8 +399,6 @@ void takeBack(State& state, const QuasiStaticWork& work) {
 Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     const Stopwatch stepping;
     Probe probe;
-    work.bounds.clear();  // of another state
-    work.touched.assign(state.blocks.size(), 0);
     DragTuner::setDrag(state, work, work.slow_period);
     const Start start{state.blocks.position, state.blocks.orientation, tieReach(state)};
     const ExternalLoad before = externalLoad(state);
@@ -451,7 +447,6 @@ Probe findRest(State& state, QuasiStaticWork& work, std::int64_t most_factors) {
     }
     work.factors += found.factors;
     work.leaving = found.leaving;
-    work.bounds.clear();
     fitToContacts(state, work);
     Probe probe{.verdict = found.verdict,
                 .factors = found.factors,

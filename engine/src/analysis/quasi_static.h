@@ -32,8 +32,6 @@ struct QuasiStaticWork {
     double leaving = 0;  ///< in the last solve for one, of what neighbours part by that leave their place
     bool inertia_scaled = false;
     std::vector<double> inertia_scale{};  ///< per block, over the true inertia
-    std::vector<double> bounds{};         ///< as frequencyBounds, when contacts were found last in a probe
-    std::vector<char> touched{};          ///< blocks that touch elsewhere since then
     Damping damping{};
     double release = 1;  ///< share of a broken bond released per step
 };

@@ -29,9 +29,6 @@ constexpr double kSlideLimit =
 constexpr double kWider = 1.001;      // than the last margin: then that is too narrow
 constexpr double kFartherThan = 1.5;  // it has to: what falls soon is faster
 constexpr double kFew = 0.2;          // of all blocks: around more a search is as dear as one of all
-// A search around one block costs nearly as much as around many: those that have come half as far as it has to be for one go along.
-// (Of 10,292 blocks with some falling one in two looks ended in a search around two blocks each.)
-constexpr double kSoonToo = 0.5;
 
 double searchMargin(const State& state, double ahead) {
     double fastest = 0;
@@ -46,10 +43,9 @@ double slideLimit(const State& state, std::size_t i) {
     return kSlideLimit * std::max(std::sqrt(f.area[i]), size);
 }
 
-/// Whether a patch has slid over its partner by more than a share of what is too far, if blocks may have gone as far as `motion` [m]
-/// since it was clipped.
-bool hasSlid(const State& state, std::size_t i, double motion, double share = 1.0) {
-    const double limit = share * slideLimit(state, i);
+/// Whether a patch has slid too far over its partner, if blocks may have gone as far as `motion` [m] since it was clipped.
+bool hasSlid(const State& state, std::size_t i, double motion) {
+    const double limit = slideLimit(state, i);
     if (2.0 * motion < limit) return false;
     const RelativePose pose = relativePose(state, i);
     return std::hypot(pose.slide_1.x(), pose.slide_2.x()) > limit;
@@ -86,15 +82,14 @@ bool movedTooFar(const State& state, double margin) {
     return false;
 }
 
-/// Blocks that have gone by more than a share of what movedTooFar says, and those of patches that have slid so far.
-std::vector<char> farMovers(const State& state, double share) {
+/// Blocks that have gone as far as movedTooFar says, and those of patches that have slid so far.
+std::vector<char> farMovers(const State& state) {
     std::vector<char> marked(state.blocks.size(), 0);
     double farthest = 0;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         const Way way = wayOf(state, b);
-        marked[b] = way.motion > share * kTravelLimit * state.geometry->size[b] ||
-                    way.turn > share * kTurnLimit ||
-                    way.motion > share * kShareOfMargin * state.search_margin;
+        marked[b] = way.motion > kTravelLimit * state.geometry->size[b] || way.turn > kTurnLimit ||
+                    way.motion > kShareOfMargin * state.search_margin;
         farthest = std::max(farthest, way.motion);
     }
     // A patch is as old as the later search around one of its blocks: the other may have gone to and fro since its own.
@@ -103,14 +98,10 @@ std::vector<char> farMovers(const State& state, double share) {
     for (std::size_t i = 0; i < f.size(); ++i) {
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
         if (isVertexEdge(f, i) || marked[a] || marked[b]) continue;
-        if (!hasSlid(state, i, kToAndFro * farthest, share)) continue;
+        if (!hasSlid(state, i, kToAndFro * farthest)) continue;
         for (const std::size_t block : {a, b}) marked[block] = state.blocks.motion[block] != Motion::fixed;
     }
     return marked;
-}
-
-bool isAny(const std::vector<char>& marked) {
-    return std::find(marked.begin(), marked.end(), 1) != marked.end();
 }
 
 /// Forces of the contacts as they are now, for the next half kick: of their springs. A contact point that has just been placed
@@ -145,15 +136,14 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
 }
 
 bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop,
-                       const std::vector<double>& gone, bool may_wait, std::vector<char>* touched) {
+                       const std::vector<double>& gone, bool may_wait) {
     double margin = searchMargin(state, ahead);
     std::vector<char> around;
     PlaceChanges changes;
     if (state.searches_around && searchedAgain(state) && margin <= kWider * state.search_margin) {
         margin = state.search_margin;
-        around = farMovers(state, 1.0);
-        if (isAny(around)) around = farMovers(state, kSoonToo);
-        changes = updateVertexEdges(state, ahead, parallel, gone, may_wait, &around, touched);
+        around = farMovers(state);
+        changes = updateVertexEdges(state, ahead, parallel, gone, may_wait, &around);
         const auto count = std::count(around.begin(), around.end(), 1);
         changes.search = count > 0;
         if (static_cast<double>(count) > kFew * static_cast<double>(around.size())) around.clear();
@@ -161,7 +151,7 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
         if (state.searches_around) margin *= kFartherThan;
         changes.search = true;
     } else {
-        changes = updateVertexEdges(state, ahead, parallel, gone, may_wait, nullptr, touched);
+        changes = updateVertexEdges(state, ahead, parallel, gone, may_wait);
     }
     if (!changes.search) {
         const bool recovered = recoverGaps(state);
@@ -177,10 +167,6 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
     if (!around.empty()) range.near = blocksNear(state, around, margin);
     range.around = std::move(around);
     if (!makeInterfaces(state, range, false, parallel, control).empty()) return false;
-    if (touched != nullptr) {
-        for (std::size_t b = 0; b < touched->size(); ++b)
-            (*touched)[b] = static_cast<char>((*touched)[b] != 0 || range.near.empty() || range.near[b] != 0);
-    }
     // Forces are there again before anything looks at them.
     if (state.springs == Springs::keep_energy) {
         updateSpringForces(state, parallel);

@@ -36,10 +36,8 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
 /// \return whether interfaces were found again: then time step and inertia may have to follow
 /// \param gone  how far each block has gone since the last call [m], where its velocity does not tell
 /// \param may_wait  what 2 finds again in one pair of blocks only may wait until a later call (updateVertexEdges)
-/// \param touched  by block: those with contacts that are found again or placed anew are marked in it; null: nobody wants to know
 bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop = nullptr,
-                       const std::vector<double>& gone = {}, bool may_wait = false,
-                       std::vector<char>* touched = nullptr);
+                       const std::vector<double>& gone = {}, bool may_wait = false);
 
 /// Takes free blocks out of a state at rest: they stay where they are, fixed, and touch nothing any more; contacts of others are
 /// left to the bit.

@@ -351,7 +351,7 @@ void updatePairs(Interfaces& f, bool parallel, const Each& each) {
 }  // namespace
 
 PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const std::vector<double>& gone,
-                               bool may_wait, std::vector<char>* wanting, std::vector<char>* touched) {
+                               bool may_wait, std::vector<char>* wanting) {
     assert(ahead >= 0 && (gone.empty() || gone.size() == state.blocks.size()));
     std::vector<double> ways = gone;
     if (gone.empty()) {
@@ -359,12 +359,9 @@ PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const 
         for (std::size_t b = 0; b < ways.size(); ++b) ways[b] = kFaster * speedBound(state, b) * ahead;
     }
     const auto way_of = [&](std::int32_t block) { return ways[static_cast<std::size_t>(block)]; };
-    const auto mark = [&](std::vector<char>* marked, std::size_t i) {
-        if (marked == nullptr) return;
-        for (const std::int32_t block : {state.interfaces.block_a[i], state.interfaces.block_b[i]}) {
-            const auto b = static_cast<std::size_t>(block);
-            if (state.blocks.motion[b] != Motion::fixed) std::atomic_ref<char>{(*marked)[b]}.store(1);
-        }
+    const auto mark = [&](std::int32_t block) {
+        const auto b = static_cast<std::size_t>(block);
+        if (state.blocks.motion[b] != Motion::fixed) std::atomic_ref<char>{(*wanting)[b]}.store(1);
     };
     std::atomic<bool> search = false, places = false;
     updatePairs(state.interfaces, parallel, [&](std::size_t begin) {
@@ -376,13 +373,14 @@ PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const 
         if (look.changes) {
             search = !may_wait;
             left = may_wait ? look.travel : left;
-            if (!may_wait) mark(wanting, begin);
+            if (wanting != nullptr && !may_wait) {
+                mark(f.block_a[begin]);
+                mark(f.block_b[begin]);
+            }
             return;
         }
+        if (writePlaces(state, begin, look.found, {}, look.size)) places = true;
         left = look.travel;
-        if (!writePlaces(state, begin, look.found, {}, look.size)) return;
-        places = true;
-        mark(touched, begin);
     });
     return {.places = places, .search = search};
 }

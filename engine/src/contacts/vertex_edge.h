@@ -50,10 +50,9 @@ struct PlaceChanges {
 /// Reads:  poses, velocities, shapes
 /// Writes: places, their contact points, incidence
 /// \param wanting  blocks, not fixed, of pairs that ask for a search are marked in it; null: nobody wants to know
-/// \param touched  likewise blocks that touch elsewhere than before
 PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel,
                                const std::vector<double>& gone = {}, bool may_wait = false,
-                               std::vector<char>* wanting = nullptr, std::vector<char>* touched = nullptr);
+                               std::vector<char>* wanting = nullptr);
 
 /// The same just after a search. \param carried contact points that are gone beside those of the places
 /// \param around  by block: pairs of which neither is marked stay as they are; empty: none does

@@ -124,18 +124,11 @@ double frequencyBound(const State& state, std::size_t block) {
 }  // namespace
 
 std::vector<double> frequencyBounds(const State& state, bool parallel) {
-    std::vector<double> bounds;
-    renewFrequencyBounds(state, {}, parallel, bounds);
-    return bounds;
-}
-
-void renewFrequencyBounds(const State& state, const std::vector<char>& marked, bool parallel,
-                          std::vector<double>& bounds) {
-    bounds.resize(state.blocks.size());
+    std::vector<double> bounds(state.blocks.size());
     forRange(bounds.size(), 256, parallel, [&](Range range) {
-        for (std::size_t b = range.begin; b < range.end; ++b)
-            if (marked.empty() || marked[b]) bounds[b] = frequencyBound(state, b);
+        for (std::size_t b = range.begin; b < range.end; ++b) bounds[b] = frequencyBound(state, b);
     });
+    return bounds;
 }
 
 double highestFrequency(const State& state, bool parallel) {

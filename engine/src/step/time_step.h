@@ -16,11 +16,6 @@ namespace talus {
 /// All contact points count as closed: opening and slipping only soften.
 std::vector<double> frequencyBounds(const State& state, bool parallel);
 
-/// The same of the marked blocks only, into those of all. Others keep what they had, which is good as long as neither they nor what
-/// they touch have gone far (contacts/limits.h) or touch elsewhere. \param marked  by block; empty: all are
-void renewFrequencyBounds(const State& state, const std::vector<char>& marked, bool parallel,
-                          std::vector<double>& bounds);
-
 /// The largest of them.
 double highestFrequency(const State& state, bool parallel);
 

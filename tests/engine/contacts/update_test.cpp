@@ -14,7 +14,6 @@
 #include "state/placed_shape.h"
 #include "step/motion.h"
 #include "step/step.h"
-#include "step/time_step.h"
 #include "support/models.h"
 #include "support/validated.h"
 
@@ -59,20 +58,6 @@ void checkAgainstWholeSearch(const State& state) {
         const Vec3 force = outOfBalance(here, b, Vec3::Zero()).force;
         const Vec3 wanted = outOfBalance(anew, b, Vec3::Zero()).force;
         REQUIRE((force - wanted).norm() < 0.2 * (weight + wanted.norm()));
-    }
-}
-
-/// Those of the blocks that touch elsewhere are up to date; those of others are no more out of date than by what blocks may go before
-/// a search: arms change by a hundredth of a block's size, the bound by twice that, and by the block's turn.
-void checkFrequencyBounds(const State& state, const std::vector<char>& touched,
-                          const std::vector<double>& bounds) {
-    const std::vector<double> anew = frequencyBounds(state, false);
-    for (std::size_t b = 0; b < bounds.size(); ++b) {
-        CAPTURE(b);
-        if (touched[b])
-            CHECK(bounds[b] == anew[b]);
-        else
-            CHECK(bounds[b] >= 0.95 * anew[b]);
     }
 }
 
@@ -241,36 +226,9 @@ TEST_SUITE("contacts") {
         CHECK_FALSE(isOnFaces());
     }
 
-    TEST_CASE("a search around one block takes others along that will soon need one") {
-        // Cubes far from each other over the floor, so many that two of them are few.
-        for (const double share : {0.2, 0.45, 0.55, 0.9}) {
-            CAPTURE(share);
-            Model model = floorModel(30, 1e8);
-            for (int k = 0; k < 12; ++k)
-                addBox(model, "cube" + std::to_string(k), {3.0 * k, 0, 2.5}, {1, 1, 1});
-            State state = *buildState(model, false);
-            state.searches_around = true;
-            const auto isSearched = [&](std::size_t block) {
-                return state.search_position.get(block) == state.blocks.position.get(block);
-            };
-            state.blocks.position[1].z += 1e-3;
-            while (!refreshInterfaces(state, false, 0.0))
-                state.blocks.position[1].z += 1e-3;  // the first is of all
-            const double start = state.blocks.position.get(1).z();
-            while (!refreshInterfaces(state, false, 0.0)) state.blocks.position[1].z += 1e-3;
-            const double limit = state.blocks.position.get(1).z() - start;
-            state.blocks.position[2].z += share * limit;
-            REQUIRE_FALSE(refreshInterfaces(state, false, 0.0));
-            REQUIRE_FALSE(isSearched(2));
-            while (!refreshInterfaces(state, false, 0.0)) state.blocks.position[1].z += 1e-3;
-            CHECK(isSearched(1));
-            CHECK(isSearched(2) == (share > 0.5));
-        }
-    }
-
     TEST_CASE("a search around the blocks that have gone far leaves others as they are, and misses nothing") {
         // Columns on a steep floor: the front ones slide off and topple, the ones behind them follow.
-        Model model = stackModel(8, 3, 4, 20, {0.2, 0.1, 0.1}, 1e8);
+        Model model = stackModel(4, 3, 2, 20, {0.2, 0.1, 0.1}, 1e8);
         model.gravity.tilt = radians(35);
         State state = *buildState(model, false);
         state.searches_around = true;
@@ -279,8 +237,6 @@ TEST_SUITE("contacts") {
         const double dt = 1e-4;
         int whole = 0, around = 0;
         std::size_t kept = 0;
-        std::vector<double> bounds = frequencyBounds(state, false);
-        std::vector<char> touched(bounds.size(), 0);
         for (int look = 0; look < 900; ++look) {
             for (int step = 0; step < 10; ++step) {
                 advance(state, {dt, false});
@@ -289,11 +245,8 @@ TEST_SUITE("contacts") {
             const PositionArray before = state.search_position;
             const Interfaces old = state.interfaces;
             refreshInterfaces(twin, true, 10 * dt);
-            if (!refreshInterfaces(state, false, 10 * dt, nullptr, {}, false, &touched)) continue;
+            if (!refreshInterfaces(state, false, 10 * dt)) continue;
             checkValid(state, true);
-            renewFrequencyBounds(state, touched, false, bounds);
-            checkFrequencyBounds(state, touched, bounds);
-            touched.assign(bounds.size(), 0);
             const auto isFar = [&](std::int32_t block) {
                 const auto b = static_cast<std::size_t>(block);
                 return before.get(b) == state.search_position.get(b);
