@@ -1,6 +1,5 @@
 #include "contacts/separating_axes.h"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace talus::axes {
