@@ -20,29 +20,38 @@ struct ScriptOutcome {
     std::string said;
 };
 
-/// Runs `node SCRIPT arguments`, SCRIPT a path below tests/. $CHROMIUM in the arguments is its path.
+/// Installs the package of tests/replay/package.json into folder/node_modules, unless it is there. Tests that run at
+/// the same time wait for each other; an install that was cut short, or of another list, is done anew.
+inline bool installsPackage(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    const std::string list = std::string(TALUS_SOURCE_DIR) + "/tests/replay/package-lock.json";
+    const std::string is_there = "cmp -s '" + list + "' node_modules/installed-from";
+    const std::string install = "cp '" + std::string(TALUS_SOURCE_DIR) + "/tests/replay/package.json' '" +
+                                list + "' . && npm ci --ignore-scripts && cp '" + list +
+                                "' node_modules/installed-from";
+    return succeeds("cd '" + folder.string() + "' && exec 9>lock && flock 9 && { " + is_there + " || { " +
+                    install + "; }; }");
+}
+
+/// Runs `node SCRIPT arguments`, SCRIPT a path below tests/, from a folder of its own. $CHROMIUM in the arguments is its
+/// path.
 inline ScriptOutcome runScript(const std::string& script, const std::string& arguments) {
     const std::filesystem::path source = std::string(TALUS_SOURCE_DIR) + "/tests";
-    const std::filesystem::path folder =
+    const std::filesystem::path installed =
         std::filesystem::path(TALUS_PROGRAM).parent_path().parent_path() / "tests/replay-node";
-    const std::filesystem::path copy = folder / std::filesystem::path(script).filename();
-    if (!succeeds("node --version") || !succeeds("npm --version") || !succeeds("chromium --version"))
+    if (!succeeds("node --version") || !succeeds("npm --version") || !succeeds("chromium --version") ||
+        !installsPackage(installed))
         return {true, 0, ""};
-    std::filesystem::create_directories(folder);
-    constexpr auto kReplace = std::filesystem::copy_options::overwrite_existing;
-    for (const char* name : {"package.json", "package-lock.json"})
-        std::filesystem::copy_file(source / "replay" / name, folder / name, kReplace);
-    std::filesystem::copy_file(source / script, copy, kReplace);
-    std::filesystem::copy_file(source / "replay/opened.mjs", folder / "opened.mjs", kReplace);
-    if (!std::filesystem::exists(folder / "node_modules/playwright-core") &&
-        !succeeds("cd '" + folder.string() + "' && npm ci --ignore-scripts"))
-        return {true, 0, ""};
-    const TemporaryFolder results;
+    const TemporaryFolder folder;
+    const std::string name = std::filesystem::path(script).filename().string();
+    std::filesystem::create_directory_symlink(installed / "node_modules", folder / "node_modules");
+    std::filesystem::copy_file(source / script, folder / name);
+    std::filesystem::copy_file(source / "replay/opened.mjs", folder / "opened.mjs");
     const int status =
-        std::system(("cd '" + folder.string() + "' && CHROMIUM=\"$(command -v chromium)\" && node '" +
-                     copy.string() + "' " + arguments + " > '" + (results / "said") + "' 2>&1")
+        std::system(("cd '" + (folder / "") + "' && CHROMIUM=\"$(command -v chromium)\" && node '" + name +
+                     "' " + arguments + " > said 2>&1")
                         .c_str());
-    return {false, status, contentOf(results / "said")};
+    return {false, status, contentOf(folder / "said")};
 }
 
 }  // namespace talus::tools::testing
