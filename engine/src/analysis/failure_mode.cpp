@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/loose_blocks.h"
 #include "contacts/update.h"
 #include "forces/contact_forces.h"
 #include "measure/measure.h"
@@ -31,6 +32,10 @@ constexpr double kFarEnough = 0.1;    // of a block's size: what is not clear by
 constexpr double kAgreement = 0.02;   // share of the moving mass that may change its role between two looks
 constexpr double kGathers = 1.1;      // speed in the last third of the time over that in the third before
 constexpr double kFallsAlong = 0.1;   // of the farthest block's way: what has gone less is only pushed
+// Where the implicit solve has seen which blocks leave, they go on with what is so many contacts from them while all others are held,
+// unless that is most of all.
+constexpr int kRings = 4;
+constexpr double kMostOfPart = 0.25;
 constexpr int kStepsPerLook = 20;
 // Steps for which a pair of blocks may wait that alone wants its contact of faces made anew: of many that move some pair always
 // does, and searched for at once that was six tenths of an analysis (579 blocks of random joints).
@@ -142,13 +147,44 @@ bool agree(const State& state, const Failure& before, const Failure& now) {
            roles.changed <= kAgreement * roles.moving;
 }
 
+/// Of the motion of a failing state that is let go.
+struct Pace {
+    double cap = 0;              ///< squared frequency that no block exceeds [1/s^2]
+    bool is_scaled = false;      ///< some blocks have more than their true inertia
+    double time_step = 0;        ///< [s]
+    double contact_damping = 0;  ///< with every block's true inertia [s]
+};
+
+/// True inertia but for the stiffest blocks, at rest, with dashpots that only take out the rattle; more where it is the only witness.
+Pace makeDynamic(State& state, bool is_alone, bool parallel) {
+    setAtRest(state.blocks);
+    const std::vector<double> bounds = frequencyBounds(state, parallel);
+    Pace pace{.cap = frequencyCap(bounds)};
+    pace.is_scaled = scaleStiffest(state, bounds, pace.cap);
+    const double highest = *std::max_element(bounds.begin(), bounds.end());
+    pace.contact_damping = dashpots(highest > 0 ? highest : pace.cap);
+    state.damping = {.contact = dashpots(pace.cap), .local = is_alone ? kLocalAlone : 0.0};
+    state.release = 1.0;
+    updateForces(state, parallel);
+    pace.time_step = kContinuationStepSafety * stableTimeStep(pace.cap, state.damping.contact);
+    return pace;
+}
+
 /// A failing state that is let go, watched.
 class Continuation {
  public:
-    Continuation(State& state, const Evidence& wanted, const Control& control, bool parallel)
-        : state_(state), wanted_(wanted), control_(control), parallel_(parallel) {
-        makeDynamic();
+    /// \param takes_time  goes on until it is both clear how it moves and far, not one of these
+    Continuation(State& state, const Pace& pace, const Evidence& wanted, const Control& control,
+                 bool parallel, bool takes_time)
+        : state_(state),
+          pace_(pace),
+          wanted_(wanted),
+          control_(control),
+          parallel_(parallel),
+          takes_time_(takes_time) {
         start_ = {state.blocks.position, state.blocks.orientation};
+        failure_.time_step = pace.time_step;
+        failure_.contact_damping = pace.contact_damping;
     }
 
     Failure run() {
@@ -161,8 +197,9 @@ class Continuation {
                 clear = look();
                 next_look = 2 * progress;
             }
-            const bool far = progress >= kLastTarget / kFirstTarget || share_of_farthest_ >= kFarEnough;
-            if ((clear || far) && borneOut()) break;
+            const bool last = progress >= kLastTarget / kFirstTarget, far = share_of_farthest_ >= kFarEnough;
+            const bool is_read = takes_time_ ? clear && far : clear || far;
+            if ((is_read || last) && borneOut()) break;
         }
         failure_.confirmed = borneOut();
         failure_.seconds = static_cast<double>(failure_.steps) * failure_.time_step;
@@ -172,20 +209,6 @@ class Continuation {
     }
 
  private:
-    /// True inertia but for the stiffest blocks, at rest, with dashpots that only take out the rattle; more where it is the only witness.
-    void makeDynamic() {
-        setAtRest(state_.blocks);
-        const std::vector<double> bounds = frequencyBounds(state_, parallel_);
-        cap_ = frequencyCap(bounds);
-        is_scaled_ = scaleStiffest(state_, bounds, cap_);
-        const double highest = *std::max_element(bounds.begin(), bounds.end());
-        failure_.contact_damping = dashpots(highest > 0 ? highest : cap_);
-        state_.damping = {.contact = dashpots(cap_), .local = wanted_.alone ? kLocalAlone : 0.0};
-        state_.release = 1.0;
-        updateForces(state_, parallel_);
-        failure_.time_step = kContinuationStepSafety * stableTimeStep(cap_, state_.damping.contact);
-    }
-
     bool interrupted() const { return isStopped(control_); }
 
     void goOn() {
@@ -195,7 +218,7 @@ class Continuation {
         if (refreshInterfaces(state_, parallel_, kStepsPerLook * failure_.time_step, control_.stop, {},
                               may_wait)) {
             searched_at_ = failure_.steps;
-            if (is_scaled_) scaleStiffest(state_, frequencyBounds(state_, parallel_), cap_);
+            if (pace_.is_scaled) scaleStiffest(state_, frequencyBounds(state_, parallel_), pace_.cap);
         }
         measure();
         const double energy = kineticEnergy(state_);
@@ -259,9 +282,10 @@ class Continuation {
     }
 
     State& state_;
+    const Pace& pace_;
     const Evidence& wanted_;
     const Control& control_;
-    bool parallel_;
+    bool parallel_, takes_time_;
     Poses start_{};
     Failure failure_{};
     std::vector<double> ways_{};    ///< of the farthest-moved block, at each look [m]
@@ -270,14 +294,69 @@ class Continuation {
     double share_of_farthest_ =
         0;  ///< of the block that has gone farthest: what a splinter has gone says nothing of the whole
     double most_energy_ = 0;
-    double cap_ = 0;          ///< squared frequency that no block exceeds [1/s^2]
-    bool is_scaled_ = false;  ///< some blocks have more than their true inertia
 };
+
+/// Those that move, and what is kRings of contacts from them; empty: nobody says which, or it is most of all.
+std::vector<char> partAround(const State& state, const std::vector<std::size_t>& moving) {
+    std::vector<char> part(state.blocks.size(), 0);
+    for (const std::size_t b : moving) part[b] = 1;
+    part = withNeighbours(state, std::move(part), kRings, Through::free_blocks);
+    std::int64_t free = 0, in_part = 0;
+    for (std::size_t b = 0; b < part.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        ++free;
+        in_part += part[b];
+    }
+    if (moving.empty() || static_cast<double>(in_part) > kMostOfPart * static_cast<double>(free))
+        part.clear();
+    return part;
+}
+
+/// Whether blocks that move touch others that do not belong to the part: these might move as well.
+bool moveBesideOthers(const State& held, const std::vector<std::string>& moving,
+                      const std::vector<char>& part, const State& all) {
+    const std::vector<char> moves = blocksNamed(held.geometry->model, moving);
+    const auto isHeld = [&](std::size_t b) { return !part[b] && all.blocks.motion[b] == Motion::free; };
+    const Interfaces& f = held.interfaces;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
+        if (!isIdle(f, i) && ((moves[a] && isHeld(b)) || (moves[b] && isHeld(a)))) return true;
+    }
+    return false;
+}
+
+/// Brings all to where they have come with the others held, who have not moved.
+void takeOver(const State& held, State& state, bool parallel) {
+    state.blocks.position = held.blocks.position;
+    state.blocks.orientation = held.blocks.orientation;
+    for (auto vectors : {&Blocks::velocity, &Blocks::angular_momentum, &Blocks::angular_velocity})
+        state.blocks.*vectors = held.blocks.*vectors;
+    updateForces(state, parallel);
+    refreshInterfaces(state, parallel, 0.0);
+}
 
 }  // namespace
 
-Failure continueFailure(State& state, const Evidence& wanted, const Control& control, bool parallel) {
-    return Continuation(state, wanted, control, parallel).run();
+Failure continueFailure(State& state, const Evidence& wanted, const Control& control, bool parallel,
+                        const std::vector<std::size_t>& moving) {
+    const Pace pace = makeDynamic(state, wanted.alone, parallel);
+    const std::vector<char> part = partAround(state, moving);
+    std::int64_t spent = 0;
+    if (!part.empty()) {
+        State held = state;
+        holdOthers(held, part, parallel);
+        Failure failure = Continuation(held, pace, wanted, control, parallel, true).run();
+        if (failure.confirmed && !moveBesideOthers(held, failure.moving_blocks, part, state)) {
+            const Poses start{state.blocks.position, state.blocks.orientation};
+            takeOver(held, state, parallel);
+            describeFailure(state, start, wanted.deflection, failure);
+            return failure;
+        }
+        spent = failure.steps;
+    }
+    Failure failure = Continuation(state, pace, wanted, control, parallel, false).run();
+    failure.steps += spent;
+    return failure;
 }
 
 Failure describeWay(const State& from, const State& to) {

@@ -393,7 +393,7 @@ class Search {
             failing = std::make_shared<FailingState>(FailingState{fullFrameOf(moving), load});
         result_.supports = supportReports(moving);
         const Stopwatch watching;
-        Failure failure = continueFailure(moving, wanted, control_, parallel_);
+        Failure failure = continueFailure(moving, wanted, control_, parallel_, probing_.leaving);
         continuations_ += {.steps = failure.steps, .time = {.watching = watching.seconds()}};
         if (failing) {
             failing->contact_damping = failure.contact_damping;

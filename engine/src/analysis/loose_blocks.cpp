@@ -10,6 +10,7 @@
 #include "forces/sum.h"
 #include "measure/measure.h"
 #include "state/block_motion.h"
+#include "talus/motion_roles.h"
 #include "talus/polyhedron.h"
 
 namespace talus::analysis {
@@ -148,6 +149,18 @@ std::vector<std::size_t> restlessBlocks(const State& state) {
             restless.push_back(b);
     }
     return restless;
+}
+
+std::vector<std::size_t> movingBlocks(const State& from, const State& to) {
+    std::vector<double> ways(to.blocks.size(), 0.0);
+    for (std::size_t b = 0; b < ways.size(); ++b)
+        if (to.blocks.motion[b] == Motion::free)
+            ways[b] = wayFrom(from.blocks.position, from.blocks.orientation, to, b);
+    const double farthest = *std::max_element(ways.begin(), ways.end());
+    std::vector<std::size_t> moving;
+    for (std::size_t b = 0; b < ways.size(); ++b)
+        if (ways[b] > 0 && ways[b] >= MotionRule::kShare * farthest) moving.push_back(b);
+    return moving;
 }
 
 std::vector<std::size_t> leavingBlocks(const State& stood, const State& state, double mass) {

@@ -51,4 +51,7 @@ std::vector<std::size_t> restlessBlocks(const State& state);
 /// a slope slides.
 std::vector<std::size_t> leavingBlocks(const State& stood, const State& state, double mass);
 
+/// Free blocks that have gone a fiftieth or more of the farthest one's way between two states: what counts as moving (motion_roles.h).
+std::vector<std::size_t> movingBlocks(const State& from, const State& to);
+
 }  // namespace talus::analysis

@@ -178,27 +178,51 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
     return true;
 }
 
-void takeOut(State& state, const std::vector<std::size_t>& blocks, bool parallel) {
-    Blocks& all = state.blocks;
-    all.gone.resize(all.size(), 0);
-    std::vector<char> around(all.size(), 0);
-    for (const std::size_t b : blocks) {
-        assert(all.motion[b] == Motion::free);
-        all.motion[b] = Motion::fixed;
-        all.free[b] = 0;
-        all.gone[b] = 1;
-        all.inverse_mass[b] = 0;
-        for (auto vectors : {&Blocks::inverse_inertia, &Blocks::velocity, &Blocks::angular_momentum,
-                             &Blocks::angular_velocity})
-            (all.*vectors).set(b, Vec3::Zero());
-        around[b] = 1;
-    }
+namespace {
+
+void fix(Blocks& blocks, std::size_t b) {
+    assert(blocks.motion[b] == Motion::free);
+    blocks.motion[b] = Motion::fixed;
+    blocks.free[b] = 0;
+    blocks.inverse_mass[b] = 0;
+    for (auto vectors :
+         {&Blocks::inverse_inertia, &Blocks::velocity, &Blocks::angular_momentum, &Blocks::angular_velocity})
+        (blocks.*vectors).set(b, Vec3::Zero());
+}
+
+/// Finds the contacts around some blocks again, and the forces of all.
+void searchAround(State& state, std::vector<char> around, bool parallel) {
     SearchRange range{.margin = state.search_margin, .near = blocksNear(state, around, state.search_margin)};
     range.around = std::move(around);
     makeInterfaces(state, range, false, parallel);
     updateContacts(state, {0, state.interfaces.groups.size()});
     updateBlockForces(state);
     assert(isSound(state) && haveSoundForces(state));
+}
+
+}  // namespace
+
+void takeOut(State& state, const std::vector<std::size_t>& blocks, bool parallel) {
+    Blocks& all = state.blocks;
+    all.gone.resize(all.size(), 0);
+    std::vector<char> around(all.size(), 0);
+    for (const std::size_t b : blocks) {
+        fix(all, b);
+        all.gone[b] = 1;
+        around[b] = 1;
+    }
+    searchAround(state, std::move(around), parallel);
+}
+
+void holdOthers(State& state, const std::vector<char>& part, bool parallel) {
+    const std::vector<char> reached = withNeighbours(state, part, 1, Through::free_blocks);
+    std::vector<char> around(state.blocks.size(), 0);
+    for (std::size_t b = 0; b < around.size(); ++b) {
+        if (part[b] || state.blocks.motion[b] != Motion::free) continue;
+        fix(state.blocks, b);
+        around[b] = reached[b] ? 0 : 1;
+    }
+    searchAround(state, std::move(around), parallel);
 }
 
 }  // namespace talus

@@ -17,6 +17,7 @@
 #include "measure/measure.h"
 #include "state/block_motion.h"
 #include "state/caller.h"
+#include "state/incidence.h"
 #include "step/step.h"
 
 namespace talus::equilibrium {
@@ -285,25 +286,15 @@ class Solver {
         return restless.size() <= kMostSlowed ? restless : lagging;
     }
 
-    /// By block: whether it is one of these, or kRings of contacts from one.
-    std::vector<char> withNeighbours(const std::vector<std::size_t>& blocks) const {
-        std::vector<char> part(state_.blocks.size(), 0);
-        for (const std::size_t b : blocks) part[b] = 1;
-        for (int ring = 0; ring < kRings; ++ring) {
-            const std::vector<char> inner = part;
-            for (const ActiveInterface& i : balance_.interfaces)
-                if (inner[i.block_a] != inner[i.block_b]) part[i.block_a] = part[i.block_b] = 1;
-        }
-        return part;
-    }
-
     /// Lets the few blocks that lag behind go on by themselves while all others stay; where they leave their place, so does the
     /// assembly. \return whether they have come to rest
     bool settleFew() {
         if (balance_.block.size() < kVeryMany) return false;
         const std::vector<std::size_t> few = fewRestless();
         if (few.empty()) return false;
-        std::vector<char> part = withNeighbours(few);
+        std::vector<char> part(state_.blocks.size(), 0);
+        for (const std::size_t b : few) part[b] = 1;
+        part = withNeighbours(state_, std::move(part), kRings, Through::all_blocks);
         const double share = static_cast<double>(std::count(part.begin(), part.end(), 1)) /
                              static_cast<double>(balance_.block.size());
         if (share > kMostOfPart) return false;

@@ -25,6 +25,12 @@ ContactCount countContacts(const Interfaces& interfaces);
 /// Finds which interfaces push on which block. Reads interfaces, writes their part of incidence.
 void buildIncidence(State& state);
 
+/// Through which blocks one is another's neighbour: what is fixed hands no motion on.
+enum class Through { free_blocks, all_blocks };
+
+/// By block: whether it is marked, or so many contacts (`rings`) from one that is.
+std::vector<char> withNeighbours(const State& state, std::vector<char> marked, int rings, Through through);
+
 /// The interface of two blocks, the one with the largest patch if there are several; -1 when they share none.
 std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int32_t block_2);
 

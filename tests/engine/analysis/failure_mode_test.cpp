@@ -10,6 +10,7 @@
 
 #include "build/build.h"
 #include "contacts/update.h"
+#include "state/incidence.h"
 #include "step/step.h"
 #include "support/models.h"
 #include "support/validated.h"
@@ -181,5 +182,79 @@ TEST_SUITE("analysis") {
         CHECK(failure.motion == 0);
         CHECK_FALSE(failure.confirmed);
         CHECK((failure.mode == FailureMode::none));
+    }
+
+    TEST_CASE(
+        "continueFailure: with all held that is far from what is known to leave, the same blocks move in the "
+        "same way") {
+        // Columns of boxes side by side, the boxes of one on a slick joint or high and narrow; each stands or fails by itself.
+        struct Kind {
+            Vec3 size;        // of a box of the column that fails [m]
+            double friction;  // on its joints [deg]
+            FailureMode mode;
+        };
+        for (const Kind& kind :
+             {Kind{{1, 1, 0.3}, 15, FailureMode::sliding}, Kind{{0.8, 1, 0.2}, 10, FailureMode::sliding},
+              Kind{{0.3, 1, 0.5}, 60, FailureMode::toppling}})
+            for (const int high : {1, 3}) {
+                CAPTURE(kind.friction);
+                CAPTURE(high);
+                Model model = floorModel(35, 1e8);
+                model.joints.push_back(joint(kind.friction, 1e8));
+                for (int column = 0; column < 6; ++column)
+                    for (int k = 0; k < high; ++k) {
+                        const bool fails = column == 2;
+                        const Vec3 size = fails ? kind.size : Vec3(1, 1, 0.3);
+                        addBox(model, "b" + std::to_string(column) + std::to_string(k),
+                               {0.5 + 1.5 * column, 0, size.z() * k}, size, kDensity);
+                        if (fails) model.blocks.back().face_joint.assign(6, 1);
+                    }
+                model.gravity.tilt = radians(25);
+                const State state = *buildState(model, false);
+                State all = state, part = state;
+                const analysis::Evidence wanted{
+                    .deflection = 2 * deflection(0.9), .share = 2e-4, .most_steps = 400'000};
+                const Failure whole = analysis::continueFailure(all, wanted, {}, false);
+                const Failure alone = analysis::continueFailure(part, wanted, {}, false,
+                                                                {static_cast<std::size_t>(1 + 2 * high)});
+                checkValid(part);
+                CHECK(whole.confirmed);
+                CHECK(alone.confirmed);
+                if (high == 1) CHECK((whole.mode == kind.mode));
+                CHECK((alone.mode == kind.mode));
+                std::vector<std::string> column;
+                for (int k = 0; k < high; ++k) column.push_back("b2" + std::to_string(k));
+                CHECK(alone.moving_blocks == column);
+                // Weight laid on at once sets all columns rocking, and the high ones enough to be named with it.
+                if (high == 1) CHECK(whole.moving_blocks == column);
+                CHECK(alone.motions.size() == model.blocks.size() - 1);
+                CHECK(alone.time_step == whole.time_step);
+                std::size_t rests = 0;
+                for (const BlockMotion& motion : alone.motions) rests += motion.translation.isZero() ? 1 : 0;
+                CHECK(rests == static_cast<std::size_t>(5 * high));
+                CHECK(part.blocks.motion == state.blocks.motion);  // all are free again
+                CHECK(countContacts(part.interfaces).interfaces > static_cast<std::size_t>(5 * high));
+            }
+    }
+
+    TEST_CASE("continueFailure: where what moves touches what is held, all go on") {
+        // A row on a slick floor, pushed by its upper end: held but for the four next to the end, it would not move as one.
+        Model model = floorModel(10, 1e8);
+        const int boxes = 24;
+        for (int k = 0; k < boxes; ++k)
+            addBox(model, "b" + std::to_string(k), {1.0 * k - 4, 0, 0}, {1, 1, 0.3}, kDensity);
+        model.gravity.tilt = radians(20);
+        const State state = *buildState(model, false);
+        State all = state, part = state;
+        const Failure whole = continued(all, 0.3);
+        const Failure asked = analysis::continueFailure(
+            part, {.deflection = deflection(0.3), .share = 2e-4, .most_steps = 400'000}, {}, false, {1});
+        CHECK(whole.confirmed);
+        CHECK(asked.confirmed);
+        CHECK(asked.moving_blocks.size() == static_cast<std::size_t>(boxes));
+        CHECK(asked.moving_blocks == whole.moving_blocks);
+        CHECK(asked.motion == whole.motion);
+        CHECK(asked.steps > whole.steps);  // those of the part are counted
+        CHECK(part.blocks.position == all.blocks.position);
     }
 }
