@@ -95,7 +95,9 @@ class Search {
     Verdict probeAt(std::int64_t cell) {
         const double from = axis_.load(bracket_.low()), to = axis_.load(cell);
         const auto ramp = [&](State& state, double share) { axis_.apply(state, from + share * (to - from)); };
+        probing_.cuts_back = mayCutBack(cell);
         Verdict verdict = probe(probing_, "probe " + std::to_string(probing_.probes.size() + 1), to, ramp);
+        probing_.cuts_back = false;
         if (verdict != Verdict::stable) {
             std::vector<std::size_t> leaving = smallLeaving(probing_);
             if (!leaving.empty()) verdict = Verdict::failing;
@@ -121,6 +123,23 @@ class Search {
         if (!probing_.areMany() || !probing_.implicit_first) return;
         const double grown = kPace / std::max(probing_.work.leaving, kPace / kGrowthOfPace);
         pace_ = std::max<std::int64_t>(1, std::llround(static_cast<double>(step) * grown));
+        if (cut_back_ == 0) return;
+        pace_ = std::min(pace_, cut_back_);
+        cut_back_ *= 2;
+    }
+
+    /// Of many blocks explicit steps take three times as long as the implicit solve that knew nothing: a long load step is tried
+    /// again half as long before they are asked.
+    bool mayCutBack(std::int64_t cell) const {
+        return probing_.areMany() && probing_.implicit_first && axis_.farthest &&
+               !isShort(cell - bracket_.low());
+    }
+
+    /// Of a load step that was left open. \return whether the next one is shorter
+    bool cutBack(std::int64_t cell) {
+        if (!mayCutBack(cell)) return false;
+        pace_ = cut_back_ = (cell - bracket_.low()) / 2;
+        return true;
     }
 
     /// Finds a failing cell and lets it go on. True when the motion came to rest there: the assembly has moved to where
@@ -262,8 +281,10 @@ class Search {
 
     /// Up from the start until a probe fails or the end is reached.
     void findFailure() {
-        while (!bracket_.high() && !bracket_.stoodToTheEnd() && !interrupted(probing_))
-            if (probeAt(within(bracket_.up(axis_.next(bracket_.low())))) == Verdict::undecided) return;
+        while (!bracket_.high() && !bracket_.stoodToTheEnd() && !interrupted(probing_)) {
+            const std::int64_t cell = within(bracket_.up(axis_.next(bracket_.low())));
+            if (probeAt(cell) == Verdict::undecided && !cutBack(cell)) return;
+        }
         if (bracket_.stoodToTheEnd()) result_.status = SearchStatus::stable_to_stop;
     }
 
@@ -273,7 +294,7 @@ class Search {
         while (bracket_.high() && !bracket_.closed() && !interrupted(probing_) && !mayLetLeavingGo()) {
             const std::int64_t cell = within(bracket_.next());
             if (cell == left_open) break;  // from the same state it would be again
-            if (probeAt(cell) != Verdict::undecided) continue;
+            if (probeAt(cell) != Verdict::undecided || cutBack(cell)) continue;
             left_open = cell;
             const std::int64_t higher = (cell + *bracket_.high() + 1) / 2;
             if (higher >= *bracket_.high() || probeAt(higher) == Verdict::undecided) break;
@@ -457,6 +478,7 @@ class Search {
     std::vector<std::size_t> falling_{}, restless_{};
     std::vector<std::size_t> leaving_{};  ///< small blocks that leave at the failing load
     std::int64_t pace_ = 0;               ///< most cells of the next load step; 0: the axis's own
+    std::int64_t cut_back_ = 0;           ///< most cells of the step after one left open; 0: there was none
     bool no_rest_ = false;                ///< at the failing load, nearby or elsewhere
     bool is_rest_unknown_ = false;        ///< whether what is left stands without what was let go last
     Effort continuations_{};

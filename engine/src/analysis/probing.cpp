@@ -174,7 +174,7 @@ Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ram
     p.stands_elsewhere = false;
     if (p.implicit_first) {
         const Verdict found = probeImplicitly(p, stage, load, ramp);
-        if (found != Verdict::undecided || !smallLeaving(p).empty()) return found;
+        if (found != Verdict::undecided || p.cuts_back || !smallLeaving(p).empty()) return found;
     }
     QuasiStaticWork work = p.work;
     // Of many blocks some are loose: explicit steps see them fall. Else they bring the weight to where the solve is quick.
