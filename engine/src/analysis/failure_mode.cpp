@@ -316,11 +316,11 @@ std::vector<char> partAround(const State& state, const std::vector<std::size_t>&
 bool moveBesideOthers(const State& held, const std::vector<std::string>& moving,
                       const std::vector<char>& part, const State& all) {
     const std::vector<char> moves = blocksNamed(held.geometry->model, moving);
-    const auto isHeld = [&](std::size_t b) { return !part[b] && all.blocks.motion[b] == Motion::free; };
+    const auto is_held = [&](std::size_t b) { return !part[b] && all.blocks.motion[b] == Motion::free; };
     const Interfaces& f = held.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
         const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
-        if (!isIdle(f, i) && ((moves[a] && isHeld(b)) || (moves[b] && isHeld(a)))) return true;
+        if (!isIdle(f, i) && ((moves[a] && is_held(b)) || (moves[b] && is_held(a)))) return true;
     }
     return false;
 }

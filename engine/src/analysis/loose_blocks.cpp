@@ -153,9 +153,10 @@ std::vector<std::size_t> restlessBlocks(const State& state) {
 
 std::vector<std::size_t> movingBlocks(const State& from, const State& to) {
     std::vector<double> ways(to.blocks.size(), 0.0);
-    for (std::size_t b = 0; b < ways.size(); ++b)
+    for (std::size_t b = 0; b < ways.size(); ++b) {
         if (to.blocks.motion[b] == Motion::free)
             ways[b] = wayFrom(from.blocks.position, from.blocks.orientation, to, b);
+    }
     const double farthest = *std::max_element(ways.begin(), ways.end());
     std::vector<std::size_t> moving;
     for (std::size_t b = 0; b < ways.size(); ++b)

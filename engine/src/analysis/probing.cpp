@@ -56,6 +56,8 @@ Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, Sta
         p.deflection += wayFromRest(p, state);
     }
     if (probe.verdict != Verdict::undecided) p.leaving.clear();
+    if (probe.verdict == Verdict::failing && p.areMany() && p.has_stood)
+        p.leaving = movingBlocks(p.last_stable, state);
     (probe.verdict == Verdict::stable ? p.last_stable : p.last_moving) = std::move(state);
     return probe.verdict;
 }
@@ -134,14 +136,13 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
     Probe found = findRest(state, p.work, most_factors);
     const bool is_elsewhere = found.verdict == Verdict::stable && !standsThere(p, state, found) &&
                               found.verdict == Verdict::failing;
-    std::vector<std::size_t> leaving;
-    if (p.areMany() && found.verdict == Verdict::failing && !is_elsewhere)
-        leaving = movingBlocks(from != nullptr ? *from : p.last_stable, state);
+    std::vector<std::size_t> leaving;  // of explicit steps that did not see it
+    if (from != nullptr && found.verdict == Verdict::failing) leaving = movingBlocks(*from, state);
     if (is_elsewhere) state = loadedAnew(p, ramp);
     if (found.verdict != Verdict::stable)
         p.no_near_rest = {load, most_factors, p.states_at_rest, found.verdict, is_elsewhere};
     const Verdict verdict = keep(p, stage, load, found, state);
-    p.leaving = std::move(leaving);
+    if (!leaving.empty()) p.leaving = std::move(leaving);
     return verdict;
 }
 
