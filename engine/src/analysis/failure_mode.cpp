@@ -32,8 +32,8 @@ constexpr double kFarEnough = 0.1;    // of a block's size: what is not clear by
 constexpr double kAgreement = 0.02;   // share of the moving mass that may change its role between two looks
 constexpr double kGathers = 1.1;      // speed in the last third of the time over that in the third before
 constexpr double kFallsAlong = 0.1;   // of the farthest block's way: what has gone less is only pushed
-// Where the implicit solve has seen which blocks leave, they go on with what is so many contacts from them while all others are held,
-// unless that is most of all.
+// Where it is known which blocks leave, they go on with what is so many contacts from them while all others are held, unless that is more
+// than this share of what is free.
 constexpr int kRings = 4;
 constexpr double kMostOfPart = 0.25;
 constexpr int kStepsPerLook = 20;
@@ -296,7 +296,7 @@ class Continuation {
     double most_energy_ = 0;
 };
 
-/// Those that move, and what is kRings of contacts from them; empty: nobody says which, or it is most of all.
+/// Those that move, and what is kRings of contacts from them; empty: nobody says which, or it is too large a part.
 std::vector<char> partAround(const State& state, const std::vector<std::size_t>& moving) {
     std::vector<char> part(state.blocks.size(), 0);
     for (const std::size_t b : moving) part[b] = 1;
