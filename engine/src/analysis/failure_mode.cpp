@@ -296,8 +296,9 @@ class Continuation {
     double most_energy_ = 0;
 };
 
-/// Those that move, and what is kRings of contacts from them; empty: nobody says which, or it is too large a part.
+/// Those that move, and what is kRings of contacts from them; empty: nobody says which, it is too large a part, or bolts reach beyond.
 std::vector<char> partAround(const State& state, const std::vector<std::size_t>& moving) {
+    if (!state.bolts.segments.empty()) return {};
     std::vector<char> part(state.blocks.size(), 0);
     for (const std::size_t b : moving) part[b] = 1;
     part = withNeighbours(state, std::move(part), kRings, Through::free_blocks);
@@ -312,17 +313,19 @@ std::vector<char> partAround(const State& state, const std::vector<std::size_t>&
     return part;
 }
 
-/// Whether blocks that move touch others that do not belong to the part: these might move as well.
-bool moveBesideOthers(const State& held, const std::vector<std::string>& moving,
-                      const std::vector<char>& part, const State& all) {
-    const std::vector<char> moves = blocksNamed(held.geometry->model, moving);
+/// Whether blocks that move touch, by one of two sets of contacts, others that do not belong to the part: these might move as well.
+bool moveBesideOthers(const State& all, const Interfaces& now, const std::vector<std::string>& moving,
+                      const std::vector<char>& part) {
+    const std::vector<char> moves = blocksNamed(all.geometry->model, moving);
     const auto is_held = [&](std::size_t b) { return !part[b] && all.blocks.motion[b] == Motion::free; };
-    const Interfaces& f = held.interfaces;
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
-        if (!isIdle(f, i) && ((moves[a] && is_held(b)) || (moves[b] && is_held(a)))) return true;
-    }
-    return false;
+    const auto touch = [&](const Interfaces& f) {
+        for (std::size_t i = 0; i < f.size(); ++i) {
+            const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
+            if (!isIdle(f, i) && ((moves[a] && is_held(b)) || (moves[b] && is_held(a)))) return true;
+        }
+        return false;
+    };
+    return touch(all.interfaces) || touch(now);
 }
 
 /// Brings all to where they have come with the others held, who have not moved.
@@ -346,7 +349,7 @@ Failure continueFailure(State& state, const Evidence& wanted, const Control& con
         State held = state;
         holdOthers(held, part, parallel);
         Failure failure = Continuation(held, pace, wanted, control, parallel, true).run();
-        if (failure.confirmed && !moveBesideOthers(held, failure.moving_blocks, part, state)) {
+        if (failure.confirmed && !moveBesideOthers(state, held.interfaces, failure.moving_blocks, part)) {
             const Poses start{state.blocks.position, state.blocks.orientation};
             takeOver(held, state, parallel);
             describeFailure(state, start, wanted.deflection, failure);

@@ -40,7 +40,7 @@ struct Evidence {
 /// Lets a failing state go on from rest with true inertia until the motion is seen to be a failure and it is clear how it
 /// moves, or the steps are used up. The state is advanced.
 /// \param moving  blocks that are known to leave: only they and what is near go on, the others are held. Where that does not show the
-///                 failure, or what moves touches one that is held, all go on. Empty: nobody knows
+///                 failure, or what moves touches or has touched one that is held, all go on. Empty: nobody knows
 Failure continueFailure(State& state, const Evidence& wanted, const Control& control, bool parallel,
                         const std::vector<std::size_t>& moving = {});
 

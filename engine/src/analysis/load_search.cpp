@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "analysis/bracket.h"
@@ -92,10 +93,11 @@ class Search {
     const std::vector<std::size_t>& restless() const { return restless_; }
 
  private:
-    Verdict probeAt(std::int64_t cell) {
+    /// \param cuts_back  what the implicit solve leaves open is left so: the next load step is shorter
+    Verdict probeAt(std::int64_t cell, bool cuts_back = false) {
         const double from = axis_.load(bracket_.low()), to = axis_.load(cell);
         const auto ramp = [&](State& state, double share) { axis_.apply(state, from + share * (to - from)); };
-        probing_.cuts_back = mayCutBack(cell);
+        probing_.cuts_back = cuts_back;
         Verdict verdict = probe(probing_, "probe " + std::to_string(probing_.probes.size() + 1), to, ramp);
         probing_.cuts_back = false;
         if (verdict != Verdict::stable) {
@@ -124,8 +126,9 @@ class Search {
         const double grown = kPace / std::max(probing_.work.leaving, kPace / kGrowthOfPace);
         pace_ = std::max<std::int64_t>(1, std::llround(static_cast<double>(step) * grown));
         if (cut_back_ == 0) return;
+        const bool limits = pace_ > cut_back_;
         pace_ = std::min(pace_, cut_back_);
-        cut_back_ *= 2;
+        cut_back_ = limits ? 2 * cut_back_ : 0;
     }
 
     /// Of many blocks explicit steps take three times as long as the implicit solve that knew nothing: a long load step is tried
@@ -135,11 +138,21 @@ class Search {
                !isShort(cell - bracket_.low());
     }
 
-    /// Of a load step that was left open. \return whether the next one is shorter
-    bool cutBack(std::int64_t cell) {
-        if (!mayCutBack(cell)) return false;
+    /// One load step, or where that may be cut back and is left open none: the next one is half as long then. What is known of the
+    /// failing load stays. \return undecided: explicit steps did not know, either
+    std::optional<Verdict> stepTo(std::int64_t cell) {
+        if (!mayCutBack(cell)) return probeAt(cell);
+        std::optional<State> moving;
+        if (bracket_.high()) moving = probing_.last_moving;
+        const std::vector<std::size_t> leaving = probing_.leaving;
+        const Verdict verdict = probeAt(cell, true);
+        if (verdict != Verdict::undecided) return verdict;
+        if (moving) {
+            probing_.last_moving = std::move(*moving);
+            probing_.leaving = leaving;
+        }
         pace_ = cut_back_ = (cell - bracket_.low()) / 2;
-        return true;
+        return {};
     }
 
     /// Finds a failing cell and lets it go on. True when the motion came to rest there: the assembly has moved to where
@@ -225,6 +238,7 @@ class Search {
         }
         probing_.last_stable = stood;
         probing_.last_moving = moving;
+        probing_.leaving.clear();
         probing_.no_near_rest = {};
         return false;
     }
@@ -283,7 +297,7 @@ class Search {
     void findFailure() {
         while (!bracket_.high() && !bracket_.stoodToTheEnd() && !interrupted(probing_)) {
             const std::int64_t cell = within(bracket_.up(axis_.next(bracket_.low())));
-            if (probeAt(cell) == Verdict::undecided && !cutBack(cell)) return;
+            if (stepTo(cell) == Verdict::undecided) return;
         }
         if (bracket_.stoodToTheEnd()) result_.status = SearchStatus::stable_to_stop;
     }
@@ -294,7 +308,7 @@ class Search {
         while (bracket_.high() && !bracket_.closed() && !interrupted(probing_) && !mayLetLeavingGo()) {
             const std::int64_t cell = within(bracket_.next());
             if (cell == left_open) break;  // from the same state it would be again
-            if (probeAt(cell) != Verdict::undecided || cutBack(cell)) continue;
+            if (stepTo(cell) != Verdict::undecided) continue;
             left_open = cell;
             const std::int64_t higher = (cell + *bracket_.high() + 1) / 2;
             if (higher >= *bracket_.high() || probeAt(higher) == Verdict::undecided) break;

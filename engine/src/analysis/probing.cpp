@@ -55,7 +55,7 @@ Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, Sta
         ++p.states_at_rest;
         p.deflection += wayFromRest(p, state);
     }
-    if (probe.verdict != Verdict::undecided) p.leaving.clear();
+    p.leaving.clear();
     if (probe.verdict == Verdict::failing && p.areMany() && p.has_stood)
         p.leaving = movingBlocks(p.last_stable, state);
     (probe.verdict == Verdict::stable ? p.last_stable : p.last_moving) = std::move(state);

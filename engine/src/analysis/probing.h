@@ -36,7 +36,7 @@ struct Probing {
     double settlement = 0;            ///< under weight and water at the start [m]
     double reach = 0;                 ///< of the bolts at the beginning [m]
     double least_mass = 0;            ///< of a failure that counts [kg]
-    bool cuts_back = false;           ///< what the implicit solve leaves open is asked of a shorter load step
+    bool cuts_back = false;           ///< what the implicit solve leaves open is left so
     bool lets_small_go = false;       ///< a probe ends where blocks of less leave or do not come to rest
     /// explicit steps have not been enough, or will not be: bolts take hold over ways that they are slow to go
     bool implicit_first = false;
