@@ -8,6 +8,7 @@
 
 #include "analysis/bracket.h"
 #include "analysis/failure_mode.h"
+#include "analysis/load_pace.h"
 #include "analysis/load_start.h"
 #include "analysis/loose_blocks.h"
 #include "analysis/probing.h"
@@ -26,10 +27,6 @@ constexpr int kMostReopenings = 12;  // times a failing motion may come to rest 
 // A failure is a failure when blocks have been seen to go some share of their size (kSeenShare) and gather speed. At the
 // start, where no deflection at rest is known to compare with, more is asked for.
 constexpr double kSeenAtStart = 0.01;
-// Load steps of many blocks: so far they may part in one, of what leaves their place; how much the next one may be longer; and how
-// much longer than those of few blocks.
-constexpr double kPace = 0.25, kGrowthOfPace = 4.0;
-constexpr std::int64_t kLongestPace = 4;
 // Steps of the continuation: as many as the probes took, but a number that shows something, and not without bound.
 constexpr std::int64_t kLeastSteps = 120'000, kMostSteps = 400'000, kMostStepsAtStart = 100'000;
 // What is let go before it was watched patiently has to leave its place: a splinter may jump by some hundredths of its size.
@@ -105,30 +102,17 @@ class Search {
             if (!leaving.empty()) verdict = Verdict::failing;
             if (verdict == Verdict::failing) leaving_ = std::move(leaving);
         }
-        if (verdict == Verdict::stable) learnPace(cell - bracket_.low());
+        if (verdict == Verdict::stable && probing_.areMany() && probing_.implicit_first)
+            pace_.learn(cell - bracket_.low(), probing_.work.leaving);
         if (verdict == Verdict::stable) bracket_.stands(cell);
         if (verdict == Verdict::failing) bracket_.fails(cell, probing_.probes.back().out_of_balance);
         return verdict;
     }
 
-    /// The implicit solve takes a load step as one: from far below it may come to rest beyond a failure. Many blocks go by steps in
-    /// which none goes far: far below the failure these are longer, close to it shorter.
+    /// The implicit solve takes a load step as one: from far below it may come to rest beyond a failure.
     std::int64_t within(std::int64_t cell) const {
         if (!probing_.implicit_first || !axis_.farthest) return cell;
-        const std::int64_t step = axis_.farthest(bracket_.low()) - bracket_.low();
-        const std::int64_t own = pace_ > 0 ? std::clamp(pace_, std::int64_t{1}, kLongestPace * step) : step;
-        return std::min(cell, bracket_.low() + own);
-    }
-
-    /// From a load step in which it has come to rest again. Where explicit steps have brought it there, by the solve before them.
-    void learnPace(std::int64_t step) {
-        if (!probing_.areMany() || !probing_.implicit_first) return;
-        const double grown = kPace / std::max(probing_.work.leaving, kPace / kGrowthOfPace);
-        pace_ = std::max<std::int64_t>(1, std::llround(static_cast<double>(step) * grown));
-        if (cut_back_ == 0) return;
-        const bool limits = pace_ > cut_back_;
-        pace_ = std::min(pace_, cut_back_);
-        cut_back_ = limits ? 2 * cut_back_ : 0;
+        return std::min(cell, bracket_.low() + pace_.next(axis_.farthest(bracket_.low()) - bracket_.low()));
     }
 
     /// Of many blocks explicit steps take three times as long as the implicit solve that knew nothing: a long load step is tried
@@ -151,7 +135,7 @@ class Search {
             probing_.last_moving = std::move(*moving);
             probing_.leaving = leaving;
         }
-        pace_ = cut_back_ = (cell - bracket_.low()) / 2;
+        pace_.cutBack(cell - bracket_.low());
         return {};
     }
 
@@ -491,10 +475,9 @@ class Search {
     SearchResult result_;
     std::vector<std::size_t> falling_{}, restless_{};
     std::vector<std::size_t> leaving_{};  ///< small blocks that leave at the failing load
-    std::int64_t pace_ = 0;               ///< most cells of the next load step; 0: the axis's own
-    std::int64_t cut_back_ = 0;           ///< most cells of the step after one left open; 0: there was none
-    bool no_rest_ = false;                ///< at the failing load, nearby or elsewhere
-    bool is_rest_unknown_ = false;        ///< whether what is left stands without what was let go last
+    LoadPace pace_{};
+    bool no_rest_ = false;          ///< at the failing load, nearby or elsewhere
+    bool is_rest_unknown_ = false;  ///< whether what is left stands without what was let go last
     Effort continuations_{};
 };
 

@@ -61,6 +61,15 @@ void checkAgainstWholeSearch(const State& state) {
     }
 }
 
+/// A stack whose contacts are pressed, differently.
+State pressedStack() {
+    State state = *buildState(stackModel(4, 3, 2, 30, {0.2, 0.1, 0.1}, 1e9), false);
+    for (std::size_t b = 1; b < state.blocks.size(); ++b)
+        state.blocks.position[b].z -= 1e-6 * static_cast<double>(b);
+    updateForces(state, false);
+    return state;
+}
+
 }  // namespace
 
 TEST_SUITE("contacts") {
@@ -357,11 +366,7 @@ TEST_SUITE("contacts") {
     }
 
     TEST_CASE("blocks that are taken out touch nothing any more, and contacts of others stay to the bit") {
-        const Model model = stackModel(4, 3, 2, 30, {0.2, 0.1, 0.1}, 1e9);
-        State before = *buildState(model, false);
-        for (std::size_t b = 1; b < before.blocks.size(); ++b)  // pressed, differently
-            before.blocks.position[b].z -= 1e-6 * static_cast<double>(b);
-        updateForces(before, false);
+        const State before = pressedStack();
         for (const std::vector<std::size_t>& out :
              {std::vector<std::size_t>{1}, {5}, {3, 4, 24}, {1, 2, 3, 4, 5, 6}}) {
             CAPTURE(out.size());
@@ -393,11 +398,7 @@ TEST_SUITE("contacts") {
 
     TEST_CASE(
         "of blocks that are held only contacts with the part that goes on are left, and these to the bit") {
-        const Model model = stackModel(4, 3, 2, 30, {0.2, 0.1, 0.1}, 1e9);
-        State before = *buildState(model, false);
-        for (std::size_t b = 1; b < before.blocks.size(); ++b)  // pressed, differently
-            before.blocks.position[b].z -= 1e-6 * static_cast<double>(b);
-        updateForces(before, false);
+        const State before = pressedStack();
         for (const std::vector<std::size_t>& going :
              {std::vector<std::size_t>{1}, {5}, {3, 4, 24}, {1, 2, 3, 4, 5, 6}}) {
             CAPTURE(going.size());
