@@ -149,8 +149,9 @@ class LimitSearch {
                 return {SearchStatus::stable_to_stop, stop};
             if (at_once && !clipped) return {SearchStatus::found, tilt + *way};
             (*way >= 0 ? stands : falls) = tilt;
-            if (std::abs(*way) < kTiltWidth || falls - stands < kTiltWidth)
-                return {SearchStatus::found, stands};
+            // From either side: a tilt just beyond the limit is no farther from it than one just below.
+            if (std::abs(*way) < kTiltWidth) return {SearchStatus::found, std::max(stands, tilt + *way)};
+            if (falls - stands < kTiltWidth) return {SearchStatus::found, stands};
             const double next = nextTilt(tilt, *way, last);
             last = {tilt, *way};
             tilt =

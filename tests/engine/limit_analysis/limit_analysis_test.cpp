@@ -265,6 +265,23 @@ TEST_SUITE("limit analysis") {
         checkLimit(model, Varied::tilt, sliding, 1e-6);
     }
 
+    TEST_CASE("a side load has one limit, large or small, wherever the tilt begins") {
+        // As above; where it overturns first: tan(b) = b/h - rho_w w^3 / (3 rho b h^2)
+        for (const double width : {0.4, 1.0})
+            for (const double depth : {0.02, 0.1, 0.5, 1.0})
+                for (const double start : {-10.0, -4.0, -1.0, -0.1, 0.0, 5.0}) {
+                    Model model = blockOnPlane(33, {width, 1, 1});
+                    model.waters = {waterOn(model, 1, Vec3::UnitX(), depth)};
+                    model.analysis.start = radians(start);
+                    const double slides = std::tan(radians(33)) - 1000 * depth * depth / (2 * 2700 * width);
+                    const double overturns = width - 1000 * std::pow(depth, 3) / (3 * 2700 * width);
+                    CAPTURE(width);
+                    CAPTURE(depth);
+                    CAPTURE(start);
+                    checkLimit(model, Varied::tilt, std::atan(std::min(slides, overturns)), 1e-6);
+                }
+    }
+
     TEST_CASE("an arch of 27 voussoirs, by its thickness over its radius") {
         const double expected[][2] = {{0.11, 0.70}, {0.12, 2.77}, {0.15, 8.27}};
         for (const auto& [thickness, angle] : expected) {
