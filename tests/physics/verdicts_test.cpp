@@ -397,6 +397,32 @@ TEST_SUITE("slow: physics") {
         }
     }
 
+    // Gaps are differences of coordinates and arms, those of the largest block included: what rounding leaves of the balance of a
+    // small one is more than what is otherwise asked of a rest.
+    TEST_CASE("small blocks on ground of any size slide at their factor") {
+        const double friction = radians(32.6);
+        for (const double half_width : {2.0, 20.0, 200.0})
+            for (const double across : {0.0, 0.37})
+                for (const double tilt : {17.98751, 18.032312011718751, 18.0981740348, 18.156917745}) {
+                    CAPTURE(half_width);
+                    CAPTURE(across);
+                    CAPTURE(tilt);
+                    Model model = floorModel(degrees(friction), 3.375e11);
+                    model.blocks[0] = box("ground", {across - half_width, -half_width, -1},
+                                          {across + half_width, half_width, 0}, 2700, Motion::fixed);
+                    for (const auto& [column, height] : {std::pair{0, 6}, {1, 3}})
+                        for (int r = 0; r < height; ++r)
+                            addBox(model, "c" + std::to_string(column) + "r" + std::to_string(r),
+                                   {0.2 * column, 0, 0.1 * r}, {0.2, 0.1, 0.1});
+                    model.gravity.tilt = radians(tilt);
+                    const auto result = safetyFactor(model);
+                    REQUIRE(result.ok());
+                    REQUIRE((result->status == SearchStatus::found));
+                    CHECK(result->answer ==
+                          doctest::Approx(std::tan(friction) / std::tan(radians(tilt))).epsilon(1e-3));
+                }
+    }
+
     TEST_CASE("arches that stand are not said to fall at the start") {
         const ArchCase cases[] = {
             {11, 1.5, 9.165}, {15, 1.1, 0.799}, {21, 1.1, 0.695}, {27, 1.1, 0.704}, {27, 1.5, 8.269}};

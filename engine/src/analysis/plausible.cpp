@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "analysis/loose_blocks.h"
+#include "state/incidence.h"
 #include "step/time_step.h"
 
 namespace talus::analysis {
@@ -280,9 +281,14 @@ std::optional<std::string> slowedByOne(const State& state, bool parallel) {
 }  // namespace
 
 double roundingLevel(const State& state, const std::vector<double>& bounds) {
-    if (!(state.geometry->model.gravity.magnitude > 0)) return 0.0;
+    const double gravity = state.geometry->model.gravity.magnitude;
+    if (!(gravity > 0)) return 0.0;
     double level = 0;
-    for (std::size_t b = 0; b < bounds.size(); ++b) level = std::max(level, roundingOf(state, bounds, b));
+    for (std::size_t b = 0; b < bounds.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free)
+            level =
+                std::max(level, std::numeric_limits<double>::epsilon() *
+                                    coordinateReach(state, state.blocks.position, b) * bounds[b] / gravity);
     return level;
 }
 

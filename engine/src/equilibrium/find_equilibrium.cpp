@@ -38,6 +38,8 @@ constexpr double kLookMotion = 1e-5;  // and the way after which they are
 constexpr double kFiner = 4.0;
 constexpr double kStepAccuracy = 0.02;   // residual of a step over the out-of-balance force before it
 constexpr double kLimitAccuracy = 0.02;  // or over the limit at rest
+constexpr double kMostOfLimit = 0.5;
+constexpr std::int64_t kMostSteps = 4;  // for each factorisation: some steps need none
 constexpr int kMostIterations = 15, kMostIterationsOfMany = 30;
 // Where Newton's method fails to come nearer it is nearly always for a few blocks that slip, lift off and close again (five have
 // 98 % of the residual in three of four such iterations): they have more drag, and with it shorter steps of their own, so that all
@@ -116,8 +118,10 @@ class Solver {
         double ratio = residual(at_, 1.0, 0.0, false);
         for (double h = kFirstStep; !finished() && h >= kShortestStep;) {
             ++result_.steps;
+            // Below the limit at rest whatever rounding leaves, or a step that moves nothing would end well for ever.
+            const double rounding = std::min(roundingLevel(), kMostOfLimit * options_.limit);
             const double tolerance =
-                std::max({kLimitAccuracy * options_.limit, kStepAccuracy * ratio, roundingLevel()});
+                std::max({kLimitAccuracy * options_.limit, kStepAccuracy * ratio, rounding});
             if (!step(h, tolerance)) {
                 too_long_ = h;
                 steps_below_ = kStepsBelow;
@@ -142,7 +146,7 @@ class Solver {
 
     bool finished() const {
         return result_.verdict != Verdict::undecided || result_.factors >= options_.most_factors ||
-               isStopped(options_.stop);
+               result_.steps >= kMostSteps * options_.most_factors || isStopped(options_.stop);
     }
 
     void takeContacts() {
@@ -156,12 +160,10 @@ class Solver {
     /// What rounding of the coordinates leaves of the out-of-balance force: eps |x| k A / (m g).
     double roundingLevel() const {
         double level = 0;
-        for (std::size_t r = 0; r < balance_.block.size(); ++r) {
-            const double reach =
-                at_.poses.position.get(balance_.block[r]).cwiseAbs().maxCoeff() + balance_.radius[r];
-            level = std::max(level, std::numeric_limits<double>::epsilon() * reach * balance_.drag[r] /
-                                        balance_.weight[r]);
-        }
+        for (std::size_t r = 0; r < balance_.block.size(); ++r)
+            level = std::max(level, std::numeric_limits<double>::epsilon() *
+                                        coordinateReach(state_, at_.poses.position, balance_.block[r]) *
+                                        balance_.drag[r] / balance_.weight[r]);
         return level;
     }
 

@@ -129,4 +129,20 @@ std::int32_t interfaceOfFaces(const State& state, std::int32_t block_1, std::int
     return -1;
 }
 
+double coordinateReach(const State& state, const PositionArray& position, std::size_t block) {
+    const Incidence& incidence = state.incidence;
+    const Vec3 own = position.get(block);
+    const double radius = state.geometry->radius[block];
+    double reach = own.cwiseAbs().maxCoeff() + radius;
+    for (auto k = incidence.interface_begin[block]; k < incidence.interface_begin[block + 1]; ++k) {
+        const auto i = static_cast<std::size_t>(incidence.interface[static_cast<std::size_t>(k)]);
+        const auto a = static_cast<std::size_t>(state.interfaces.block_a[i]);
+        const auto other = a == block ? static_cast<std::size_t>(state.interfaces.block_b[i]) : a;
+        const Vec3 there = position.get(other);
+        const double arm = std::min((there - own).norm() + radius, state.geometry->radius[other]);
+        reach = std::max(reach, there.cwiseAbs().maxCoeff() + arm);
+    }
+    return reach;
+}
+
 }  // namespace talus

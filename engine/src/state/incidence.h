@@ -31,6 +31,10 @@ enum class Through { free_blocks, all_blocks };
 /// By block: whether it is marked, or so many contacts (`rings`) from one that is.
 std::vector<char> withNeighbours(const State& state, std::vector<char> marked, int rings, Through through);
 
+/// Largest length that a block's gaps are differences of: its own coordinates, and those of what it touches with the arms from there
+/// to the contact. A gap is rounded by that times the rounding of one [m].
+double coordinateReach(const State& state, const PositionArray& position, std::size_t block);
+
 /// The interface of two blocks, the one with the largest patch if there are several; -1 when they share none.
 std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int32_t block_2);
 
