@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "support/models.h"
 #include "talus/analysis.h"
@@ -24,9 +26,66 @@ Model modelOf(const std::string& path) {
     return scenario->model;
 }
 
+/// Columns of blocks 0.2 x 0.1 x 0.1 m, so many high each.
+Model columnsOf(const std::vector<int>& heights, double friction_deg, double shear_over_normal) {
+    Model model = floorModel(friction_deg, 3.375e11);
+    model.joints[0].shear_stiffness = shear_over_normal * model.joints[0].normal_stiffness;
+    for (std::size_t c = 0; c < heights.size(); ++c)
+        for (int r = 0; r < heights[c]; ++r)
+            addBox(model, "c" + std::to_string(c + 1) + "r" + std::to_string(r + 1),
+                   {0.2 * static_cast<double>(c), 0, 0.1 * r}, {0.2, 0.1, 0.1});
+    return model;
+}
+
+double lowerEnd(const SearchResult& result) {
+    return result.range ? std::min(result.range->first, result.answer) : result.answer;
+}
+
 }  // namespace
 
 TEST_SUITE("physics") {
+    // Low columns wedge tall ones while they slide between them, and rougher ones do not slide: the tilt and the factor of safety,
+    // whose ways there differ, have to agree at the lower end.
+    TEST_CASE("columns of unequal heights have a factor of one or more below the lower end of their range") {
+        std::mt19937 random(20);
+        const auto between = [&](int least, int most) {
+            return std::uniform_int_distribution(least, most)(random);
+        };
+        int with_range = 0;
+        for (int k = 0; k < 24; ++k) {
+            std::vector<int> heights(static_cast<std::size_t>(between(2, 6)));
+            for (int& height : heights) height = between(1, 7);
+            const double friction = between(200, 440) / 10.0;
+            Model model = columnsOf(heights, friction, between(0, 1) == 0 ? 1.0 : 0.1);
+            CAPTURE(k);
+            const auto tilted = criticalAngle(model, kAnySize);
+            REQUIRE(tilted.ok());
+            REQUIRE((tilted->status == SearchStatus::found));
+            with_range += tilted->range.has_value();
+            model.gravity.tilt = lowerEnd(*tilted) - radians(0.4);
+            const auto reduced = safetyFactor(model);
+            REQUIRE(reduced.ok());
+            REQUIRE((reduced->status == SearchStatus::found));
+            CHECK(reduced->answer > 0.999);
+        }
+        MESSAGE(with_range << " of 24 have a range");
+        CHECK(with_range > 0);
+        CHECK(with_range < 24);
+    }
+
+    TEST_CASE("a low column that wedges a tall one: rougher joints fail no earlier than the range begins") {
+        double least = std::numeric_limits<double>::infinity();
+        for (const double friction : {40.0, 36.0, 32.0, 28.0, 24.0, 20.0}) {
+            CAPTURE(friction);
+            const auto result = criticalAngle(columnsOf({6, 2, 6}, friction, 1.0), kAnySize);
+            REQUIRE(result.ok());
+            REQUIRE((result->status == SearchStatus::found));
+            CHECK(lowerEnd(*result) < 1.01 * least);
+            least = std::min(least, lowerEnd(*result));
+        }
+        CHECK(least == doctest::Approx(std::atan(0.2 / 0.6)).epsilon(0.01));  // of a tall column by itself
+    }
+
     TEST_CASE("what statics alone decides has no range: a sliding stack, a column, an arch") {
         for (const double friction : {15.0, 25.0}) {
             const auto slide = criticalAngle(stackModel(2, 1, 1, friction), kAnySize);

@@ -21,6 +21,8 @@ constexpr double kShareBeforeRange = 0.9;  // of the progress of the whole
 constexpr double kWorthAWarning = 0.01;    // of the answer
 constexpr double kFarEnough = 0.5;         // of the answer: no farther is looked
 constexpr double kLocks = 1.0;             // tan(phi) from which blocks that lean on each other may lock
+// Strength reduced at a load is a search of its own: up to this share of the contact points up to which weight is brought on anew.
+constexpr std::size_t kDearer = 15;
 
 /// Loads that are brought on afresh, on the search's own cells.
 class Afresh {
@@ -110,6 +112,48 @@ std::optional<double> answerWithoutLocking(const State& built, const LoadAxis& a
     return found.answer;
 }
 
+/// Whether the assembly stands at a load when strength is reduced there to the joints' own, from the strongest; nothing where
+/// that is not known.
+std::optional<bool> standsReduced(const State& built, const LoadAxis& axis, double load,
+                                  const Control& control, const QuasiStatic& settings, bool parallel) {
+    State state = built;
+    axis.apply(state, load);
+    LoadAxis reduced = strengthAxis(built.geometry->model);
+    const double own = 1 / reduced.unit;
+    if (own <= reduced.start) return std::nullopt;
+    reduced.stop = static_cast<std::int64_t>(std::ceil((own - reduced.start) / reduced.cell));
+    reduced.apply = [own, apply = reduced.apply](State& at, double factor) {
+        apply(at, std::min(factor, own));
+    };
+    const SearchResult found = searchLoad(state, reduced, control, settings, parallel).result;
+    if (found.status == SearchStatus::stable_to_stop) return true;
+    const bool fails = found.status == SearchStatus::found || found.status == SearchStatus::unstable_at_start;
+    return fails && found.confirmed ? std::optional(false) : std::nullopt;
+}
+
+/// The load up to which the assembly stands so, where it is less than another one by what is worth a warning. Blocks that lean on
+/// each other press low ones that slide between them, and may stand by it where rougher joints let the first one topple.
+std::optional<double> answerByReduction(const State& built, const LoadAxis& axis, const Control& control,
+                                        const QuasiStatic& settings, bool parallel,
+                                        const SearchResult& result, double below) {
+    if (axis.strongest_at_start || result.mode == FailureMode::sliding) return std::nullopt;
+    const double margin =
+        std::max(static_cast<double>(kNoDifference) * axis.cell, kWorthAWarning * std::abs(result.answer));
+    double stands = axis.start, fails = below - margin;
+    if (fails <= stands) return std::nullopt;
+    const auto standsAt = [&](double load) {
+        return standsReduced(built, axis, load, control, settings, parallel);
+    };
+    if (standsAt(fails).value_or(true)) return std::nullopt;
+    while (fails - stands > margin) {
+        const double middle = 0.5 * (stands + fails);
+        const std::optional<bool> there = standsAt(middle);
+        if (!there) return std::nullopt;
+        (*there ? stands : fails) = middle;
+    }
+    return 0.5 * (stands + fails);
+}
+
 /// The answer of another way, in words.
 struct OtherAnswer {
     double load;
@@ -176,6 +220,12 @@ void addHistoryRange(const State& built, const LoadAxis& axis, const Control& co
     const auto unlocked = answerWithoutLocking(built, axis, quiet, settings, parallel, result);
     if (unlocked && std::abs(*unlocked - result.answer) > static_cast<double>(kNoDifference) * axis.cell)
         others.push_back({*unlocked, "with friction of no more than 45 degrees", "joints are known to lock"});
+    double lowest = result.low;
+    for (const OtherAnswer& other : others) lowest = std::min(lowest, other.load);
+    if (points <= control.most_points_of_range / kDearer)
+        if (const auto reduced = answerByReduction(built, axis, quiet, settings, parallel, result, lowest))
+            others.push_back({*reduced, "with strength reduced at that load",
+                              "the joints have never been stronger than now"});
     if (afresh.stopped()) {
         result.range_reason = "interrupted";
     } else if (!others.empty()) {

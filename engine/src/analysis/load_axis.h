@@ -30,6 +30,13 @@ struct LoadAxis {
     double load(std::int64_t cells) const { return start + cell * static_cast<double>(cells); }
 };
 
+/// Of a critical angle: the tilt [rad], from the analysis' start to its stop.
+LoadAxis tiltAxis(const Model& model);
+/// Of a factor of safety: what strength is divided by, from the strongest on. The model must outlive it.
+LoadAxis strengthAxis(const Model& model);
+/// Of a critical acceleration: the horizontal seismic coefficient.
+LoadAxis accelerationAxis(const Model& model);
+
 /// A number in words, by printf's format.
 inline std::string formatted(const char* format, double value) {
     char text[64];
