@@ -89,6 +89,36 @@ TEST_SUITE("physics") {
         }
     }
 
+    // The level stays where it is while the block is pushed up the slope, so the thrust falls as it goes: each short load step has a
+    // rest a little farther on. The first slide is the answer, whatever the joints' stiffness.
+    TEST_CASE(
+        "deep water behind a block on a plane that dips the other way: the first slide, on soft joints too") {
+        for (const double stiffness : {1e10, 1e11, 1e12})
+            for (const double height : {1.5, 2.7, 4.8})
+                for (const double slenderness : {3.0, 4.0})
+                    for (const double full : {0.75, 0.85}) {
+                        const double width = height / slenderness, water = full * height, density = 2300;
+                        const double overturns =
+                            1 / slenderness -
+                            1000 * std::pow(water, 3) / (3 * density * width * height * height);
+                        if (overturns > -0.05) continue;
+                        // Slides 0.3 to 0.8 degrees before it overturns.
+                        const double slides =
+                            std::tan(std::atan(overturns) - radians(0.8 - (full - 0.7) * 3));
+                        const double thrust = 1000 * water * water / (2 * density * width * height);
+                        const double friction = degrees(std::atan(slides + thrust));
+                        CAPTURE(stiffness);
+                        CAPTURE(height);
+                        CAPTURE(slenderness);
+                        CAPTURE(full);
+                        Model model = bodyOnPlane(friction, {width, 1, height}, stiffness, density);
+                        model.waters = {waterOn(model, 1, Vec3::UnitX(), water)};
+                        model.analysis.start = std::atan(slides) - radians(2);
+                        const SearchResult result = critical(model);
+                        CHECK(std::abs(degrees(result.answer) - degrees(std::atan(slides))) < 0.03);
+                    }
+    }
+
     TEST_CASE("cohesion holds a block as limit equilibrium says, and the break is brittle") {
         // W sin(beta) = W cos(beta) tan(phi) + C A.
         // A flat block, so that its weight stays within the middle third of the base and no contact point opens.

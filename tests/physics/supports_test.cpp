@@ -71,6 +71,37 @@ TEST_SUITE("physics") {
         }
     }
 
+    // A bolt that stands across the slide turns with it and holds a little more: rests go on for ever, each a little farther.
+    TEST_CASE("a slab on a plane with a bolt at any angle: F = (W cos + N) tan(phi) / (W sin - T)") {
+        const double b = std::atan(0.6), weight = 2500 * 4 * 9.81;
+        for (const double angle : {22.0, 37.0, 49.0, 62.0, 81.0})
+            for (const double force : {1e4, 4e4})
+                for (const double pretension : {0.0, 0.5, 1.0}) {
+                    CAPTURE(angle);
+                    CAPTURE(force);
+                    CAPTURE(pretension);
+                    Model model = floorModel(25, 1e10);
+                    model.blocks[0] = box("plane", {-5, -5, -3}, {5, 5, 0}, 2500, Motion::fixed);
+                    model.gravity.tilt = b;
+                    addBox(model, "slab", {0, 0, 0}, {2, 2, 1}, 2500);
+                    Bolt bolt;
+                    bolt.name = "tie";
+                    bolt.head = {0.6, 1, 0.5};
+                    bolt.end = bolt.head + 2.0 * Vec3(std::cos(radians(angle)), 0, -std::sin(radians(angle)));
+                    bolt.area = 5e-4;
+                    bolt.modulus = 2e11;
+                    bolt.yield_force = force;
+                    bolt.pretension = pretension * force;
+                    bolt.field = "bolt[0]";
+                    model.bolts = {bolt};
+                    const double along = force * std::cos(radians(angle)),
+                                 into = force * std::sin(radians(angle));
+                    const double exact = (weight * std::cos(b) + into) * std::tan(radians(25)) /
+                                         (weight * std::sin(b) - along);
+                    CHECK(factorOf(model).answer == doctest::Approx(exact).epsilon(4e-3));
+                }
+    }
+
     TEST_CASE("a bolt holds what it can before it breaks, and then nothing") {
         Model model = tied(0, 800);
         model.bolts[0].rupture_strain = 1e-5;  // at 200 N

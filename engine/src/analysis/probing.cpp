@@ -21,6 +21,11 @@ constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
 // Rest is near when it is no farther than this times the way the assembly has come, from rest to rest (engine/README.md says
 // what smaller and larger ones do).
 constexpr double kNear = 1.5;
+// ... but in a load step of few cells no more than so many times what the step is worth: what is elastic goes with the load. (A thousand:
+// one arch, about to buckle on its joints, ends a cell earlier; 10,000: blocks are followed down a slide.)
+constexpr double kShortStep = 4, kMostAmplified = 2'000;
+// Rests in one short step after the other that go on and on are a slide, however little each goes: so many times what else is near in all.
+constexpr double kMostCrept = 5;
 constexpr double kSettlingDrag = 0.125;
 
 std::int64_t freeBlocks(const State& state) {
@@ -44,6 +49,19 @@ double wayFromRest(const Probing& p, const State& state) {
     return largestMotion(state, p.last_stable.blocks.position, p.last_stable.blocks.orientation);
 }
 
+/// Whether a load step from where the assembly last stood is one of a few cells. Where not the load has changed but blocks were taken
+/// out it is none.
+bool isShort(const Probing& p, double load) {
+    const double cells = std::abs(load - p.stable_load) / p.axis.cell;
+    return cells > 0 && cells < kShortStep;
+}
+
+/// What a load step is worth of the weight: tilts and accelerations are shares of it, strength resists at most as much.
+double worthOfStep(const Probing& p, double load) {
+    const double step = std::abs(load - p.stable_load);
+    return p.axis.strongest_at_start ? step / load : step;
+}
+
 Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, State& state) {
     probe.load = load;
     p.steps += probe.steps;
@@ -53,7 +71,10 @@ Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, Sta
     report(p, stage, load, toString(probe.verdict));
     if (probe.verdict == Verdict::stable) {
         ++p.states_at_rest;
-        p.deflection += wayFromRest(p, state);
+        const double way = wayFromRest(p, state);
+        p.deflection += way;
+        p.crept = isShort(p, load) ? p.crept + way : 0;
+        p.stable_load = load;
     }
     p.leaving.clear();
     if (probe.verdict == Verdict::failing && p.areMany() && p.has_stood)
@@ -62,18 +83,23 @@ Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, Sta
     return probe.verdict;
 }
 
-/// Bolts hold only as far as blocks have moved, so that way is none of a failure.
-double nearLimit(const Probing& p) {
-    return std::max(kSeenShare * p.last_stable.geometry->length_scale, kNear * ownDeflection(p)) +
-           tieReach(p.last_stable);
+/// How far a rest may be from where the assembly last stood [m]. Bolts hold only as far as blocks have moved, so that way is none of
+/// a failure.
+double nearLimit(const Probing& p, double load) {
+    const double seen = kSeenShare * p.last_stable.geometry->length_scale, reach = tieReach(p.last_stable);
+    if (!isShort(p, load)) return std::max(seen, kNear * ownDeflection(p)) + reach;
+    const double own = std::max(0.0, ownDeflection(p) - p.crept);
+    const double share = std::min(1.0, kMostAmplified * worthOfStep(p, load));
+    const double left = kMostCrept * std::max(seen, own) - p.crept;
+    return std::min(left, std::max(seen, kNear * share * own)) + reach;
 }
 
 /// Whether a rest is where the assembly stands, but for what it gives; else it is a failure. Blocks that lean on each other have
 /// others, farther off, in which they are jammed: to get there is to fail first.
-bool standsThere(Probing& p, const State& state, Probe& rest) {
+bool standsThere(Probing& p, double load, const State& state, Probe& rest) {
     const double way = wayFromRest(p, state);
     State moved = state;
-    const bool is_near = !p.has_stood || way <= nearLimit(p);
+    const bool is_near = !p.has_stood || way <= nearLimit(p, load);
     if (is_near) {
         const Probe found =
             findRestOfFirstOrder(p.last_stable, moved, p.work, p.has_stood ? kMostFactors : kPatientFactors);
@@ -84,7 +110,7 @@ bool standsThere(Probing& p, const State& state, Probe& rest) {
             rest.reason = "interrupted";
             return false;
         }
-        const bool has_left = p.has_stood && wayFromRest(p, moved) > nearLimit(p);
+        const bool has_left = p.has_stood && wayFromRest(p, moved) > nearLimit(p, load);
         if (found.verdict == Verdict::stable || (found.verdict == Verdict::undecided && !has_left))
             return true;
     }
@@ -108,7 +134,8 @@ Verdict probeExplicitly(Probing& p, const std::string& stage, double load, State
                         const Ramp& ramp, const Ramp& load_anew) {
     report(p, stage, load, "moving");
     Probe probe = bringOn(state, work, ramp);
-    if (probe.verdict == Verdict::stable && !standsThere(p, state, probe)) state = loadedAnew(p, load_anew);
+    if (probe.verdict == Verdict::stable && !standsThere(p, load, state, probe))
+        state = loadedAnew(p, load_anew);
     return keep(p, stage, load, probe, state);
 }
 
@@ -134,7 +161,7 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
     ramp(state, 1.0);
     report(p, stage, load, "solving");
     Probe found = findRest(state, p.work, most_factors);
-    const bool is_elsewhere = found.verdict == Verdict::stable && !standsThere(p, state, found) &&
+    const bool is_elsewhere = found.verdict == Verdict::stable && !standsThere(p, load, state, found) &&
                               found.verdict == Verdict::failing;
     std::vector<std::size_t> leaving;  // of explicit steps that did not see it
     if (from != nullptr && found.verdict == Verdict::failing) leaving = movingBlocks(*from, state);
@@ -227,7 +254,7 @@ bool settles(Probing& p, const State& moving, double load, double watch_periods)
     State state = moving;
     report(p, "settling", load, "moving");
     Probe probe = bringOn(state, work, [](State&, double) {});
-    if (probe.verdict == Verdict::stable) standsThere(p, state, probe);
+    if (probe.verdict == Verdict::stable) standsThere(p, load, state, probe);
     return keep(p, "settling", load, probe, state) == Verdict::stable;
 }
 

@@ -32,6 +32,8 @@ struct Probing {
     std::int64_t states_at_rest = 0;  ///< the search has been in
     bool has_stood = false;           ///< under weight and water
     double start_tilt = 0;            ///< [rad]
+    double stable_load = 0;           ///< at which it last stood
+    double crept = 0;                 ///< in the short load steps since the last longer one [m]
     double deflection = 0;            ///< how far the assembly has come in all, from rest to rest [m]
     double settlement = 0;            ///< under weight and water at the start [m]
     double reach = 0;                 ///< of the bolts at the beginning [m]
