@@ -37,8 +37,12 @@ SearchReport answer(const LoadSearch& search, const formats::Scenario& scenario,
     const bool interrupted = result.status == SearchStatus::interrupted;
     auto theory = interrupted ? std::nullopt : search.theory(scenario.model, control.stop);
     SearchReport report{common, scenario, search, std::move(result), std::move(theory), ceiling};
-    if (keeper.wanted()) report.kept = keeper.keep(report.result, search, control);
-    report.cut_short = !interrupted && control.stop != nullptr && control.stop->load();
+    const auto stopped = [&] { return control.stop != nullptr && control.stop->load(); };
+    report.cut_short = !interrupted && stopped();
+    if (!keeper.wanted()) return report;
+    report.kept = keeper.keep(report.result, search, control);
+    // A file that cannot be written ends its run by the same flag.
+    if (report.kept->exit_code != kFileRefused) report.cut_short = !interrupted && stopped();
     return report;
 }
 

@@ -300,13 +300,20 @@ inline double largestStiffness(const JointLaw& joint) {
     return std::max(joint.normal_stiffness, joint.shear_stiffness);
 }
 
-/// The straight envelope of its peak strength, for limit analysis: |tau| <= cohesion + sigma_n tan_friction, and no more
-/// tension than tensile_strength [Pa].
+/// The straight envelope of its strength, peak or residual, whichever is more, for limit analysis: |tau| <= cohesion +
+/// sigma_n tan_friction, and no more tension than tensile_strength [Pa].
 struct StrengthLine {
     double tan_friction, cohesion, tensile_strength;
 };
 inline StrengthLine strengthLine(const JointLaw& joint) {
-    return {joint.tan_friction, joint.cohesion, joint.tensile_strength};
+    return {std::max(joint.tan_friction, joint.residual_tan_friction),
+            std::max(joint.cohesion, joint.residual_cohesion), joint.tensile_strength};
+}
+
+/// Whether it holds anything without normal force.
+inline bool holdsUnloaded(const JointLaw& joint) {
+    const StrengthLine line = strengthLine(joint);
+    return line.cohesion > 0 || line.tensile_strength > 0;
 }
 
 /// What both tension and shear without normal force have to overcome before an intact joint gives [Pa].

@@ -95,7 +95,8 @@ void addPoints(const State& state, std::size_t i, Assembly& assembly) {
     for (const contact::PatchPoint& point : interfacePoints(f, i, state.geometry->model.points))
         if (pose.gap.x() + point.position.x() * pose.gap.y() + point.position.y() * pose.gap.z() <= closed)
             points.push_back(point);
-    if (!state.laws[static_cast<std::size_t>(f.joint[i])].bonded) points = outermost(std::move(points));
+    if (!contact::holdsUnloaded(state.laws[static_cast<std::size_t>(f.joint[i])]))
+        points = outermost(std::move(points));
     for (const contact::PatchPoint& point : points)
         assembly.points.push_back({body_a, body_b,
                                    pose.origin + point.position.x() * pose.e1 + point.position.y() * pose.e2,

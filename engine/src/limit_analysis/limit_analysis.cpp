@@ -126,9 +126,10 @@ class LimitSearch {
     /// Where all loads turn with gravity and nothing is bonded only their direction matters, so that the first programme
     /// finds the limit.
     bool onlyDirectionMatters() const {
-        const bool bonds = std::any_of(
-            assembly_.points.begin(), assembly_.points.end(),
-            [&](const auto& point) { return state_.laws[static_cast<std::size_t>(point.joint)].bonded; });
+        const bool bonds =
+            std::any_of(assembly_.points.begin(), assembly_.points.end(), [&](const auto& point) {
+                return contact::holdsUnloaded(state_.laws[static_cast<std::size_t>(point.joint)]);
+            });
         return !bonds && !hasBlockForces(state_) && bodyAcceleration(state_).y() == 0;
     }
 

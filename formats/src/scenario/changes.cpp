@@ -63,6 +63,29 @@ std::vector<Error> change(Document& document, const std::vector<FieldChange>& ch
     return faults;
 }
 
+/// The joint or material of a changed field, where the file has others but not that one.
+std::optional<std::string> unknownName(const Document& document, const toml::FieldPath& path) {
+    const auto* section = path.size() < 3 ? nullptr : std::get_if<std::string>(&path[0]);
+    const auto* name = path.size() < 3 ? nullptr : std::get_if<std::string>(&path[1]);
+    if (section == nullptr || name == nullptr || (*section != "joint" && *section != "material"))
+        return std::nullopt;
+    const auto tables = document.root().find(*section);
+    if (!tables || tables->kind() != toml::Kind::table || tables->find(*name)) return std::nullopt;
+    std::vector<std::string> known;
+    for (const toml::Entry& entry : tables->entries()) known.push_back(entry.key);
+    return "found the unknown " + *section + " " + toml::quoted(*name) + toml::suggestion(*name, known);
+}
+
+/// Changes of joints and materials that the file does not have: they are added, and may lack what is required. \pre the paths are ones
+std::vector<Error> unknownNames(const Document& document, const std::vector<FieldChange>& changes) {
+    std::vector<Error> faults;
+    for (const FieldChange& wish : changes)
+        if (const auto path = toml::parseField(wish.field))
+            if (auto fault = unknownName(document, *path))
+                faults.push_back({wish.field, std::move(*fault), kChangedBy});
+    return faults;
+}
+
 /// Errors of changed fields are said of who changed them: the file has no such line.
 std::vector<Error> ofChanges(const std::vector<FieldChange>& changes, std::vector<Error> errors) {
     for (const FieldChange& wish : changes) {
@@ -93,10 +116,11 @@ Result<Scenario> readScenario(const std::string& path, const std::vector<FieldCh
     if (!document) return document.errors();
     if (changes.empty())
         return scenario::readDocument(*document, *text, name, kMostBlocks, stop, nullptr, progress);
+    const std::vector<Error> unknown = unknownNames(*document, changes);
     if (auto faults = change(*document, changes); !faults.empty()) return faults;
     auto scenario = scenario::readDocument(*document, toml::writeDocument(*document), name, kMostBlocks, stop,
                                            nullptr, progress);
-    if (!scenario) return ofChanges(changes, scenario.errors());
+    if (!scenario) return unknown.empty() ? ofChanges(changes, scenario.errors()) : unknown;
     for (const FieldChange& wish : changes)
         scenario->places[fieldName(*toml::parseField(wish.field))] = {0, 0};
     return scenario;

@@ -13,6 +13,7 @@
 #include "scenario/rock_mass.h"
 #include "scenario/settings.h"
 #include "scenario/stack.h"
+#include "scenario/unnamed.h"
 #include "scenario/water.h"
 #include "toml/document.h"
 #include "toml/file_text.h"
@@ -228,6 +229,8 @@ Result<Scenario> scenario::readDocument(const Document& document, std::string te
     ScenarioReader reader(report, document.root(), folder, most_blocks, stop, progress);
     Scenario scenario = reader.read();
     if (!report.clean()) return report.errors();
+    scenario::warnOfUnnamed(report, document.root());
+    for (std::string& warning : report.takeWarnings()) scenario.warnings.push_back(std::move(warning));
     scenario.path = path;
     scenario.text = std::move(text);
     scenario.places = report.takePlaces();

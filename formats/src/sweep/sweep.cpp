@@ -29,11 +29,11 @@ constexpr double kNearlyCertain = 1e-9;  // share of a distribution beyond the e
 constexpr std::int64_t kMaxSamples = 1'000'000'000;
 constexpr std::uint64_t kMaxRuns = 1'000'000'000'000;
 
-std::vector<std::string> jointNames(const Scenario& scenario) {
-    std::vector<std::string> names;
+KnownNames knownNames(const Scenario& scenario) {
+    KnownNames names{.joints = {}, .materials = scenario.materials};
     for (std::size_t j = 0; j < scenario.joint_origins.size(); ++j)
         if (scenario.joint_origins[j].kind == JointOrigin::Kind::file)
-            names.push_back(scenario.model.joints[j].name);
+            names.joints.push_back(scenario.model.joints[j].name);
     return names;
 }
 
@@ -53,10 +53,10 @@ class SweepReader {
     Result<Sweep> read() {
         root_.integer("format", {1, 1});
         root_.require({"scenario", "analysis"});
-        const auto joints = readScenarioText();
+        const KnownNames known = readScenarioText();
         if (!errors_.empty()) return errors_;
         readAnalysis();
-        Variables variables = readVariables(report_, root_, sweep_.path, joints);
+        Variables variables = readVariables(report_, root_, sweep_.path, known);
         readCorrelation(report_, root_, variables.list);
         readSampling(variables);
         readReport();
@@ -73,12 +73,12 @@ class SweepReader {
     }
 
  private:
-    /// The scenario has to be good as it is. Returns its joints' names.
-    std::vector<std::string> readScenarioText() {
+    /// The scenario has to be good as it is.
+    KnownNames readScenarioText() {
         const auto name = root_.text("scenario");
         if (base_) {
             sweep_.scenario_text = base_->text;
-            return jointNames(*base_);
+            return knownNames(*base_);
         }
         if (!name) return {};
         sweep_.scenario_path = besideFile(sweep_.path, *name);
@@ -90,7 +90,7 @@ class SweepReader {
         }
         sweep_.scenario_text = std::move(scenario->text);
         base_ = std::make_shared<const Scenario>(*std::move(scenario));
-        return jointNames(*base_);
+        return knownNames(*base_);
     }
 
     void readSampling(const Variables& variables) {

@@ -18,15 +18,20 @@ struct Variable {
     std::vector<toml::Place> places;  ///< of each value
 };
 
-/// Reads all variables and the names of the table's cases. `joints` are the scenario's, for `joint.*`. Table files are
-/// looked for beside the sweep file at `path`.
+/// What a scenario has under names of its own.
+struct KnownNames {
+    std::vector<std::string> joints, materials;
+};
+
+/// Reads all variables and the names of the table's cases. `known` is the scenario's: fields of other joints and
+/// materials are reported, and `joint.*` stands for all joints. Table files are looked for beside the sweep file at `path`.
 struct Variables {
     std::vector<Variable> list;  ///< the table's columns, then grids, then random ones
     std::vector<std::string> case_names;
     std::vector<Error> errors;  ///< of the table's file
 };
 Variables readVariables(toml::Report& report, toml::TableReader& root, const std::string& path,
-                        const std::vector<std::string>& joints);
+                        const KnownNames& known);
 
 /// `name` beside the file at `path`, unless it is absolute.
 std::string besideFile(const std::string& path, const std::string& name);

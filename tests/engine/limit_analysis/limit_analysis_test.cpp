@@ -187,6 +187,20 @@ TEST_SUITE("limit analysis") {
         checkLimit(model, Varied::horizontal, 0.4 * (1 + 5000 * 0.4 / weightOf(size)));
     }
 
+    TEST_CASE("a joint that gets stronger as it slips has the strength it may get to") {
+        Model model = blockOnPlane(25, {1, 1, 0.2}, 30);
+        model.joints[0].residual_friction = radians(35);
+        checkLimit(model, Varied::factor, std::tan(radians(35)) / std::tan(radians(30)), kFactorWidth);
+        model = blockOnPlane(25, {1, 1, 0.2});
+        model.joints[0].residual_cohesion = 500;
+        const double weight = weightOf({1, 1, 0.2});
+        const auto excess = [&](double tilt) {
+            return weight * (std::sin(tilt) - std::cos(tilt) * std::tan(radians(25))) - 500;
+        };
+        const LimitResult tilt = limitOf(model, Varied::tilt);
+        CHECK(std::abs(excess(tilt.upper)) < 1e-3 * weight);
+    }
+
     TEST_CASE("the tilt with cohesion is iterated for") {
         const Vec3 size(1, 1, 0.3);
         Model model = blockOnPlane(20, size);
@@ -229,7 +243,7 @@ TEST_SUITE("limit analysis") {
     TEST_CASE("slices that water drives apart are not a section, and fall at the start") {
         Model model = stackModel(1, 1, 2, 19.5);
         model.waters = {waterOn(model, 1, Vec3::UnitY(), 0.1), waterOn(model, 2, -Vec3::UnitY(), 0.1)};
-        for (Joint& joint : model.joints) joint.friction = 0.001;
+        for (Joint& joint : model.joints) joint.friction = joint.residual_friction = 0.001;
         const LimitResult result = limitOf(model, Varied::tilt);
         CHECK_FALSE(result.plane_section);
         CHECK((result.status == SearchStatus::unstable_at_start));

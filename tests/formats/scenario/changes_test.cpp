@@ -63,6 +63,15 @@ TEST_SUITE("scenario changes") {
             fault("stack[0].block", "[0.4, -1, 2]").starts_with("--set: error: stack[0].block[1]: found -1"));
     }
 
+    TEST_CASE("a joint or a material that the file does not have is named where it lacks what is required") {
+        CHECK(fault("joint.defalt.friction_deg", "20") ==
+              "--set: error: joint.defalt.friction_deg: found the unknown joint \"defalt\", did you mean "
+              "\"default\"?");
+        CHECK(fault("material.granit.density", "2500") ==
+              "--set: error: material.granit.density: found the unknown material \"granit\", did you mean "
+              "\"granite\"?");
+    }
+
     TEST_CASE("any friction angle that is allowed arrives to the bit") {
         test::checkProperty("value of --set", 100, [] {
             const double value = *test::numberIn(0, 80);

@@ -231,4 +231,42 @@ TEST_CASE("scenario messages: near words") {
     CHECK(toml::numberText(1e-9) == "1e-09");
 }
 
+TEST_CASE("scenario messages: joints and materials that nothing has are warned of") {
+    const auto warningsOf = [](const std::string& text) { return readGood(text).warnings; };
+    CHECK(warningsOf(properties() + stack()).empty());
+    CHECK(warningsOf(properties() + joint("bed") + stack("joint = \"bed\"\n")).empty());
+    const auto misspelt =
+        warningsOf(properties() + joint("Bed") + block("bed") + stack("origin = [5, 0, 0]\n"));
+    REQUIRE(misspelt.size() == 1);
+    CHECK(
+        misspelt[0] ==
+        "joint.Bed (line 7): nothing in the file has this joint, so it has no effect, did you mean \"bed\"?");
+    CHECK(warningsOf(joint("wall") + material() + block("one", "joint = \"wall\"\n")).empty());
+    const auto spare =
+        warningsOf(properties() + "[material.slate]\ndensity = 2600\n" + stack("material = \"granite\"\n"));
+    REQUIRE(spare.size() == 1);
+    CHECK(spare[0].find("material.slate (line 7): nothing in the file has this material") == 0);
+    // A joint set of the joint's own name, and one that stands for intact rock, have it.
+    CHECK(
+        warningsOf("[material.rock]\ndensity = 2600\n" + joint("J1") + joint("rock") +
+                   "[rock_mass]\nregion = { box = { min = [0, 0, 0], max = [2, 2, 2] } }\nbridge = \"rock\"\n"
+                   "joint = \"J1\"\n[[joint_set]]\nname = \"J1\"\ndip_deg = 10\ndip_direction_deg = 270\n"
+                   "spacing = 1.0\n")
+            .empty());
+}
+
+TEST_CASE("scenario messages: a joint that gets stronger as it slips is warned of") {
+    for (const std::string more :
+         {"friction_deg = 30\ncohesion = 1e3\nresidual_cohesion = 2e3",
+          "friction_deg = 30\nresidual_cohesion = 1.0", "friction_deg = 30\nresidual_friction_deg = 30.5"}) {
+        CAPTURE(more);
+        const auto warnings = readGood(material() + joint("default", more) + stack()).warnings;
+        REQUIRE(warnings.size() == 1);
+        CHECK(warnings[0].find("the joint gets stronger as it slips") != std::string::npos);
+    }
+    for (const std::string more : {"friction_deg = 30\ncohesion = 2e3\nresidual_cohesion = 2e3",
+                                   "friction_deg = 30\nresidual_friction_deg = 30", "friction_deg = 30"})
+        CHECK(readGood(material() + joint("default", more) + stack()).warnings.empty());
+}
+
 }  // namespace talus::formats

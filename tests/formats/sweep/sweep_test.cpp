@@ -253,6 +253,10 @@ TEST_CASE("every fault of a sweep names its place") {
     CHECK(fault(kHead + "[[grid]]\nfield = \"joint.default.fricton_deg\"\nvalues = [20]\n")
               .find("sweep.toml:5:11 grid[0]: gives a scenario with joint.default.fricton_deg: found an "
                     "unknown key") == 0);
+    CHECK(fault(kHead + "[[grid]]\nfield = \"joint.defalt.friction_deg\"\nvalues = [20]\n") ==
+          "sweep.toml:4:9 grid[0].field: found the unknown joint \"defalt\", did you mean \"default\"?");
+    CHECK(fault(kHead + "samples = 2\n" + random("material.granit.density", kUniform)) ==
+          "sweep.toml:5:9 random[0].field: found the unknown material \"granit\", did you mean \"granite\"?");
     CHECK(fault(kHead + "[[grid]]\nfield = \"water[0\"\nvalues = [20]\n")
               .find("sweep.toml:4:9 grid[0].field: found \"water[0\", allowed: the path") == 0);
     for (const std::string path : {"]", "a]", "water]", "water[0]]", "joint.default.friction_deg]", "a]b.c",
@@ -285,6 +289,10 @@ TEST_CASE("a faulty table of cases names its line and column") {
     SweepFile file(kHead + "[table]\nfile = \"cases.csv\"\n");
     file.folder.write("cases.csv", "gravity.tilt_deg,water[0].depth\n1,0.01\n2,\n");
     CHECK(file.fault() == "cases.csv:3:3 : found an empty cell, allowed: a value");
+    file.folder.write("cases.csv", "gravity.tilt_deg,material.granit.density\n1,2600\n");
+    CHECK(file.fault() ==
+          "cases.csv:1:18 material.granit.density: found the unknown material \"granit\", did "
+          "you mean \"granite\"?");
     file.folder.write("cases.csv", "gravity.tilt_deg,water[0].depth\n1,0.01\n2\n");
     CHECK(file.fault() == "cases.csv:3:1 : found 1 values, allowed: one per column, 2");
     file.folder.write("cases.csv", "gravity.tilt_deg,water[0].depth\n1,0.01\n2,-0.01\n");

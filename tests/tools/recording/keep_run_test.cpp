@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "support/snapshots.h"
 #include "tools/program.h"
@@ -199,4 +200,25 @@ TEST_CASE("critical-acceleration: the kept run is shaken by what the slope no lo
         g * (horizontal * std::cos(b) + std::sin(b) - (std::cos(b) - horizontal * std::sin(b)) * tan_phi);
     const LightFrame end = *reader->frame(reader->frames().size() - 1);
     CHECK(-end.velocity.x.back() == doctest::Approx(0.2 * a).epsilon(0.05));
+}
+
+TEST_CASE("a failing run that finds no room on its way ends with 4, not as if it was interrupted") {
+    const TemporaryFolder folder;
+    const std::string scenario = folder.write("slides.toml", blockScenario(0, 20, kQuickSearch));
+    const std::string whole = folder / "whole.mcap";
+    REQUIRE(runTalus({"critical-angle", scenario, "--keep-run", whole, "--quiet"}).exit_code == 0);
+    const std::uintmax_t size = std::filesystem::file_size(whole);
+    constexpr std::size_t kMostText = 8192;
+    for (std::size_t kib = 1; kib * 1024 < size; kib = kib * 4 / 3 + 1) {
+        CAPTURE(kib);
+        const std::string file = folder / (std::to_string(kib) + ".mcap");
+        const Outcome outcome =
+            Program(Room{kib}, {"critical-angle", scenario, "--keep-run", file, "--json", "--quiet"})
+                .outcome();
+        CHECK(outcome.exit_code == 4);
+        if (kib * 1024 < kMostText) continue;  // what it prints finds no room either
+        CHECK(outcome.json().at("kept_run").at("reason").is_string());
+        CHECK(outcome.json().at("status") == "found");
+        CHECK_FALSE(outcome.json().at("interrupted").get<bool>());
+    }
 }

@@ -1,0 +1,48 @@
+#include "scenario/unnamed.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace talus::formats::scenario {
+namespace {
+
+void collectTexts(const Node& node, std::set<std::string>& texts) {
+    if (node.kind() == Kind::text) texts.insert(node.text());
+    if (node.kind() == Kind::array)
+        for (std::size_t i = 0; i < node.size(); ++i) collectTexts(node.at(i), texts);
+    if (node.kind() == Kind::table)
+        for (const Entry& entry : node.entries()) collectTexts(entry.value, texts);
+}
+
+/// What a file refers to, or may by its own name: the names of its joints in rock among them.
+std::set<std::string> textsOf(const Node& root) {
+    std::set<std::string> texts;
+    collectTexts(root, texts);
+    return texts;
+}
+
+}  // namespace
+
+void warnOfUnnamed(Report& report, const Node& root) {
+    if (root.kind() != Kind::table) return;
+    const std::set<std::string> named = textsOf(root);
+    const std::vector<std::string> candidates(named.begin(), named.end());
+    for (const char* section : {"material", "joint"}) {
+        const auto tables = root.find(section);
+        if (!tables || tables->kind() != Kind::table) continue;
+        const bool is_joint = std::string_view(section) == "joint";
+        if (!is_joint && tables->size() < 2) continue;
+        for (const Entry& entry : tables->entries()) {
+            if (named.count(entry.key) > 0 || (is_joint && entry.key == "default")) continue;
+            const auto meant = nearest(entry.key, candidates);
+            report.warn(joinField(section, entry.key) +
+                        (entry.place.line > 0 ? " (line " + std::to_string(entry.place.line) + ")" : "") +
+                        ": nothing in the file has this " + section + ", so it has no effect" +
+                        (meant ? ", did you mean " + quoted(*meant) + "?" : ""));
+        }
+    }
+}
+
+}  // namespace talus::formats::scenario
