@@ -35,19 +35,44 @@ void addSide(Cell& cell, const Vec3& normal, double offset, double sign) {
     cell.sides[static_cast<std::size_t>(cell.side_count++)] = {normal, offset, sign};
 }
 
-Thrust thrustOn(const Cell& cell, Polygon polygon, const FaceFrame& face) {
+/// Where a polygon lies to a half plane: normal . x <= offset. Near its line, where clipping decides, it counts as across.
+enum class Lies { inside, across, outside };
+Lies liesTo(const Polygon& polygon, const Vec2& normal, double offset) {
+    constexpr double kNear =
+        1e-9;  // of the largest number; clipping takes what is a thousandth of that for the line
+    double least = kInfinity, most = -kInfinity, farthest = 0;
+    for (const Vec2& corner : polygon) {
+        const double height = normal.dot(corner);
+        least = std::min(least, height);
+        most = std::max(most, height);
+        farthest = std::max(farthest, corner.squaredNorm());
+    }
+    const double near = kNear * (std::abs(offset) + std::sqrt(farthest) * normal.norm());
+    return most < offset - near ? Lies::inside : least > offset + near ? Lies::outside : Lies::across;
+}
+
+/// Most polygons lie on one side of each side, so that there is nothing to clip: that was half of a run's time.
+Thrust thrustOn(const Cell& cell, const Polygon& whole, const FaceFrame& face) {
+    Polygon clipped;
+    const Polygon* polygon = &whole;
     for (int k = 0; k < cell.side_count; ++k) {
         const Side& side = cell.sides[static_cast<std::size_t>(k)];
-        if (polygon.empty()) return {};
+        if (polygon->empty()) return {};
         const double beyond = side.normal.dot(face.origin) - side.offset, most = -side.sign * beyond;
-        const Vec2 across(side.normal.dot(face.e1), side.normal.dot(face.e2));
-        if (across.norm() > 1e-12)
-            polygon = clipHalfPlane(polygon, side.sign * across, most);
-        else if (most < 0 || (most == 0 && side.sign > 0))  // a face along the side belongs to one of two
-            return {};
+        const Vec2 across = side.sign * Vec2(side.normal.dot(face.e1), side.normal.dot(face.e2));
+        if (across.norm() <= 1e-12) {
+            if (most < 0 || (most == 0 && side.sign > 0))  // a face along the side belongs to one of two
+                return {};
+            continue;
+        }
+        const Lies lies = liesTo(*polygon, across, most);
+        if (lies == Lies::outside) return {};
+        if (lies == Lies::inside) continue;
+        clipped = clipHalfPlane(*polygon, across, most);
+        polygon = &clipped;
     }
-    return talus::thrustOn(polygon, {cell.p0 + cell.gradient.dot(face.origin),
-                                     {cell.gradient.dot(face.e1), cell.gradient.dot(face.e2)}});
+    return talus::thrustOn(*polygon, {cell.p0 + cell.gradient.dot(face.origin),
+                                      {cell.gradient.dot(face.e1), cell.gradient.dot(face.e2)}});
 }
 
 // --- a line --------------------------------------------------------------------------------------------------------------
