@@ -18,41 +18,48 @@ using Find = Result<SearchResult> (*)(const Model&, const Control&, const QuasiS
 // to which other loading histories are looked at.
 constexpr std::size_t kDearerThanRange = 15;
 
-// As limit equilibrium has it: what slips or tears keeps its strength.
-void keepCohesion(Joint& joint) {
-    joint.residual_cohesion = std::max(joint.residual_cohesion, joint.cohesion);
-}
-void keepTension(Joint& joint) {
-    if (joint.tensile_strength > 0)
-        joint.softening_displacement = propertyOf(&Joint::softening_displacement).allowed.max;
-}
+/// Strength that is lost at the first slip or opening: how a warning of it begins, and as limit equilibrium has it, kept.
+struct LostStrength {
+    const char* warning;
+    const char* name;
+    void (*keep)(Joint& joint);
+};
+constexpr LostStrength kLostStrengths[] = {
+    {analysis::kHangsOnCohesion, "cohesion",
+     [](Joint& joint) { joint.residual_cohesion = std::max(joint.residual_cohesion, joint.cohesion); }},
+    {analysis::kHangsOnTension, "tensile strength",
+     [](Joint& joint) {
+         if (joint.tensile_strength > 0)
+             joint.softening_displacement = propertyOf(&Joint::softening_displacement).allowed.max;
+     }},
+    {analysis::kHangsOnFriction, "peak friction",
+     [](Joint& joint) { joint.residual_friction = std::max(joint.residual_friction, joint.friction); }}};
 
-/// To the warning of an answer that hangs on cohesion or tensile strength lost at the first slip or opening adds the answer for
-/// strength that is kept, in small models.
+/// To the warning of an answer that hangs on strength lost so adds the answer for strength that is kept, in small models.
 void tellKeptStrength(Find find, const Model& model, const Control& control, const QuasiStatic& settings,
                       const std::function<std::string(double)>& say, SearchResult& result) {
-    const auto warning =
-        std::find_if(result.warnings.begin(), result.warnings.end(), [](const std::string& text) {
-            return text.starts_with(analysis::kHangsOnCohesion) ||
-                   text.starts_with(analysis::kHangsOnTension);
-        });
-    if (warning == result.warnings.end() || result.status != SearchStatus::found ||
+    if (result.status != SearchStatus::found ||
         result.contact_points > control.most_points_of_range / kDearerThanRange)
         return;
-    const bool is_cohesion = warning->starts_with(analysis::kHangsOnCohesion);
-    Model kept = model;
-    for (Joint& joint : kept.joints) is_cohesion ? keepCohesion(joint) : keepTension(joint);
-    Control alone = control;
-    alone.keep_failing_state = false;
-    alone.groups = 1;
-    alone.most_points_of_range = 0;
-    const Result<SearchResult> found = find(kept, alone, settings);
-    if (!found) return;
-    result.wall_seconds += found->wall_seconds;
-    if (found->status != SearchStatus::found) return;
-    if (is_cohesion) result.kept_cohesion = found->answer;
-    *warning += std::string("; the answer with ") + (is_cohesion ? "cohesion" : "tensile strength") +
-                " kept: " + say(found->answer);
+    for (const LostStrength& lost : kLostStrengths) {
+        const auto warning =
+            std::find_if(result.warnings.begin(), result.warnings.end(),
+                         [&](const std::string& text) { return text.starts_with(lost.warning); });
+        if (warning == result.warnings.end()) continue;
+        Model kept = model;
+        for (Joint& joint : kept.joints) lost.keep(joint);
+        Control alone = control;
+        alone.keep_failing_state = false;
+        alone.groups = 1;
+        alone.most_points_of_range = 0;
+        const Result<SearchResult> found = find(kept, alone, settings);
+        if (!found) return;
+        result.wall_seconds += found->wall_seconds;
+        if (found->status != SearchStatus::found) return;
+        if (lost.warning == analysis::kHangsOnCohesion) result.kept_cohesion = found->answer;
+        *warning += std::string("; the answer with ") + lost.name + " kept: " + say(found->answer);
+        return;
+    }
 }
 
 }  // namespace

@@ -30,6 +30,12 @@ double lostTension(const State& state) {
     });
 }
 
+double lostFriction(const State& state) {
+    return lostShare(state, [](const contact::JointLaw& law) {
+        return !law.curved && law.tan_friction > law.residual_tan_friction;
+    });
+}
+
 /// Limit equilibrium keeps cohesion to the end; eq 9 does not.
 std::optional<std::string> ofLostCohesion(double lost) {
     if (lost == 0) return std::nullopt;
@@ -47,6 +53,17 @@ std::optional<std::string> ofLostTension(double lost) {
            formatted("%.0f", 100 * lost) +
            " % of its area in the failure): with softening_displacement, over which rock tears, it may be "
            "higher; the ceiling of limit analysis counts it as kept";
+}
+
+/// Limit equilibrium counts the peak everywhere at once; a joint slips at one point after the other.
+std::optional<std::string> ofLostFriction(double lost) {
+    if (lost == 0) return std::nullopt;
+    return kHangsOnFriction + std::string(" where a joint first slips or opens (") +
+           formatted("%.0f", 100 * lost) +
+           " % of its area in the failure), one contact point after the other: with residual_friction_deg = "
+           "friction_deg it may be higher, with more contact points lower; the ceiling of limit analysis "
+           "counts "
+           "the peak";
 }
 
 /// The formulas are for joints that do not give.
@@ -101,6 +118,8 @@ std::vector<std::string> searchWarnings(const Probing& probing, const State& las
         warnings.push_back(std::move(*lost));
     } else if (auto torn = ofLostTension(lostTension(last))) {
         warnings.push_back(std::move(*torn));
+    } else if (auto slipped = ofLostFriction(lostFriction(last))) {
+        warnings.push_back(std::move(*slipped));
     }
     return warnings;
 }

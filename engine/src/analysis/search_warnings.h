@@ -13,6 +13,9 @@ inline constexpr const char* kHangsOnCohesion = "the answer hangs on cohesion th
 /// Likewise, on tensile strength.
 inline constexpr const char* kHangsOnTension = "the answer hangs on tensile strength that is lost";
 
+/// Likewise, on friction beyond the residual one.
+inline constexpr const char* kHangsOnFriction = "the answer hangs on peak friction that is lost";
+
 /// \param last  the state the search ended in: let go if it `fails`
 std::vector<std::string> searchWarnings(const Probing& probing, const State& last, bool fails);
 

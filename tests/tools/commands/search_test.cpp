@@ -248,6 +248,38 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "an answer that hangs on friction lost at the first slip says so, with the one for friction that is "
+    "kept") {
+    const TemporaryFolder folder;
+    const std::string path = folder.write(
+        "flat.toml",
+        "[material.rock]\ndensity = 2650.0\n[joint.default]\nnormal_stiffness = 1e11\nshear_stiffness = "
+        "1e11\n"
+        "friction_deg = 30.0\n[[stack]]\ncolumns = 1\nrows = 1\nslices = 1\nblock = [10.0, 1.0, 0.9]\n");
+    for (const auto& [peak, residual] : {std::pair{29.0, 21.0}, {24.0, 21.3}, {40.0, 35.0}, {30.0, 30.0}}) {
+        CAPTURE(peak);
+        CAPTURE(residual);
+        const auto answer = runTalus({"critical-angle", path, "--json", "--quiet", "--set",
+                                      "joint.default.friction_deg=" + std::to_string(peak), "--set",
+                                      "joint.default.residual_friction_deg=" + std::to_string(residual)})
+                                .json();
+        const double angle = answer.at("critical_angle_deg");
+        CHECK(angle > residual - 0.02);
+        CHECK(angle < peak + 0.02);
+        const std::string warnings = answer.at("warnings").dump();
+        const bool loses = residual < peak;
+        CHECK((warnings.find("the answer hangs on peak friction that is lost") != std::string::npos) ==
+              loses);
+        const std::string told = "the answer with peak friction kept: tilt ";
+        REQUIRE((warnings.find(told) != std::string::npos) == loses);
+        if (!loses) continue;
+        CHECK(std::stod(warnings.substr(warnings.find(told) + told.size())) ==
+              doctest::Approx(peak).epsilon(1e-3));
+        CHECK(answer.at("kept_cohesion").is_null());
+    }
+}
+
+TEST_CASE(
     "blocks that a level table pushes off at any strength are told, and a history whose water never drains") {
     const TemporaryFolder folder;
     // A wedge of rock on a joint that daylights, with water up to its crest.
