@@ -206,6 +206,24 @@ TEST_SUITE("physics") {
         }
     }
 
+    // What soft joints give under weight is none of what blocks creep in the first short load steps.
+    TEST_CASE(
+        "an answer a few cells above the start, on joints so soft that they give more than that moves") {
+        for (const double start : {-0.3, 0.0, 0.3, 2.0})
+            for (const double above : {0.6, 0.9})
+                for (const double tolerance : {0.2, 0.5}) {
+                    CAPTURE(start);
+                    CAPTURE(above);
+                    CAPTURE(tolerance);
+                    Model model = bodyOnPlane(start + above, {1, 1, 1}, 3e6);
+                    model.analysis.start = radians(start);
+                    model.analysis.tolerance = radians(tolerance);
+                    const SearchResult result = critical(model);
+                    CHECK(degrees(result.low) < start + above + 0.02);
+                    CHECK(degrees(result.high) > start + above - 0.05);
+                }
+    }
+
     TEST_CASE("answers that are no angle: failing at the start, standing at the end") {
         Model model = bodyOnPlane(20, {1, 1, 0.5});
         model.analysis.start = radians(25);

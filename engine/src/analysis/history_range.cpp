@@ -21,8 +21,6 @@ constexpr double kShareBeforeRange = 0.9;  // of the progress of the whole
 constexpr double kWorthAWarning = 0.01;    // of the answer
 constexpr double kFarEnough = 0.5;         // of the answer: no farther is looked
 constexpr double kLocks = 1.0;             // tan(phi) from which blocks that lean on each other may lock
-// Strength reduced at a load is a search of its own: up to this share of the contact points up to which weight is brought on anew.
-constexpr std::size_t kDearer = 15;
 
 /// Loads that are brought on afresh, on the search's own cells.
 class Afresh {
@@ -174,12 +172,12 @@ void addOthers(const LoadAxis& axis, const std::vector<OtherAnswer>& others, Sea
     result.range = {low, high};
     result.range_reason = "friction remembers how a load was reached: " + axis.say(result.answer) +
                           " when it grows step by step" + said;
-    const double below = (result.answer - low) / std::abs(result.answer);
-    if (lowest == nullptr || below <= kWorthAWarning) return;
+    const double below = result.answer - low, whole = std::abs(result.answer);
+    if (lowest == nullptr || below <= kWorthAWarning * whole) return;
+    const std::string share = below < whole ? ", " + formatted("%.0f", 100 * below / whole) + " % below" : "";
     result.warnings.push_back("the answer is above the lower end of its range: " + lowest->way +
-                              " the assembly fails at " + axis.say(low) + ", " +
-                              formatted("%.0f", 100 * below) + " % below; count on the lower end unless " +
-                              lowest->advice);
+                              " the assembly fails at " + axis.say(low) + share +
+                              "; count on the lower end unless " + lowest->advice);
 }
 
 }  // namespace
@@ -222,7 +220,7 @@ void addHistoryRange(const State& built, const LoadAxis& axis, const Control& co
         others.push_back({*unlocked, "with friction of no more than 45 degrees", "joints are known to lock"});
     double lowest = result.low;
     for (const OtherAnswer& other : others) lowest = std::min(lowest, other.load);
-    if (points <= control.most_points_of_range / kDearer)
+    if (points <= control.most_points_of_range / kDearerThanRange)
         if (const auto reduced = answerByReduction(built, axis, quiet, settings, parallel, result, lowest))
             others.push_back({*reduced, "with strength reduced at that load",
                               "the joints have never been stronger than now"});

@@ -7,6 +7,10 @@
 
 namespace talus::analysis {
 
+/// Searches beside the answer's own are made up to this share of the contact points up to which weight is brought on anew: they take as
+/// long as the first, or ten times as long.
+inline constexpr std::size_t kDearerThanRange = 15;
+
 /// Looks, near an answer that was found, for the load up to which an equilibrium is found when weight and water are brought
 /// on at that load, all at once, on joints that have not slid yet; where blocks topple on joints rougher than 45 degrees also for the
 /// answer with no more than that. Fills `range` and `range_reason`.

@@ -231,7 +231,7 @@ std::vector<Error> waterFarAway(const State& state) {
     return errors;
 }
 
-/// What rounding of its coordinates leaves of a free block's out-of-balance force, over its weight. \pre gravity
+/// What rounding of its own coordinates alone leaves of a free block's out-of-balance force, over its weight. \pre gravity
 double roundingOf(const State& state, const std::vector<double>& bounds, std::size_t b) {
     if (state.blocks.motion[b] != Motion::free) return 0.0;
     const double reach = state.blocks.position.get(b).cwiseAbs().maxCoeff() + state.geometry->radius[b];

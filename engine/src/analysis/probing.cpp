@@ -51,7 +51,7 @@ double wayFromRest(const Probing& p, const State& state) {
 
 /// Whether a load step from where the assembly last stood is one of a few cells. Where not the load has changed but blocks were taken
 /// out it is none.
-bool isShort(const Probing& p, double load) {
+bool isOfFewCells(const Probing& p, double load) {
     const double cells = std::abs(load - p.stable_load) / p.axis.cell;
     return cells > 0 && cells < kShortStep;
 }
@@ -72,8 +72,9 @@ Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, Sta
     if (probe.verdict == Verdict::stable) {
         ++p.states_at_rest;
         const double way = wayFromRest(p, state);
+        const double taken_up = std::max(0.0, tieReach(p.last_stable) - tieReach(state));  // by bolts
         p.deflection += way;
-        p.crept = isShort(p, load) ? p.crept + way : 0;
+        p.crept = p.has_stood && isOfFewCells(p, load) ? p.crept + std::max(0.0, way - taken_up) : 0;
         p.stable_load = load;
     }
     p.leaving.clear();
@@ -87,10 +88,10 @@ Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, Sta
 /// a failure.
 double nearLimit(const Probing& p, double load) {
     const double seen = kSeenShare * p.last_stable.geometry->length_scale, reach = tieReach(p.last_stable);
-    if (!isShort(p, load)) return std::max(seen, kNear * ownDeflection(p)) + reach;
-    const double own = std::max(0.0, ownDeflection(p) - p.crept);
+    if (!isOfFewCells(p, load)) return std::max(seen, kNear * ownDeflection(p)) + reach;
+    const double own = std::min(ownDeflection(p), std::max(0.0, p.deflection - p.crept));
     const double share = std::min(1.0, kMostAmplified * worthOfStep(p, load));
-    const double left = kMostCrept * std::max(seen, own) - p.crept;
+    const double left = std::max(0.0, kMostCrept * std::max(seen, own) - p.crept);
     return std::min(left, std::max(seen, kNear * share * own)) + reach;
 }
 
@@ -188,6 +189,7 @@ void report(const Probing& p, const std::string& stage, double load, const std::
 Probing beginProbing(const State& state, const LoadAxis& axis, const Control& control,
                      const QuasiStatic& settings, bool parallel) {
     Probing p{.axis = axis, .control = control, .last_stable = state, .last_moving = {}, .work = {}};
+    p.stable_load = axis.start;
     p.last_stable.searches_around = freeBlocks(state) > kManyBlocks;
     p.least_mass = state.geometry->model.analysis.least_mass_share * freeMass(state);
     p.work = prepare(p.last_stable, settings, control, axis.imbalance_tolerance, parallel);

@@ -357,7 +357,8 @@ QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control
     work.out_of_balance_limit = std::max(kShareOfTolerance * load_tolerance, roundingLevel(state, bounds));
     if (work.out_of_balance_limit > load_tolerance)
         state.warnings.push_back(
-            "stiffness and coordinates are so large that rounding leaves the out-of-balance force at " +
+            "stiffness and coordinates, or the blocks that others lie on, are so large that rounding leaves "
+            "the out-of-balance force at " +
             std::to_string(work.out_of_balance_limit) +
             " of the weight: the answer is no more accurate than that");
     work.release = std::min(1.0, work.time_step / (2.0 * work.slow_period));

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "analysis/history_range.h"
 #include "analysis/load_axis.h"
 #include "analysis/search_of_the_rest.h"
 #include "analysis/search_warnings.h"
@@ -13,10 +14,6 @@ namespace talus {
 namespace {
 
 using Find = Result<SearchResult> (*)(const Model&, const Control&, const QuasiStatic&);
-
-// A search with cohesion kept takes as long as the first, or ten times as long: it is made up to a fifteenth of the contact points up
-// to which other loading histories are looked at.
-constexpr std::size_t kDearerThanRange = 15;
 
 /// Strength that is lost at the first slip or opening: how a warning of it begins, and as limit equilibrium has it, kept.
 struct LostStrength {
@@ -39,7 +36,7 @@ constexpr LostStrength kLostStrengths[] = {
 void tellKeptStrength(Find find, const Model& model, const Control& control, const QuasiStatic& settings,
                       const std::function<std::string(double)>& say, SearchResult& result) {
     if (result.status != SearchStatus::found ||
-        result.contact_points > control.most_points_of_range / kDearerThanRange)
+        result.contact_points > control.most_points_of_range / analysis::kDearerThanRange)
         return;
     for (const LostStrength& lost : kLostStrengths) {
         const auto warning =

@@ -32,7 +32,7 @@ double lostTension(const State& state) {
 
 double lostFriction(const State& state) {
     return lostShare(state, [](const contact::JointLaw& law) {
-        return !law.curved && law.tan_friction > law.residual_tan_friction;
+        return !law.curved && !contact::softens(law) && law.tan_friction > law.residual_tan_friction;
     });
 }
 

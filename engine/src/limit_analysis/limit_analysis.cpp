@@ -123,7 +123,7 @@ class LimitSearch {
         return std::atan(found.multiplier);
     }
 
-    /// Where all loads turn with gravity and nothing is bonded only their direction matters, so that the first programme
+    /// Where all loads turn with gravity and nothing holds without normal force only their direction matters, so that the first programme
     /// finds the limit.
     bool onlyDirectionMatters() const {
         const bool bonds =

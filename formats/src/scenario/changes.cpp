@@ -1,8 +1,11 @@
 #include "talus/formats/changes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "scenario/read_document.h"
+#include "scenario/unnamed.h"
 #include "toml/field_path.h"
 #include "toml/file_text.h"
 #include "toml/scalar_text.h"
@@ -63,27 +66,43 @@ std::vector<Error> change(Document& document, const std::vector<FieldChange>& ch
     return faults;
 }
 
-/// The joint or material of a changed field, where the file has others but not that one.
-std::optional<std::string> unknownName(const Document& document, const toml::FieldPath& path) {
-    const auto* section = path.size() < 3 ? nullptr : std::get_if<std::string>(&path[0]);
-    const auto* name = path.size() < 3 ? nullptr : std::get_if<std::string>(&path[1]);
-    if (section == nullptr || name == nullptr || (*section != "joint" && *section != "material"))
-        return std::nullopt;
-    const auto tables = document.root().find(*section);
-    if (!tables || tables->kind() != toml::Kind::table || tables->find(*name)) return std::nullopt;
-    std::vector<std::string> known;
-    for (const toml::Entry& entry : tables->entries()) known.push_back(entry.key);
-    return "found the unknown " + *section + " " + toml::quoted(*name) + toml::suggestion(*name, known);
+std::vector<std::string> keysIn(const Document& document, std::string_view section) {
+    std::vector<std::string> keys;
+    const auto tables = document.root().find(section);
+    if (!tables || tables->kind() != toml::Kind::table) return keys;
+    for (const toml::Entry& entry : tables->entries()) keys.push_back(entry.key);
+    return keys;
 }
 
-/// Changes of joints and materials that the file does not have: they are added, and may lack what is required. \pre the paths are ones
+/// Faults of the changes that add a joint or a material to those of the file. \pre the paths are ones
 std::vector<Error> unknownNames(const Document& document, const std::vector<FieldChange>& changes) {
+    const scenario::KnownNames known{keysIn(document, "joint"), keysIn(document, "material")};
     std::vector<Error> faults;
     for (const FieldChange& wish : changes)
         if (const auto path = toml::parseField(wish.field))
-            if (auto fault = unknownName(document, *path))
-                faults.push_back({wish.field, std::move(*fault), kChangedBy});
+            if (auto fault = scenario::unknownName(*path, known))
+                faults.push_back({fieldName(*path), std::move(*fault), kChangedBy});
     return faults;
+}
+
+/// What an added joint or material lacks is said as its name: it was hardly meant to be added. Other faults stay.
+std::vector<Error> sayUnknown(const std::vector<Error>& unknown, std::vector<Error> errors) {
+    for (const Error& name : unknown) {
+        const std::string table = enclosingTable(name.field) + ".";
+        const auto lacks = [&](const Error& error) { return error.field.starts_with(table); };
+        const auto first = std::find_if(errors.begin(), errors.end(), lacks);
+        if (first == errors.end()) {
+            // A second material leaves open which one blocks are of that name none.
+            const bool leaves_open = std::any_of(errors.begin(), errors.end(), [](const Error& error) {
+                return error.field.ends_with(".material");
+            });
+            if (leaves_open && table.starts_with("material.")) errors.insert(errors.begin(), name);
+            continue;
+        }
+        *first = name;
+        errors.erase(std::remove_if(std::next(first), errors.end(), lacks), errors.end());
+    }
+    return errors;
 }
 
 /// Errors of changed fields are said of who changed them: the file has no such line.
@@ -120,7 +139,7 @@ Result<Scenario> readScenario(const std::string& path, const std::vector<FieldCh
     if (auto faults = change(*document, changes); !faults.empty()) return faults;
     auto scenario = scenario::readDocument(*document, toml::writeDocument(*document), name, kMostBlocks, stop,
                                            nullptr, progress);
-    if (!scenario) return unknown.empty() ? ofChanges(changes, scenario.errors()) : unknown;
+    if (!scenario) return sayUnknown(unknown, ofChanges(changes, scenario.errors()));
     for (const FieldChange& wish : changes)
         scenario->places[fieldName(*toml::parseField(wish.field))] = {0, 0};
     return scenario;

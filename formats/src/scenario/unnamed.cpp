@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <set>
-#include <string>
-#include <vector>
+#include <string_view>
+#include <utility>
 
 namespace talus::formats::scenario {
 namespace {
@@ -25,10 +25,19 @@ std::set<std::string> textsOf(const Node& root) {
 
 }  // namespace
 
+std::optional<std::string> unknownName(const FieldPath& path, const KnownNames& known) {
+    const auto* section = path.size() < 2 ? nullptr : std::get_if<std::string>(&path[0]);
+    const auto* name = path.size() < 2 ? nullptr : std::get_if<std::string>(&path[1]);
+    if (section == nullptr || name == nullptr || *name == "*") return std::nullopt;
+    if (*section != "joint" && *section != "material") return std::nullopt;
+    const std::vector<std::string>& names = *section == "joint" ? known.joints : known.materials;
+    if (names.empty() || std::find(names.begin(), names.end(), *name) != names.end()) return std::nullopt;
+    return "found the unknown " + *section + " " + quoted(*name) + suggestion(*name, names);
+}
+
 void warnOfUnnamed(Report& report, const Node& root) {
     if (root.kind() != Kind::table) return;
     const std::set<std::string> named = textsOf(root);
-    const std::vector<std::string> candidates(named.begin(), named.end());
     for (const char* section : {"material", "joint"}) {
         const auto tables = root.find(section);
         if (!tables || tables->kind() != Kind::table) continue;
@@ -36,7 +45,7 @@ void warnOfUnnamed(Report& report, const Node& root) {
         if (!is_joint && tables->size() < 2) continue;
         for (const Entry& entry : tables->entries()) {
             if (named.count(entry.key) > 0 || (is_joint && entry.key == "default")) continue;
-            const auto meant = nearest(entry.key, candidates);
+            const auto meant = nearest(entry.key, {named.begin(), named.end()});
             report.warn(joinField(section, entry.key) +
                         (entry.place.line > 0 ? " (line " + std::to_string(entry.place.line) + ")" : "") +
                         ": nothing in the file has this " + section + ", so it has no effect" +

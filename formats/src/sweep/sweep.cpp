@@ -29,8 +29,8 @@ constexpr double kNearlyCertain = 1e-9;  // share of a distribution beyond the e
 constexpr std::int64_t kMaxSamples = 1'000'000'000;
 constexpr std::uint64_t kMaxRuns = 1'000'000'000'000;
 
-KnownNames knownNames(const Scenario& scenario) {
-    KnownNames names{.joints = {}, .materials = scenario.materials};
+scenario::KnownNames knownNames(const Scenario& scenario) {
+    scenario::KnownNames names{.joints = {}, .materials = scenario.materials};
     for (std::size_t j = 0; j < scenario.joint_origins.size(); ++j)
         if (scenario.joint_origins[j].kind == JointOrigin::Kind::file)
             names.joints.push_back(scenario.model.joints[j].name);
@@ -53,7 +53,7 @@ class SweepReader {
     Result<Sweep> read() {
         root_.integer("format", {1, 1});
         root_.require({"scenario", "analysis"});
-        const KnownNames known = readScenarioText();
+        const scenario::KnownNames known = readScenarioText();
         if (!errors_.empty()) return errors_;
         readAnalysis();
         Variables variables = readVariables(report_, root_, sweep_.path, known);
@@ -74,7 +74,7 @@ class SweepReader {
 
  private:
     /// The scenario has to be good as it is.
-    KnownNames readScenarioText() {
+    scenario::KnownNames readScenarioText() {
         const auto name = root_.text("scenario");
         if (base_) {
             sweep_.scenario_text = base_->text;

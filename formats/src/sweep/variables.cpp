@@ -43,7 +43,8 @@ std::optional<SweepValue> scalarOf(Report& report, const Node& node, const std::
 
 class VariablesReader {
  public:
-    VariablesReader(Report& report, TableReader& root, const std::string& path, const KnownNames& known)
+    VariablesReader(Report& report, TableReader& root, const std::string& path,
+                    const scenario::KnownNames& known)
         : report_(report), root_(root), path_(path), known_(known) {}
 
     Variables read() {
@@ -69,7 +70,7 @@ class VariablesReader {
         }
         const auto of_joint = scenario::jointField(*path);
         if (!of_joint || of_joint->joint != "*") {
-            if (auto fault = unknownName(*path)) {
+            if (auto fault = scenario::unknownName(*path, known_)) {
                 report_.add(place, field, std::move(*fault));
                 return {};
             }
@@ -79,18 +80,6 @@ class VariablesReader {
         for (const std::string& joint : known_.joints)
             targets.push_back(joinField(joinField("joint", joint), of_joint->key));
         return targets;
-    }
-
-    /// What is wrong with a field of a joint or a material that the scenario does not have: it would be added, and have no effect.
-    std::optional<std::string> unknownName(const FieldPath& path) const {
-        const auto* section = path.empty() ? nullptr : std::get_if<std::string>(&path[0]);
-        const auto* name = path.size() < 2 ? nullptr : std::get_if<std::string>(&path[1]);
-        if (section == nullptr || name == nullptr || (*section != "joint" && *section != "material"))
-            return std::nullopt;
-        const std::vector<std::string>& names = *section == "joint" ? known_.joints : known_.materials;
-        if (*name == "*" || names.empty() || std::find(names.begin(), names.end(), *name) != names.end())
-            return std::nullopt;
-        return "found the unknown " + *section + " " + toml::quoted(*name) + suggestion(*name, names);
     }
 
     /// A field may be set by one variable only.
@@ -301,7 +290,7 @@ class VariablesReader {
             variable.column.targets = targetsOf(name, variable.field, variable.place);
         } else if (const auto path = parseField(name)) {
             variable.field = name;
-            if (auto fault = unknownName(*path))
+            if (auto fault = scenario::unknownName(*path, known_))
                 variables_.errors.push_back(
                     {name, std::move(*fault), variable.file, variable.place.line, variable.place.column});
             else
@@ -410,14 +399,15 @@ class VariablesReader {
     Report& report_;
     TableReader& root_;
     const std::string& path_;
-    const KnownNames& known_;
+    const scenario::KnownNames& known_;
     Variables variables_;
     std::set<std::string> claimed_;
 };
 
 }  // namespace
 
-Variables readVariables(Report& report, TableReader& root, const std::string& path, const KnownNames& known) {
+Variables readVariables(Report& report, TableReader& root, const std::string& path,
+                        const scenario::KnownNames& known) {
     return VariablesReader(report, root, path, known).read();
 }
 

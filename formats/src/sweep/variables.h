@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scenario/unnamed.h"
 #include "talus/formats/sweep.h"
 #include "toml/table_reader.h"
 
@@ -18,11 +19,6 @@ struct Variable {
     std::vector<toml::Place> places;  ///< of each value
 };
 
-/// What a scenario has under names of its own.
-struct KnownNames {
-    std::vector<std::string> joints, materials;
-};
-
 /// Reads all variables and the names of the table's cases. `known` is the scenario's: fields of other joints and
 /// materials are reported, and `joint.*` stands for all joints. Table files are looked for beside the sweep file at `path`.
 struct Variables {
@@ -31,7 +27,7 @@ struct Variables {
     std::vector<Error> errors;  ///< of the table's file
 };
 Variables readVariables(toml::Report& report, toml::TableReader& root, const std::string& path,
-                        const KnownNames& known);
+                        const scenario::KnownNames& known);
 
 /// `name` beside the file at `path`, unless it is absolute.
 std::string besideFile(const std::string& path, const std::string& name);

@@ -72,6 +72,26 @@ TEST_SUITE("scenario changes") {
               "\"granite\"?");
     }
 
+    TEST_CASE("a joint may be added whole, and faults elsewhere are said whatever was added") {
+        const test::TemporaryFile file("slope.toml", kText);
+        std::vector<FieldChange> wall{{"joint.wall.normal_stiffness", "1e9"},
+                                      {"joint.wall.shear_stiffness", "1e9"},
+                                      {"joint.wall.friction_deg", "20"},
+                                      {"stack[0].joint", "wall"}};
+        CHECK(readScenario(file.path(), wall).ok());
+        wall.push_back({"stack[0].block", "[0.4, -1, 2]"});
+        const auto wrong = readScenario(file.path(), wall);
+        REQUIRE(wrong.errors().size() == 1);
+        CHECK(format(wrong.errors()[0]).starts_with("--set: error: stack[0].block[1]: found -1"));
+        wall[2].field = "joint.wal.friction_deg";
+        std::string all;
+        const auto both = readScenario(file.path(), wall);
+        for (const Error& error : both.errors()) all += format(error) + "\n";
+        CAPTURE(all);
+        CHECK(all.find("found the unknown joint \"wal\"") != std::string::npos);
+        CHECK(all.find("stack[0].block[1]: found -1") != std::string::npos);
+    }
+
     TEST_CASE("any friction angle that is allowed arrives to the bit") {
         test::checkProperty("value of --set", 100, [] {
             const double value = *test::numberIn(0, 80);

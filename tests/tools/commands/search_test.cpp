@@ -277,6 +277,12 @@ TEST_CASE(
               doctest::Approx(peak).epsilon(1e-3));
         CHECK(answer.at("kept_cohesion").is_null());
     }
+    // What softens over a way is not lost at the first slip.
+    const auto softens = runTalus({"critical-angle", path, "--json", "--quiet", "--set",
+                                   "joint.default.residual_friction_deg=20", "--set",
+                                   "joint.default.softening_displacement=0.01"})
+                             .json();
+    CHECK(softens.at("warnings").dump().find("hangs on peak friction") == std::string::npos);
 }
 
 TEST_CASE(
