@@ -139,13 +139,13 @@ std::optional<double> answerByReduction(const State& built, const LoadAxis& axis
         std::max(static_cast<double>(kNoDifference) * axis.cell, kWorthAWarning * std::abs(result.answer));
     double stands = axis.start, fails = below - margin;
     if (fails <= stands) return std::nullopt;
-    const auto standsAt = [&](double load) {
+    const auto stands_at = [&](double load) {
         return standsReduced(built, axis, load, control, settings, parallel);
     };
-    if (standsAt(fails).value_or(true)) return std::nullopt;
+    if (stands_at(fails).value_or(true)) return std::nullopt;
     while (fails - stands > margin) {
         const double middle = 0.5 * (stands + fails);
-        const std::optional<bool> there = standsAt(middle);
+        const std::optional<bool> there = stands_at(middle);
         if (!there) return std::nullopt;
         (*there ? stands : fails) = middle;
     }
@@ -220,10 +220,12 @@ void addHistoryRange(const State& built, const LoadAxis& axis, const Control& co
         others.push_back({*unlocked, "with friction of no more than 45 degrees", "joints are known to lock"});
     double lowest = result.low;
     for (const OtherAnswer& other : others) lowest = std::min(lowest, other.load);
+    std::optional<double> reduced;
     if (points <= control.most_points_of_range / kDearerThanRange)
-        if (const auto reduced = answerByReduction(built, axis, quiet, settings, parallel, result, lowest))
-            others.push_back({*reduced, "with strength reduced at that load",
-                              "the joints have never been stronger than now"});
+        reduced = answerByReduction(built, axis, quiet, settings, parallel, result, lowest);
+    if (reduced)
+        others.push_back(
+            {*reduced, "with strength reduced at that load", "the joints have never been stronger than now"});
     if (afresh.stopped()) {
         result.range_reason = "interrupted";
     } else if (!others.empty()) {

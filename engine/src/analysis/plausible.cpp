@@ -284,11 +284,11 @@ double roundingLevel(const State& state, const std::vector<double>& bounds) {
     const double gravity = state.geometry->model.gravity.magnitude;
     if (!(gravity > 0)) return 0.0;
     double level = 0;
-    for (std::size_t b = 0; b < bounds.size(); ++b)
-        if (state.blocks.motion[b] == Motion::free)
-            level =
-                std::max(level, std::numeric_limits<double>::epsilon() *
-                                    coordinateReach(state, state.blocks.position, b) * bounds[b] / gravity);
+    for (std::size_t b = 0; b < bounds.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        const double reach = coordinateReach(state, state.blocks.position, b);
+        level = std::max(level, std::numeric_limits<double>::epsilon() * reach * bounds[b] / gravity);
+    }
     return level;
 }
 

@@ -160,10 +160,11 @@ class Solver {
     /// What rounding of the coordinates leaves of the out-of-balance force: eps |x| k A / (m g).
     double roundingLevel() const {
         double level = 0;
-        for (std::size_t r = 0; r < balance_.block.size(); ++r)
-            level = std::max(level, std::numeric_limits<double>::epsilon() *
-                                        coordinateReach(state_, at_.poses.position, balance_.block[r]) *
-                                        balance_.drag[r] / balance_.weight[r]);
+        for (std::size_t r = 0; r < balance_.block.size(); ++r) {
+            const double reach = coordinateReach(state_, at_.poses.position, balance_.block[r]);
+            level = std::max(level, std::numeric_limits<double>::epsilon() * reach * balance_.drag[r] /
+                                        balance_.weight[r]);
+        }
         return level;
     }
 

@@ -78,10 +78,11 @@ std::vector<std::string> keysIn(const Document& document, std::string_view secti
 std::vector<Error> unknownNames(const Document& document, const std::vector<FieldChange>& changes) {
     const scenario::KnownNames known{keysIn(document, "joint"), keysIn(document, "material")};
     std::vector<Error> faults;
-    for (const FieldChange& wish : changes)
-        if (const auto path = toml::parseField(wish.field))
-            if (auto fault = scenario::unknownName(*path, known))
-                faults.push_back({fieldName(*path), std::move(*fault), kChangedBy});
+    for (const FieldChange& wish : changes) {
+        const auto path = toml::parseField(wish.field);
+        auto fault = path ? scenario::unknownName(*path, known) : std::nullopt;
+        if (fault) faults.push_back({fieldName(*path), std::move(*fault), kChangedBy});
+    }
     return faults;
 }
 

@@ -290,11 +290,12 @@ class VariablesReader {
             variable.column.targets = targetsOf(name, variable.field, variable.place);
         } else if (const auto path = parseField(name)) {
             variable.field = name;
-            if (auto fault = scenario::unknownName(*path, known_))
+            if (auto fault = scenario::unknownName(*path, known_)) {
                 variables_.errors.push_back(
                     {name, std::move(*fault), variable.file, variable.place.line, variable.place.column});
-            else
+            } else {
                 variable.column.targets = targetsOf(name, name, variable.place);
+            }
         } else {
             variables_.errors.push_back(
                 {"",
