@@ -50,10 +50,10 @@ double wayFromRest(const Probing& p, const State& state) {
 }
 
 /// Whether a load step from where the assembly last stood is one of a few cells. Where not the load has changed but blocks were taken
-/// out it is none.
+/// out it is none; nor of many blocks, for some crumb of those always moves on.
 bool isOfFewCells(const Probing& p, double load) {
     const double cells = std::abs(load - p.stable_load) / p.axis.cell;
-    return cells > 0 && cells < kShortStep;
+    return !p.areMany() && cells > 0 && cells < kShortStep;
 }
 
 /// What a load step is worth of the weight: tilts and accelerations are shares of it, strength resists at most as much.
