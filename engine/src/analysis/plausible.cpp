@@ -231,12 +231,16 @@ std::vector<Error> waterFarAway(const State& state) {
     return errors;
 }
 
-/// What rounding of its own coordinates alone leaves of a free block's out-of-balance force, over its weight. \pre gravity
+/// What rounding of lengths as large as `reach` leaves of a block's out-of-balance force, over its weight. \pre gravity
+double roundingOver(const State& state, double reach, double bound) {
+    return std::numeric_limits<double>::epsilon() * reach * bound / state.geometry->model.gravity.magnitude;
+}
+
+/// What rounding of its own coordinates alone leaves of a free block's. \pre gravity
 double roundingOf(const State& state, const std::vector<double>& bounds, std::size_t b) {
     if (state.blocks.motion[b] != Motion::free) return 0.0;
     const double reach = state.blocks.position.get(b).cwiseAbs().maxCoeff() + state.geometry->radius[b];
-    return std::numeric_limits<double>::epsilon() * reach * bounds[b] /
-           state.geometry->model.gravity.magnitude;
+    return roundingOver(state, reach, bounds[b]);
 }
 
 std::optional<Error> roundingDecides(const State& state, double load_tolerance,
@@ -281,13 +285,12 @@ std::optional<std::string> slowedByOne(const State& state, bool parallel) {
 }  // namespace
 
 double roundingLevel(const State& state, const std::vector<double>& bounds) {
-    const double gravity = state.geometry->model.gravity.magnitude;
-    if (!(gravity > 0)) return 0.0;
+    if (!(state.geometry->model.gravity.magnitude > 0)) return 0.0;
     double level = 0;
     for (std::size_t b = 0; b < bounds.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
         const double reach = coordinateReach(state, state.blocks.position, b);
-        level = std::max(level, std::numeric_limits<double>::epsilon() * reach * bounds[b] / gravity);
+        level = std::max(level, roundingOver(state, reach, bounds[b]));
     }
     return level;
 }

@@ -11,8 +11,8 @@
 
 namespace talus::analysis {
 
-/// What rounding of the coordinates leaves of a block's out-of-balance force, over its weight: eps |x| k A / (m g), the
-/// largest of the free blocks. \param bounds  as `frequencyBounds` gives them
+/// What rounding of the coordinates leaves of a block's out-of-balance force, over its weight: eps |x| k A / (m g) with
+/// |x| as `coordinateReach` has it, the largest of the free blocks. \param bounds  as `frequencyBounds` gives them
 double roundingLevel(const State& state, const std::vector<double>& bounds);
 
 /// Free blocks with so much for their mass that rounding would decide a search, when they are splinters (areSplinters);

@@ -74,7 +74,7 @@ std::vector<std::string> keysIn(const Document& document, std::string_view secti
     return keys;
 }
 
-/// Faults of the changes that add a joint or a material to those of the file. \pre the paths are ones
+/// Faults of the changes that add a joint or a material to those of the file.
 std::vector<Error> unknownNames(const Document& document, const std::vector<FieldChange>& changes) {
     const scenario::KnownNames known{keysIn(document, "joint"), keysIn(document, "material")};
     std::vector<Error> faults;
@@ -93,7 +93,7 @@ std::vector<Error> sayUnknown(const std::vector<Error>& unknown, std::vector<Err
         const auto lacks = [&](const Error& error) { return error.field.starts_with(table); };
         const auto first = std::find_if(errors.begin(), errors.end(), lacks);
         if (first == errors.end()) {
-            // A second material leaves open which one blocks are of that name none.
+            // With a second material blocks that name none lack one: that is the added one's fault.
             const bool leaves_open = std::any_of(errors.begin(), errors.end(), [](const Error& error) {
                 return error.field.ends_with(".material");
             });

@@ -8,7 +8,6 @@ namespace talus::formats::scenario {
 
 namespace {
 
-constexpr const char* kDefaultJoint = "default";
 constexpr long kBridgeSteps = 1000;  // shares of intact rock that are told apart
 constexpr const char *kLaw = "law", *kShearStrength = "shear_strength";
 

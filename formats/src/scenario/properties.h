@@ -13,6 +13,9 @@
 
 namespace talus::formats::scenario {
 
+/// The joint of all that name none.
+inline constexpr const char* kDefaultJoint = "default";
+
 /// Names in the order of the file, with their indices.
 class NameList {
  public:

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "scenario/properties.h"
+
 namespace talus::formats::scenario {
 namespace {
 
@@ -37,15 +39,17 @@ std::optional<std::string> unknownName(const FieldPath& path, const KnownNames& 
 
 void warnOfUnnamed(Report& report, const Node& root) {
     if (root.kind() != Kind::table) return;
-    const std::set<std::string> named = textsOf(root);
+    std::optional<std::set<std::string>> named;  // by the file; most have nothing to look for
     for (const char* section : {"material", "joint"}) {
         const auto tables = root.find(section);
         if (!tables || tables->kind() != Kind::table) continue;
         const bool is_joint = std::string_view(section) == "joint";
         if (!is_joint && tables->size() < 2) continue;
         for (const Entry& entry : tables->entries()) {
-            if (named.count(entry.key) > 0 || (is_joint && entry.key == "default")) continue;
-            const auto meant = nearest(entry.key, {named.begin(), named.end()});
+            if (is_joint && entry.key == kDefaultJoint) continue;
+            if (!named) named = textsOf(root);
+            if (named->count(entry.key) > 0) continue;
+            const auto meant = nearest(entry.key, {named->begin(), named->end()});
             report.warn(joinField(section, entry.key) +
                         (entry.place.line > 0 ? " (line " + std::to_string(entry.place.line) + ")" : "") +
                         ": nothing in the file has this " + section + ", so it has no effect" +
