@@ -256,7 +256,9 @@ TEST_CASE(
         "[material.rock]\ndensity = 2650.0\n[joint.default]\nnormal_stiffness = 1e11\nshear_stiffness = "
         "1e11\n"
         "friction_deg = 30.0\n[[stack]]\ncolumns = 1\nrows = 1\nslices = 1\nblock = [10.0, 1.0, 0.9]\n");
-    for (const auto& [peak, residual] : {std::pair{29.0, 21.0}, {24.0, 21.3}, {40.0, 35.0}, {30.0, 30.0}}) {
+    for (const auto& friction : {std::pair{29.0, 21.0}, {24.0, 21.3}, {40.0, 35.0}, {30.0, 30.0}}) {
+        const double peak = friction.first;
+        const double residual = friction.second;
         CAPTURE(peak);
         CAPTURE(residual);
         const auto answer = runTalus({"critical-angle", path, "--json", "--quiet", "--set",
