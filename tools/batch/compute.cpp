@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <ctime>
+#include <limits>
 
 #include "cli/block_names.h"
 #include "cli/text.h"
@@ -15,6 +16,8 @@ using formats::SampledPer;
 using formats::SampledScenario;
 using formats::Sweep;
 using formats::SweepRun;
+
+constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
 /// A row that is filled by the columns' names, so that no order has to be kept in two places.
 class RowWriter {
@@ -68,16 +71,26 @@ void fail(RowWriter& row, const std::vector<Error>& errors) {
         row.addReason((error.field.empty() ? "" : error.field + ": ") + error.message);
 }
 
+void writeRange(const SearchResult& result, const LoadSearch& search, RowWriter& row) {
+    row.set("range_reason", result.range_reason);
+    if (!result.range) return;
+    row.set(search.keyInUnit(kRangeLow), result.range->first / search.load->scale);
+    row.set(search.keyInUnit(kRangeHigh), result.range->second / search.load->scale);
+}
+
 void writeSearch(const SearchResult& result, const LoadSearch& search, const Model& model, RowWriter& row) {
     row.set("status", std::string(toString(result.status)));
     if (result.status == SearchStatus::found) row.set(search.answer_key, result.answer / search.load->scale);
     row.set(search.keyInUnit("bracket_low"), result.low / search.load->scale);
     row.set(search.keyInUnit("bracket_high"), result.high / search.load->scale);
+    writeRange(result, search, row);
     if (const auto theory = search.theory(model, nullptr))
         row.set(search.theory_key, theory->value / search.load->scale);
     row.set("failure_mode", std::string(toString(result.mode)));
     row.set("moving_count", static_cast<std::int64_t>(result.moving_blocks.size()));
-    row.set("moving_blocks", compactNames(result.moving_blocks));
+    row.set("moving_mass_share", massShare(model, result.moving_blocks));
+    row.set("moving_blocks", compactNames(result.moving_blocks, kAll));
+    row.set("left_out", compactNames(leftOut(result), kAll));
     row.set("probes", static_cast<std::int64_t>(result.probes.size()));
     row.set("steps", result.steps);
     row.set("state_hash", hashText(result.state_hash));
@@ -101,9 +114,11 @@ void writeRun(const RunResult& result, RowWriter& row) {
 }
 
 /// False when it was interrupted.
-bool analyse(const SampledScenario& sampled, const LoadSearch* search, const std::atomic<bool>& stop,
+bool analyse(const SampledScenario& sampled, const Sweep& sweep, const std::atomic<bool>& stop,
              RowWriter& row, bool& failed) {
-    const Control control{{}, &stop, 1};
+    const LoadSearch* search = sweep.search;
+    const Control control{
+        .stop = &stop, .threads = 1, .most_points_of_range = sweep.tries_histories ? kAll : 0};
     const Model& model = sampled.scenario.model;
     if (!search) {
         const auto result = run(model, control, [](const HistoryRecord&) {});
@@ -113,10 +128,9 @@ bool analyse(const SampledScenario& sampled, const LoadSearch* search, const std
         return true;
     }
     const auto result = search->find(model, control, {});
-    // A probe that was cut short is undecided, too.
-    if (result &&
-        (result->status == SearchStatus::interrupted || (result->status == SearchStatus::undecided && stop)))
-        return false;
+    // A probe that was cut short is undecided, too, and other loading histories may have been cut short after the answer.
+    const bool may_be_cut = result && (result->status == SearchStatus::undecided || sweep.tries_histories);
+    if (result && (result->status == SearchStatus::interrupted || (may_be_cut && stop))) return false;
     failed = !result || result->status == SearchStatus::undecided;
     result ? writeSearch(*result, *search, model, row) : fail(row, result.errors());
     return true;
@@ -141,7 +155,7 @@ std::optional<ComputedRow> computeRun(const Sweep& sweep, const BatchInfo& info,
         const auto sampled = formats::scenarioOf(sweep, run);
         if (sampled) {
             writeDrawn(sweep, *sampled, row);
-            if (!analyse(*sampled, sweep.search, stop, row, failed)) return std::nullopt;
+            if (!analyse(*sampled, sweep, stop, row, failed)) return std::nullopt;
         } else {
             fail(row, sampled.errors());
         }

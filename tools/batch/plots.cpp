@@ -137,7 +137,7 @@ Plot plotConvergence(const Summary& summary, std::size_t threshold) {
     const std::uint64_t stride = 1 + all / kMostSteps;
     std::uint64_t count = 0, failed = 0;
     for (const Observation& seen : summary.observations) {
-        const auto has_failed = hasFailed(seen, value);
+        const auto has_failed = hasFailed(seen, seen.answer, value);
         if (!has_failed) continue;
         ++count;
         failed += *has_failed;

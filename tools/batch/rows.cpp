@@ -42,18 +42,30 @@ void addVaried(const SweepColumn& column, std::vector<Column>& columns) {
                            std::string(words) + " of the draws per interface", Role::varied, "interfaces"});
 }
 
-void addSearchColumns(const LoadSearch& search, std::vector<Column>& columns) {
+void addSearchColumns(const LoadSearch& search, bool with_range, std::vector<Column>& columns) {
     const std::string unit = search.load->unit;
     columns.push_back({search.answer_key, "number", unit, "middle of the bracket; empty unless found"});
     columns.push_back(
         {search.keyInUnit("bracket_low"), "number", unit, "last that stood; empty at an open end"});
     columns.push_back(
         {search.keyInUnit("bracket_high"), "number", unit, "first that failed; empty at an open end"});
+    if (with_range) {
+        const char* empty = "; empty where all lead to the answer";
+        columns.push_back({search.keyInUnit(kRangeLow), "number", unit,
+                           std::string("smallest answer of other loading histories") + empty});
+        columns.push_back(
+            {search.keyInUnit(kRangeHigh), "number", unit, std::string("largest of them") + empty});
+        columns.push_back({"range_reason", "string", "", "why there is a range, or none"});
+    }
     columns.push_back(
         {search.theory_key, "number", unit, "limit equilibrium; empty where no formula applies"});
     columns.push_back({"failure_mode", "string", "", "none, sliding, toppling or mixed"});
     columns.push_back({"moving_count", "integer", "", "blocks that move at failure"});
+    columns.push_back({"moving_mass_share", "number", "", "of the free blocks"});
     columns.push_back({"moving_blocks", "string", "", "their names; c1-3 r1-5 s1 for a box of them"});
+    columns.push_back(
+        {"left_out", "string", "",
+         "blocks that the answer is not for: fallen at the start, or too small and let go before"});
     columns.push_back({"probes", "integer", "", "of the search"});
 }
 
@@ -81,7 +93,7 @@ std::vector<Column> columnsOf(const Sweep& sweep) {
                        sweep.search ? "found, unstable_at_start, stable_to_stop, undecided or failed"
                                     : "finished or failed"});
     if (sweep.search)
-        addSearchColumns(*sweep.search, columns);
+        addSearchColumns(*sweep.search, sweep.tries_histories, columns);
     else
         addRunColumns(sweep, columns);
     columns.push_back({"steps", "integer", "", "time steps computed"});
@@ -122,6 +134,8 @@ std::string BatchInfo::unitSymbol() const {
 std::string BatchInfo::keyInUnit(std::string_view key) const {
     return search() ? search()->keyInUnit(key) : std::string(key);
 }
+
+bool BatchInfo::triesHistories() const { return find(keyInUnit(kRangeLow)).has_value(); }
 
 std::optional<std::size_t> BatchInfo::find(std::string_view column) const {
     for (std::size_t i = 0; i < columns.size(); ++i)

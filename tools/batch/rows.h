@@ -13,6 +13,9 @@
 
 namespace talus::tools::batch {
 
+/// Of the columns with the ends of the answers of other loading histories; with the unit behind them.
+inline constexpr const char *kRangeLow = "range_low", *kRangeHigh = "range_high";
+
 /// One column of results.csv.
 struct Column {
     enum class Role : std::uint8_t { key, varied, result };
@@ -39,6 +42,7 @@ struct BatchInfo {
     std::string answerName() const;   ///< the column that is the answer: "critical_angle_deg", ...
     std::string answerTitle() const;  ///< "critical angle (°)"
     std::string unitSymbol() const;   ///< of the answer, behind a figure: "°"
+    bool triesHistories() const;      ///< its rows have the answers of other loading histories
     std::string keyInUnit(std::string_view key) const;  ///< "bracket_low" -> "bracket_low_deg"
     std::optional<std::size_t> find(std::string_view column) const;
 };

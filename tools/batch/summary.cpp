@@ -53,6 +53,9 @@ Observation observationOf(const Summary& summary, std::uint64_t run, const Row& 
     seen.answer = status == "unstable_at_start" ? -kInfinity
                   : status == "stable_to_stop"  ? kInfinity
                                                 : cells.number(info.answerName());
+    const double least = cells.number(info.keyInUnit(kRangeLow));
+    seen.has_range = !std::isnan(least);
+    seen.least = seen.has_range ? std::min(seen.answer, least) : seen.answer;
     seen.low = cells.number(info.keyInUnit("bracket_low"));
     seen.high = cells.number(info.keyInUnit("bracket_high"));
     seen.mode = cells.text("failure_mode");
@@ -60,16 +63,20 @@ Observation observationOf(const Summary& summary, std::uint64_t run, const Row& 
     return seen;
 }
 
-void addTo(Group& group, const BatchInfo& info, const Observation& seen) {
+void addTo(Group& group, const Observation& seen) {
     ++group.decided;
     if (!std::isnan(seen.answer)) group.sorted.push_back(seen.answer);
     if (!seen.mode.empty()) ++group.modes[seen.mode];
-    for (std::size_t i = 0; i < info.thresholds.size(); ++i) {
-        FailureShare& share = group.failure[i];
-        const auto failed = hasFailed(seen, share.threshold);
-        share.count += failed.has_value();
-        share.failed += failed.value_or(false);
-    }
+    group.ranges += seen.has_range;
+    const auto count = [&](std::vector<FailureShare>& shares, double answer) {
+        for (FailureShare& share : shares) {
+            const auto failed = hasFailed(seen, answer, share.threshold);
+            share.count += failed.has_value();
+            share.failed += failed.value_or(false);
+        }
+    };
+    count(group.failure, seen.answer);
+    count(group.failure_at_least, seen.least);
 }
 
 void finish(Group& group, double confidence) {
@@ -78,8 +85,9 @@ void finish(Group& group, double confidence) {
     for (const double answer : group.sorted)
         if (std::isfinite(answer)) finite.push_back(answer);
     group.moments = momentsOf(finite, confidence);
-    for (FailureShare& share : group.failure)
-        share.interval = shareInterval(share.failed, share.count, confidence);
+    for (auto shares : {&Group::failure, &Group::failure_at_least})
+        for (FailureShare& share : group.*shares)
+            share.interval = shareInterval(share.failed, share.count, confidence);
 }
 
 Group emptyGroup(const BatchInfo& info, std::string label, std::optional<std::uint64_t> case_index,
@@ -89,6 +97,7 @@ Group emptyGroup(const BatchInfo& info, std::string label, std::optional<std::ui
     group.case_index = case_index;
     group.runs = runs;
     for (const double threshold : info.thresholds) group.failure.push_back({threshold, 0, 0, {0, 1}});
+    if (info.triesHistories()) group.failure_at_least = group.failure;
     return group;
 }
 
@@ -125,9 +134,9 @@ Json quantilesJson(const Group& group) {
     return quantiles;
 }
 
-Json toJson(const Group& group) {
-    Json failure = Json::array(), modes = Json::object();
-    for (const FailureShare& share : group.failure)
+Json toJson(const std::vector<FailureShare>& shares) {
+    Json failure = Json::array();
+    for (const FailureShare& share : shares)
         failure.push_back({{"at", share.threshold},
                            {"failed", share.failed},
                            {"of", share.count},
@@ -135,6 +144,11 @@ Json toJson(const Group& group) {
                                                                 static_cast<double>(share.count))
                                                        : Json(nullptr)},
                            {"interval", toJson(share.interval)}});
+    return failure;
+}
+
+Json toJson(const Group& group, const BatchInfo& info) {
+    Json modes = Json::object();
     for (const auto& [mode, count] : group.modes) modes[mode] = count;
     Json json{{"runs", group.runs}, {"decided", group.decided}};
     if (group.case_index) json["case"] = *group.case_index;
@@ -145,16 +159,20 @@ Json toJson(const Group& group) {
     json["sd"] = any ? number(group.moments.sd) : Json(nullptr);
     json["mean_interval"] = any ? toJson(group.moments.mean_interval) : Json(nullptr);
     json["quantiles"] = quantilesJson(group);
-    json["failure"] = failure;
+    json["failure"] = toJson(group.failure);
+    if (info.triesHistories()) {
+        json["ranges"] = group.ranges;
+        json["failure_at_range_low"] = toJson(group.failure_at_least);
+    }
     json["modes"] = modes;
     return json;
 }
 
 }  // namespace
 
-std::optional<bool> hasFailed(const Observation& seen, double threshold) {
-    if (std::isfinite(seen.answer)) return seen.answer <= threshold;
-    if (seen.answer < 0) return seen.high <= threshold ? std::optional(true) : std::nullopt;
+std::optional<bool> hasFailed(const Observation& seen, double answer, double threshold) {
+    if (std::isfinite(answer)) return answer <= threshold;
+    if (answer < 0) return seen.high <= threshold ? std::optional(true) : std::nullopt;
     return seen.low >= threshold ? std::optional(false) : std::nullopt;
 }
 
@@ -194,11 +212,11 @@ Summary summarise(const StoredBatch& batch) {
         }
         summary.observations.push_back(observationOf(summary, run, row));
         const Observation& seen = summary.observations.back();
-        addTo(summary.all, info, seen);
+        addTo(summary.all, seen);
         if (!lists_cases) continue;
         const auto [place, is_new] = cases.try_emplace(seen.case_index);
         if (is_new) place->second = emptyGroup(info, caseLabel(info, row), seen.case_index, info.samples);
-        addTo(place->second, info, seen);
+        addTo(place->second, seen);
     }
     finish(summary.all, info.confidence);
     for (auto& [index, group] : cases) {
@@ -213,7 +231,7 @@ Json toJson(const Summary& summary) {
     const BatchInfo& info = summary.info;
     Json cases = Json::array(), sensitivities = Json::array(), failures = Json::array();
     Json statuses = Json::object();
-    for (const Group& group : summary.cases) cases.push_back(toJson(group));
+    for (const Group& group : summary.cases) cases.push_back(toJson(group, info));
     for (const Sensitivity& one : summary.sensitivities)
         sensitivities.push_back({{"column", one.column},
                                  {"rank_correlation", number(one.correlation.rho)},
@@ -232,7 +250,7 @@ Json toJson(const Summary& summary) {
             {"sampling", info.latin_hypercube ? "latin-hypercube" : "random"},
             {"identity", info.identity},
             {"statuses", statuses},
-            {"all", toJson(summary.all)},
+            {"all", toJson(summary.all, info)},
             {"by_case", cases},
             {"sensitivity", sensitivities},
             {"failures", failures}};

@@ -14,14 +14,17 @@ namespace talus::tools::batch {
 /// One run with a result.
 struct Observation {
     std::uint64_t run = 0, case_index = 0;
-    double answer = 0;         ///< -infinity: fails at the start; infinity: stands to the end of the search
+    double answer = 0;       ///< -infinity: fails at the start; infinity: stands to the end of the search
+    bool has_range = false;  ///< other loading histories lead to other answers, as far as that was asked
+    double least =
+        0;  ///< the lower end of the answers of other loading histories, where that was asked; else the answer
     double low = 0, high = 0;  ///< the search's bracket, in the answer's unit
     std::string mode;
     std::vector<double> values;  ///< of the numeric varied columns; NaN where a cell is empty
 };
 
-/// Whether a run has failed at a threshold; nothing when its search did not reach there.
-std::optional<bool> hasFailed(const Observation& seen, double threshold);
+/// Whether a run with this answer (`answer` or `least`) has failed at a threshold; nothing when its search did not reach there.
+std::optional<bool> hasFailed(const Observation& seen, double answer, double threshold);
 
 /// Probability that the slope has failed at a tilt, or has less than a factor of safety.
 struct FailureShare {
@@ -38,6 +41,9 @@ struct Group {
     Moments moments;             ///< of the finite answers
     std::vector<double> sorted;  ///< answers, infinite ones too
     std::vector<FailureShare> failure;
+    std::vector<FailureShare>
+        failure_at_least;      ///< by the lower ends of ranges; empty where none were asked for
+    std::uint64_t ranges = 0;  ///< runs whose answer depends on the loading history
     std::map<std::string, std::uint64_t> modes;
 };
 

@@ -236,6 +236,7 @@ constexpr Description kSweep[] = {
     {"format", "version of the file format"},
     {"scenario", "the scenario file, from this file's folder"},
     {"analysis", "what each run computes"},
+    {"range", "whether each run of a search also tries other loading histories; default false"},
     {"correlation", "random variables that go together"},
     {"correlation.fields", "of random variables drawn per run or per joint, by their first field"},
     {"correlation.matrix", "of their normal scores: symmetric, ones along its diagonal, positive definite"},

@@ -44,8 +44,8 @@ class SweepReader {
                 std::shared_ptr<const Scenario> scenario = nullptr)
         : report_(report),
           root_(report, root, "",
-                {"format", "scenario", "analysis", "samples", "seed", "sampling", "grid", "table", "random",
-                 "correlation", "report"}),
+                {"format", "scenario", "analysis", "range", "samples", "seed", "sampling", "grid", "table",
+                 "random", "correlation", "report"}),
           base_(std::move(scenario)) {
         sweep_.path = path;
     }
@@ -116,6 +116,9 @@ class SweepReader {
         names.push_back("run");
         const std::size_t chosen = root_.choice("analysis", names).value_or(0);
         sweep_.search = chosen < loadSearches().size() ? &loadSearches()[chosen] : nullptr;
+        sweep_.tries_histories = root_.boolean("range").value_or(false);
+        if (sweep_.tries_histories && !sweep_.search)
+            root_.error("range", "found with analysis = \"run\", allowed: only with a search");
     }
 
     void readReport() {

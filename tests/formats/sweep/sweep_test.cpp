@@ -217,6 +217,8 @@ TEST_CASE("the identity changes with what decides the runs, and with nothing els
                    "# one\n" + slope()) == base);
     CHECK(identity(kHead + "samples = 4\n" + draws) == base);
     CHECK(identity(kHead + "samples = 3\nseed = 2\n" + draws) != base);
+    CHECK(identity(kHead + "range = false\nsamples = 3\n" + draws) == base);
+    CHECK(identity(kHead + "range = true\nsamples = 3\n" + draws) != base);
     CHECK(identity(kHead + "samples = 3\nsampling = \"latin-hypercube\"\n" + draws) != base);
     CHECK(identity(kHead + "samples = 3\n" +
                    random("joint.default.friction_deg",

@@ -64,6 +64,41 @@ TEST_CASE("searches that did not reach a tilt are not counted there, and rank at
 
 namespace {
 
+/// The same runs when other loading histories were tried: every run of the deeper case has a range down to 9.2 degrees.
+StoredBatch withRanges() {
+    StoredBatch batch = madeUp();
+    const StoredBatch without = batch;
+    for (const char* name : {"range_low_deg", "range_high_deg"})
+        batch.info.columns.push_back({name, "number", "deg", ""});
+    for (auto& [run, line] : batch.lines) {
+        Row row = without.row(run);
+        row.insert(row.end(), 2, "");
+        if (run % 2 == 1) row[row.size() - 2] = "9.2", row.back() = row[6];
+        line = lineOf(row);
+    }
+    return batch;
+}
+
+}  // namespace
+
+TEST_CASE("where other loading histories were tried, probabilities are those of both ends of the range") {
+    const Summary summary = summarise(withRanges());
+    CHECK(summary.all.ranges == 10);
+    CHECK(summary.all.failure[0].failed == 11);  // below 14.5 degrees: 10..14 and 9..14
+    REQUIRE(summary.all.failure_at_least.size() == 3);
+    CHECK(summary.all.failure_at_least[0].failed == 15);  // 10..14, and all of the deeper case
+    CHECK(summary.cases[0].ranges == 0);
+    CHECK(summary.cases[0].failure_at_least[0].failed == summary.cases[0].failure[0].failed);
+    const Json json = toJson(summary);
+    CHECK(json["all"]["failure_at_range_low"][0]["failed"] == 15);
+    CHECK(json["all"]["failure"][0]["failed"] == 11);
+    CHECK(!toJson(summarise(madeUp()))["all"].contains("failure_at_range_low"));
+    const Json report = batchReport(summary, Json::object());
+    CHECK(report["opening"][1]["text"].get<std::string>().find("In 10 runs") == 0);
+}
+
+namespace {
+
 /// The report's blocks of a section; null when it is not there.
 Json blocksOf(const Json& report, const std::string& id) {
     for (const Json& section : report["sections"])

@@ -58,6 +58,48 @@ TEST_CASE("the rows are those of the single commands, for any number of threads"
     CHECK(alone["state_hash"] == cellOf(batch.out() + "/results.csv", 4, "state_hash"));
 }
 
+TEST_CASE("a batch that tries other loading histories has the ranges of the single commands") {
+    // Columns of unequal heights, which stand in more than one way.
+    const auto stack = [](const std::string& heights) {
+        return "[material.rock]\ndensity = 2650.0\n[joint.default]\nnormal_stiffness = 1e11\n"
+               "shear_stiffness = 1e11\nfriction_deg = 28.0\n[[stack]]\ncolumns = 3\nrows = 6\n"
+               "heights = " +
+               heights + "\nslices = 1\nblock = [1.0, 1.0, 0.6]\n";
+    };
+    const std::string sweep =
+        "range = true\nsamples = 4\n[[random]]\nfield = \"joint.default.friction_deg\"\n"
+        "distribution = \"uniform\"\nmin = 22\nmax = 32\n[report]\ntilt_deg = [16.0]\n";
+    int ranges = 0;
+    for (const std::string heights : {"[6, 2, 6]", "[3, 6, 2]"}) {
+        const BatchFolder batch(sweep, "critical-angle", stack(heights));
+        REQUIRE(batch.run().exit_code == 0);
+        const std::string results = batch.out() + "/results.csv";
+        for (int run = 0; run < 4; ++run) {
+            const std::string path = batch.folder / ("run" + std::to_string(run) + ".toml");
+            REQUIRE(runTalus({"sample", batch.path, std::to_string(run), "-o", path}).exit_code == 0);
+            const auto alone = runTalus({"critical-angle", path, "--json", "--quiet"}).json();
+            CHECK(alone["range_reason"] == cellOf(results, run, "range_reason"));
+            const std::string low = cellOf(results, run, "range_low_deg");
+            REQUIRE(low.empty() == alone["range"].is_null());
+            CHECK(std::stod(cellOf(results, run, "moving_mass_share")) ==
+                  doctest::Approx(alone["moving_mass_share"].get<double>()));
+            if (low.empty()) continue;
+            ++ranges;
+            CHECK(std::stod(low) == alone["range"][0].get<double>());
+            CHECK(std::stod(cellOf(results, run, "range_high_deg")) == alone["range"][1].get<double>());
+        }
+        const auto summary = nlohmann::json::parse(contentOf(batch.out() + "/summary.json"))["all"];
+        CHECK(summary["failure_at_range_low"][0]["failed"] >= summary["failure"][0]["failed"]);
+    }
+    CHECK(ranges > 0);
+    const BatchFolder history("range = true\n" + kGrid, "run",
+                              blockScenario(20, 12, "[run]\nduration_s = 0.01\n"));
+    const Outcome refused = history.run();
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.err.find("sweep.toml:3:9: error: range: found with analysis = \"run\"") !=
+          std::string::npos);
+}
+
 TEST_CASE("safety factors, histories, and their probabilities") {
     const BatchFolder factor(draws(40) + "[report]\nfactor = [1.0]\n", "safety-factor",
                              blockScenario(11, 12));

@@ -5,6 +5,7 @@
 //   format = 1
 //   scenario = "slope.toml"        # beside the sweep file
 //   analysis = "critical-angle"    # any search of talus/searches.h ("safety-factor", ...), or "run"
+//   range = true                   # default false: each run of a search also tries other loading histories
 //   samples = 1000                 # of the random variables
 //   seed = 1                       # default 1
 //   sampling = "random"            # or "latin-hypercube"
@@ -81,6 +82,7 @@ struct SweepReport {
 struct Sweep {
     std::string path, scenario_path;
     const LoadSearch* search = nullptr;  ///< what is asked of each run; nullptr: its time history
+    bool tries_histories = false;        ///< whether other loading histories lead to other answers is asked, too
     std::vector<SweepColumn> columns;
     std::vector<std::string> case_names;  ///< of the table's rows; may be empty
     std::uint64_t cases = 1, samples = 1;
