@@ -165,6 +165,15 @@ TEST_SUITE("limit analysis") {
 
     TEST_CASE("factor of safety of a block on a plane, with friction and with cohesion") {
         const Vec3 size(1, 1, 0.3);
+        for (const double weak : {0.02, 0.3, 1.0, 3.0, 10.0}) {
+            CAPTURE(weak);
+            const LimitResult result = limitOf(blockOnPlane(weak, size, 20), Varied::factor);
+            REQUIRE((result.status == SearchStatus::found));
+            const double expected = std::tan(radians(weak)) / std::tan(radians(20));
+            CHECK(result.lower / expected == doctest::Approx(1).epsilon(kFactorWidth));
+            CHECK(result.upper / expected == doctest::Approx(1).epsilon(kFactorWidth));
+        }
+        CHECK((limitOf(blockOnPlane(0, size, 20), Varied::factor).status == SearchStatus::unstable_at_start));
         Model model = blockOnPlane(30, size, 20);
         const double friction = std::tan(radians(30)) / std::tan(radians(20));
         checkLimit(model, Varied::factor, friction, kFactorWidth);
