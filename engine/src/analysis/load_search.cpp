@@ -170,7 +170,7 @@ class Search {
         bool stands = false, fails = true;
         while (!stands && fails) {
             State& stable = probing_.last_stable;
-            const std::vector<std::size_t> going = blocksOf(result_.moving_blocks);
+            const std::vector<std::size_t> going = numbersOf(stable.geometry->model, result_.moving_blocks);
             const double own = massOf(stable, going);
             mass += own;
             group.blocks.insert(group.blocks.end(), result_.moving_blocks.begin(),
@@ -269,14 +269,6 @@ class Search {
         return probing_.last_stable.geometry->model.blocks[block].name;
     }
 
-    std::vector<std::size_t> blocksOf(const std::vector<std::string>& names) const {
-        const std::vector<char> named = blocksNamed(probing_.last_stable.geometry->model, names);
-        std::vector<std::size_t> blocks;
-        for (std::size_t b = 0; b < named.size(); ++b)
-            if (named[b]) blocks.push_back(b);
-        return blocks;
-    }
-
     /// Up from the start until a probe fails or the end is reached.
     void findFailure() {
         while (!bracket_.high() && !bracket_.stoodToTheEnd() && !interrupted(probing_)) {
@@ -329,7 +321,7 @@ class Search {
         if (probing_.implicit_first || no_rest_ || is_in_doubt) continueToFailure(evidence(isAlone()));
         countElsewhere();
         if (result_.confirmed || interrupted(probing_)) return true;
-        if (restsGivenTime(failing, load)) return false;
+        if (standsGivenTime(failing, load)) return false;
         if (result_.confirmed || interrupted(probing_)) return true;
         State moved = probing_.last_moving;
         axis_.apply(moved, load);
@@ -351,11 +343,9 @@ class Search {
 
     /// Of a failure that was not seen to be one, while the implicit solve knew nothing: asks that once more, with more time. Where
     /// it finds no rest either, what the assembly has crept is not asked for again, and the failure is let go anew.
-    bool restsGivenTime(const State& failing, double load) {
+    bool standsGivenTime(const State& failing, double load) {
         if (no_rest_ || probing_.stands_elsewhere) return false;
-        const Verdict found = restAt(probing_, load, kPatientFactors);
-        if (found == Verdict::stable) return true;
-        no_rest_ = found == Verdict::failing && !probing_.stands_elsewhere;
+        if (restsGivenTime(load)) return true;
         countElsewhere();
         if (!no_rest_) return false;
         probing_.last_moving = failing;
@@ -373,11 +363,21 @@ class Search {
     }
 
     /// Whether there is rest at the failing load by the implicit solve, or where that knows nothing by watching for longer.
+    /// Of many blocks some have always crept far from rest to rest, and their failure would be watched for as much: the solve is given
+    /// more time before that.
     bool rests(double load) {
         const Verdict found = restAt(probing_, load);
         no_rest_ = found == Verdict::failing && !probing_.stands_elsewhere;
-        return found == Verdict::stable ||
-               (found == Verdict::undecided && settles(probing_, State(probing_.last_moving), load));
+        if (found != Verdict::undecided) return found == Verdict::stable;
+        if (settles(probing_, State(probing_.last_moving), load)) return true;
+        return probing_.areMany() && restsGivenTime(load);
+    }
+
+    /// What the implicit solve says when it is given more time.
+    bool restsGivenTime(double load) {
+        const Verdict found = restAt(probing_, load, kPatientFactors);
+        no_rest_ = found == Verdict::failing && !probing_.stands_elsewhere;
+        return found == Verdict::stable;
     }
 
     /// Whether the implicit solve has been asked and knows nothing.

@@ -81,6 +81,14 @@ std::vector<char> blocksNamed(const Model& model, const std::vector<std::string>
     return marked;
 }
 
+std::vector<std::size_t> numbersOf(const Model& model, const std::vector<std::string>& names) {
+    const std::vector<char> named = blocksNamed(model, names);
+    std::vector<std::size_t> numbers;
+    for (std::size_t b = 0; b < named.size(); ++b)
+        if (named[b]) numbers.push_back(b);
+    return numbers;
+}
+
 Model withoutBlocks(const Model& model, const std::vector<char>& gone) {
     Model left = model;
     const std::vector<std::int32_t> index = renumbered(gone);

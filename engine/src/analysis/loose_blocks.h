@@ -27,6 +27,9 @@ inline constexpr double kMostLoose = 0.2;
 /// One entry per block: whether it has one of these names.
 std::vector<char> blocksNamed(const Model& model, const std::vector<std::string>& names);
 
+/// Their numbers, ascending.
+std::vector<std::size_t> numbersOf(const Model& model, const std::vector<std::string>& names);
+
 /// As the public one. \param gone one entry per block
 Model withoutBlocks(const Model& model, const std::vector<char>& gone);
 

@@ -201,14 +201,15 @@ class SearchOfTheRest {
         std::sort(result.fallen_at_start.begin(), result.fallen_at_start.end());
         if (result.fallen_at_start.empty()) return result;
         result.failing = nullptr;  // its blocks are not the model's
-        const std::string splinters = restless_ + rounded_ == 0
-                                          ? ""
-                                          : ", or are splinters that come neither to rest nor fall or that "
-                                            "rounding would move, " +
-                                                std::to_string(restless_ + rounded_) + " of them";
-        result.warnings.push_back(std::to_string(result.fallen_at_start.size()) +
-                                  " of the blocks fall at the start whatever the strength" + splinters +
-                                  " (" + result.fallen_at_start.front() +
+        const std::size_t all = result.fallen_at_start.size(), splinters = restless_ + rounded_;
+        std::string what = splinters < all ? " fall at the start whatever the strength" : "";
+        if (splinters > 0) {
+            what += std::string(what.empty() ? "" : ", or") +
+                    " are splinters that come neither to rest nor fall or that rounding would move";
+            if (splinters < all) what += ", " + std::to_string(splinters) + " of them";
+        }
+        result.warnings.push_back(std::to_string(all) + " of the blocks" + what + " (" +
+                                  result.fallen_at_start.front() +
                                   " for one): the answer is for the rest, without them");
         return result;
     }
