@@ -117,7 +117,9 @@ std::string compactNames(const std::vector<std::string>& names, std::size_t limi
             text += (i > 0 ? ", " : "") + items[i].text;
         }
     }
-    return left_out > 0 ? text + " and " + std::to_string(left_out) + " more blocks" : text;
+    return left_out > 0
+               ? text + " and " + std::to_string(left_out) + (left_out == 1 ? " more block" : " more blocks")
+               : text;
 }
 
 }  // namespace talus::tools

@@ -28,6 +28,11 @@ void throwIfRefused(const std::vector<Error>& errors) {
 
 bool isHistory(const std::string& path) { return path.ends_with(".csv"); }
 
+bool wasInterrupted(const std::string& snapshots) {
+    const auto reader = formats::SnapshotReader::open(snapshots);
+    return reader.ok() && reader->end() && reader->end()->ended == "interrupted";
+}
+
 /// What is finished, or of another kind, is only replaced when the user says so.
 void refuseToOverwrite(const RunOptions& options) {
     if (options.force) return;
@@ -42,6 +47,11 @@ void refuseToOverwrite(const RunOptions& options) {
         foreign = found == formats::SnapshotFile::foreign;
     }
     const std::string remedy = "; --force replaces it, or choose another file";
+    if (finished && !isHistory(options.output) && wasInterrupted(options.output)) {
+        throw BadInput(Error{options.output_option,
+                             "holds a run that was interrupted; talus run --resume goes on with it" + remedy,
+                             options.output});
+    }
     if (finished)
         throw BadInput(
             Error{options.output_option, "holds a finished " + std::string(kind) + remedy, options.output});

@@ -86,7 +86,8 @@ std::optional<double> readNumber(Report& report, Node node, const std::string& f
 
 std::optional<std::int64_t> readInteger(Report& report, Node node, const std::string& field, Bounds bounds) {
     ask(report, field, [&] { return integerIn(bounds); });
-    const std::string range = std::to_string(bounds.min) + " to " + std::to_string(bounds.max);
+    const std::string least = std::to_string(bounds.min);
+    const std::string range = bounds.min == bounds.max ? least : least + " to " + std::to_string(bounds.max);
     if (node.kind() != Kind::integer) {
         reportFound(report, node, field, "an integer, " + range);
         return std::nullopt;
@@ -134,14 +135,16 @@ TableReader::TableReader(Report& report, Node table, std::string field, std::vec
             report_.add(entry.place, {}, {});
             continue;
         }
-        // A near key that is there already is not what was meant.
+        // A near key that is there already is not what was meant in a file; one that overrides a file's may be.
         std::vector<std::string> absent;
         for (const std::string& key : allowed)
             if (!has(key)) absent.push_back(key);
         const auto meant = nearest(entry.key, absent);
         if (meant) meant_.push_back(*meant);
+        const auto there = meant ? std::nullopt : nearest(entry.key, allowed);
+        const std::string near = there ? " (near " + quoted(*there) + ", which has a value)" : "";
         report_.add(entry.place, fieldOf(entry.key),
-                    "found an unknown key " + quoted(entry.key) +
+                    "found an unknown key " + quoted(entry.key) + near +
                         (meant ? ", did you mean " + quoted(*meant) + "?" : ", allowed: " + listed(allowed)));
     }
 }

@@ -109,8 +109,9 @@ TEST_SUITE("scenario changes") {
         CHECK(fault("joint.default.friction_deg", "steep")
                   .starts_with("--set: error: joint.default.friction_deg: "));
         CHECK(fault("joint.default.frction_deg", "30").find("friction_deg") != std::string::npos);
-        CHECK(
-            fault("joint.default.frction_deg", "30").starts_with("--set: error: joint.default.frction_deg"));
+        CHECK(fault("joint.default.frction_deg", "30")
+                  .starts_with("--set: error: joint.default.frction_deg: found an unknown key "
+                               "\"frction_deg\" (near \"friction_deg\", which has a value), allowed: "));
         CHECK(fault("joint.other.friction_deg", "30").starts_with("--set: error: joint.other"));
         CHECK(fault("water[4].depth", "1").starts_with("--set: error: water[4].depth: there is no"));
         CHECK(fault("water[", "1").starts_with("--set: error: water["));

@@ -79,7 +79,7 @@ TEST_CASE("scenario errors: [analysis], [run], [damping], [gravity], [contact], 
         fault("contact", "points", grid, "with N from 1 to 64");
     fault("contact", "points", "4", "found an integer 4, allowed: a string");
 
-    checkFault({"format = 2\n" + properties() + stack(), 1, "format", "found 2, allowed: 1 to 1"});
+    checkFault({"format = 2\n" + properties() + stack(), 1, "format", "found 2, allowed: 1"});
     checkFault(
         {"format = 1.0\n" + properties() + stack(), 1, "format", "found a number 1.0, allowed: an integer"});
     checkFault(
