@@ -144,10 +144,10 @@ Command addBatch(CLI::App& root) {
         "Example:\n  talus batch bench/sweeps/monte-carlo.toml -o out\n  talus batch sweep.toml -o out "
         "--shard "
         "$SLURM_ARRAY_TASK_ID/8   (then: talus merge out)\n\nEach run is one row of results.csv. The same "
-        "command goes "
-        "on where a batch was stopped, and may run in several\nprocesses on one folder. Exit code 3: some "
-        "runs failed "
-        "or ended undecided; their rows say why.");
+        "command goes on where a batch was stopped, and may run in several\nprocesses on one folder. With "
+        "range "
+        "= true in the sweep each run also tries other loading histories.\nExit code 3: some runs failed or "
+        "ended undecided; their rows say why.");
     return {app, [options] { return runBatch(*options); }};
 }
 
