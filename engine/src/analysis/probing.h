@@ -44,7 +44,7 @@ struct Probing {
     bool implicit_first = false;
     bool stands_elsewhere = false;  ///< an equilibrium was found at the failing load, but far away or jammed
     State elsewhere{};              ///< that one; of blocks that jam one on their way there, were they not to
-    /// Of many: those that move with the farthest one in the last failing probe, of weight only in one of the implicit solve; else empty.
+    /// Those that move with the farthest one in the last failing probe, of weight only in one of the implicit solve; else empty.
     std::vector<std::size_t> leaving{};
 
     bool areMany() const { return last_stable.searches_around; }
