@@ -83,6 +83,10 @@ done
 
 "$talus" merge "$OUT" >/dev/null || { cat "$work"/talus-*.log; give_up "the shards are not complete"; }
 "$talus" batch "$SWEEP" -o "$work/one" --quiet >/dev/null
-without_time() { cut -d, -f1-15,17- "$1" | sort -n; }
+without_time() {
+    local time
+    time=$(head -n 1 "$1" | tr , '\n' | grep -nx cpu_seconds | cut -d: -f1)
+    cut -d, --complement -f"$time" "$1" | sort -n
+}
 diff <(without_time "$OUT/results.csv") <(without_time "$work/one/results.csv")
 echo "Slurm: three array tasks, $(($(wc -l <"$OUT/results.csv") - 1)) rows, the same as from one process"
