@@ -55,11 +55,12 @@ Json opening(const Summary& summary) {
         blocks.push_back(paragraph("Not finished: " + std::to_string(info.runs - summary.done) +
                                        " runs are missing. The same command goes on where it was stopped.",
                                    "alert"));
-    if (summary.all.ranges > 0)
+    if (summary.all.ranges > 0) {
         blocks.push_back(paragraph(
             "In " + std::to_string(summary.all.ranges) +
                 " runs the answer depends on the loading history: count on the lower end of their range.",
             "alert"));
+    }
     if (summary.failed > 0)
         blocks.push_back(
             paragraph(std::to_string(summary.failed) +
@@ -76,9 +77,10 @@ Json groupColumns(const BatchInfo& info, bool with_label) {
         columns.push_back(valueColumn(title, "figure"));
     for (const double threshold : info.thresholds)
         columns.push_back(valueColumn(thresholdText(info, threshold)));
-    if (info.triesHistories())
+    if (info.triesHistories()) {
         for (const double threshold : info.thresholds)
             columns.push_back(valueColumn(thresholdText(info, threshold) + ", lower end of the range"));
+    }
     return columns;
 }
 
@@ -91,9 +93,10 @@ Json groupRow(const Group& group, bool with_label) {
     row.push_back(group.moments.count > 1 ? number(group.moments.sd) : Json(nullptr));
     for (const double share : {0.05, 0.5, 0.95})
         row.push_back(group.sorted.empty() ? Json(nullptr) : answerJson(quantileOf(group.sorted, share)));
-    for (const auto shares : {&Group::failure, &Group::failure_at_least})
+    for (const auto shares : {&Group::failure, &Group::failure_at_least}) {
         for (const FailureShare& share : group.*shares)
             row.push_back(shareJson(share.failed, share.count, share.interval));
+    }
     return row;
 }
 

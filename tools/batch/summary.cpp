@@ -85,9 +85,10 @@ void finish(Group& group, double confidence) {
     for (const double answer : group.sorted)
         if (std::isfinite(answer)) finite.push_back(answer);
     group.moments = momentsOf(finite, confidence);
-    for (auto shares : {&Group::failure, &Group::failure_at_least})
+    for (auto shares : {&Group::failure, &Group::failure_at_least}) {
         for (FailureShare& share : group.*shares)
             share.interval = shareInterval(share.failed, share.count, confidence);
+    }
 }
 
 Group emptyGroup(const BatchInfo& info, std::string label, std::optional<std::uint64_t> case_index,
@@ -136,7 +137,7 @@ Json quantilesJson(const Group& group) {
 
 Json toJson(const std::vector<FailureShare>& shares) {
     Json failure = Json::array();
-    for (const FailureShare& share : shares)
+    for (const FailureShare& share : shares) {
         failure.push_back({{"at", share.threshold},
                            {"failed", share.failed},
                            {"of", share.count},
@@ -144,6 +145,7 @@ Json toJson(const std::vector<FailureShare>& shares) {
                                                                 static_cast<double>(share.count))
                                                        : Json(nullptr)},
                            {"interval", toJson(share.interval)}});
+    }
     return failure;
 }
 

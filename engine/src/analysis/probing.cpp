@@ -78,8 +78,7 @@ Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, Sta
         p.stable_load = load;
     }
     p.leaving.clear();
-    if (probe.verdict == Verdict::failing && p.has_stood)
-        p.leaving = movingBlocks(p.last_stable, state);
+    if (probe.verdict == Verdict::failing && p.has_stood) p.leaving = movingBlocks(p.last_stable, state);
     (probe.verdict == Verdict::stable ? p.last_stable : p.last_moving) = std::move(state);
     return probe.verdict;
 }

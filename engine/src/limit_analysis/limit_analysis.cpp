@@ -24,7 +24,7 @@ using namespace limit;
 constexpr double kClose = 1e-5;      // of tilts [rad] and horizontal loads: a bracket that is good enough
 constexpr double kTiltWidth = 1e-8;  // [rad]; a water's wrench follows the tilt, so its limit is iterated for
 constexpr int kMostTilts = 60;
-constexpr double kSteepest = 1.5;     // farthest that gravity is turned in one programme [rad]
+constexpr double kSteepest = 1.5;      // farthest that gravity is turned in one programme [rad]
 constexpr double kLeastFactor = 1e-4;  // of safety: below, nothing holds it
 constexpr double kMostFactor = 102.4;
 constexpr double kMostHorizontal = 100;  // weights

@@ -82,7 +82,7 @@ struct SweepReport {
 struct Sweep {
     std::string path, scenario_path;
     const LoadSearch* search = nullptr;  ///< what is asked of each run; nullptr: its time history
-    bool tries_histories = false;        ///< whether other loading histories lead to other answers is asked, too
+    bool tries_histories = false;  ///< whether other loading histories lead to other answers is asked, too
     std::vector<SweepColumn> columns;
     std::vector<std::string> case_names;  ///< of the table's rows; may be empty
     std::uint64_t cases = 1, samples = 1;
