@@ -57,8 +57,8 @@ Json opening(const Summary& summary) {
                                    "alert"));
     if (summary.all.ranges > 0) {
         blocks.push_back(paragraph(
-            "In " + std::to_string(summary.all.ranges) +
-                " runs the answer depends on the loading history: count on the lower end of their range.",
+            "In " + std::to_string(summary.all.ranges) + (summary.all.ranges == 1 ? " run" : " runs") +
+                " the answer depends on the loading history: count on the lower end of the range.",
             "alert"));
     }
     if (summary.failed > 0)
