@@ -317,11 +317,8 @@ class Search {
         } else if (rests(load)) {
             return false;
         }
-        const State failing = probing_.last_moving;
         if (probing_.implicit_first || no_rest_ || is_in_doubt) continueToFailure(evidence(isAlone()));
         countElsewhere();
-        if (result_.confirmed || interrupted(probing_)) return true;
-        if (standsGivenTime(failing, load)) return false;
         if (result_.confirmed || interrupted(probing_)) return true;
         State moved = probing_.last_moving;
         axis_.apply(moved, load);
@@ -341,18 +338,6 @@ class Search {
         result_.motions = std::move(way.motions);
     }
 
-    /// Of a failure that was not seen to be one, while the implicit solve knew nothing: asks that once more, with more time. Where
-    /// it finds no rest either, what the assembly has crept is not asked for again, and the failure is let go anew.
-    bool standsGivenTime(const State& failing, double load) {
-        if (no_rest_ || probing_.stands_elsewhere) return false;
-        if (restsGivenTime(load)) return true;
-        countElsewhere();
-        if (!no_rest_) return false;
-        probing_.last_moving = failing;
-        continueToFailure();
-        return false;
-    }
-
     /// Lets what moves at the start go, and takes it back where that shows no failure.
     bool isSeenToFail() {
         State moving = probing_.last_moving;
@@ -362,22 +347,19 @@ class Search {
         return result_.confirmed;
     }
 
-    /// Whether there is rest at the failing load by the implicit solve, or where that knows nothing by watching for longer.
-    /// Of many blocks some have always crept far from rest to rest, and their failure would be watched for as much: the solve is given
-    /// more time before that.
+    /// Whether there is rest at the failing load by the implicit solve, or where that knows nothing by watching for longer, or by the
+    /// solve given more time: a failure that is watched while it might stand is to show more, and takes longer than that.
     bool rests(double load) {
-        const Verdict found = restAt(probing_, load);
-        no_rest_ = found == Verdict::failing && !probing_.stands_elsewhere;
-        if (found != Verdict::undecided) return found == Verdict::stable;
-        if (settles(probing_, State(probing_.last_moving), load)) return true;
-        return probing_.areMany() && restsGivenTime(load);
+        Verdict found = askForRest(load, kMostFactors);
+        if (found == Verdict::undecided && settles(probing_, State(probing_.last_moving), load)) return true;
+        if (found == Verdict::undecided) found = askForRest(load, kPatientFactors);
+        return found == Verdict::stable;
     }
 
-    /// What the implicit solve says when it is given more time.
-    bool restsGivenTime(double load) {
-        const Verdict found = restAt(probing_, load, kPatientFactors);
+    Verdict askForRest(double load, std::int64_t most_factors) {
+        const Verdict found = restAt(probing_, load, most_factors);
         no_rest_ = found == Verdict::failing && !probing_.stands_elsewhere;
-        return found == Verdict::stable;
+        return found;
     }
 
     /// Whether the implicit solve has been asked and knows nothing.

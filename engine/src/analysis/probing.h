@@ -75,7 +75,7 @@ Verdict probe(Probing& probing, const std::string& stage, double load, const Ram
 
 /// What the implicit solve finds at a failing load, given its time: blocks that topple may have been shaken there by the
 /// explicit steps. Failing: no rest near, though `stands_elsewhere` may say that there is another.
-Verdict restAt(Probing& probing, double load, std::int64_t most_factors = kMostFactors);
+Verdict restAt(Probing& probing, double load, std::int64_t most_factors);
 
 /// Whether a state that moves at a load comes to rest when it is watched for longer; it is the last stable one then. A
 /// mode many times slower than the slowest known one looks like failure for a while: close below the load at which a
