@@ -3,10 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <utility>
 
 #include "support/models.h"
 #include "support/structures.h"
 #include "talus/analysis.h"
+#include "talus/formats/scenario.h"
+#include "talus/limit_analysis.h"
 
 using namespace talus;
 using namespace talus::test;
@@ -20,6 +23,24 @@ SearchResult tilted(const Model& model, const std::string& name) {
                  << " steps, " << result.factors << " factorisations");
     REQUIRE((result.status == SearchStatus::found));
     return result;
+}
+
+/// A slope 12 m high of columns a metre thick that dip into it, on bedding that dips out of it.
+Model leaningColumns(double dip_deg) {
+    const std::string text =
+        "[material.rock]\ndensity = 2633\n[joint.default]\nnormal_stiffness = 3e10\nshear_stiffness = "
+        "2.89e9\n"
+        "friction_deg = 41.23\ncohesion = 1417\n[rock_mass]\nregion = { profile = [[-3.66, -2.44], "
+        "[15.46, -2.44], [15.46, 12.22], [3.87, 12.22], [0, 0], [-3.66, 0]], y = [0, 11.57] }\n"
+        "min_thickness = 0.073\nfixed = [{ boundary = \"-z\" }, { boundary = \"+x\" }]\n"
+        "[[joint_set]]\nname = \"columns\"\ndip_deg = " +
+        std::to_string(dip_deg) +
+        "\ndip_direction_deg = 90\nspacing = 1.02\n[[joint_set]]\nname = \"beds\"\ndip_deg = 8.2\n"
+        "dip_direction_deg = 270\nspacing = 3.44\n";
+    auto scenario = formats::parseScenario(text, "columns.toml");
+    for (const Error& error : scenario.errors()) FAIL_CHECK(formats::format(error));
+    REQUIRE(scenario.ok());
+    return std::move(scenario->model);
 }
 
 }  // namespace
@@ -39,5 +60,18 @@ TEST_SUITE("slow: physics") {
         CHECK(found < 8.27 + 0.01);
         CHECK(found > 8.27 - 0.05);
         CHECK((criticalAngle(archModel(27, 10, 1.0, 35, 1e12))->status == SearchStatus::unstable_at_start));
+    }
+
+    TEST_CASE("columns that yield before they fall have failed: they are not followed beyond the ceiling") {
+        for (const double dip_deg : {50.0, 55.7, 61.0}) {
+            const Model model = leaningColumns(dip_deg);
+            const SearchResult result = *safetyFactor(model);
+            const LimitResult limit = *limitAnalysis(model, Varied::factor);
+            MESSAGE(dip_deg << " degrees: " << result.low << " to " << result.high << ", ceiling "
+                            << limit.upper);
+            REQUIRE((result.status == SearchStatus::found));
+            CHECK(result.low < limit.upper);
+            CHECK(result.high > 0.95 * limit.lower);
+        }
     }
 }

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "analysis/loose_blocks.h"
+#include "forces/contact_forces.h"
 #include "forces/sum.h"
 #include "state/caller.h"
+#include "state/incidence.h"
 
 namespace talus::analysis {
 namespace {
@@ -24,6 +26,9 @@ constexpr double kNear = 1.5;
 // ... but in a load step of few cells no more than so many times what the step is worth: what is elastic goes with the load. (A thousand:
 // one arch, about to buckle on its joints, ends a cell earlier; 10,000: blocks are followed down a slide.)
 constexpr double kShortStep = 4, kMostAmplified = 2'000;
+// Nor may neighbours part in a load step by more, in block sizes, than so many times what the step is worth: what goes seven thousandths of a
+// block for each hundredth of its strength is failing, though it comes to rest after every step. (Of many blocks some crumb always moves on.)
+constexpr double kMostYield = 0.7;
 // Rests in one short step after the other that go on and on are a slide, however little each goes: so many times what else is near in all.
 constexpr double kMostCrept = 5;
 constexpr double kSettlingDrag = 0.125;
@@ -94,12 +99,34 @@ double nearLimit(const Probing& p, double load) {
     return std::min(left, std::max(seen, kNear * share * own)) + reach;
 }
 
+/// How far neighbours have parted since the assembly last stood, most of any [m].
+double partedFromRest(const Probing& p, const State& state) {
+    const Interfaces& f = state.interfaces;
+    const Blocks& stood = p.last_stable.blocks;
+    double most = 0;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        if (isIdle(f, i)) continue;
+        const RelativePose before = relativePose(stood, f, i), now = relativePose(state, i);
+        most = std::max(most, std::hypot(now.slide_1.x() - before.slide_1.x(),
+                                         now.slide_2.x() - before.slide_2.x(), now.gap.x() - before.gap.x()));
+    }
+    return most;
+}
+
+/// Whether blocks have gone so far to a rest that they yield to the load step.
+bool yields(const Probing& p, double load, const State& state) {
+    const double worth = worthOfStep(p, load);
+    if (!p.has_stood || p.areMany() || worth == 0) return false;
+    const double most = std::max(kSeenShare, kMostYield * worth) * state.geometry->length_scale;
+    return partedFromRest(p, state) > most + tieReach(p.last_stable);
+}
+
 /// Whether a rest is where the assembly stands, but for what it gives; else it is a failure. Blocks that lean on each other have
 /// others, farther off, in which they are jammed: to get there is to fail first.
 bool standsThere(Probing& p, double load, const State& state, Probe& rest) {
     const double way = wayFromRest(p, state);
     State moved = state;
-    const bool is_near = !p.has_stood || way <= nearLimit(p, load);
+    const bool is_near = !p.has_stood || (way <= nearLimit(p, load) && !yields(p, load, state));
     if (is_near) {
         const Probe found =
             findRestOfFirstOrder(p.last_stable, moved, p.work, p.has_stood ? kMostFactors : kPatientFactors);
@@ -110,7 +137,8 @@ bool standsThere(Probing& p, double load, const State& state, Probe& rest) {
             rest.reason = "interrupted";
             return false;
         }
-        const bool has_left = p.has_stood && wayFromRest(p, moved) > nearLimit(p, load);
+        const bool has_left =
+            p.has_stood && (wayFromRest(p, moved) > nearLimit(p, load) || yields(p, load, moved));
         if (found.verdict == Verdict::stable || (found.verdict == Verdict::undecided && !has_left))
             return true;
     }
