@@ -26,9 +26,9 @@ constexpr double kNear = 1.5;
 // ... but in a load step of few cells no more than so many times what the step is worth: what is elastic goes with the load. (A thousand:
 // one arch, about to buckle on its joints, ends a cell earlier; 10,000: blocks are followed down a slide.)
 constexpr double kShortStep = 4, kMostAmplified = 2'000;
-// Nor may neighbours part in a load step by more, in block sizes, than so many times what the step is worth: what goes seven thousandths of a
+// Nor may neighbours part in a load step by more, in block sizes, than so many times what the step is worth: what goes a hundredth of a
 // block for each hundredth of its strength is failing, though it comes to rest after every step. (Of many blocks some crumb always moves on.)
-constexpr double kMostYield = 0.7;
+constexpr double kMostYield = 1.0;
 // Rests in one short step after the other that go on and on are a slide, however little each goes: so many times what else is near in all.
 constexpr double kMostCrept = 5;
 constexpr double kSettlingDrag = 0.125;
