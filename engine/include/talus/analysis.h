@@ -33,6 +33,9 @@ struct Control {
     int groups = 1;  ///< most groups of SearchResult::groups; each further one is a search more
     /// contact points of models of which a search also tries another loading history (SearchResult::range)
     std::size_t most_points_of_range = 0;
+    /// explicit steps after which a search ends undecided, a factorisation of the implicit solve counted as ten; 0: none. Looked
+    /// at from probe to probe
+    std::int64_t most_work = 0;
 };
 
 /// What an analysis varies until the assembly fails; described in talus/searches.h.
@@ -124,7 +127,7 @@ struct SearchResult {
     /// Share of the area of joints whose cohesion goes at the first slip that has lost it in the failure, 0..1.
     double lost_cohesion = 0;
     /// The answer were that cohesion kept to the end, as limit equilibrium has it: of models as small as those of `range`, where
-    /// some is lost
+    /// some is lost and that is found within four times the work
     std::optional<double> kept_cohesion{};
     std::vector<BlockGroup> groups;  ///< of `safetyFactor`: who goes at which factor; the first is the answer
     bool groups_undecided = false;   ///< the search for the next group ended so

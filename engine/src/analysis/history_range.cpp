@@ -201,6 +201,7 @@ void addHistoryRange(const State& built, const LoadAxis& axis, const Control& co
     Control quiet = control;
     quiet.progress = {};
     quiet.keep_failing_state = false;
+    quiet.most_work = mostWorkBeside(result);
     Afresh afresh(built, axis, quiet, settings, parallel);
     const auto answer = static_cast<std::int64_t>(std::llround((result.low - axis.start) / axis.cell));
     const auto farthest = static_cast<std::int64_t>(kFarEnough * std::abs(result.answer) / axis.cell);

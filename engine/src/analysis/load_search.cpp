@@ -18,6 +18,7 @@
 #include "forces/sum.h"
 #include "frame/frame.h"
 #include "measure/measure.h"
+#include "state/caller.h"
 #include "state/incidence.h"
 
 namespace talus::analysis {
@@ -420,7 +421,8 @@ class Search {
 
     void finish() {
         const bool fell = result_.status == SearchStatus::unstable_at_start;
-        if (interrupted(probing_)) result_.status = SearchStatus::interrupted;
+        if (interrupted(probing_))
+            result_.status = isStopped(control_) ? SearchStatus::interrupted : SearchStatus::undecided;
         const bool fails =
             result_.status == SearchStatus::found || result_.status == SearchStatus::unstable_at_start;
         result_.low = probing_.has_stood ? axis_.load(bracket_.low()) : -kInfinity;

@@ -132,7 +132,7 @@ bool standsThere(Probing& p, double load, const State& state, Probe& rest) {
             findRestOfFirstOrder(p.last_stable, moved, p.work, p.has_stood ? kMostFactors : kPatientFactors);
         rest.factors += found.factors;
         rest.time += found.time;
-        if (interrupted(p)) {
+        if (isStopped(p.control)) {
             rest.verdict = Verdict::undecided;
             rest.reason = "interrupted";
             return false;
@@ -225,7 +225,10 @@ Probing beginProbing(const State& state, const LoadAxis& axis, const Control& co
     return p;
 }
 
-bool interrupted(const Probing& p) { return isStopped(p.control); }
+bool interrupted(const Probing& p) {
+    return isStopped(p.control) ||
+           (p.control.most_work > 0 && workOf(p.steps, p.factors) > p.control.most_work);
+}
 
 Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ramp) {
     p.stands_elsewhere = false;

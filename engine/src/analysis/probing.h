@@ -62,6 +62,7 @@ struct Probing {
 Probing beginProbing(const State& state, const LoadAxis& axis, const Control& control,
                      const QuasiStatic& settings, bool parallel);
 
+/// Whether the search is to end before it has its answer: its caller stopped it, or its work is used up.
 bool interrupted(const Probing& probing);
 
 /// Tells who asked for progress where the search is.

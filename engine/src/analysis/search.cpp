@@ -49,12 +49,16 @@ void tellKeptStrength(Find find, const Model& model, const Control& control, con
         alone.keep_failing_state = false;
         alone.groups = 1;
         alone.most_points_of_range = 0;
+        alone.most_work = analysis::mostWorkBeside(result);
         const Result<SearchResult> found = find(kept, alone, settings);
         if (!found) return;
         result.wall_seconds += found->wall_seconds;
+        const std::string beginning = std::string("; the answer with ") + lost.name + " kept: ";
+        if (found->status == SearchStatus::undecided && found->low > result.answer)
+            *warning += beginning + "above " + say(found->low) + ", where that search stopped";
         if (found->status != SearchStatus::found) return;
         if (lost.warning == analysis::kHangsOnCohesion) result.kept_cohesion = found->answer;
-        *warning += std::string("; the answer with ") + lost.name + " kept: " + say(found->answer);
+        *warning += beginning + say(found->answer);
         return;
     }
 }

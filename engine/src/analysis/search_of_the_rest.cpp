@@ -32,10 +32,13 @@ bool claimsFailure(const SearchResult& result) {
 /// A failure that the continuation with true inertia does not bear out was one of the numbers (contacts that chatter
 /// at too long a step, a mode far slower than its estimate): the search is made again with half the step and longer
 /// windows, and is undecided if that does not help.
-Outcome searchConfirmed(const State& state, const LoadAxis& axis, const Control& control,
-                        QuasiStatic settings, bool parallel) {
+Outcome searchConfirmed(const State& state, const LoadAxis& axis, Control control, QuasiStatic settings,
+                        bool parallel) {
     Effort before;
+    const std::int64_t most_work = control.most_work;
     for (int attempt = 1;; ++attempt) {
+        if (most_work > 0)
+            control.most_work = std::max<std::int64_t>(1, most_work - workOf(before.steps, before.factors));
         Outcome outcome = searchLoad(state, axis, control, settings, parallel);
         SearchResult& result = outcome.result;
         addEffort(before, result);
