@@ -250,7 +250,7 @@ TEST_SUITE("physics") {
         const SearchResult whole = *criticalAngle(model);
         REQUIRE((whole.status == SearchStatus::found));
         std::int64_t before = 0;
-        for (const std::int64_t share : {100, 10, 4, 2}) {
+        for (const std::int64_t share : {1'000, 100, 10, 4}) {
             const std::int64_t most_work = std::max<std::int64_t>(1, whole.steps / share);
             const SearchResult part = *criticalAngle(model, {.most_work = most_work});
             CAPTURE(share);

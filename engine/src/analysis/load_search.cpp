@@ -143,7 +143,7 @@ class Search {
     /// Finds a failing cell and lets it go on. True when the motion came to rest there: the assembly has moved to where
     /// it stands again (columns that lean on each other do), and the search is to go on from that state.
     bool searchUpwards() {
-        probing_.lets_small_go = probing_.areMany() && probing_.least_mass > 0;
+        probing_.lets_small_go = probing_.hasCrumbs() && probing_.least_mass > 0;
         for (;;) {
             result_.status = SearchStatus::undecided;
             findFailure();
@@ -186,7 +186,7 @@ class Search {
             probing_.no_near_rest = {};
             stands = standsWithout(load);
             if (interrupted(probing_)) return false;
-            fails = result_.status == SearchStatus::found && result_.confirmed;
+            fails = hasFailedOrIsSmall();
         }
         result_.let_go.push_back(std::move(group));
         bracket_.goOn();
@@ -197,7 +197,7 @@ class Search {
         return stands;
     }
 
-    /// Of many blocks a failure of too little mass is not closed in on, nor waited for to be seen with inertia: what leaves its
+    /// Where there are crumbs a failure of too little mass is not closed in on, nor waited for to be seen with inertia: what leaves its
     /// place, or does not come to rest, is taken out as soon as the load step is short, where the assembly last stood. Where the rest
     /// does not stand there, or that would be all that counts, nothing is taken out, and it is closed in on after all. \pre
     /// mayLetLeavingGo()
@@ -247,8 +247,17 @@ class Search {
     }
 
     bool claimsSmallFailure() const {
-        return probing_.least_mass > 0 && result_.status == SearchStatus::found && result_.confirmed &&
-               !result_.moving_blocks.empty() && !interrupted(probing_);
+        return probing_.least_mass > 0 && !result_.moving_blocks.empty() && hasFailedOrIsSmall() &&
+               !interrupted(probing_);
+    }
+
+    /// Whether what moves has failed, or has so little mass that it need not be seen to: a splinter between others may leave its place
+    /// in the implicit solve, and chatter where it is in time.
+    bool hasFailedOrIsSmall() const {
+        if (result_.status != SearchStatus::found) return false;
+        const State& stood = probing_.last_stable;
+        const std::vector<std::size_t> moving = numbersOf(stood.geometry->model, result_.moving_blocks);
+        return result_.confirmed || (!moving.empty() && massOf(stood, moving) < probing_.least_mass);
     }
 
     /// At the load at which the assembly last stood.

@@ -17,7 +17,8 @@ namespace {
 // a mass of many is slower to come to rest (a slope of 1,406 that stands to 0.907 was called failing at 0.880 after 3,000).
 constexpr std::int64_t kFirstSteps = 3'000, kFirstStepsBlocks = 400;
 // More free blocks than that begin with fewer explicit steps, and so many factorisations from where these end.
-constexpr std::int64_t kManyBlocks = 1'000, kFactorsOfWeight = 300;
+constexpr std::int64_t kManyBlocks = 1'000, kFactorsOfWeight = 4'000;
+constexpr std::int64_t kBlocksWithCrumbs = 150;  // as of the implicit solve
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
 // Rest is near when it is no farther than this times the way the assembly has come, from rest to rest (engine/README.md says
@@ -188,6 +189,7 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
     if (from != nullptr) takeBack(state, p.work);
     ramp(state, 1.0);
     report(p, stage, load, "solving");
+    p.work.leaves_few = p.areMany() || !p.has_stood;
     Probe found = findRest(state, p.work, most_factors);
     const bool is_elsewhere = found.verdict == Verdict::stable && !standsThere(p, load, state, found) &&
                               found.verdict == Verdict::failing;
@@ -224,6 +226,8 @@ Probing beginProbing(const State& state, const LoadAxis& axis, const Control& co
     p.implicit_first = p.reach > 0;
     return p;
 }
+
+bool Probing::hasCrumbs() const { return freeBlocks(last_stable) >= kBlocksWithCrumbs; }
 
 bool interrupted(const Probing& p) {
     return isStopped(p.control) ||

@@ -48,6 +48,7 @@ struct Probing {
     std::vector<std::size_t> leaving{};
 
     bool areMany() const { return last_stable.searches_around; }
+    bool hasCrumbs() const;  ///< so many free blocks that some small one is always in the way of a rest
 
     /// The last load at which the implicit solve found no rest nearby, and from which state: it would find the same again.
     struct NoNearRest {

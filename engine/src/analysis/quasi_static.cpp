@@ -434,6 +434,7 @@ Probe findRest(State& state, QuasiStaticWork& work, std::int64_t most_factors) {
     const Stopwatch solving;
     equilibrium::Options options{.limit = work.out_of_balance_limit,
                                  .most_factors = most_factors,
+                                 .leaves_few = work.leaves_few,
                                  .parallel = work.parallel,
                                  .stop = work.control->stop};
     HeldBonds bonds(state);
@@ -473,6 +474,7 @@ Probe findRestOfFirstOrder(const State& stood, State& state, QuasiStaticWork& wo
     const equilibrium::Equilibrium found =
         equilibrium::findEquilibrium(state, {.limit = work.out_of_balance_limit,
                                              .most_factors = most_factors,
+                                             .leaves_few = work.leaves_few,
                                              .parallel = work.parallel,
                                              .stop = work.control->stop,
                                              .stood = &stood});

@@ -30,6 +30,7 @@ struct QuasiStaticWork {
     std::int64_t pair_waits = 0;      ///< steps for which a pair may wait that alone wants a search
     std::int64_t factors = 0;         ///< factorisations, likewise
     double leaving = 0;  ///< in the last solve for one, of what neighbours part by that leave their place
+    bool leaves_few = false;  ///< of the implicit solve (equilibrium::Options)
     bool inertia_scaled = false;
     std::vector<double> inertia_scale{};  ///< per block, over the true inertia
     Damping damping{};

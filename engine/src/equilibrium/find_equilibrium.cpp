@@ -42,11 +42,11 @@ constexpr double kMostOfLimit = 0.5;
 constexpr std::int64_t kMostSteps = 4;  // for each factorisation: some steps need none
 constexpr int kMostIterations = 15, kMostIterationsOfMany = 30;
 // Where Newton's method fails to come nearer it is nearly always for a few blocks that slip, lift off and close again (five have
-// 98 % of the residual in three of four such iterations): they have more drag, and with it shorter steps of their own, so that all
-// others can go on with long ones. Drag has no part in an equilibrium. Not so of few blocks: there shorter steps for all cost little,
-// and friction remembers who slid first (Barla's table of leaning columns: 8.76 to 8.92 degrees for 8.85). Of very many, the few go on by
-// themselves after each step, with what they touch, to where they come to rest.
-constexpr std::size_t kMany = 150, kVeryMany = 1'000;
+// 98 % of the residual in three of four such iterations). Either they have more drag, and with it shorter steps of their own, so that all
+// others can go on with long ones: drag has no part in an equilibrium. Or the step ends there, as it is for them, and they go on by
+// themselves, with what they touch, to where they come to rest (Options::leaves_few). Neither of few blocks: there shorter steps for all
+// cost little, and friction remembers who slid first (Barla's table of leaning columns: 8.76 to 8.92 degrees for 8.85).
+constexpr std::size_t kMany = 150;
 constexpr int kStalled = 4;              // iterations in which the residual is not halved
 constexpr double kShortShare = 1.0 / 8;  // of a Newton step that could be gone
 constexpr double kMoreDrag = 16.0, kMostDrag = 1e6, kLessDrag = 0.5;  // the last after each step
@@ -132,7 +132,7 @@ class Solver {
             commit();
             judge(h);
             if (result_.verdict == Verdict::undecided) lookForContacts();
-            if (result_.verdict == Verdict::undecided && !isPart() && settleFew() && isBalanced()) settle(h);
+            if (result_.verdict == Verdict::undecided && settleFew() && isBalanced()) settle(h);
             ratio = result_.out_of_balance;
             h = nextStep(h);
             --steps_below_;
@@ -190,28 +190,36 @@ class Solver {
         return std::sqrt(sum);
     }
 
-    /// Gives the few blocks that have nearly all of a residual more drag. \return whether there are such
-    bool slowFew(const Vec6s& residual) {
+    /// The few blocks that have nearly all of a residual; empty where there are none.
+    std::vector<std::size_t> fewOf(const Vec6s& residual) const {
         std::vector<std::pair<double, std::size_t>> parts;
         double left = 0;
         for (std::size_t r = 0; r < residual.size(); ++r) {
             parts.emplace_back(partOf(residual, r), r);
             left += parts.back().first;
         }
-        if (!std::isfinite(left)) return false;
+        if (!std::isfinite(left)) return {};
         const std::size_t most = std::min(kMostSlowed, std::max<std::size_t>(1, parts.size() / 4));
         std::partial_sort(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(most), parts.end(),
                           std::greater<>());
         const double of_others = kOfOthers * left;
         std::size_t few = 0;
         while (few < most && left > of_others) left -= parts[few++].first;
-        if (left > of_others) return false;
-        for (std::size_t k = 0; k < few; ++k) {
-            double& slowed = slowed_[balance_.block[parts[k].second]];
-            slowed = std::min(kMoreDrag * slowed, kMostDrag);
-        }
-        return true;
+        if (left > of_others) return {};
+        std::vector<std::size_t> blocks;
+        for (std::size_t k = 0; k < few; ++k) blocks.push_back(balance_.block[parts[k].second]);
+        return blocks;
     }
+
+    /// Gives the few more drag. \return whether there are such
+    bool slowFew(const Vec6s& residual) {
+        const std::vector<std::size_t> few = fewOf(residual);
+        for (const std::size_t b : few) slowed_[b] = std::min(kMoreDrag * slowed_[b], kMostDrag);
+        return !few.empty();
+    }
+
+    /// Whether the few go on by themselves after each step, which need not have come to its end for them.
+    bool leavesFew() const { return options_.leaves_few && !isPart() && balance_.block.size() >= kMany; }
 
     void moveBy(double share, Trial& trial) const {
         move(balance_, direction_, share, trial.poses);
@@ -237,6 +245,7 @@ class Solver {
         return best_share;
     }
 
+    /// \return whether it came to the end of the step, or where few may be left behind did for all others
     bool newton(double h, double tolerance, double rounding, Trial& trial) {
         const bool are_many = residual_.size() >= kMany;
         const int most = are_many ? kMostIterationsOfMany : kMostIterations;
@@ -248,6 +257,10 @@ class Solver {
             stalled = now < 0.5 * least ? 0 : stalled + 1;
             if (stalled == 0) least = now;
             if (are_many && stalled == kStalled) {
+                if (leavesFew()) {
+                    lagging_ = fewOf(residual_);
+                    return !lagging_.empty();
+                }
                 if (!slowFew(residual_)) return false;
                 residual(trial, h, rounding, true);
                 least = now = merit();
@@ -261,7 +274,7 @@ class Solver {
             if (!linear_->solve(balance_.matrix, balance_.weight, direction_)) return false;
             const double share = searchLine(h, rounding, now, trial);
             if (share == 0) return false;
-            if (are_many && share <= kShortShare && slowFew(of_whole_)) least = kInfinity;
+            if (are_many && !leavesFew() && share <= kShortShare && slowFew(of_whole_)) least = kInfinity;
         }
         return residual(trial, h, rounding, false) < tolerance;
     }
@@ -277,22 +290,24 @@ class Solver {
         return converged;
     }
 
-    /// The few blocks that are not at rest; where many are not, those of them that lag behind the others.
+    /// The few blocks that are not at rest; where many are not, those of them that were left behind in the last step.
     std::vector<std::size_t> fewRestless() const {
         const Vec3 acceleration = bodyAcceleration(state_);
-        std::vector<std::size_t> restless, lagging;
-        for (const std::size_t b : balance_.block) {
-            if (outOfBalanceRatio(state_, b, acceleration) < options_.limit) continue;
-            restless.push_back(b);
-            if (slowed_[b] > 1) lagging.push_back(b);
-        }
-        return restless.size() <= kMostSlowed ? restless : lagging;
+        const auto is_at_rest = [&](std::size_t b) {
+            return outOfBalanceRatio(state_, b, acceleration) < options_.limit;
+        };
+        std::vector<std::size_t> restless = balance_.block;
+        std::erase_if(restless, is_at_rest);
+        if (restless.size() <= kMostSlowed) return restless;
+        restless = lagging_;
+        std::erase_if(restless, is_at_rest);
+        return restless;
     }
 
     /// Lets the few blocks that lag behind go on by themselves while all others stay; where they leave their place, so does the
     /// assembly. \return whether they have come to rest
     bool settleFew() {
-        if (balance_.block.size() < kVeryMany) return false;
+        if (!leavesFew()) return false;
         const std::vector<std::size_t> few = fewRestless();
         if (few.empty()) return false;
         std::vector<char> part(state_.blocks.size(), 0);
@@ -307,8 +322,6 @@ class Solver {
         count(found, share);
         takeContacts();
         result_.out_of_balance = outOfBalance();
-        if (found.verdict == Verdict::stable)
-            for (const std::size_t b : few) slowed_[b] = 1.0;
         return found.verdict == Verdict::stable;
     }
 
@@ -328,6 +341,7 @@ class Solver {
     bool step(double h, double tolerance) {
         iterations_ = 0;
         motion_ = 0;
+        lagging_.clear();
         Trial trial = at_;
         if (!newton(h, tolerance, 0.0, trial)) {
             trial = at_;
@@ -456,6 +470,7 @@ class Solver {
     int iterations_ = 0;                              ///< of the last step
     double motion_ = 0;                               ///< of it, over the block's size
     std::vector<double> slowed_{};                    ///< times its own that each block's drag is
+    std::vector<std::size_t> lagging_{};  ///< blocks for which the last step did not come to its end
     Vec6s residual_{}, of_whole_{}, direction_{};
     Trial tried_{};
 };

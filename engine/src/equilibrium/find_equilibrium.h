@@ -16,6 +16,9 @@ struct Options {
     /// of the median block size: neighbours that part or slide farther have left their place
     double leaves = 2e-4;
     double release = 0.25;  ///< share of a broken bond released per step
+    /// of 150 blocks and more: a step need not come to its end for the few that stall it, which go on by themselves after it; else they
+    /// have more drag
+    bool leaves_few = false;
     bool parallel = false;  ///< the search for contacts; the solve itself is serial
     const std::atomic<bool>* stop = nullptr;
     /// where the assembly last stood: gaps are those of first order (equilibrium/first_order_gaps.h), and no contacts are looked for
