@@ -29,6 +29,7 @@ class Afresh {
            bool parallel)
         : axis_(axis), control_(control), unloaded_(built) {
         work_ = prepare(unloaded_, settings, control_, axis.imbalance_tolerance, parallel);
+        work_.leaves_few = true;  // nothing has slid
         unloaded_.load.gravity_share = unloaded_.load.water_share = 0;
     }
 

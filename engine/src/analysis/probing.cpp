@@ -122,6 +122,10 @@ bool yields(const Probing& p, double load, const State& state) {
     return partedFromRest(p, state) > most + tieReach(p.last_stable);
 }
 
+/// Whether the implicit solve leaves a few blocks behind in its steps: that changes what slides on the way, and of fewer blocks that
+/// have slid the answer.
+bool leavesFew(const Probing& p) { return p.areMany() || !p.has_stood; }
+
 /// Whether a rest is where the assembly stands, but for what it gives; else it is a failure. Blocks that lean on each other have
 /// others, farther off, in which they are jammed: to get there is to fail first.
 bool standsThere(Probing& p, double load, const State& state, Probe& rest) {
@@ -129,6 +133,7 @@ bool standsThere(Probing& p, double load, const State& state, Probe& rest) {
     State moved = state;
     const bool is_near = !p.has_stood || (way <= nearLimit(p, load) && !yields(p, load, state));
     if (is_near) {
+        p.work.leaves_few = leavesFew(p);
         const Probe found =
             findRestOfFirstOrder(p.last_stable, moved, p.work, p.has_stood ? kMostFactors : kPatientFactors);
         rest.factors += found.factors;
@@ -189,7 +194,7 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
     if (from != nullptr) takeBack(state, p.work);
     ramp(state, 1.0);
     report(p, stage, load, "solving");
-    p.work.leaves_few = p.areMany() || !p.has_stood;
+    p.work.leaves_few = leavesFew(p);
     Probe found = findRest(state, p.work, most_factors);
     const bool is_elsewhere = found.verdict == Verdict::stable && !standsThere(p, load, state, found) &&
                               found.verdict == Verdict::failing;
