@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analysis/loose_blocks.h"
+#include "equilibrium/find_equilibrium.h"
 #include "forces/contact_forces.h"
 #include "forces/sum.h"
 #include "state/caller.h"
@@ -18,7 +19,6 @@ namespace {
 constexpr std::int64_t kFirstSteps = 3'000, kFirstStepsBlocks = 400;
 // More free blocks than that begin with fewer explicit steps, and so many factorisations from where these end.
 constexpr std::int64_t kManyBlocks = 1'000, kFactorsOfWeight = 4'000;
-constexpr std::int64_t kBlocksWithCrumbs = 150;  // as of the implicit solve
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
 // Rest is near when it is no farther than this times the way the assembly has come, from rest to rest (engine/README.md says
@@ -232,7 +232,9 @@ Probing beginProbing(const State& state, const LoadAxis& axis, const Control& co
     return p;
 }
 
-bool Probing::hasCrumbs() const { return freeBlocks(last_stable) >= kBlocksWithCrumbs; }
+bool Probing::hasCrumbs() const {
+    return freeBlocks(last_stable) >= static_cast<std::int64_t>(equilibrium::kBlocksWithCrumbs);
+}
 
 bool interrupted(const Probing& p) {
     return isStopped(p.control) ||

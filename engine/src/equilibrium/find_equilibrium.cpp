@@ -46,7 +46,6 @@ constexpr int kMostIterations = 15, kMostIterationsOfMany = 30;
 // others can go on with long ones: drag has no part in an equilibrium. Or the step ends there, as it is for them, and they go on by
 // themselves, with what they touch, to where they come to rest (Options::leaves_few). Neither of few blocks: there shorter steps for all
 // cost little, and friction remembers who slid first (Barla's table of leaning columns: 8.76 to 8.92 degrees for 8.85).
-constexpr std::size_t kMany = 150;
 constexpr int kStalled = 4;              // iterations in which the residual is not halved
 constexpr double kShortShare = 1.0 / 8;  // of a Newton step that could be gone
 constexpr double kMoreDrag = 16.0, kMostDrag = 1e6, kLessDrag = 0.5;  // the last after each step
@@ -219,7 +218,9 @@ class Solver {
     }
 
     /// Whether the few go on by themselves after each step, which need not have come to its end for them.
-    bool leavesFew() const { return options_.leaves_few && !isPart() && balance_.block.size() >= kMany; }
+    bool leavesFew() const {
+        return options_.leaves_few && !isPart() && balance_.block.size() >= kBlocksWithCrumbs;
+    }
 
     void moveBy(double share, Trial& trial) const {
         move(balance_, direction_, share, trial.poses);
@@ -247,7 +248,7 @@ class Solver {
 
     /// \return whether it came to the end of the step, or where few may be left behind did for all others
     bool newton(double h, double tolerance, double rounding, Trial& trial) {
-        const bool are_many = residual_.size() >= kMany;
+        const bool are_many = residual_.size() >= kBlocksWithCrumbs;
         const int most = are_many ? kMostIterationsOfMany : kMostIterations;
         double least = kInfinity;
         int stalled = 0;

@@ -2,6 +2,7 @@
 // Static equilibrium of a state under its loads, found implicitly.
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -10,13 +11,16 @@
 
 namespace talus::equilibrium {
 
+/// Of as many blocks some small ones always stall a step, other ones in each.
+inline constexpr std::size_t kBlocksWithCrumbs = 150;
+
 struct Options {
     double limit = 1e-6;                ///< at rest below this out-of-balance force over the weight
     std::int64_t most_factors = 2'000;  ///< factorisations after which it gives up
     /// of the median block size: neighbours that part or slide farther have left their place
     double leaves = 2e-4;
     double release = 0.25;  ///< share of a broken bond released per step
-    /// of 150 blocks and more: a step need not come to its end for the few that stall it, which go on by themselves after it; else they
+    /// of many blocks: a step need not come to its end for the few that stall it, which go on by themselves after it; else they
     /// have more drag
     bool leaves_few = false;
     bool parallel = false;  ///< the search for contacts; the solve itself is serial
