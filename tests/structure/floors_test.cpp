@@ -31,7 +31,7 @@ const std::vector<House>& houses() {
         {"formats/src",
          {"files", "toml", "mesh", "scenario", "sweep", "schema", "history", "mcap", "snapshot", "export"}},
         {"tools",
-         {"cli", "report", "schemas", "recording", "inspect", "replay", "batch", "answers", "reproduction",
+         {"cli", "report", "schemas", "recording", "inspect", "replay", "answers", "batch", "reproduction",
           "verification", "python", "commands"}},
     };
     return all;

@@ -8,16 +8,11 @@
 
 namespace talus::tools {
 
-namespace {
-
-/// A load for people: "19.512 deg", "factor 1.0133".
-std::string said(double value, Varied load) {
+std::string shortLoadText(double value, Varied load) {
     const VariedQuantity& quantity = quantityOf(load);
     const std::string figure = text(value / quantity.scale, quantity.decimals);
     return *quantity.unit != '\0' ? figure + " " + quantity.unit : quantity.name + (" " + figure);
 }
-
-}  // namespace
 
 void addCeiling(CLI::App& app, CeilingOptions& options) {
     CLI::Option* never = app.add_flag("--no-ceiling", options.never, "Leave limit analysis out");
@@ -40,8 +35,9 @@ Ceiling findCeiling(const formats::Scenario& scenario, Varied load, const Ceilin
 void holdUnder(const Ceiling& ceiling, Varied load, SearchResult& result) {
     if (!isAbove(result.low, ceiling, load)) return;
     result.status = SearchStatus::undecided;
-    result.warnings.push_back("the answer is wrong: the search has it stand at " + said(result.low, load) +
-                              ", above the ceiling of limit analysis, " + said(*ceiling.value, load));
+    result.warnings.push_back("the answer is wrong: the search has it stand at " +
+                              shortLoadText(result.low, load) + ", above the ceiling of limit analysis, " +
+                              shortLoadText(*ceiling.value, load));
 }
 
 }  // namespace talus::tools

@@ -13,6 +13,9 @@ class App;
 
 namespace talus::tools {
 
+/// A load for people: "19.512 deg", "factor 1.0133". \param value  in its SI unit
+std::string shortLoadText(double value, Varied load);
+
 /// --ceiling, --no-ceiling; neither: up to a model size.
 struct CeilingOptions {
     bool always = false, never = false;

@@ -316,6 +316,7 @@ Json searchJson(const SearchReport& report) {
     json["ceiling_reason"] = report.ceiling.value ? Json(nullptr) : Json(report.ceiling.reason);
     json["range"] = rangeJson(report);
     json["range_reason"] = result.range_reason.empty() ? Json(nullptr) : Json(result.range_reason);
+    json["joint_stiffness_factor"] = number(report.stiffness);
     json["kept_cohesion"] =
         result.kept_cohesion ? number(*result.kept_cohesion / search.load->scale) : Json(nullptr);
     json["lost_cohesion_share"] = number(result.lost_cohesion);

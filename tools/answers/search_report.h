@@ -21,6 +21,7 @@ struct SearchReport {
     SearchResult result;
     std::optional<TheoryFigure> theory;
     Ceiling ceiling{};
+    double stiffness = 1;           ///< of the joints in that search, over the scenario's
     std::optional<KeptRun> kept{};  ///< with --keep-run
     /// Interrupted after the search: the answer stands, what belongs beside it may lack.
     bool cut_short = false;

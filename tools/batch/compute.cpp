@@ -4,6 +4,7 @@
 #include <ctime>
 #include <limits>
 
+#include "answers/stiffer_joints.h"
 #include "cli/block_names.h"
 #include "cli/text.h"
 #include "talus/simulation.h"
@@ -78,11 +79,14 @@ void writeRange(const SearchResult& result, const LoadSearch& search, RowWriter&
     row.set(search.keyInUnit(kRangeHigh), result.range->second / search.load->scale);
 }
 
-void writeSearch(const SearchResult& result, const LoadSearch& search, const Model& model, RowWriter& row) {
+void writeSearch(const CeiledAnswer& answer, const LoadSearch& search, const Model& model, RowWriter& row) {
+    const SearchResult& result = answer.result;
     row.set("status", std::string(toString(result.status)));
     if (result.status == SearchStatus::found) row.set(search.answer_key, result.answer / search.load->scale);
     row.set(search.keyInUnit("bracket_low"), result.low / search.load->scale);
     row.set(search.keyInUnit("bracket_high"), result.high / search.load->scale);
+    if (answer.ceiling.value) row.set(search.keyInUnit(kCeiling), *answer.ceiling.value / search.load->scale);
+    row.set(kStiffness, answer.stiffness);
     writeRange(result, search, row);
     if (const auto theory = search.theory(model, nullptr))
         row.set(search.theory_key, theory->value / search.load->scale);
@@ -127,12 +131,14 @@ bool analyse(const SampledScenario& sampled, const Sweep& sweep, const std::atom
         failed ? fail(row, result.errors()) : writeRun(*result, row);
         return true;
     }
-    const auto result = search->find(model, control, {});
-    // A probe that was cut short is undecided, too, and other loading histories may have been cut short after the answer.
-    const bool may_be_cut = result && (result->status == SearchStatus::undecided || sweep.tries_histories);
+    const auto answer = findUnderCeiling(*search, sampled.scenario, {}, control);
+    const SearchResult* result = answer ? &answer->result : nullptr;
+    // A probe that was cut short is undecided, too, and what stands beside the answer may have been cut short after it.
+    const bool may_be_cut = result && (result->status == SearchStatus::undecided || sweep.tries_histories ||
+                                       !answer->ceiling.value);
     if (result && (result->status == SearchStatus::interrupted || (may_be_cut && stop))) return false;
     failed = !result || result->status == SearchStatus::undecided;
-    result ? writeSearch(*result, *search, model, row) : fail(row, result.errors());
+    result ? writeSearch(*answer, *search, model, row) : fail(row, answer.errors());
     return true;
 }
 

@@ -49,6 +49,10 @@ void addSearchColumns(const LoadSearch& search, bool with_range, std::vector<Col
         {search.keyInUnit("bracket_low"), "number", unit, "last that stood; empty at an open end"});
     columns.push_back(
         {search.keyInUnit("bracket_high"), "number", unit, "first that failed; empty at an open end"});
+    columns.push_back({search.keyInUnit(kCeiling), "number", unit,
+                       "limit analysis; empty where there is none, or the model is too large for it"});
+    columns.push_back({kStiffness, "number", "",
+                       "1, or of the joints with which blocks stay where they were built, for the answer"});
     if (with_range) {
         const char* empty = "; empty where all lead to the answer";
         columns.push_back({search.keyInUnit(kRangeLow), "number", unit,

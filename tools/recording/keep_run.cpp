@@ -75,10 +75,14 @@ std::vector<double> factorsOf(const SearchResult& result, const Model& model) {
     return list;
 }
 
-std::string remarkOn(const formats::Scenario& scenario, const FailingState& failing, const KeptRun& kept) {
+std::string remarkOn(const formats::Scenario& scenario, const FailingState& failing, double stiffness,
+                     const KeptRun& kept) {
     std::string remark = scenario.path + " as it fails: " + loadText(kept) +
                          ", just beyond the first that fails.\nWritten by talus " + kept.search->name +
                          " --keep-run. The dashpots in [damping] only take out the rattle of the contacts.";
+    if (stiffness != 1)
+        remark += "\nIts joints have " + text(stiffness, 0) +
+                  " times the stiffness given, as the search's that found the answer.";
     if (scenario.model.hasWater() && failing.state.loads.water_share < 1)
         remark += "\nIt fails under its weight already: in the kept run no water pushes.";
     return remark;
@@ -119,15 +123,18 @@ FailureKeeper::FailureKeeper(const KeepRunOptions& options, const Common& common
     recorder_ = std::make_unique<RunRecorder>(run_options_, as_it_fails_, nullptr);
 }
 
-void FailureKeeper::play(const FailingState& failing, KeptRun& kept, const Control& control) {
+void FailureKeeper::play(const FailingState& failing, double stiffness, KeptRun& kept,
+                         const Control& control) {
     const double time = ownTime(failing.block_size, scenario_.model.gravity.magnitude);
     formats::FailingLoad load;
     load.varied = kept.search->load->varied;
     load.value = failing.load;
     load.contact_damping = failing.contact_damping;
+    load.stiffness = stiffness;
     load.duration = options_.seconds.value_or(kMostTimes * time);
     load.frame_interval = options_.seconds ? *options_.seconds / kFramesInGivenTime : time / kFramesPerTime;
-    as_it_fails_ = valueOf(formats::failingScenario(scenario_, load, remarkOn(scenario_, failing, kept)));
+    as_it_fails_ =
+        valueOf(formats::failingScenario(scenario_, load, remarkOn(scenario_, failing, stiffness, kept)));
 
     RunOutput output = recorder_->output(kept.failure);
     output.begin = [&, begin = output.begin](const RunGeometry& geometry) {
@@ -152,7 +159,8 @@ void FailureKeeper::play(const FailingState& failing, KeptRun& kept, const Contr
     if (kept.run.interrupted) kept.exit_code = kInterrupted, kept.reason = "interrupted";
 }
 
-KeptRun FailureKeeper::keep(const SearchResult& result, const LoadSearch& search, const Control& control) {
+KeptRun FailureKeeper::keep(const SearchResult& result, const LoadSearch& search, double stiffness,
+                            const Control& control) {
     KeptRun kept;
     kept.search = &search;
     if (!result.failing) {
@@ -162,7 +170,7 @@ KeptRun FailureKeeper::keep(const SearchResult& result, const LoadSearch& search
     kept.failure = {search.name, result.failing->load, result.mode, {}, factorsOf(result, scenario_.model)};
     addRoles(result, scenario_.model, kept);
     try {
-        play(*result.failing, kept, control);
+        play(*result.failing, stiffness, kept, control);
     } catch (const FileRefused& refused) {
         kept.exit_code = kFileRefused, kept.reason = refused.what();
     } catch (const BadInput& bad) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "answers/stiffer_joints.h"
 #include "cli/failures.h"
 #include "talus/limit_analysis.h"
 #include "talus/parallel.h"
@@ -83,8 +84,9 @@ bool given(const Result<T>& result, Computed& computed) {
 }
 
 void search(const LoadSearch& search, const Control& control, Computed& computed) {
-    const Result<SearchResult> result = search.find(computed.scenario.model, control, {});
-    if (!given(result, computed)) return;
+    const Result<CeiledAnswer> answer = findUnderCeiling(search, computed.scenario, {}, control);
+    if (!given(answer, computed)) return;
+    const SearchResult* result = &answer->result;
     computed.status = toString(result->status);
     computed.motions = result->motions;
     const bool found = result->status == SearchStatus::found;

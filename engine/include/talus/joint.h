@@ -236,6 +236,13 @@ inline Joint reduced(Joint joint, double factor) {
     return joint;
 }
 
+/// A joint with `factor` times the stiffness.
+inline Joint stiffened(Joint joint, double factor) {
+    joint.normal_stiffness *= factor;
+    joint.shear_stiffness *= factor;
+    return joint;
+}
+
 /// A joint that neither slips nor opens below `strength` [Pa].
 inline Joint holding(Joint joint, double strength) {
     joint.law = StrengthLaw::coulomb;

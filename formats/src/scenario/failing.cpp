@@ -35,6 +35,7 @@ class Editor {
 
     void apply(const FailingLoad& load) {
         setVaried(load);
+        if (load.stiffness != 1) stiffen(load.stiffness);
         set({"run", "duration_s"}, load.duration);
         set({"run", "frame_interval_s"}, load.frame_interval);
         document_.erase({"run", "time_step_s"});
@@ -96,6 +97,18 @@ class Editor {
         });
     }
 
+    void stiffen(double factor) {
+        const auto stiffenIn = [&](const Node& table, const Path& path) {
+            for (const auto property : {&Joint::normal_stiffness, &Joint::shear_stiffness})
+                change(table, path, std::string(propertyOf(property).key),
+                       [&](double value) { return factor * value; });
+        };
+        const Node root = document_.root();
+        if (const auto joints = root.find("joint"))
+            for (const Entry& joint : joints->entries()) stiffenIn(joint.value, {"joint", joint.key});
+        eachTable(root, "interface", stiffenIn);
+    }
+
     /// What is not given and not zero either is written out.
     void divideStrengths(const Node& table, const Path& path, StrengthLaw law, double factor) {
         for (const JointProperty& property : kJointProperties) {
@@ -132,16 +145,23 @@ class Editor {
         return joint ? lawOf(*joint) : StrengthLaw::coulomb;
     }
 
-    /// One number, or all of an array's.
     void divide(const Node& table, const Path& path, const JointProperty& property, StrengthLaw law,
                 const std::string& key, double factor) {
+        change(table, path, key, [&](double value) {
+            Joint joint = jointOf(law);
+            joint.*property.value = value * property.toSi();
+            return reduced(joint, factor).*property.value / property.toSi();
+        });
+    }
+
+    /// One number, or all of an array's.
+    template <class Changed>
+    void change(const Node& table, const Path& path, const std::string& key, const Changed& changed) {
         const auto node = table.find(key);
         if (!node) return;
         std::vector<std::pair<Path, double>> values;  // writing replaces the nodes that are read here
         eachNumber(*node, below(path, key), [&](const Path& place, double value) {
-            Joint joint = jointOf(law);
-            joint.*property.value = value * property.toSi();
-            values.emplace_back(place, reduced(joint, factor).*property.value / property.toSi());
+            values.emplace_back(place, changed(value));
         });
         for (const auto& [place, value] : values) set(place, value);
     }
@@ -181,6 +201,7 @@ std::string asComments(const std::string& text) {
 
 Model failingModel(Model model, const FailingLoad& load) {
     putUnderLoad(model, load.varied, load.value);
+    for (Joint& joint : model.joints) joint = stiffened(std::move(joint), load.stiffness);
     model.run.duration = load.duration;
     model.run.frame_interval = load.frame_interval;
     model.run.time_step.reset();
