@@ -30,6 +30,8 @@ constexpr double kShortStep = 4, kMostAmplified = 2'000;
 // Nor may neighbours part in a load step by more, in block sizes, than so many times what the step is worth: what goes a hundredth of a
 // block for each hundredth of its strength is failing, though it comes to rest after every step. (Of many blocks some crumb always moves on.)
 constexpr double kMostYield = 1.0;
+// ... of which what is too little to be seen is none. In steps as short as that they part from where it stood so many times that before.
+constexpr double kYieldsFrom = 2.0;
 // Rests in one short step after the other that go on and on are a slide, however little each goes: so many times what else is near in all.
 constexpr double kMostCrept = 5;
 constexpr double kSettlingDrag = 0.125;
@@ -63,9 +65,16 @@ bool isOfFewCells(const Probing& p, double load) {
 }
 
 /// What a load step is worth of the weight: tilts and accelerations are shares of it, strength resists at most as much.
-double worthOfStep(const Probing& p, double load) {
-    const double step = std::abs(load - p.stable_load);
+double worthOfStep(const Probing& p, double from, double load) {
+    const double step = std::abs(load - from);
     return p.axis.strongest_at_start ? step / load : step;
+}
+
+/// At rest at a load: where the next steps' parting counts from. Where the load stays, weight came on or blocks went.
+void countPartingFrom(Probing& p, double load, const Blocks& blocks) {
+    const bool is_far = !p.stood_before || load == p.stable_load ||
+                        kMostYield * worthOfStep(p, p.stood_before->load, load) >= kYieldsFrom * kSeenShare;
+    if (is_far) p.stood_before = {load, blocks};
 }
 
 Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, State& state) {
@@ -81,6 +90,7 @@ Verdict keep(Probing& p, const std::string& stage, double load, Probe probe, Sta
         const double taken_up = std::max(0.0, tieReach(p.last_stable) - tieReach(state));  // by bolts
         p.deflection += way;
         p.crept = p.has_stood && isOfFewCells(p, load) ? p.crept + std::max(0.0, way - taken_up) : 0;
+        countPartingFrom(p, load, state.blocks);
         p.stable_load = load;
     }
     p.leaving.clear();
@@ -95,15 +105,14 @@ double nearLimit(const Probing& p, double load) {
     const double seen = kSeenShare * p.last_stable.geometry->length_scale, reach = tieReach(p.last_stable);
     if (!isOfFewCells(p, load)) return std::max(seen, kNear * ownDeflection(p)) + reach;
     const double own = std::min(ownDeflection(p), std::max(0.0, p.deflection - p.crept));
-    const double share = std::min(1.0, kMostAmplified * worthOfStep(p, load));
+    const double share = std::min(1.0, kMostAmplified * worthOfStep(p, p.stable_load, load));
     const double left = std::max(0.0, kMostCrept * std::max(seen, own) - p.crept);
     return std::min(left, std::max(seen, kNear * share * own)) + reach;
 }
 
-/// How far neighbours have parted since the assembly last stood, most of any [m].
-double partedFromRest(const Probing& p, const State& state) {
+/// How far neighbours have parted since the assembly stood, most of any [m].
+double partedFrom(const Blocks& stood, const State& state) {
     const Interfaces& f = state.interfaces;
-    const Blocks& stood = p.last_stable.blocks;
     double most = 0;
     for (std::size_t i = 0; i < f.size(); ++i) {
         if (isIdle(f, i)) continue;
@@ -114,12 +123,12 @@ double partedFromRest(const Probing& p, const State& state) {
     return most;
 }
 
-/// Whether blocks have gone so far to a rest that they yield to the load step.
+/// Whether blocks have gone so far to a rest that they yield to the load steps.
 bool yields(const Probing& p, double load, const State& state) {
-    const double worth = worthOfStep(p, load);
-    if (!p.has_stood || p.areMany() || worth == 0) return false;
+    if (!p.has_stood || p.areMany() || load == p.stable_load) return false;
+    const double worth = worthOfStep(p, p.stood_before->load, load);
     const double most = std::max(kSeenShare, kMostYield * worth) * state.geometry->length_scale;
-    return partedFromRest(p, state) > most + tieReach(p.last_stable);
+    return partedFrom(p.stood_before->blocks, state) > most + tieReach(p.last_stable);
 }
 
 /// Whether the implicit solve leaves a few blocks behind in its steps: that changes what slides on the way, and of fewer blocks that

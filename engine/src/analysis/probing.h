@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,13 @@ struct Probing {
     State elsewhere{};              ///< that one; of blocks that jam one on their way there, were they not to
     /// Those that move with the farthest one in the last failing probe, of weight only in one of the implicit solve; else empty.
     std::vector<std::size_t> leaving{};
+
+    /// Where neighbours part from, of those that yield (`yields` in probing.cpp): where it last stood, or stood some cells before.
+    struct Stood {
+        double load = 0;
+        Blocks blocks{};
+    };
+    std::optional<Stood> stood_before{};
 
     bool areMany() const { return last_stable.searches_around; }
     bool hasCrumbs() const;  ///< so many free blocks that some small one is always in the way of a rest
