@@ -6,9 +6,9 @@
 #include <string>
 
 #include "support/models.h"
+#include "support/rock_slopes.h"
 #include "support/verification.h"
 #include "talus/analysis.h"
-#include "talus/formats/scenario.h"
 
 using namespace talus;
 using namespace talus::test;
@@ -101,35 +101,18 @@ TEST_SUITE("slow: physics") {
 
     // Columns that lean and lose their cohesion one after the other creep from some load on: a little in each step, however short.
     TEST_CASE("columns whose bonds break as they lean fail at one angle, however narrow the bracket") {
-        constexpr const char* kColumns = R"(
-            [material.rock]
-            density = 2347
-            [joint.default]
-            normal_stiffness = 2.21e9
-            shear_stiffness = 1.53e9
-            friction_deg = 31.43
-            cohesion = 18531
-            [rock_mass]
-            region = { profile = [[-5, -3.33], [28.32, -3.33], [28.32, 16.67], [9.51, 16.67], [0, 0], [-5, 0]], y = [0, 14.38] }
-            min_thickness = 0.1
-            fixed = [{ boundary = "-z" }, { boundary = "+x" }, { plane = { point = [0, 0, 0], dip_deg = 30.3, dip_direction_deg = 270 } }]
-            [[joint_set]]
-            name = "across"
-            dip_deg = 90
-            dip_direction_deg = 90
-            spacing = 3.2
-            [[joint_set]]
-            name = "along"
-            dip_deg = 90
-            dip_direction_deg = 0
-            spacing = 4.58
-            [[joint_set]]
-            name = "bases"
-            dip_deg = 7.8
-            dip_direction_deg = 270
-            spacing = 7.9
-        )";
-        Model model = formats::parseScenario(kColumns, "columns.toml")->model;
+        Model model = scenarioOf({.height = 16.67,
+                                  .crest = 9.51,
+                                  .back = 28.32,
+                                  .width = 14.38,
+                                  .plane_dip_deg = 30.3,
+                                  .density = 2347,
+                                  .normal_stiffness = 2.21e9,
+                                  .shear_stiffness = 1.53e9,
+                                  .friction_deg = 31.43,
+                                  .cohesion = 18531,
+                                  .sets = {{90, 90, 3.2}, {90, 0, 4.58}, {7.8, 270, 7.9}}})
+                          .model;
         double low = kInfinity, high = -kInfinity;
         for (const double tolerance_deg : {0.05, 0.01, 0.005, 0.001}) {
             model.analysis.tolerance = radians(tolerance_deg);

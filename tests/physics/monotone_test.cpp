@@ -8,6 +8,7 @@
 #include <string>
 
 #include "support/models.h"
+#include "support/rock_slopes.h"
 #include "support/verification.h"
 #include "talus/analysis.h"
 #include "talus/formats/scenario.h"
@@ -90,6 +91,45 @@ TEST_SUITE("slow: physics") {
             found += first->status == SearchStatus::found ? 1 : 0;
         }
         CHECK(found >= 3);
+    }
+
+    // A long load step that ends at rest too far off is tried again in short ones: the last of them begins where the slope stands, and not
+    // where the long one began. Of the first slope the angle was 5.62 degrees with 4 % more friction, for 12.72.
+    TEST_CASE("columns that three sets cut: the tilt at which they fail never falls with friction") {
+        const RockSlope slopes[] = {{.height = 12.51,
+                                     .crest = 2.37,
+                                     .back = 18.63,
+                                     .width = 7.79,
+                                     .plane_dip_deg = 25.2,
+                                     .density = 2688,
+                                     .normal_stiffness = 8.32e9,
+                                     .shear_stiffness = 3.25e8,
+                                     .friction_deg = 34.94,
+                                     .sets = {{90, 90, 2.63}, {90, 0, 3.76}, {13.8, 270, 5.64}}},
+                                    {.height = 16.67,
+                                     .crest = 9.51,
+                                     .back = 28.32,
+                                     .width = 14.38,
+                                     .plane_dip_deg = 30.3,
+                                     .density = 2347,
+                                     .normal_stiffness = 2.21e9,
+                                     .shear_stiffness = 1.53e9,
+                                     .friction_deg = 31.43,
+                                     .sets = {{90, 90, 3.2}, {90, 0, 4.58}, {7.8, 270, 7.9}}}};
+        for (RockSlope slope : slopes) {
+            const double given = std::tan(radians(slope.friction_deg));
+            double before = 0;
+            for (const double more : {1.0, 1.02, 1.04, 1.07, 1.1}) {
+                slope.friction_deg = degrees(std::atan(more * given));
+                CAPTURE(slope.friction_deg);
+                const SearchResult result = *criticalAngle(scenarioOf(slope).model);
+                CHECK((result.status == SearchStatus::found));
+                CHECK(result.confirmed);
+                CHECK(result.answer >= before * (1 - 1e-3));
+                MESSAGE("friction " << slope.friction_deg << ": " << degrees(result.answer));
+                before = result.answer;
+            }
+        }
     }
 
     TEST_CASE(

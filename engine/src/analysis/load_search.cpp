@@ -107,6 +107,7 @@ class Search {
             pace_.learn(cell - bracket_.low(), probing_.work.leaving);
         if (verdict == Verdict::stable) bracket_.stands(cell);
         if (verdict == Verdict::failing) bracket_.fails(cell, probing_.probes.back().out_of_balance);
+        if (verdict == Verdict::failing) failed_by_its_way_ = probing_.stands_elsewhere;
         return verdict;
     }
 
@@ -307,6 +308,10 @@ class Search {
     bool hasFailed(double load) {
         probing_.stands_elsewhere = no_rest_ = false;
         bool is_in_doubt = false;
+        if (std::exchange(failed_by_its_way_, false)) {
+            if (rests(load)) return false;
+            probing_.last_moving = probing_.last_stable;
+        }
         if (!probing_.implicit_first) {
             State moving = probing_.last_moving;
             continueToFailure();
@@ -469,6 +474,8 @@ class Search {
     std::vector<std::size_t> falling_{}, restless_{};
     std::vector<std::size_t> leaving_{};  ///< small blocks that leave at the failing load
     LoadPace pace_{};
+    /// the failing load's probe came to rest, too far off: from a rest at a load far below it may have been
+    bool failed_by_its_way_ = false;
     bool no_rest_ = false;          ///< at the failing load, nearby or elsewhere
     bool is_rest_unknown_ = false;  ///< whether what is left stands without what was let go last
     Effort continuations_{};
