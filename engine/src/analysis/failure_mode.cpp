@@ -190,7 +190,7 @@ class Continuation {
     Failure run() {
         double next_look = 1;
         bool clear = false;
-        while (!failure_.at_rest && failure_.steps < wanted_.most_steps && !interrupted()) {
+        while (!failure_.at_rest && hasSteps() && !interrupted()) {
             goOn();
             const double progress = progressOf();
             if (!clear && progress >= next_look) {
@@ -245,6 +245,17 @@ class Continuation {
         const double of_share = share_ / wanted_.share;
         if (!(wanted_.deflection > 0)) return of_share;
         return std::min(of_share, failure_.motion / (kFirstTarget * wanted_.deflection));
+    }
+
+    /// What gathers speed and has not gone far, or has gone far and neither does nor rests, is soon seen to be one or the other.
+    bool isOnItsWay() const {
+        const bool is_far = failure_.motion >= kLeastMotion * wanted_.deflection;
+        return share_ >= wanted_.share && is_far != gathersSpeed();
+    }
+
+    bool hasSteps() const {
+        return failure_.steps < wanted_.most_steps ||
+               (failure_.steps < wanted_.most_steps_on_its_way && isOnItsWay());
     }
 
     /// Reads the motion once more. \return whether it says the same as before

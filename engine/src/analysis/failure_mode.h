@@ -32,6 +32,8 @@ struct Evidence {
     double deflection = 0;        ///< the way the assembly has come at rest [m]: several times that
     double share = 0;             ///< a block has gone this share of its own size
     std::int64_t most_steps = 0;  ///< then the continuation ends, whatever it has seen
+    std::int64_t most_steps_on_its_way =
+        0;  ///< but for a motion that goes on and is not yet seen to be one or none
     /// Nothing else says that it fails, so friction must not be let shake it loose: what slides on springs without damping may rock
     /// itself up (engine/README.md), and an assembly that stands creeps downhill then.
     bool alone = false;

@@ -392,7 +392,11 @@ class Search {
         const double settled = std::max(least, probing_.settlement);
         const double own = ownDeflection(probing_);
         const double deflected = no_rest_ ? std::min(own, settled) : own;
-        return {.deflection = deflected, .share = kSeenShare, .most_steps = most, .alone = alone};
+        return {.deflection = deflected,
+                .share = kSeenShare,
+                .most_steps = most,
+                .most_steps_on_its_way = kMostSteps,
+                .alone = alone};
     }
 
     void continueToFailure() { continueToFailure(evidence()); }
