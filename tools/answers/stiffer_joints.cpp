@@ -93,7 +93,10 @@ CeiledAnswer heldUnderCeiling(const LoadSearch& search, const formats::Scenario&
         const formats::Scenario stiffer = withStiffness(scenario, factor);
         if (!isAllowed(stiffer.model)) continue;
         Result<SearchResult> found = search.find(stiffer.model, again, {});
-        if (control.stop != nullptr && control.stop->load()) break;
+        if (control.stop != nullptr && control.stop->load()) {
+            result.status = SearchStatus::interrupted;
+            return {std::move(result), {std::nullopt, "the search was interrupted"}};
+        }
         if (!found) continue;  // so stiff that rounding would move blocks
         CeiledAnswer answer{std::move(*found), {}, factor};
         answer.ceiling = ceiling_of(stiffer, answer.result);

@@ -308,7 +308,8 @@ class Search {
     bool hasFailed(double load) {
         probing_.stands_elsewhere = no_rest_ = false;
         bool is_in_doubt = false;
-        if (std::exchange(failed_by_its_way_, false)) {
+        const bool is_asked = std::exchange(failed_by_its_way_, false);
+        if (is_asked) {
             if (rests(load)) return false;
             probing_.last_moving = probing_.last_stable;
         }
@@ -322,14 +323,14 @@ class Search {
                 std::swap(probing_.last_moving, moving);
                 return true;
             }
-            if (rests(load)) return false;
+            if (!is_asked && rests(load)) return false;
             is_in_doubt = result_.confirmed && isAlone();
             if (!is_in_doubt) {
                 countElsewhere();
                 if (result_.confirmed || !no_rest_) std::swap(probing_.last_moving, moving);
                 if (result_.confirmed) return true;
             }
-        } else if (rests(load)) {
+        } else if (!is_asked && rests(load)) {
             return false;
         }
         if (probing_.implicit_first || no_rest_ || is_in_doubt) continueToFailure(evidence(isAlone()));

@@ -141,11 +141,13 @@ TEST_CASE("the range of softer joints' answers is kept where it begins below") {
     CHECK_FALSE(held(findSoftened, given, 1.0).result.range);
 }
 
-TEST_CASE("a search that is stopped is not tried with stiffer joints") {
+TEST_CASE("a search that is stopped before stiffer joints have answered is interrupted") {
     std::atomic<bool> stop{true};
     Control control;
     control.stop = &stop;
     const CeiledAnswer answer = held(findSoftened, standsAt(1.3), 1.0, control);
-    CHECK((answer.result.status == SearchStatus::undecided));
+    CHECK((answer.result.status == SearchStatus::interrupted));
+    CHECK(answer.result.warnings.empty());
+    CHECK_FALSE(answer.ceiling.value);
     CHECK(answer.stiffness == 1);
 }
