@@ -37,14 +37,16 @@ inline formats::Scenario scenarioOf(const RockSlope& s) {
          << ", " << s.height << "], [0.0, 0.0], [" << left << ", 0.0]], y = [0.0, " << s.width
          << "] }\nmin_thickness = " << 0.006 * s.height
          << "\nfixed = [{ boundary = \"-z\" }, { boundary = \"+x\" }";
-    if (s.plane_dip_deg)
+    if (s.plane_dip_deg) {
         text << ", { plane = { point = [0, 0, 0], dip_deg = " << *s.plane_dip_deg
              << ", dip_direction_deg = 270 } }";
+    }
     text << "]\n";
-    for (std::size_t k = 0; k < s.sets.size(); ++k)
+    for (std::size_t k = 0; k < s.sets.size(); ++k) {
         text << "[[joint_set]]\nname = \"J" << k << "\"\ndip_deg = " << s.sets[k].dip_deg
              << "\ndip_direction_deg = " << s.sets[k].dip_direction_deg << "\nspacing = " << s.sets[k].spacing
              << "\n";
+    }
     auto scenario = formats::parseScenario(text.str(), "slope.toml");
     for (const Error& error : scenario.errors()) FAIL_CHECK(formats::format(error));
     REQUIRE(scenario.ok());

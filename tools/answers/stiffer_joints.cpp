@@ -84,11 +84,12 @@ CeiledAnswer heldUnderCeiling(const LoadSearch& search, const formats::Scenario&
     Ceiling ceiling = ceiling_of(scenario, result);
     if (!isAbove(result.low, ceiling, load)) return {std::move(result), std::move(ceiling)};
     Control again = control;
-    if (control.progress)
+    if (control.progress) {
         again.progress = [&](const Progress& progress) {
             control.progress(
                 {"with stiffer joints", kBegins + (1 - kBegins) * progress.fraction, progress.detail});
         };
+    }
     for (const double factor : kStiffer) {
         const formats::Scenario stiffer = withStiffness(scenario, factor);
         if (!isAllowed(stiffer.model)) continue;

@@ -80,9 +80,10 @@ std::string remarkOn(const formats::Scenario& scenario, const FailingState& fail
     std::string remark = scenario.path + " as it fails: " + loadText(kept) +
                          ", just beyond the first that fails.\nWritten by talus " + kept.search->name +
                          " --keep-run. The dashpots in [damping] only take out the rattle of the contacts.";
-    if (stiffness != 1)
+    if (stiffness != 1) {
         remark += "\nIts joints have " + text(stiffness, 0) +
                   " times the stiffness given, as the search's that found the answer.";
+    }
     if (scenario.model.hasWater() && failing.state.loads.water_share < 1)
         remark += "\nIt fails under its weight already: in the kept run no water pushes.";
     return remark;

@@ -98,15 +98,16 @@ class Editor {
     }
 
     void stiffen(double factor) {
-        const auto stiffenIn = [&](const Node& table, const Path& path) {
-            for (const auto property : {&Joint::normal_stiffness, &Joint::shear_stiffness})
+        const auto stiffen_in = [&](const Node& table, const Path& path) {
+            for (const auto property : {&Joint::normal_stiffness, &Joint::shear_stiffness}) {
                 change(table, path, std::string(propertyOf(property).key),
                        [&](double value) { return factor * value; });
+            }
         };
         const Node root = document_.root();
         if (const auto joints = root.find("joint"))
-            for (const Entry& joint : joints->entries()) stiffenIn(joint.value, {"joint", joint.key});
-        eachTable(root, "interface", stiffenIn);
+            for (const Entry& joint : joints->entries()) stiffen_in(joint.value, {"joint", joint.key});
+        eachTable(root, "interface", stiffen_in);
     }
 
     /// What is not given and not zero either is written out.
@@ -160,9 +161,8 @@ class Editor {
         const auto node = table.find(key);
         if (!node) return;
         std::vector<std::pair<Path, double>> values;  // writing replaces the nodes that are read here
-        eachNumber(*node, below(path, key), [&](const Path& place, double value) {
-            values.emplace_back(place, changed(value));
-        });
+        eachNumber(*node, below(path, key),
+                   [&](const Path& place, double value) { values.emplace_back(place, changed(value)); });
         for (const auto& [place, value] : values) set(place, value);
     }
 

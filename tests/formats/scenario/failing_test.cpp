@@ -74,13 +74,14 @@ TEST_CASE("stiffness is multiplied wherever the file gives it, in the text as in
     REQUIRE(read.ok());
     REQUIRE(read->model.joints.size() == before.model.joints.size());
     REQUIRE(before.model.joints.size() > 1);
-    for (std::size_t j = 0; j < before.model.joints.size(); ++j)
+    for (std::size_t j = 0; j < before.model.joints.size(); ++j) {
         for (const auto property : {&Joint::normal_stiffness, &Joint::shear_stiffness, &Joint::friction}) {
             const double times = property == &Joint::friction ? 1 : 1000;
             CHECK(after->model.joints[j].*property == before.model.joints[j].*property * times);
             CHECK(read->model.joints[j].*property ==
                   doctest::Approx(before.model.joints[j].*property * times).epsilon(1e-15));
         }
+    }
 }
 
 TEST_CASE("the model is the search's to the bit; the text reads back as it but for the rounding of degrees") {
