@@ -101,18 +101,9 @@ TEST_SUITE("slow: physics") {
 
     // Columns that lean and lose their cohesion one after the other creep from some load on: a little in each step, however short.
     TEST_CASE("columns whose bonds break as they lean fail at one angle, however narrow the bracket") {
-        Model model = scenarioOf({.height = 16.67,
-                                  .crest = 9.51,
-                                  .back = 28.32,
-                                  .width = 14.38,
-                                  .plane_dip_deg = 30.3,
-                                  .density = 2347,
-                                  .normal_stiffness = 2.21e9,
-                                  .shear_stiffness = 1.53e9,
-                                  .friction_deg = 31.43,
-                                  .cohesion = 18531,
-                                  .sets = {{90, 90, 3.2}, {90, 0, 4.58}, {7.8, 270, 7.9}}})
-                          .model;
+        RockSlope slope = uprightColumns();
+        slope.cohesion = 18531;
+        Model model = scenarioOf(slope).model;
         double low = kInfinity, high = -kInfinity;
         for (const double tolerance_deg : {0.05, 0.01, 0.005, 0.001}) {
             model.analysis.tolerance = radians(tolerance_deg);

@@ -106,16 +106,7 @@ TEST_SUITE("slow: physics") {
                                      .shear_stiffness = 3.25e8,
                                      .friction_deg = 34.94,
                                      .sets = {{90, 90, 2.63}, {90, 0, 3.76}, {13.8, 270, 5.64}}},
-                                    {.height = 16.67,
-                                     .crest = 9.51,
-                                     .back = 28.32,
-                                     .width = 14.38,
-                                     .plane_dip_deg = 30.3,
-                                     .density = 2347,
-                                     .normal_stiffness = 2.21e9,
-                                     .shear_stiffness = 1.53e9,
-                                     .friction_deg = 31.43,
-                                     .sets = {{90, 90, 3.2}, {90, 0, 4.58}, {7.8, 270, 7.9}}}};
+                                    uprightColumns()};
         for (RockSlope slope : slopes) {
             const double given = std::tan(radians(slope.friction_deg));
             double before = 0;

@@ -25,6 +25,20 @@ struct RockSlope {
     std::vector<CuttingSet> sets;
 };
 
+/// Columns on bases that dip gently out of the slope; they lean far before they fall.
+inline RockSlope uprightColumns() {
+    return {.height = 16.67,
+            .crest = 9.51,
+            .back = 28.32,
+            .width = 14.38,
+            .plane_dip_deg = 30.3,
+            .density = 2347,
+            .normal_stiffness = 2.21e9,
+            .shear_stiffness = 1.53e9,
+            .friction_deg = 31.43,
+            .sets = {{90, 90, 3.2}, {90, 0, 4.58}, {7.8, 270, 7.9}}};
+}
+
 inline formats::Scenario scenarioOf(const RockSlope& s) {
     const double left = -0.3 * s.height, under = -0.2 * s.height;
     std::ostringstream text;

@@ -34,14 +34,6 @@ constexpr std::int64_t kLeastSteps = 120'000, kMostSteps = 400'000, kMostStepsAt
 constexpr double kLeavesItsPlace = 0.1;
 constexpr std::int64_t kFirstLookAtStart = 20'000;  // what falls is seen to in 4,000 to 15,000
 
-/// Blocks that are not at rest, when they are next to nothing of what is free: squeezed between others they may chatter
-/// without end.
-std::vector<std::size_t> restlessSplinters(const State& state) {
-    std::vector<std::size_t> restless = restlessBlocks(state);
-    if (!areSplinters(state, restless)) restless.clear();
-    return restless;
-}
-
 class Search {
  public:
     Search(const State& state, const LoadAxis& axis, const Control& control, const QuasiStatic& settings,
@@ -308,12 +300,12 @@ class Search {
     bool hasFailed(double load) {
         probing_.stands_elsewhere = no_rest_ = false;
         bool is_in_doubt = false;
-        const bool is_asked = std::exchange(failed_by_its_way_, false);
-        if (is_asked) {
+        const bool by_its_way = std::exchange(failed_by_its_way_, false);
+        const bool asks_first = by_its_way || probing_.implicit_first;
+        if (asks_first) {
             if (rests(load)) return false;
-            probing_.last_moving = probing_.last_stable;
-        }
-        if (!probing_.implicit_first) {
+            if (by_its_way) probing_.last_moving = probing_.last_stable;
+        } else {
             State moving = probing_.last_moving;
             continueToFailure();
             if (interrupted(probing_)) return true;
@@ -323,17 +315,15 @@ class Search {
                 std::swap(probing_.last_moving, moving);
                 return true;
             }
-            if (!is_asked && rests(load)) return false;
+            if (rests(load)) return false;
             is_in_doubt = result_.confirmed && isAlone();
             if (!is_in_doubt) {
                 countElsewhere();
                 if (result_.confirmed || !no_rest_) std::swap(probing_.last_moving, moving);
                 if (result_.confirmed) return true;
             }
-        } else if (!is_asked && rests(load)) {
-            return false;
         }
-        if (probing_.implicit_first || no_rest_ || is_in_doubt) continueToFailure(evidence(isAlone()));
+        if (asks_first || no_rest_ || is_in_doubt) continueToFailure(evidence(isAlone()));
         countElsewhere();
         if (result_.confirmed || interrupted(probing_)) return true;
         State moved = probing_.last_moving;

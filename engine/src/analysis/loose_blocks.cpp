@@ -159,6 +159,12 @@ std::vector<std::size_t> restlessBlocks(const State& state) {
     return restless;
 }
 
+std::vector<std::size_t> restlessSplinters(const State& state) {
+    std::vector<std::size_t> restless = restlessBlocks(state);
+    if (!areSplinters(state, restless)) restless.clear();
+    return restless;
+}
+
 std::vector<std::size_t> movingBlocks(const State& from, const State& to) {
     std::vector<double> ways(to.blocks.size(), 0.0);
     for (std::size_t b = 0; b < ways.size(); ++b) {

@@ -49,6 +49,9 @@ bool areTied(const State& state, const std::vector<std::size_t>& blocks);
 /// Free blocks that are not at rest: more than a hundredth of their own weight is out of balance; sorted.
 std::vector<std::size_t> restlessBlocks(const State& state);
 
+/// The same when they are next to nothing of what is free: squeezed between others they may chatter without end. Else empty.
+std::vector<std::size_t> restlessSplinters(const State& state);
+
 /// Free blocks that have left the others behind since they all stood: each has gone at least twice as far as any that stays, and all
 /// of them have less than a mass; where there are several such sets, the one that is farthest ahead; sorted. Empty: none, as where
 /// a slope slides.
