@@ -28,6 +28,7 @@ Cell cellBelow(const Vec3& point, const Vec3& normal, const Vec3& down, double u
     Cell cell;
     cell.gradient = unit_weight / normal.dot(down) * normal;
     cell.p0 = -cell.gradient.dot(point);
+    cell.steepest = cell.gradient.norm();
     return cell;
 }
 
@@ -51,28 +52,41 @@ Lies liesTo(const Polygon& polygon, const Vec2& normal, double offset) {
     return most < offset - near ? Lies::inside : least > offset + near ? Lies::outside : Lies::across;
 }
 
-/// Most polygons lie on one side of each side, so that there is nothing to clip: that was half of a run's time.
-Thrust thrustOn(const Cell& cell, const Polygon& whole, const FaceFrame& face) {
+/// The same of what lies no farther than `reach` from a point `height` inside, of a unit normal. Across: its corners have to be asked.
+Lies liesTo(double reach, double height) {
+    constexpr double kNear = 1e-8;  // more than where corners count as across
+    const double farthest = reach + kNear * (reach + std::abs(height));
+    return height > farthest ? Lies::inside : height < -farthest ? Lies::outside : Lies::across;
+}
+
+/// Most polygons lie on one side of each side, so that there is nothing to clip: that was half of a run's time. Most do so by far, so
+/// that their corners need not be looked at: that was half of what was left.
+/// \param reach  of the farthest corner from the face's origin [m]
+Thrust thrustOn(const Cell& cell, const Polygon& whole, double reach, const FaceFrame& face) {
+    const double pressure = cell.p0 + cell.gradient.dot(face.origin);
+    if (liesTo(cell.steepest * reach, pressure) == Lies::outside) return {};  // dry
     Polygon clipped;
     const Polygon* polygon = &whole;
     for (int k = 0; k < cell.side_count; ++k) {
         const Side& side = cell.sides[static_cast<std::size_t>(k)];
         if (polygon->empty()) return {};
         const double beyond = side.normal.dot(face.origin) - side.offset, most = -side.sign * beyond;
+        Lies lies = liesTo(reach, most);
+        if (lies == Lies::outside) return {};
+        if (lies == Lies::inside) continue;
         const Vec2 across = side.sign * Vec2(side.normal.dot(face.e1), side.normal.dot(face.e2));
         if (across.norm() <= 1e-12) {
             if (most < 0 || (most == 0 && side.sign > 0))  // a face along the side belongs to one of two
                 return {};
             continue;
         }
-        const Lies lies = liesTo(*polygon, across, most);
+        lies = liesTo(*polygon, across, most);
         if (lies == Lies::outside) return {};
         if (lies == Lies::inside) continue;
         clipped = clipHalfPlane(*polygon, across, most);
         polygon = &clipped;
     }
-    return talus::thrustOn(*polygon, {cell.p0 + cell.gradient.dot(face.origin),
-                                      {cell.gradient.dot(face.e1), cell.gradient.dot(face.e2)}});
+    return talus::thrustOn(*polygon, {pressure, {cell.gradient.dot(face.e1), cell.gradient.dot(face.e2)}});
 }
 
 // --- a line --------------------------------------------------------------------------------------------------------------
@@ -214,11 +228,18 @@ void eachCellNear(const Cells& cells, const Polygon& polygon, const FaceFrame& f
 
 // --- walls ---------------------------------------------------------------------------------------------------------------
 
+double reachOf(const Polygon& polygon) {
+    double farthest = 0;
+    for (const Vec2& corner : polygon) farthest = std::max(farthest, corner.norm());
+    return farthest;
+}
+
 /// On a polygon whose frame is told about a block's centroid: `arm` to the frame's origin, model frame.
-Wrench pressureOn(const Cells& cells, const Polygon& polygon, const FaceFrame& face, const Vec3& arm) {
+Wrench pressureOn(const Cells& cells, const Polygon& polygon, double reach, const FaceFrame& face,
+                  const Vec3& arm) {
     Thrust sum;
     eachCellNear(cells, polygon, face, [&](const Cell& cell) {
-        const Thrust thrust = thrustOn(cell, polygon, face);
+        const Thrust thrust = thrustOn(cell, polygon, reach, face);
         sum.force += thrust.force;
         sum.moment_x += thrust.moment_x;
         sum.moment_y += thrust.moment_y;
@@ -277,7 +298,8 @@ void leaveToOthers(State& state) {
         if (walls.drained[wall] != 0) continue;
         const Mat3 turn = state.blocks.orientation.matrix(b);
         const Vec3 arm = turn * own.origin;
-        const Wrench less = pressureOn(*walls.cells, wetPolygon(state.wet, w),
+        const Polygon polygon = wetPolygon(state.wet, w);
+        const Wrench less = pressureOn(*walls.cells, polygon, reachOf(polygon),
                                        turned(own, state.blocks.position.get(b), arm, turn), arm);
         walls.force[wall] -= less.force;
         walls.moment[wall] -= less.torque;
@@ -367,11 +389,15 @@ Cells cellsOf(const PhreaticSurface& surface, const Vec3& down, double unit_weig
     return cells;
 }
 
-Wrench pressureOn(const Cells& cells, const Polyhedron& shape, std::size_t f, const Vec3& position,
-                  const Mat3& turn) {
-    const FaceFrame own = faceFrame(shape, f);
-    const Vec3 arm = turn * own.origin;
-    return pressureOn(cells, outlineOf(shape, f), turned(own, position, arm, turn), arm);
+Outline outlineIn(const Polyhedron& shape, std::size_t face) {
+    Outline outline{faceFrame(shape, face), talus::outlineOf(shape, face)};
+    outline.reach = reachOf(outline.corners);
+    return outline;
+}
+
+Wrench pressureOn(const Cells& cells, const Outline& face, const Vec3& position, const Mat3& turn) {
+    const Vec3 arm = turn * face.frame.origin;
+    return pressureOn(cells, face.corners, face.reach, turned(face.frame, position, arm, turn), arm);
 }
 
 std::vector<Error> build(State& state, ForceParts& parts) {
@@ -379,15 +405,18 @@ std::vector<Error> build(State& state, ForceParts& parts) {
     const std::optional<PhreaticSurface>& surface = state.geometry->model.phreatic;
     if (!surface) return {};
     if (auto fault = faultOf(state)) return {std::move(*fault)};
+    auto outlines = std::make_shared<std::vector<Outline>>();
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
         parts.block.push_back(static_cast<std::int32_t>(b));
         parts.begin.push_back(state.phreatic.size());
-        for (std::size_t f = 0; f < state.geometry->shape[b].faces.size(); ++f) {
+        const Polyhedron& shape = state.geometry->shape[b];
+        for (std::size_t f = 0; f < shape.faces.size(); ++f) {
             state.phreatic.block.push_back(static_cast<std::int32_t>(b));
-            state.phreatic.face.push_back(static_cast<std::int32_t>(f));
+            outlines->push_back(outlineIn(shape, f));
         }
     }
+    state.phreatic.outlines = std::move(outlines);
     parts.begin.push_back(state.phreatic.size());
     state.phreatic.drained.assign(state.phreatic.size(), 0);
     state.phreatic.force.assign(state.phreatic.size(), Vec3::Zero());
@@ -399,13 +428,16 @@ void update(State& state) {
     PhreaticWalls& walls = state.phreatic;
     if (walls.size() == 0) return;
     makeCells(state);
+    Vec3 position = Vec3::Zero();
+    Mat3 turn = Mat3::Identity();
     for (std::size_t w = 0; w < walls.size(); ++w) {
+        if (w == 0 || walls.block[w] != walls.block[w - 1]) {
+            const auto b = static_cast<std::size_t>(walls.block[w]);
+            position = state.blocks.position.get(b);
+            turn = state.blocks.orientation.matrix(b);
+        }
         Wrench wrench;
-        const auto b = static_cast<std::size_t>(walls.block[w]);
-        if (walls.drained[w] == 0)
-            wrench =
-                pressureOn(*walls.cells, state.geometry->shape[b], static_cast<std::size_t>(walls.face[w]),
-                           state.blocks.position.get(b), state.blocks.orientation.matrix(b));
+        if (walls.drained[w] == 0) wrench = pressureOn(*walls.cells, (*walls.outlines)[w], position, turn);
         walls.force[w] = wrench.force;
         walls.moment[w] = wrench.torque;
     }

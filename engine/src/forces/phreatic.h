@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "forces/wrench.h"
+#include "geometry/face_frame.h"
+#include "geometry/polygon.h"
 #include "geometry/pressure.h"
 #include "state/arrays.h"
 #include "talus/frame.h"
@@ -24,15 +26,16 @@ namespace talus::phreatic {
 
 /// A plane along gravity; its two neighbours have the same but for the sign, so that what lies in it belongs to one of them.
 struct Side {
-    Vec3 normal = Vec3::UnitX();
-    double offset = 0;  ///< [m]
-    double sign = 1;    ///< inside: sign (normal . x - offset) <= 0
+    Vec3 normal = Vec3::UnitX();  ///< unit
+    double offset = 0;            ///< [m]
+    double sign = 1;              ///< inside: sign (normal . x - offset) <= 0
 };
 
 /// What lies below one piece, in the state's coordinates: p = max(0, p0 + gradient . x) between its sides.
 struct Cell {
     double p0 = 0;                 ///< [Pa]
     Vec3 gradient = Vec3::Zero();  ///< [Pa/m]
+    double steepest = 0;           ///< the size of that
     std::array<Side, 3> sides{};
     int side_count = 0;
 };
@@ -48,13 +51,20 @@ struct Cells {
     std::vector<std::int32_t> in_bin;
 };
 
+/// A face of a block, in its own frame.
+struct Outline {
+    FaceFrame frame;
+    Polygon corners;   ///< in the frame's plane
+    double reach = 0;  ///< of the farthest corner from the frame's origin [m]
+};
+Outline outlineIn(const Polyhedron& shape, std::size_t face);
+
 /// \param down  along gravity
 /// \param unit_weight  of the water, times the factor of the head [N/m^3]
 Cells cellsOf(const PhreaticSurface& surface, const Vec3& down, double unit_weight, const Vec3& origin);
 
-/// On a block's face, about a centroid, model frame.
-Wrench pressureOn(const Cells& cells, const Polyhedron& shape, std::size_t face, const Vec3& position,
-                  const Mat3& turn);
+/// On a block's face, about its centroid, model frame.
+Wrench pressureOn(const Cells& cells, const Outline& face, const Vec3& position, const Mat3& turn);
 
 /// Errors: a surface that folds back when it is seen along gravity, a mesh that does not reach over a free block.
 std::vector<Error> build(State& state, ForceParts& parts);

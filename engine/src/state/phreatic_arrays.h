@@ -11,14 +11,18 @@
 namespace talus {
 
 namespace phreatic {
-struct Cells;  // forces/phreatic.h
-}
+struct Cells;    // forces/phreatic.h
+struct Outline;  // likewise
+}  // namespace phreatic
 
 struct PhreaticWalls {
-    std::vector<std::int32_t> block, face;  ///< block by block
-    std::vector<std::uint8_t> drained;      ///< 1 once its joint has opened wider than the surface allows
+    std::vector<std::int32_t> block;    ///< of each wall, block by block
+    std::vector<std::uint8_t> drained;  ///< 1 once its joint has opened wider than the surface allows
     std::vector<Vec3> force,
         moment;  ///< on the block about its centroid, model frame, as last brought up to date [N, N m]
+
+    /// Of each wall's face; they never change.
+    std::shared_ptr<const std::vector<phreatic::Outline>> outlines{};
 
     // Pieces of the surface for the load that they were last made for; they follow from it.
     std::shared_ptr<const phreatic::Cells> cells;

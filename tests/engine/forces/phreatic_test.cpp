@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+
 #include "build/build.h"
 #include "forces/sum.h"
 #include "support/models.h"
@@ -67,6 +71,65 @@ TEST_SUITE("forces") {
         const double slope = 6.0 / 30;
         CHECK((on(state, 1).force - 9810 * Vec3(-slope, 0, 1)).norm() < 1e-6);
         CHECK(on(state, 1).torque.norm() < 1e-6);
+    }
+
+    TEST_CASE("cubes anywhere below, across and above a bent surface: the pressure's sum over their faces") {
+        const std::vector<PhreaticSurface::Point> line{{-4, 1}, {-1, 2.5}, {0.5, 1.8}, {3, 4}};
+        const auto depth = [&](const Vec3& x) {
+            if (x.x() <= line.front().x) return line.front().z - x.z();
+            for (std::size_t k = 0; k + 1 < line.size(); ++k)
+                if (x.x() <= line[k + 1].x)
+                    return std::lerp(line[k].z, line[k + 1].z,
+                                     (x.x() - line[k].x) / (line[k + 1].x - line[k].x)) -
+                           x.z();
+            return line.back().z - x.z();
+        };
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> any(-1, 1);
+        Model model = floorModel(30);
+        model.blocks[0].shape = *makeBox({-99, -5, -19}, {99, 5, -18});
+        for (int k = 0; k < 20; ++k) {
+            const Vec3 axis{any(random), any(random), any(random)};
+            const double angle = 180 * any(random), x = 6 * any(random), height = 6 * any(random) - 1;
+            addTurnedCube(model, "cube" + std::to_string(k), turnAbout(axis, angle), x, 8 * k, height,
+                          std::pow(10, 0.5 * any(random)));
+        }
+        model.phreatic = PhreaticSurface{.line = line, .field = "water[0]"};
+        const State state = wet(model);
+        int dry = 0, below = 0, across = 0;
+        for (std::size_t b = 1; b < state.blocks.size(); ++b) {
+            CAPTURE(b);
+            const Polyhedron& shape = state.geometry->shape[b];
+            const Mat3 turn = state.blocks.orientation.matrix(b);
+            const Vec3 centre = state.blocks.position.get(b);
+            Wrench sum;
+            double most = 0, least = kInfinity;
+            for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+                const auto corner = [&](std::size_t k) -> Vec3 {
+                    return centre + turn * shape.vertices[static_cast<std::size_t>(shape.faces[f][k])];
+                };
+                const Vec3 along = corner(1) - corner(0), up = corner(3) - corner(0);
+                constexpr int kParts = 60;
+                const Vec3 inwards = -along.cross(up) / (kParts * kParts);
+                for (int i = 0; i < kParts; ++i)
+                    for (int j = 0; j < kParts; ++j) {
+                        const Vec3 x = corner(0) + (i + 0.5) / kParts * along + (j + 0.5) / kParts * up;
+                        const double p = 9810 * depth(x + state.geometry->origin);
+                        most = std::max(most, p);
+                        least = std::min(least, p);
+                        if (p <= 0) continue;
+                        sum.force += p * inwards;
+                        sum.torque += (x - centre).cross(p * inwards);
+                    }
+            }
+            ++(most <= 0 ? dry : least >= 0 ? below : across);
+            const double side = std::cbrt(massProperties(shape).volume),
+                         scale = std::max(most, 1.0) * side * side;
+            CHECK((on(state, b).force - sum.force).norm() < 1e-3 * scale);
+            CHECK((on(state, b).torque - sum.torque).norm() < 1e-3 * scale * side);
+            if (most <= 0) CHECK(on(state, b).force == Vec3::Zero());
+        }
+        CHECK(std::min({dry, below, across}) >= 3);
     }
 
     TEST_CASE(
