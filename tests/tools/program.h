@@ -18,12 +18,14 @@
 #include <vector>
 
 #include "support/files.h"
+#include "support/slower.h"
 
 extern char** environ;
 
 namespace talus::tools::testing {
 
 using test::contentOf;
+using test::kSlower;
 using test::TemporaryFolder;
 
 struct Outcome {
@@ -31,9 +33,6 @@ struct Outcome {
     std::string out, err;
     nlohmann::json json() const { return nlohmann::json::parse(out); }
 };
-
-/// How many times longer the program may take where it is built with sanitizers and assertions: what a test waits for, and how long.
-constexpr double kSlower = TALUS_SLOWER;
 
 /// How large files may become [KiB].
 struct Room {

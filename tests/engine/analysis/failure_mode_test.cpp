@@ -13,6 +13,7 @@
 #include "state/incidence.h"
 #include "step/step.h"
 #include "support/models.h"
+#include "support/slower.h"
 #include "support/validated.h"
 
 using namespace talus;
@@ -90,6 +91,7 @@ TEST_SUITE("analysis") {
         for (const std::pair<int, int>& size : {std::pair{3, 3}, {7, 5}, {12, 5}})
             for (const double beyond : {-1.5, -0.5, 0.5, 1.5}) {
                 const auto columns = size.first, rows = size.second;
+                if (kTriesFew && columns * rows > 9) continue;
                 CAPTURE(columns);
                 CAPTURE(beyond);
                 Model model = stackModel(columns, rows, 1, 19.5);

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "support/properties.h"
+#include "support/slower.h"
 
 using namespace talus;
 using namespace talus::tools;
@@ -79,7 +80,7 @@ TEST_SUITE("hidden parts") {
             const auto size = many.second;
             CAPTURE(count);
             CAPTURE(size);
-            test::checkProperty("what is seen", 10, [count, size] {
+            test::checkProperty("what is seen", test::kTriesFew ? 2 : 10, [count, size] {
                 const std::vector<PaintedPolygon> painted =
                     drawnTriangles(*rc::gen::arbitrary<unsigned>(), count, size);
                 const SeenParts seen = seenParts(painted);
