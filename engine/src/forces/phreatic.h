@@ -51,19 +51,20 @@ struct Cells {
     std::vector<std::int32_t> in_bin;
 };
 
-/// A face of a block, in its own frame.
+/// A face of a block, with its frame told in the block's own.
 struct Outline {
     FaceFrame frame;
     Polygon corners;   ///< in the frame's plane
     double reach = 0;  ///< of the farthest corner from the frame's origin [m]
 };
+/// Of a face of a shape in the block's own frame.
 Outline outlineIn(const Polyhedron& shape, std::size_t face);
 
 /// \param down  along gravity
 /// \param unit_weight  of the water, times the factor of the head [N/m^3]
 Cells cellsOf(const PhreaticSurface& surface, const Vec3& down, double unit_weight, const Vec3& origin);
 
-/// On a block's face, about its centroid, model frame.
+/// On a block's face, about the block's centroid, model frame [N, N m]. \param position, turn  of the block
 Wrench pressureOn(const Cells& cells, const Outline& face, const Vec3& position, const Mat3& turn);
 
 /// Errors: a surface that folds back when it is seen along gravity, a mesh that does not reach over a free block.
