@@ -230,8 +230,8 @@ void eachCellNear(const Cells& cells, const Polygon& polygon, const FaceFrame& f
 
 double reachOf(const Polygon& polygon) {
     double farthest = 0;
-    for (const Vec2& corner : polygon) farthest = std::max(farthest, corner.norm());
-    return farthest;
+    for (const Vec2& corner : polygon) farthest = std::max(farthest, corner.squaredNorm());
+    return std::sqrt(farthest);
 }
 
 /// On a polygon whose frame is told about a block's centroid: `arm` to the frame's origin, model frame.
