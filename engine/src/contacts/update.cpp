@@ -22,6 +22,7 @@ namespace talus {
 namespace {
 
 constexpr double kSearchMargin = 0.05;  // of the median block size: pairs nearer than this are interfaces
+constexpr double kClearly = 0.99;       // of it: less, and rounding does not matter
 constexpr double kSlideLimit =
     0.01;  // of the root of the patch area or the smaller block's size, the larger of the
            // two: then the patch is clipped again
@@ -30,10 +31,24 @@ constexpr double kWider = 1.001;      // than the last margin: then that is too 
 constexpr double kFartherThan = 1.5;  // it has to: what falls soon is faster
 constexpr double kFew = 0.2;          // of all blocks: around more a search is as dear as one of all
 
+/// No speedBound of a block is more, but for rounding: as if it turned about its longest axis [m/s].
+double roughSpeedBound(const State& state, std::size_t b) {
+    const Blocks& blocks = state.blocks;
+    return blocks.velocity.get(b).norm() + blocks.inverse_inertia.get(b).maxCoeff() *
+                                               blocks.angular_momentum.get(b).norm() *
+                                               state.geometry->radius[b];
+}
+
 double searchMargin(const State& state, double ahead) {
-    double fastest = 0;
-    for (std::size_t b = 0; b < state.blocks.size(); ++b) fastest = std::max(fastest, speedBound(state, b));
-    return std::max(kSearchMargin * state.geometry->length_scale, kFasterAhead * fastest * ahead);
+    const double least = kSearchMargin * state.geometry->length_scale;
+    const auto fastest = [&](auto bound) {
+        double most = 0;
+        for (std::size_t b = 0; b < state.blocks.size(); ++b) most = std::max(most, bound(state, b));
+        return most;
+    };
+    // Quasi-static work is slow: it takes no look at how each block turns.
+    const bool is_slow = kFasterAhead * fastest(roughSpeedBound) * ahead < kClearly * least;
+    return is_slow ? least : std::max(least, kFasterAhead * fastest(speedBound) * ahead);
 }
 
 double slideLimit(const State& state, std::size_t i) {
