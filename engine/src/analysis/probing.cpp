@@ -8,6 +8,7 @@
 #include "equilibrium/find_equilibrium.h"
 #include "forces/contact_forces.h"
 #include "forces/sum.h"
+#include "state/block_motion.h"
 #include "state/caller.h"
 #include "state/incidence.h"
 
@@ -172,20 +173,18 @@ State loadedAnew(const Probing& p, const Ramp& load) {
     return state;
 }
 
-/// \param load_anew  brings on the probe's whole load
-Verdict probeExplicitly(Probing& p, const std::string& stage, double load, State state, QuasiStaticWork& work,
-                        const Ramp& ramp, const Ramp& load_anew) {
+/// \param watched  of the motion: empty, it begins from the last stable state; else it goes on from the last moving one with what was left open
+/// \param most_steps  of those that a probe may have
+Verdict probeExplicitly(Probing& p, const std::string& stage, double load, const Ramp& ramp,
+                        std::optional<Watched>& watched, std::int64_t most_steps) {
     report(p, stage, load, "moving");
-    Probe probe = bringOn(state, work, ramp);
-    if (probe.verdict == Verdict::stable && !standsThere(p, load, state, probe))
-        state = loadedAnew(p, load_anew);
+    State state = watched ? p.last_moving : p.last_stable;
+    const std::int64_t all_steps = p.work.settings.max_steps_per_probe;
+    p.work.settings.max_steps_per_probe = std::min(most_steps, all_steps);
+    Probe probe = watched ? goOn(state, p.work, *watched) : bringOn(state, p.work, ramp, &watched);
+    p.work.settings.max_steps_per_probe = all_steps;
+    if (probe.verdict == Verdict::stable && !standsThere(p, load, state, probe)) state = loadedAnew(p, ramp);
     return keep(p, stage, load, probe, state);
-}
-
-void keepLearnt(Probing& p, const QuasiStaticWork& work) {
-    const QuasiStatic settings = p.work.settings;
-    p.work = work;
-    p.work.settings = settings;
 }
 
 std::int64_t firstSteps(const State& state) {
@@ -256,14 +255,12 @@ Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ram
         const Verdict found = probeImplicitly(p, stage, load, ramp);
         if (found != Verdict::undecided || p.cuts_back || !smallLeaving(p).empty()) return found;
     }
-    QuasiStaticWork work = p.work;
     // Of many blocks some are loose: explicit steps see them fall. Else they bring the weight to where the solve is quick.
     const bool begins = !p.has_stood && freeBlocks(p.last_stable) > kManyBlocks;
     const std::int64_t first_steps = firstSteps(p.last_stable);
-    work.settings.max_steps_per_probe = std::min(
-        begins ? std::max(kFirstSteps, first_steps / 4) : first_steps, p.work.settings.max_steps_per_probe);
-    Verdict verdict = probeExplicitly(p, stage, load, p.last_stable, work, ramp, ramp);
-    keepLearnt(p, work);
+    std::optional<Watched> watched;
+    const Verdict verdict = probeExplicitly(p, stage, load, ramp, watched,
+                                            begins ? std::max(kFirstSteps, first_steps / 4) : first_steps);
     const bool doubtful = verdict == Verdict::failing && !p.has_stood;
     if (verdict == Verdict::stable || (verdict == Verdict::failing && (!doubtful || begins)) ||
         interrupted(p))
@@ -277,11 +274,7 @@ Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ram
         if (found != Verdict::undecided) return found;
     }
     if (verdict == Verdict::failing || !smallLeaving(p).empty()) return verdict;
-    work = p.work;
-    verdict = probeExplicitly(
-        p, stage, load, p.last_moving, work, [](State&, double) {}, ramp);
-    keepLearnt(p, work);
-    return verdict;
+    return probeExplicitly(p, stage, load, ramp, watched, p.work.settings.max_steps_per_probe);
 }
 
 Verdict restAt(Probing& p, double load, std::int64_t most_factors) {

@@ -8,8 +8,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "analysis/watch.h"
 #include "state/arrays.h"
 #include "talus/analysis.h"
 
@@ -54,9 +56,6 @@ void takeBack(State& state, const QuasiStaticWork& work);
 /// because a mode is many times slower than the slowest known one, is seen to slow down. Its steps are its own.
 QuasiStaticWork patient(const QuasiStaticWork& work, double drag_share, double watch_periods);
 
-/// Displacement of the farthest-moved point of any free block since it was in other poses [m].
-double largestMotion(const State& state, const PositionArray& position, const QuaternionArray& orientation);
-
 /// Learns the slowest period from what the loads have moved between two states at rest.
 void learnPeriod(QuasiStaticWork& work, const State& before, const State& now);
 
@@ -72,7 +71,12 @@ using Ramp = std::function<void(State&, double share)>;
 ///    Or a block has gone a tenth of its own size;
 ///  - undecided: neither within the allowed steps, or interrupted.
 /// At rest the velocities are set to zero.
-Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp);
+/// \param left_open  takes what is known of a motion that is left undecided
+Probe bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp,
+              std::optional<Watched>* left_open = nullptr);
+
+/// Goes on with what was left undecided, in the state in which it was, with as many more steps. What has been seen of the motion counts.
+Probe goOn(State& state, QuasiStaticWork& work, Watched& watched);
 
 /// The same question answered by the implicit solve (equilibrium/find_equilibrium.h), from a state at rest whose load
 /// has been changed: a few hundred factorisations at most, whatever the slowest period. What it finds at rest is so

@@ -1,5 +1,6 @@
 #include "state/block_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace talus {
@@ -59,6 +60,15 @@ double wayFrom(const PositionArray& position, const QuaternionArray& orientation
     const double shift = (state.blocks.position.get(block) - position.get(block)).norm();
     const double turn = rotationFrom(orientation, state.blocks.orientation, block);
     return shift + turn * state.geometry->radius[block];
+}
+
+double largestMotion(const State& state, const PositionArray& position, const QuaternionArray& orientation) {
+    double largest = 0;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] == Motion::free)
+            largest = std::max(largest, wayFrom(position, orientation, state, b));
+    }
+    return largest;
 }
 
 Vec3 rotationVector(const Quaternion& from, const Quaternion& to) {
