@@ -25,7 +25,8 @@ namespace {
 
 // Steps in pseudo-time are counted in relaxation times of a block on its own joints.
 constexpr double kFirstStep = 1e3;
-constexpr double kRestStep = 1e3;  // rest is said of steps at least as long
+constexpr double kFirstStepFromRest = 1e5;  // where only gaps of first order are to be brought to rest
+constexpr double kRestStep = 1e3;           // rest is said of steps at least as long
 constexpr double kLongestStep = 1e9;
 constexpr double kShortestStep = 1e-2;
 constexpr double kStepMotion =
@@ -115,7 +116,8 @@ class Solver {
         const double release = state_.release;
         state_.release = options_.release;
         double ratio = residual(at_, 1.0, 0.0, false);
-        for (double h = kFirstStep; !finished() && h >= kShortestStep;) {
+        for (double h = course_.first_order ? kFirstStepFromRest : kFirstStep;
+             !finished() && h >= kShortestStep;) {
             ++result_.steps;
             // Below the limit at rest whatever rounding leaves, or a step that moves nothing would end well for ever.
             const double rounding = std::min(roundingLevel(), kMostOfLimit * options_.limit);
