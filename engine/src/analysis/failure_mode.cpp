@@ -29,6 +29,7 @@ constexpr double kStiffest = 4.0;
 constexpr double kFirstTarget = 10.0, kLastTarget = 640.0;
 constexpr double kLeastMotion = 5.0;  // of the deflection at rest, else it is no failure
 constexpr double kFarEnough = 0.1;    // of a block's size: what is not clear by then stays mixed
+constexpr double kFarthest = 0.2;     // likewise, where steps cost next to nothing
 constexpr double kAgreement = 0.02;   // share of the moving mass that may change its role between two looks
 constexpr double kGathers = 1.1;      // speed in the last third of the time over that in the third before
 constexpr double kFallsAlong = 0.1;   // of the farthest block's way: what has gone less is only pushed
@@ -173,7 +174,7 @@ Pace makeDynamic(State& state, bool is_alone, bool parallel) {
 /// A failing state that is let go, watched.
 class Continuation {
  public:
-    /// \param takes_time  goes on until it is both clear how it moves and far, not one of these
+    /// \param takes_time  goes on until it is both clear how it moves and far, not one of these, but no farther than kFarthest
     Continuation(State& state, const Pace& pace, const Evidence& wanted, const Control& control,
                  bool parallel, bool takes_time)
         : state_(state),
@@ -198,7 +199,8 @@ class Continuation {
                 next_look = 2 * progress;
             }
             const bool last = progress >= kLastTarget / kFirstTarget, far = share_of_farthest_ >= kFarEnough;
-            const bool is_read = takes_time_ ? clear && far : clear || far;
+            const bool is_read =
+                takes_time_ ? (clear && far) || share_of_farthest_ >= kFarthest : clear || far;
             if ((is_read || last) && borneOut()) break;
         }
         failure_.confirmed = borneOut();
