@@ -29,7 +29,7 @@ constexpr double kStiffest = 4.0;
 constexpr double kFirstTarget = 10.0, kLastTarget = 640.0;
 constexpr double kLeastMotion = 5.0;  // of the deflection at rest, else it is no failure
 constexpr double kFarEnough = 0.1;    // of a block's size: what is not clear by then stays mixed
-constexpr double kFarthest = 0.2;     // likewise, where steps cost next to nothing
+constexpr double kFarthest = 0.2;     // likewise of a part, whose steps cost little
 constexpr double kAgreement = 0.02;   // share of the moving mass that may change its role between two looks
 constexpr double kGathers = 1.1;      // speed in the last third of the time over that in the third before
 constexpr double kFallsAlong = 0.1;   // of the farthest block's way: what has gone less is only pushed
