@@ -120,12 +120,12 @@ struct PointLoop {
         if constexpr (Arms) {
             const V z = affine(height, xi, eta);
             if constexpr (Damped) {
-                unload(xi + slide_1, eta + slide_2, force);
+                if (view.restitution) unload(xi + slide_1, eta + slide_2, force);
                 addDashpot(xi + slide_1, eta + slide_2, z, area, memory.bond, force);
             }
             sum.raise(z, force.shear_1, force.shear_2);
         } else if constexpr (Damped) {
-            unload(xi, eta, force);
+            if (view.restitution) unload(xi, eta, force);
             addDashpot(xi, eta, V{}, area, memory.bond, force);
         }
         sum.add(xi + slide_1, eta + slide_2, force.shear_1, force.shear_2, force.normal);
@@ -149,8 +149,9 @@ TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index
                                     gather(members, view.velocity, view.block_b),
                                     gather(members, view.angular_velocity, view.block_b));
         const contact::StiffnessOf<V> stiffness = contact::stiffnessOf(law);
-        law.unloading_loss =
-            members.gather(view.laws, &contact::JointParameters<double>::unloading_loss, view.joint);
+        if (view.restitution)
+            law.unloading_loss =
+                members.gather(view.laws, &contact::JointParameters<double>::unloading_loss, view.joint);
         damping_normal = view.contact_damping * stiffness.normal;
         damping_shear = view.contact_damping * stiffness.shear;
     }
