@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "support/models.h"
+#include "support/slower.h"
 #include "talus/analysis.h"
 #include "talus/formats/scenario.h"
 
@@ -56,6 +57,27 @@ TEST_SUITE("physics") {
             CAPTURE(fissure);
             checkRow(oneSlice(fissure, 19.5), kExact[1][fissure], fissure == 0 ? 7 : fissure);
         }
+    }
+
+    TEST_CASE(
+        "what holds a dry slope of low rows is its friction: it stands below that angle, and fails above") {
+        struct Shape {
+            int columns, rows, slices;
+        };
+        for (const Shape& shape : {Shape{7, 5, 2}, Shape{7, 5, 3}, Shape{8, 4, 3}, Shape{5, 4, 3}})
+            for (const double friction : {18.0, 17.3, 19.5, 20.3, 21.0}) {
+                if (kTriesFew && (shape.slices > 2 || friction != 18.0)) continue;
+                CAPTURE(shape.columns);
+                CAPTURE(shape.slices);
+                CAPTURE(friction);
+                Model model = stackModel(shape.columns, shape.rows, shape.slices, friction);
+                model.analysis.start = 0;
+                const SearchResult result = *criticalAngle(model);
+                REQUIRE((result.status == SearchStatus::found));
+                CHECK(degrees(result.low) <= friction);
+                CHECK(degrees(result.high) >= friction);
+                CHECK((result.mode == FailureMode::sliding));
+            }
     }
 
     TEST_CASE("corner points agree with vertex points") {

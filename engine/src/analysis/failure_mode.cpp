@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/loose_blocks.h"
 #include "contacts/update.h"
@@ -27,6 +28,9 @@ constexpr double kStiffest = 4.0;
 // The motion is looked at when it has gone these many times the deflection at rest, doubling, until two looks agree:
 // close to toppling, elastic rocking takes part in a slide at first and is left behind by it.
 constexpr double kFirstTarget = 10.0, kLastTarget = 640.0;
+// A clean slide is clear when it is looked at for the first time, if it was one at half of that way, too: all that moves slides, by so
+// much of the farthest block's way or more, and nothing else has gone more than the deflection, so that no rocking hides in it.
+constexpr double kTogether = 0.5;
 constexpr double kLeastMotion = 5.0;  // of the deflection at rest, else it is no failure
 constexpr double kFarEnough = 0.1;    // of a block's size: what is not clear by then stays mixed
 constexpr double kFarthest = 0.2;     // likewise of a part, whose steps cost little
@@ -110,6 +114,21 @@ BlockMotion describeBlock(const State& state, const Poses& start, std::size_t b,
     return motion;
 }
 
+/// \param roles  one per block
+bool isCleanSlide(const std::vector<BlockWay>& ways, const std::vector<FailureMode>& roles,
+                  double deflection) {
+    double farthest = 0;
+    for (const BlockWay& way : ways)
+        if (way.free) farthest = std::max(farthest, way.way());
+    for (std::size_t b = 0; b < ways.size(); ++b) {
+        if (!ways[b].free) continue;
+        const bool slides = roles[b] == FailureMode::sliding && ways[b].way() >= kTogether * farthest;
+        const bool stands = roles[b] == FailureMode::none && ways[b].way() <= deflection;
+        if (!slides && !stands) return false;
+    }
+    return true;
+}
+
 void describeFailure(const State& state, const Poses& start, double deflection, Failure& failure) {
     failure.motions.clear();
     failure.moving_blocks.clear();
@@ -123,6 +142,7 @@ void describeFailure(const State& state, const Poses& start, double deflection, 
     }
     std::sort(failure.moving_blocks.begin(), failure.moving_blocks.end());
     failure.mode = overallMode(ways, roles);
+    failure.is_clean_slide = failure.mode == FailureMode::sliding && isCleanSlide(ways, roles, deflection);
 }
 
 /// Mass of the moving blocks, and of those whose role is another one than at the look before [kg].
@@ -189,14 +209,15 @@ class Continuation {
     }
 
     Failure run() {
-        double next_look = 1;
+        double next_look = wanted_.deflection > 0 ? 0.5 : 1;
         bool clear = false;
         while (!failure_.at_rest && hasSteps() && !interrupted()) {
             goOn();
             const double progress = progressOf();
             if (!clear && progress >= next_look) {
-                clear = look();
-                next_look = 2 * progress;
+                const bool is_early = progress < 1;
+                clear = look(is_early);
+                next_look = is_early ? 1 : 2 * progress;
             }
             const bool last = progress >= kLastTarget / kFirstTarget, far = share_of_farthest_ >= kFarEnough;
             const bool is_read =
@@ -260,11 +281,13 @@ class Continuation {
                (failure_.steps < wanted_.most_steps_on_its_way && isOnItsWay());
     }
 
-    /// Reads the motion once more. \return whether it says the same as before
-    bool look() {
+    /// Reads the motion once more. \return whether it says the same as before; an early look counts for nothing but a clean slide
+    bool look(bool is_early) {
         Failure now = failure_;
         describeFailure(state_, start_, wanted_.deflection, now);
-        const bool same = agree(state_, failure_, now);
+        const bool counts =
+            !std::exchange(was_early_, is_early) || (failure_.is_clean_slide && now.is_clean_slide);
+        const bool same = counts && agree(state_, failure_, now);
         failure_ = std::move(now);
         return same;
     }
@@ -307,6 +330,7 @@ class Continuation {
     double share_of_farthest_ =
         0;  ///< of the block that has gone farthest: what a splinter has gone says nothing of the whole
     double most_energy_ = 0;
+    bool was_early_ = false;  ///< the last look
 };
 
 /// Those that move, and what is kRings of contacts from them; empty: nobody says which, it is too large a part, or bolts reach beyond.

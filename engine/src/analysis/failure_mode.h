@@ -24,6 +24,7 @@ struct Failure {
     double motion = 0;                 ///< of the farthest-moved block [m]
     bool confirmed = false;            ///< it went as far as was wanted and gathers speed
     bool at_rest = false;              ///< it came to rest
+    bool is_clean_slide = false;       ///< all that moves slides, about as far, and all else stands
     std::vector<std::size_t> falling;  ///< of a confirmed failure: blocks that go with the farthest one
 };
 

@@ -83,10 +83,13 @@ class Search {
     const std::vector<std::size_t>& restless() const { return restless_; }
 
  private:
-    /// \param cuts_back  what the implicit solve leaves open is left so: the next load step is shorter
+    /// What is known of the failing load stays until a lower one fails. \param cuts_back  what the implicit solve leaves open is left so:
+    /// the next load step is shorter
     Verdict probeAt(std::int64_t cell, bool cuts_back = false) {
         const double from = axis_.load(bracket_.low()), to = axis_.load(cell);
         const auto ramp = [&](State& state, double share) { axis_.apply(state, from + share * (to - from)); };
+        std::optional<SeenFailing> known;
+        if (bracket_.high()) known = seenFailing(probing_);
         probing_.cuts_back = cuts_back;
         Verdict verdict = probe(probing_, "probe " + std::to_string(probing_.probes.size() + 1), to, ramp);
         probing_.cuts_back = false;
@@ -100,6 +103,7 @@ class Search {
         if (verdict == Verdict::stable) bracket_.stands(cell);
         if (verdict == Verdict::failing) bracket_.fails(cell, probing_.probes.back().out_of_balance);
         if (verdict == Verdict::failing) failed_by_its_way_ = probing_.stands_elsewhere;
+        if (verdict != Verdict::failing && known) seeAgain(probing_, *known);
         return verdict;
     }
 
@@ -116,19 +120,11 @@ class Search {
                !isShort(cell - bracket_.low());
     }
 
-    /// One load step, or where that may be cut back and is left open none: the next one is half as long then. What is known of the
-    /// failing load stays. \return undecided: explicit steps did not know, either
+    /// One load step, or where that may be cut back and is left open none: the next one is half as long then. \return undecided: explicit steps did not know, either
     std::optional<Verdict> stepTo(std::int64_t cell) {
         if (!mayCutBack(cell)) return probeAt(cell);
-        std::optional<State> moving;
-        if (bracket_.high()) moving = probing_.last_moving;
-        const std::vector<std::size_t> leaving = probing_.leaving;
         const Verdict verdict = probeAt(cell, true);
         if (verdict != Verdict::undecided) return verdict;
-        if (moving) {
-            probing_.last_moving = std::move(*moving);
-            probing_.leaving = leaving;
-        }
         pace_.cutBack(cell - bracket_.low());
         return {};
     }

@@ -15,11 +15,12 @@
 namespace talus::analysis {
 namespace {
 
-// Steps of a probe before the implicit solve is asked; most slides need 1,000 to 3,000. Of many free blocks in proportion more:
+// Steps of a probe before the implicit solve is asked; most slides need 1,000 to 3,400. Of many free blocks more, so many for each:
 // a mass of many is slower to come to rest (a slope of 1,406 that stands to 0.907 was called failing at 0.880 after 3,000).
-constexpr std::int64_t kFirstSteps = 3'000, kFirstStepsBlocks = 400;
-// More free blocks than that begin with fewer explicit steps, and so many factorisations from where these end.
-constexpr std::int64_t kManyBlocks = 1'000, kFactorsOfWeight = 4'000;
+constexpr std::int64_t kFirstSteps = 3'500;
+constexpr double kFirstStepsPerBlock = 7.5;
+// More free blocks than that begin with fewer explicit steps, at least so many, and so many factorisations from where these end.
+constexpr std::int64_t kManyBlocks = 1'000, kStepsOfWeight = 3'000, kFactorsOfWeight = 4'000;
 // Factorisations that one may take: about as long as the steps so far, at least a number that decides most.
 constexpr std::int64_t kLeastFactors = 30, kStepsPerFactor = 2000;
 // Rest is near when it is no farther than this times the way the assembly has come, from rest to rest (engine/README.md says
@@ -188,7 +189,8 @@ Verdict probeExplicitly(Probing& p, const std::string& stage, double load, const
 }
 
 std::int64_t firstSteps(const State& state) {
-    return std::max(kFirstSteps, kFirstSteps * freeBlocks(state) / kFirstStepsBlocks);
+    const double of_many = kFirstStepsPerBlock * static_cast<double>(freeBlocks(state));
+    return std::max(kFirstSteps, static_cast<std::int64_t>(of_many));
 }
 
 /// The whole change of load at once, from the last stable state or another. \param asked_factors  most factorisations; 0: what is due
@@ -260,7 +262,7 @@ Verdict probe(Probing& p, const std::string& stage, double load, const Ramp& ram
     const std::int64_t first_steps = firstSteps(p.last_stable);
     std::optional<Watched> watched;
     const Verdict verdict = probeExplicitly(p, stage, load, ramp, watched,
-                                            begins ? std::max(kFirstSteps, first_steps / 4) : first_steps);
+                                            begins ? std::max(kStepsOfWeight, first_steps / 4) : first_steps);
     const bool doubtful = verdict == Verdict::failing && !p.has_stood;
     if (verdict == Verdict::stable || (verdict == Verdict::failing && (!doubtful || begins)) ||
         interrupted(p))
@@ -301,6 +303,14 @@ bool settles(Probing& p, const State& moving, double load, double watch_periods)
     Probe probe = bringOn(state, work, [](State&, double) {});
     if (probe.verdict == Verdict::stable) standsThere(p, load, state, probe);
     return keep(p, "settling", load, probe, state) == Verdict::stable;
+}
+
+SeenFailing seenFailing(const Probing& p) { return {p.last_moving, p.leaving}; }
+
+void seeAgain(Probing& p, const SeenFailing& seen) {
+    p.last_moving = seen.moving;
+    p.leaving = seen.leaving;
+    p.stands_elsewhere = false;
 }
 
 std::vector<std::size_t> smallLeaving(const Probing& p) {

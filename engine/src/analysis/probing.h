@@ -92,6 +92,14 @@ Verdict restAt(Probing& probing, double load, std::int64_t most_factors);
 /// column topples its stiffness goes to zero. \param watch_periods  windows, in slowest periods
 bool settles(Probing& probing, const State& moving, double load, double watch_periods = 3.0);
 
+/// The state that moves at a failing load and what leaves there, to be seen again after probes at other loads.
+struct SeenFailing {
+    State moving;
+    std::vector<std::size_t> leaving;
+};
+SeenFailing seenFailing(const Probing& probing);
+void seeAgain(Probing& probing, const SeenFailing& seen);
+
 /// Those that left their place in the last probe, or were not at rest at its end, where they are let go: of many blocks, so few that
 /// they have too little mass to count, and no bolt ties them; sorted.
 std::vector<std::size_t> smallLeaving(const Probing& probing);

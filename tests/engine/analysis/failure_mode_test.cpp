@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <utility>
 
+#include "analysis/quasi_static.h"
 #include "build/build.h"
 #include "contacts/update.h"
 #include "state/incidence.h"
@@ -131,6 +133,42 @@ TEST_SUITE("analysis") {
         CHECK_FALSE(failure.motions[0].moving);
         CHECK((failure.motions[0].mode == FailureMode::none));
         CHECK((failure.motions[1].mode == FailureMode::sliding));
+    }
+
+    TEST_CASE("continueFailure: a slide of all that moves is read at ten deflections, another at twenty") {
+        for (const double friction : {10.0, 25.0, 40.0})
+            for (const double width : {0.5, 1.0, 3.0})
+                for (const double slower : {0.0, 0.2, 0.8}) {
+                    CAPTURE(friction);
+                    CAPTURE(width);
+                    CAPTURE(slower);
+                    // Just beyond its friction angle; a second box, or none, on a joint that leaves it this share of the acceleration.
+                    const double tilt = radians(friction + 0.02), tan = std::tan(radians(friction));
+                    const double of_second = std::tan(tilt) - slower * (std::tan(tilt) - tan);
+                    Model model = floorModel(std::atan(of_second) * 180 / M_PI, 1e8);
+                    model.joints.push_back(joint(friction, 1e8));
+                    addBox(model, "first", {0, 0, 0}, {width, 1, 0.3}, kDensity);
+                    model.blocks[1].face_joint.assign(6, 1);
+                    if (slower > 0) addBox(model, "second", {5, 0, 0}, {width, 1, 0.3}, kDensity);
+                    model.gravity.tilt = radians(friction - 0.02);
+                    State state = *buildState(model, false);
+                    const Control control;
+                    analysis::QuasiStaticWork work = analysis::prepare(state, {}, control, 1e-5, false);
+                    REQUIRE(
+                        (analysis::bringOn(state, work, [](State&, double) {}).verdict == Verdict::stable));
+                    state.load.tilt = tilt;
+                    const Failure failure = continued(state, 0.3);
+                    CHECK(failure.confirmed);
+                    CHECK((failure.mode == FailureMode::sliding));
+                    CHECK(failure.moving_blocks.size() == (slower > 0 ? 2 : 1));
+                    const double deflections = failure.motion / deflection(0.3);
+                    CAPTURE(failure.steps);
+                    CAPTURE(deflections);
+                    if (slower == 0.2)  // it has gone less than half as far, or stands
+                        CHECK((deflections >= 20 && deflections < 25));
+                    else
+                        CHECK((deflections >= 10 && deflections < 13));
+                }
     }
 
     TEST_CASE(
