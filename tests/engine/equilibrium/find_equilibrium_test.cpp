@@ -7,6 +7,7 @@
 #include "measure/measure.h"
 #include "step/step.h"
 #include "support/models.h"
+#include "support/slower.h"
 #include "support/structures.h"
 #include "support/verification.h"
 
@@ -93,6 +94,7 @@ TEST_SUITE("equilibrium") {
     // Newton's method stalls on a few blocks of such masses, other ones at each step.
     TEST_CASE("rock masses of many blocks come to rest under their weight, by the engine's own measure") {
         for (const std::string name : {"rock-slope-842", "random-slope-513"}) {
+            if (kTriesFew && name == "rock-slope-842") continue;
             CAPTURE(name);
             Model model = verification(name);
             model.joints = analysis::strongest(model.joints);
