@@ -15,13 +15,20 @@ namespace {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// Adds what a spring on a block at an arm from its centroid gives.
+/// Adds what a spring on a block at an arm from its centroid gives, but for the lower left
 void addSpring(const Mat3& k, const Vec3& arm, Mat6& sum) {
-    Mat3 cross;
-    cross << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;  // u = v + cross * theta
+    const double x = arm.x(), y = arm.y(), z = arm.z();
+    // u = v + C theta, with the columns (0, -z, y), (z, 0, -x), (-y, x, 0) of C.
+    const auto timesC = [&](const Mat3& m) {
+        Mat3 mc;
+        mc.col(0) = m.col(2) * y - m.col(1) * z;
+        mc.col(1) = m.col(0) * z - m.col(2) * x;
+        mc.col(2) = m.col(1) * x - m.col(0) * y;
+        return mc;
+    };
     sum.topLeftCorner<3, 3>() += k;
-    sum.topRightCorner<3, 3>() += k * cross;
-    sum.bottomRightCorner<3, 3>() += cross.transpose() * k * cross;
+    sum.topRightCorner<3, 3>() += timesC(k);
+    sum.bottomRightCorner<3, 3>() += timesC(timesC(k.transpose()).transpose());
 }
 
 /// Stiffness that one interface gives a block whose centroid is `centre`, its neighbour held.
