@@ -224,6 +224,30 @@ TEST_SUITE("physics") {
         }
     }
 
+    TEST_CASE("what stands to the end is said to fail in no way, whatever was let go before") {
+        for (const double slick : {10.0, 15.0, 20.0})
+            for (const double stop : {21.0, 24.0}) {
+                CAPTURE(slick);
+                CAPTURE(stop);
+                Model model = floorModel(30);
+                model.joints.push_back(joint(slick));
+                addBox(model, "stays", {0, 0, 0}, {1, 1, 1});
+                addBox(model, "crumb", {2, 0, 0}, {0.1, 0.1, 0.1});
+                model.pair_joints.push_back({0, 2, 1});
+                model.analysis.least_mass_share = 0.01;
+                model.analysis.stop = radians(stop);
+                const SearchResult result = *criticalAngle(model);
+                CHECK((result.status == SearchStatus::stable_to_stop));
+                REQUIRE(result.let_go.size() == 1);
+                CHECK(result.let_go[0].blocks == std::vector<std::string>{"crumb"});
+                CHECK((result.mode == FailureMode::none));
+                CHECK(result.moving_blocks.empty());
+                CHECK(result.motions.empty());
+                CHECK(result.continuation_seconds == 0);
+                CHECK_FALSE(result.confirmed);
+            }
+    }
+
     TEST_CASE("what fails and has too little mass to be the answer is let go, whatever is searched for") {
         using Find = Result<SearchResult> (*)(const Model&, const Control&, const QuasiStatic&);
         struct Kind {

@@ -145,6 +145,7 @@ class Search {
         if (result_.status != SearchStatus::found || interrupted(probing_)) return false;
         if (hasFailed(axis_.load(*bracket_.high()))) return false;
         result_.confirmed = false;
+        result_.status = SearchStatus::undecided;
         bracket_.reopen();
         return true;
     }
@@ -168,6 +169,8 @@ class Search {
             std::sort(group.blocks.begin(), group.blocks.end());
             if (mass >= probing_.least_mass || freeMass(stable) - own < probing_.least_mass ||
                 areTied(stable, going)) {
+                // The others of them are gone from the state that is let go last.
+                if (group.blocks.size() > going.size()) result_.failing = nullptr;
                 result_.moving_blocks = std::move(group.blocks);
                 return false;
             }
@@ -433,6 +436,8 @@ class Search {
         result_.low = probing_.has_stood ? axis_.load(bracket_.low()) : -kInfinity;
         result_.high = bracket_.high() ? axis_.load(*bracket_.high()) : fell ? axis_.start : kInfinity;
         if (result_.status == SearchStatus::found) result_.answer = 0.5 * (result_.low + result_.high);
+        if (result_.status == SearchStatus::stable_to_stop)
+            take({});  // what was let go on the way is no answer
         if (!fails) result_.failing = nullptr;
         if (!fails) result_.supports = supportReports(probing_.last_stable);
         setEffort(effort(), result_);

@@ -301,7 +301,7 @@ bool settles(Probing& p, const State& moving, double load, double watch_periods)
     State state = moving;
     report(p, "settling", load, "moving");
     Probe probe = bringOn(state, work, [](State&, double) {});
-    if (probe.verdict == Verdict::stable) standsThere(p, load, state, probe);
+    if (probe.verdict == Verdict::stable && !standsThere(p, load, state, probe)) state = moving;
     return keep(p, "settling", load, probe, state) == Verdict::stable;
 }
 
