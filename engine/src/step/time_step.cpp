@@ -19,7 +19,7 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 void addSpring(const Mat3& k, const Vec3& arm, Mat6& sum) {
     const double x = arm.x(), y = arm.y(), z = arm.z();
     // u = v + C theta, with the columns (0, -z, y), (z, 0, -x), (-y, x, 0) of C.
-    const auto timesC = [&](const Mat3& m) {
+    const auto times_c = [&](const Mat3& m) {
         Mat3 mc;
         mc.col(0) = m.col(2) * y - m.col(1) * z;
         mc.col(1) = m.col(0) * z - m.col(2) * x;
@@ -27,8 +27,8 @@ void addSpring(const Mat3& k, const Vec3& arm, Mat6& sum) {
         return mc;
     };
     sum.topLeftCorner<3, 3>() += k;
-    sum.topRightCorner<3, 3>() += timesC(k);
-    sum.bottomRightCorner<3, 3>() += timesC(timesC(k.transpose()).transpose());
+    sum.topRightCorner<3, 3>() += times_c(k);
+    sum.bottomRightCorner<3, 3>() += times_c(times_c(k.transpose()).transpose());
 }
 
 /// Stiffness that one interface gives a block whose centroid is `centre`, its neighbour held.
