@@ -120,7 +120,8 @@ class Search {
                !isShort(cell - bracket_.low());
     }
 
-    /// One load step, or where that may be cut back and is left open none: the next one is half as long then. \return undecided: explicit steps did not know, either
+    /// One load step, or where that may be cut back and is left open none: the next one is half as long then. \return undecided:
+    /// explicit steps did not know, either
     std::optional<Verdict> stepTo(std::int64_t cell) {
         if (!mayCutBack(cell)) return probeAt(cell);
         const Verdict verdict = probeAt(cell, true);

@@ -15,7 +15,7 @@ namespace {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// Adds what a spring on a block at an arm from its centroid gives, but for the lower left
+/// Adds what a spring on a block at an arm from its centroid gives, but for the lower left.
 void addSpring(const Mat3& k, const Vec3& arm, Mat6& sum) {
     const double x = arm.x(), y = arm.y(), z = arm.z();
     // u = v + C theta, with the columns (0, -z, y), (z, 0, -x), (-y, x, 0) of C.
