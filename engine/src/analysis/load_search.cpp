@@ -103,7 +103,7 @@ class Search {
         if (verdict == Verdict::stable) bracket_.stands(cell);
         if (verdict == Verdict::failing) bracket_.fails(cell, probing_.probes.back().out_of_balance);
         if (verdict == Verdict::failing) failed_by_its_way_ = probing_.stands_elsewhere;
-        if (verdict != Verdict::failing && known) seeAgain(probing_, *known);
+        if (verdict != Verdict::failing && known) seeAgain(probing_, std::move(*known));
         return verdict;
     }
 

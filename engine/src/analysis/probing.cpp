@@ -307,9 +307,9 @@ bool settles(Probing& p, const State& moving, double load, double watch_periods)
 
 SeenFailing seenFailing(const Probing& p) { return {p.last_moving, p.leaving}; }
 
-void seeAgain(Probing& p, const SeenFailing& seen) {
-    p.last_moving = seen.moving;
-    p.leaving = seen.leaving;
+void seeAgain(Probing& p, SeenFailing seen) {
+    p.last_moving = std::move(seen.moving);
+    p.leaving = std::move(seen.leaving);
     p.stands_elsewhere = false;
 }
 

@@ -98,7 +98,7 @@ struct SeenFailing {
     std::vector<std::size_t> leaving;
 };
 SeenFailing seenFailing(const Probing& probing);
-void seeAgain(Probing& probing, const SeenFailing& seen);
+void seeAgain(Probing& probing, SeenFailing seen);
 
 /// Those that left their place in the last probe, or were not at rest at its end, where they are let go: of many blocks, so few that
 /// they have too little mass to count, and no bolt ties them; sorted.
