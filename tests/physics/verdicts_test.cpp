@@ -2,9 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "support/models.h"
 #include "support/slower.h"
@@ -388,6 +390,18 @@ TEST_SUITE("physics") {
         CHECK(together.answer == gone.let_go[0].factor);
         CHECK(together.moving_blocks == std::vector<std::string>{"plank", "prop"});
         CHECK(together.let_go.empty());
+        // The prop slides, then the plank falls: each is said to move as it does.
+        CHECK((together.mode == FailureMode::mixed));
+        for (const auto& [name, mode] :
+             {std::pair{"prop", FailureMode::sliding}, {"plank", FailureMode::toppling}}) {
+            CAPTURE(name);
+            const auto motion =
+                std::find_if(together.motions.begin(), together.motions.end(),
+                             [name = std::string(name)](const BlockMotion& m) { return m.block == name; });
+            REQUIRE(motion != together.motions.end());
+            CHECK(motion->moving);
+            CHECK((motion->mode == mode));
+        }
     }
 }
 

@@ -213,6 +213,10 @@ class Continuation {
         bool clear = false;
         while (!failure_.at_rest && hasSteps() && !interrupted()) {
             goOn();
+            if (isDoubted() && wanted_.rests()) {
+                failure_.stands = true;
+                break;
+            }
             const double progress = progressOf();
             if (!clear && progress >= next_look) {
                 const bool is_early = progress < 1;
@@ -224,7 +228,7 @@ class Continuation {
                 takes_time_ ? (clear && far) || share_of_farthest_ >= kFarthest : clear || far;
             if ((is_read || last) && borneOut()) break;
         }
-        failure_.confirmed = borneOut();
+        failure_.confirmed = !failure_.stands && borneOut();
         failure_.seconds = static_cast<double>(failure_.steps) * failure_.time_step;
         describeFailure(state_, start_, wanted_.deflection, failure_);
         nameFalling();
@@ -279,6 +283,14 @@ class Continuation {
     bool hasSteps() const {
         return failure_.steps < wanted_.most_steps ||
                (failure_.steps < wanted_.most_steps_on_its_way && isOnItsWay());
+    }
+
+    /// Asked once.
+    bool isDoubted() {
+        if (!wanted_.rests || failure_.is_doubted || failure_.steps < wanted_.doubted_after || borneOut())
+            return false;
+        failure_.is_doubted = true;
+        return true;
     }
 
     /// Reads the motion once more. \return whether it says the same as before; an early look counts for nothing but a clean slide
@@ -382,6 +394,8 @@ Failure continueFailure(State& state, const Evidence& wanted, const Control& con
     const Pace pace = makeDynamic(state, wanted.alone, parallel);
     const std::vector<char> part = partAround(state, moving);
     std::int64_t spent = 0;
+    bool is_doubted = false;
+    Evidence wanted_of_all = wanted;
     if (!part.empty()) {
         State held = state;
         holdOthers(held, part, parallel);
@@ -392,10 +406,14 @@ Failure continueFailure(State& state, const Evidence& wanted, const Control& con
             describeFailure(state, start, wanted.deflection, failure);
             return failure;
         }
+        if (failure.stands) return failure;
+        is_doubted = failure.is_doubted;
+        if (is_doubted) wanted_of_all.rests = nullptr;
         spent = failure.steps;
     }
-    Failure failure = Continuation(state, pace, wanted, control, parallel, false).run();
+    Failure failure = Continuation(state, pace, wanted_of_all, control, parallel, false).run();
     failure.steps += spent;
+    failure.is_doubted = failure.is_doubted || is_doubted;
     return failure;
 }
 

@@ -2,6 +2,7 @@
 // How an assembly fails: a short continuation with true inertia (but for blocks far stiffer than most), mostly without local
 // damping, then each block's motion read as sliding or toppling.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct Failure {
     double motion = 0;                 ///< of the farthest-moved block [m]
     bool confirmed = false;            ///< it went as far as was wanted and gathers speed
     bool at_rest = false;              ///< it came to rest
+    bool is_doubted = false;           ///< it was asked for rest
+    bool stands = false;               ///< and there is some
     bool is_clean_slide = false;       ///< all that moves slides, about as far, and all else stands
     std::vector<std::size_t> falling;  ///< of a confirmed failure: blocks that go with the farthest one
 };
@@ -38,10 +41,12 @@ struct Evidence {
     /// Nothing else says that it fails, so friction must not be let shake it loose: what slides on springs without damping may rock
     /// itself up (engine/README.md), and an assembly that stands creeps downhill then.
     bool alone = false;
+    std::int64_t doubted_after = 0;  ///< steps; what they have not borne out is asked for rest, once
+    std::function<bool()> rests{};   ///< whether there is some; empty: nobody asks
 };
 
 /// Lets a failing state go on from rest with true inertia until the motion is seen to be a failure and it is clear how it
-/// moves, or the steps are used up. The state is advanced.
+/// moves, the steps are used up, or it is found to stand. The state is advanced.
 /// \param moving  blocks that are known to leave: only they and what is near go on, the others are held. Where that does not show the
 ///                 failure, or what moves touches or has touched one that is held, all go on. Empty: nobody knows
 Failure continueFailure(State& state, const Evidence& wanted, const Control& control, bool parallel,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/bracket.h"
+#include "analysis/evidence.h"
 #include "analysis/failure_mode.h"
 #include "analysis/load_pace.h"
 #include "analysis/load_start.h"
@@ -25,14 +26,6 @@ namespace talus::analysis {
 namespace {
 
 constexpr int kMostReopenings = 12;  // times a failing motion may come to rest before the search gives up
-// A failure is a failure when blocks have been seen to go some share of their size (kSeenShare) and gather speed. At the
-// start, where no deflection at rest is known to compare with, more is asked for.
-constexpr double kSeenAtStart = 0.01;
-// Steps of the continuation: as many as the probes took, but a number that shows something, and not without bound.
-constexpr std::int64_t kLeastSteps = 120'000, kMostSteps = 400'000, kMostStepsAtStart = 100'000;
-// What is let go before it was watched patiently has to leave its place: a splinter may jump by some hundredths of its size.
-constexpr double kLeavesItsPlace = 0.1;
-constexpr std::int64_t kFirstLookAtStart = 20'000;  // what falls is seen to in 4,000 to 15,000
 
 class Search {
  public:
@@ -60,7 +53,7 @@ class Search {
         if (verdict != Verdict::failing) return false;
         result_.status = SearchStatus::unstable_at_start;
         if (result_.confirmed || interrupted(probing_)) return false;
-        continueToFailure();
+        continueToFailure(evidence());
         if (result_.confirmed || interrupted(probing_)) return false;
         if (!restsAfterAll(probing_)) {
             countElsewhere();
@@ -158,6 +151,7 @@ class Search {
         if (!claimsSmallFailure()) return false;
         const double load = axis_.load(bracket_.low());
         BlockGroup group = groupInBracket();
+        std::vector<BlockMotion> gone;
         double mass = 0;
         bool stands = false, fails = true;
         while (!stands && fails) {
@@ -170,11 +164,12 @@ class Search {
             std::sort(group.blocks.begin(), group.blocks.end());
             if (mass >= probing_.least_mass || freeMass(stable) - own < probing_.least_mass ||
                 areTied(stable, going)) {
-                // The others of them are gone from the state that is let go last.
-                if (group.blocks.size() > going.size()) result_.failing = nullptr;
+                if (!gone.empty()) joinTo(std::move(gone));
                 result_.moving_blocks = std::move(group.blocks);
                 return false;
             }
+            for (const BlockMotion& motion : result_.motions)
+                if (motion.moving) gone.push_back(motion);
             takeOut(stable, going, parallel_);
             probing_.no_near_rest = {};
             stands = standsWithout(load);
@@ -188,6 +183,15 @@ class Search {
             is_rest_unknown_ = true;
         }
         return stands;
+    }
+
+    /// Those of an answer that went before are gone from the state that was let go last: only how they moved is left of them.
+    void joinTo(std::vector<BlockMotion> gone) {
+        result_.failing = nullptr;
+        for (BlockMotion& motion : gone) {
+            if (motion.mode != result_.mode) result_.mode = FailureMode::mixed;
+            result_.motions.push_back(std::move(motion));
+        }
     }
 
     /// Where there are crumbs a failure of too little mass is not closed in on, nor waited for to be seen with inertia: what leaves its
@@ -307,7 +311,9 @@ class Search {
             if (by_its_way) probing_.last_moving = probing_.last_stable;
         } else {
             State moving = probing_.last_moving;
-            continueToFailure();
+            const bool stands = continueToFailure(
+                doubted(evidence(), [&] { return askForRest(load, kFactorsOfDoubt) == Verdict::stable; }));
+            if (stands) return false;
             if (interrupted(probing_)) return true;
             std::swap(probing_.last_moving, moving);
             if (result_.confirmed && result_.mode == FailureMode::sliding) {
@@ -329,9 +335,8 @@ class Search {
         State moved = probing_.last_moving;
         axis_.apply(moved, load);
         takeBack(moved, probing_.work);
-        if (settles(probing_, moved, load)) return false;
-        countElsewhere();
-        return true;
+        // The way it has gone beyond the failing load is none of a failure at it: rest that is too far off says nothing.
+        return !settles(probing_, moved, load);
     }
 
     /// What stands again only where it is jammed has failed, whether or not the motion is seen to get there.
@@ -347,8 +352,7 @@ class Search {
     /// Lets what moves at the start go, and takes it back where that shows no failure.
     bool isSeenToFail() {
         State moving = probing_.last_moving;
-        continueToFailure(
-            {.deflection = 0, .share = kLeavesItsPlace, .most_steps = kFirstLookAtStart, .alone = true});
+        continueToFailure(evidenceOfFall());
         if (!result_.confirmed) probing_.last_moving = std::move(moving);
         return result_.confirmed;
     }
@@ -371,28 +375,13 @@ class Search {
     /// Whether the implicit solve has been asked and knows nothing.
     bool isAlone() const { return !no_rest_ && !probing_.stands_elsewhere; }
 
-    /// What is to be seen of a failure: at the start, a block that has gone a share of its size; else less of that, but
-    /// several times what the assembly has moved at rest. What it has crept from rest to rest is not asked for again
-    /// where no rest is found by either way.
-    /// \param alone  whether nothing else says that it fails
     Evidence evidence(bool alone = false) const {
-        const std::int64_t most = std::clamp(probing_.steps, kLeastSteps, kMostSteps);
-        if (!bracket_.high())
-            return {.deflection = 0, .share = kSeenAtStart, .most_steps = kMostStepsAtStart, .alone = true};
-        const double least = kSeenShare * probing_.last_stable.geometry->length_scale;
-        const double settled = std::max(least, probing_.settlement);
-        const double own = ownDeflection(probing_);
-        const double deflected = no_rest_ ? std::min(own, settled) : own;
-        return {.deflection = deflected,
-                .share = kSeenShare,
-                .most_steps = most,
-                .most_steps_on_its_way = kMostSteps,
-                .alone = alone};
+        return evidenceOfFailure(probing_,
+                                 {.at_start = !bracket_.high(), .no_rest = no_rest_, .alone = alone});
     }
 
-    void continueToFailure() { continueToFailure(evidence()); }
-
-    void continueToFailure(const Evidence& wanted) {
+    /// \return whether it was found to stand after all
+    bool continueToFailure(const Evidence& wanted) {
         // A few cells beyond the failing load, because at it the motion would start as slowly as the bracket is fine.
         const double failing_load = bracket_.high() ? axis_.load(*bracket_.high()) : axis_.start;
         const double load = failing_load + axis_.overload * axis_.cell;
@@ -403,9 +392,11 @@ class Search {
         if (control_.keep_failing_state)
             failing = std::make_shared<FailingState>(FailingState{fullFrameOf(moving), load});
         result_.supports = supportReports(moving);
+        const double solved = probing_.time.solving;
         const Stopwatch watching;
         Failure failure = continueFailure(moving, wanted, control_, parallel_, probing_.leaving);
-        continuations_ += {.steps = failure.steps, .time = {.watching = watching.seconds()}};
+        const double asking = probing_.time.solving - solved;
+        continuations_ += {.steps = failure.steps, .time = {.watching = watching.seconds() - asking}};
         if (failing) {
             failing->contact_damping = failure.contact_damping;
             failing->block_size = moving.geometry->length_scale;
@@ -415,7 +406,9 @@ class Search {
             moving.warnings.push_back("the failing motion came to rest after " +
                                       formatted("%.3g", failure.motion) +
                                       " m: the assembly moves at this load, but stands again");
+        const bool stands = failure.stands;
         take(std::move(failure));
+        return stands;
     }
 
     void take(Failure failure) {

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "analysis/quasi_static.h"
 #include "build/build.h"
@@ -116,6 +118,45 @@ TEST_SUITE("analysis") {
         CHECK(failure.moving_blocks.empty());
         REQUIRE(failure.motions.size() == 1);
         CHECK_FALSE(failure.motions[0].moving);
+    }
+
+    TEST_CASE("continueFailure: what is not borne out for long is asked for rest, once") {
+        constexpr std::int64_t kDoubtedAfter = 3'000;
+        struct Case {
+            double tilt;
+            bool is_held, stands;  // the others held at first; what is answered
+            int asked;
+        };
+        for (const Case& c : {Case{10, false, false, 1},
+                              {10, false, true, 1},
+                              {10, true, false, 1},
+                              {10, true, true, 1},
+                              {33, false, true, 0},
+                              {33, true, true, 0}}) {
+            CAPTURE(c.tilt);
+            CAPTURE(c.is_held);
+            CAPTURE(c.stands);
+            Model model = floorModel(30, 1e8);
+            for (int k = 0; k < 5; ++k)
+                addBox(model, "box" + std::to_string(k), {3.0 * k, 0, 0}, {1, 1, 0.3}, kDensity);
+            model.gravity.tilt = radians(c.tilt);
+            State state = *buildState(model, false);
+            int asked = 0;
+            const Failure failure = analysis::continueFailure(
+                state,
+                {.deflection = deflection(0.3),
+                 .share = 2e-4,
+                 .most_steps = 400'000,
+                 .doubted_after = kDoubtedAfter,
+                 .rests = [&] { return ++asked, c.stands; }},
+                {}, false, c.is_held ? std::vector<std::size_t>{1} : std::vector<std::size_t>{});
+            CHECK(asked == c.asked);
+            CHECK(failure.is_doubted == (c.asked > 0));
+            CHECK(failure.stands == (c.asked > 0 && c.stands));
+            CHECK(failure.confirmed == (c.asked == 0));
+            CHECK(failure.at_rest == (c.asked > 0 && !c.stands));
+            if (failure.stands) CHECK(failure.steps == kDoubtedAfter);
+        }
     }
 
     TEST_CASE("continueFailure: of two boxes only the one that slides is named, and the mode is its own") {
