@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
-#include <utility>
 
 #include "support/models.h"
 #include "support/slower.h"
@@ -392,15 +391,17 @@ TEST_SUITE("physics") {
         CHECK(together.let_go.empty());
         // The prop slides, then the plank falls: each is said to move as it does.
         CHECK((together.mode == FailureMode::mixed));
-        for (const auto& [name, mode] :
-             {std::pair{"prop", FailureMode::sliding}, {"plank", FailureMode::toppling}}) {
-            CAPTURE(name);
-            const auto motion =
-                std::find_if(together.motions.begin(), together.motions.end(),
-                             [name = std::string(name)](const BlockMotion& m) { return m.block == name; });
+        struct Told {
+            std::string block;
+            FailureMode mode;
+        };
+        for (const Told& told : {Told{"prop", FailureMode::sliding}, {"plank", FailureMode::toppling}}) {
+            CAPTURE(told.block);
+            const auto motion = std::find_if(together.motions.begin(), together.motions.end(),
+                                             [&](const BlockMotion& m) { return m.block == told.block; });
             REQUIRE(motion != together.motions.end());
             CHECK(motion->moving);
-            CHECK((motion->mode == mode));
+            CHECK((motion->mode == told.mode));
         }
     }
 }
