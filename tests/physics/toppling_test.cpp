@@ -43,9 +43,32 @@ Model leaningColumns(double dip_deg) {
     return std::move(scenario->model);
 }
 
+/// Columns of 40 blocks 0.2 m long and 0.1 m high, one behind the other.
+Model deepStack(int columns) {
+    auto scenario = formats::parseScenario(
+        "[material.rock]\ndensity = 2548.42\n[joint.default]\nnormal_stiffness = 1e11\nshear_stiffness = "
+        "1e10\nfriction_deg = 35\n[[stack]]\ncolumns = " +
+            std::to_string(columns) + "\nrows = 40\nslices = 1\nblock = [0.2, 1.0, 0.1]\n",
+        "stack.toml");
+    REQUIRE(scenario.ok());
+    return std::move(scenario->model);
+}
+
 }  // namespace
 
 TEST_SUITE("slow: physics") {
+    // The wider it is, the more factorisations rest takes: of 24 columns up to 1,634. With 600 each load was left open and came to rest
+    // under explicit steps, a cell at a time, until the search gave up at 0.10 degrees.
+    TEST_CASE("columns that lean on each other overturn when the first one does, however many they are") {
+        const SearchResult one = tilted(deepStack(1), "1 column");
+        for (const int columns : {3, 24}) {
+            const SearchResult result = tilted(deepStack(columns), std::to_string(columns) + " columns");
+            CHECK(result.answer >= one.low);
+            CHECK(result.answer <= one.high);
+            CHECK((result.mode == FailureMode::toppling));
+        }
+    }
+
     TEST_CASE("columns overturn at atan(0.2 / h), less what their joints give") {
         for (const auto& [rows, exact] : {std::pair{10, 11.310}, {20, 5.711}}) {
             const Model model = stackModel(1, rows, 1, 35, {0.2, 1.0, 0.1}, 1e12);

@@ -358,12 +358,16 @@ class Search {
     }
 
     /// Whether there is rest at the failing load by the implicit solve, or where that knows nothing by watching for longer, or by the
-    /// solve given more time: a failure that is watched while it might stand is to show more, and takes longer than that.
+    /// solve given more time: a failure that is watched while it might stand is to show more, and takes longer than that. Where it
+    /// stands all the same, the solve is given twice as much from then on.
     bool rests(double load) {
-        Verdict found = askForRest(load, kMostFactors);
-        if (found == Verdict::undecided && settles(probing_, State(probing_.last_moving), load)) return true;
-        if (found == Verdict::undecided) found = askForRest(load, kPatientFactors);
-        return found == Verdict::stable;
+        const Verdict found = askForRest(load, probing_.most_factors);
+        if (found != Verdict::undecided) return found == Verdict::stable;
+        const bool stands =
+            settles(probing_, State(probing_.last_moving), load) ||
+            askForRest(load, std::max(kPatientFactors, probing_.most_factors)) == Verdict::stable;
+        if (stands) probing_.most_factors = std::min(2 * probing_.most_factors, kMostOfAllFactors);
+        return stands;
     }
 
     Verdict askForRest(double load, std::int64_t most_factors) {

@@ -198,7 +198,7 @@ Verdict probeImplicitly(Probing& p, const std::string& stage, double load, const
                         std::int64_t asked_factors = 0, const State* from = nullptr) {
     const bool doubtful = p.implicit_first || !p.has_stood;
     const std::int64_t own_factors =
-        doubtful ? kMostFactors : std::clamp(p.steps / kStepsPerFactor, kLeastFactors, kMostFactors);
+        doubtful ? p.most_factors : std::clamp(p.steps / kStepsPerFactor, kLeastFactors, kMostFactors);
     const std::int64_t most_factors = asked_factors > 0 ? asked_factors : own_factors;
     State state = from != nullptr ? *from : p.last_stable;
     if (from != nullptr) takeBack(state, p.work);

@@ -18,6 +18,8 @@ namespace talus::analysis {
 inline constexpr std::int64_t kMostFactors = 600;
 /// And of one on which hangs whether a failure is one that was not seen to be one: what creeps before it fails takes more.
 inline constexpr std::int64_t kPatientFactors = 1'500;
+/// And of one in an assembly that stood where it had left that open: the longer a row of columns that lean on each other, the more.
+inline constexpr std::int64_t kMostOfAllFactors = 4'800;
 /// A block that has gone this share of its size has left its place.
 inline constexpr double kSeenShare = 2e-4;
 
@@ -29,6 +31,7 @@ struct Probing {
     QuasiStaticWork work;
     std::vector<Probe> probes{};
     std::int64_t steps = 0, factors = 0;
+    std::int64_t most_factors = kMostFactors;  ///< of a probe that the implicit solve is asked first
     TimeSpent time{};
     std::int64_t states_at_rest = 0;  ///< the search has been in
     bool has_stood = false;           ///< under weight and water
