@@ -1,5 +1,5 @@
-// Searches through the public face of the engine, as a user gets them: critical angles of the paper's cases, and what topples, arches
-// and rock masses take of explicit steps and of the implicit solve.
+// Searches through the public face of the engine, as a user gets them: critical angles of the paper's cases, and and what topples, arches
+// and rock masses take.
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ constexpr const char* kPaper[] = {"dry",       "fissure-1",          "fissure-2"
                                   "fissure-3", "fissure-4",          "fissure-5",
                                   "fissure-6", "section5-fissure-7", "section5-fissures-7-10"};
 
-using Search = Result<SearchResult> (*)(const Model&, const Control&, const QuasiStatic&);
+using Search = Result<SearchResult> (*)(const Model&, const Control&, const SearchRules&);
 constexpr double kDegrees = 180.0 / M_PI;
 
 /// What is asked of a scenario under bench/, and the unit of its answer.
@@ -48,7 +48,8 @@ void searchBenchmark(benchmark::State& run, const std::string& file, const Case&
     }
     SearchResult result;
     for (auto _ : run) {
-        auto found = asked.search(scenario->model, {.threads = 1}, {});
+        auto found = asked.search(scenario->model,
+                                  {.threads = 1, .interval = false, .upper_bound = Beside::never}, {});
         if (!found) return run.SkipWithError(found.errors().front().message.c_str());
         result = *found;
     }
@@ -61,9 +62,8 @@ void searchBenchmark(benchmark::State& run, const std::string& file, const Case&
     run.counters["points"] = static_cast<double>(result.contact_points) * static_cast<double>(result.steps);
     run.counters["steps"] = static_cast<double>(result.steps);
     run.counters["factorisations"] = static_cast<double>(result.factors);
-    run.counters["stepping"] = result.time.stepping;
-    run.counters["solving"] = result.time.solving;
-    run.counters["watching"] = result.time.watching;
+    run.counters["loading"] = result.time.loading;
+    run.counters["path"] = result.time.path;
     if (asked.search == criticalAngle && predicted)
         run.counters["error"] = (result.answer - predicted->critical_tilt) * kDegrees;
 }

@@ -130,7 +130,7 @@ bool check(const Model& model, double least, double give) {
         CHECK((limit.status == found.status || ceiling < give));  // one that hardly stands
         return false;
     }
-    CHECK(found.confirmed);
+    CHECK(!found.moving_blocks.empty());
     if (limit.status == SearchStatus::found) CHECK(angle >= least * degrees(limit.lower) - give);
     return isAbove(found.low, {limit.upper, ""}, Varied::tilt);
 }

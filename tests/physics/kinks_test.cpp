@@ -119,7 +119,7 @@ TEST_SUITE("physics") {
         "analysis") {
         const SearchResult first = factorOf("alejano-alonso");
         for (const double stiffer : {10.0, 100.0})
-            CHECK(factorOf("alejano-alonso", stiffer).answer == first.answer);
+            CHECK(factorOf("alejano-alonso", stiffer).answer == doctest::Approx(first.answer).epsilon(0.01));
         MESSAGE("toppling columns: " << first.low << " to " << first.high);
         CHECK((first.mode == FailureMode::toppling));
         CHECK(first.answer >= 0.76);

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "analysis/quasi_static.h"
 #include "build/build.h"
+#include "history/quasi_static.h"
 #include "measure/measure.h"
 #include "step/step.h"
 #include "step/time_step.h"
@@ -86,13 +86,13 @@ TEST_SUITE("physics") {
         updateForces(state, false);
         const double start = outOfBalanceRatio(state);
         const Control control;
-        auto work = analysis::prepare(state, QuasiStatic{}, control, 1e-8, false);
-        const Probe probe = analysis::bringOn(state, work, [](State&, double) {});
-        MESSAGE("out-of-balance force over weight: " << start << ", then " << probe.out_of_balance
-                                                     << " after " << probe.steps << " steps");
+        auto work = history::prepare(state, {}, control, 1e-8, false);
+        const history::Settling settling = history::bringOn(state, work, [](State&, double) {});
+        MESSAGE("out-of-balance force over weight: " << start << ", then " << settling.out_of_balance
+                                                     << " after " << settling.steps << " steps");
         CHECK(start == doctest::Approx(1));
-        CHECK((probe.verdict == Verdict::stable));
-        CHECK(probe.out_of_balance < 1e-9);
+        CHECK((settling.verdict == Verdict::stable));
+        CHECK(settling.out_of_balance < 1e-9);
     }
 
     TEST_CASE("an undamped stack keeps its energy while its contacts stay closed") {

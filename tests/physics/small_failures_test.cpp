@@ -17,7 +17,7 @@ using namespace talus::test;
 
 TEST_SUITE("physics") {
     TEST_CASE("what fails and has too little mass to be the answer is let go, whatever is searched for") {
-        using Find = Result<SearchResult> (*)(const Model&, const Control&, const QuasiStatic&);
+        using Find = Result<SearchResult> (*)(const Model&, const Control&, const SearchRules&);
         struct Kind {
             Find find;
             double tilt;                       // [deg] of the model

@@ -1,6 +1,7 @@
 """Analyses from Python: the same answers as the command line, to the bit, and under every name it gives them."""
 
 import json
+import pickle
 import unittest
 
 import talus
@@ -35,6 +36,47 @@ class Answers(unittest.TestCase):
         self.assertEqual(result.provenance.threads, 1)
         with self.assertRaisesRegex(AttributeError, "it has status, safety_factor"):
             result.factor_of_safety
+
+    def test_a_search_has_its_curve(self):
+        result = talus.critical_angle(self.file, threads=1)
+        self.assertEqual(result.path.shape, (len(result.to_dict()["path"]), 2))
+        displacement, load = result.path.T
+        self.assertEqual(displacement[0], 0)
+        self.assertAlmostEqual(load[0], 15.0)
+        self.assertEqual(result.to_dict()["path"][-1], {"displacement_m": displacement[-1], "load": load[-1]})
+        self.assertIs(type(result["path"]), type(result.path))
+        self.assertLessEqual(result.answer_interval[0], result.critical_angle_deg)
+        self.assertEqual(len(result.answer_interval_reasons), 2)
+        self.assertEqual(result.failure_displacement, 3e-4)
+        self.assertIsInstance(result.answers_by_displacement, list)
+        self.assertGreater(result.failing_volume_m3, 0)
+        self.assertAlmostEqual(result.failing_mass_kg, 2700 * result.failing_volume_m3)
+        self.assertEqual(result.limit_equilibrium.blocks, ["c1r1s1", "c1r2s1"])
+        self.assertEqual(pickle.loads(pickle.dumps(result)).path.tolist(), result.path.tolist())
+        self.assertIn("<svg", result._repr_html_())
+
+    def test_curve_and_blocks_are_drawn(self):
+        plot, picture = self.files / "plot.svg", self.files / "picture.svg"
+        result = talus.safety_factor(self.file, threads=1, plot=plot, picture=picture)
+        self.assertEqual((result.plot.file, result.picture.reason), (str(plot), None))
+        for file in (plot, picture):
+            with open(file, encoding="utf-8") as stream:
+                self.assertIn("</svg>", stream.read())
+
+    def test_an_answer_has_its_interval(self):
+        result = talus.critical_angle(self.file, threads=1)
+        low, high = result.answer_interval
+        self.assertLessEqual(low, result.critical_angle_deg)
+        self.assertGreaterEqual(high, result.critical_angle_deg)
+        self.assertAlmostEqual(result.path[:, 1].max(), result.critical_angle_deg, delta=0.01)
+        for other in result.answers_by_displacement:
+            self.assertGreater(other.displacement, 0)
+        self.assertAlmostEqual(result.failing_volume_m3, 0.004)
+        self.assertAlmostEqual(result.failing_mass_kg, 10.8)
+        alone = talus.critical_angle(self.file, threads=1, range=False, ceiling=False)
+        self.assertEqual(alone.critical_angle_deg, result.critical_angle_deg)
+        self.assertEqual(alone.answer_interval, [alone.critical_angle_deg] * 2)
+        self.assertIsNone(alone.ceiling)
 
     def test_threads_do_not_matter(self):
         answers = {talus.critical_angle(self.file, threads=threads).state_hash for threads in (0, 1, 2)}
@@ -87,7 +129,7 @@ class Answers(unittest.TestCase):
         self.assertEqual(json.loads(json.dumps(result.to_dict())), result.to_dict())
 
     def test_the_papers_slope(self):
-        # The first fissure of the paper, exact 7.25 degrees; answers.csv holds its hash for the command line.
+        # The first fissure of the paper, exact 7.25 degrees.
         result = talus.critical_angle(ROOT / "bench/paper/fissure-1.toml")
         self.assertAlmostEqual(result.critical_angle_deg, 7.2537, delta=0.02)
 

@@ -40,6 +40,19 @@ await test("the address asks for it, and a block says at which factor it goes", 
   equal((await text("#selection")).includes("Goes at a factor of"), kind === "groups");
 });
 
+await test("the curve of the search stands in the panel with its answer", async () => {
+  equal(await page.locator("#path").isVisible(), kind === "groups");
+  if (kind !== "groups") return;
+  const failure = await page.evaluate(() => ({ ...window.replay.header.failure, pathLoad: [...window.replay.header.failure.pathLoad] }));
+  ok(failure.pathLoad.length > 2 && failure.stands < failure.answer && failure.answer < failure.fails);
+  const told = await page.locator("#path .told").textContent();
+  ok(told.startsWith(`${failure.answer.toFixed(4)}: stands at ${failure.stands.toFixed(4)}`), told);
+  const [curve, answer, frame] = await page.evaluate(() =>
+    ["#path .curve", "#path .answer", "#path"].map((one) => document.querySelector(one).getBoundingClientRect().toJSON()));
+  ok(curve.left >= frame.left && curve.right <= frame.right && curve.top >= frame.top && curve.bottom <= frame.bottom, "it fits");
+  ok(answer.top >= curve.top - 3 && answer.top <= curve.bottom, "the answer lies within the curve's loads");
+});
+
 await test("a mechanism has no energies to show; a run has", async () => {
   equal(await page.locator("#curves").isVisible(), kind === "groups");
   await page.keyboard.press("End");

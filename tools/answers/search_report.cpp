@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answers/search_plot.h"
 #include "answers/support_report.h"
 #include "cli/block_names.h"
 #include "cli/failures.h"
@@ -70,12 +71,20 @@ std::string bracketText(const SearchReport& report) {
                   : "");
 }
 
+/// The headline's interval: the lowest and the highest answer found.
+std::string intervalText(const SearchReport& report) {
+    const auto& interval = report.result.answer_interval;
+    if (!interval) return "";
+    return ", interval " + figureOf(report, interval->first) + " to " + figureOf(report, interval->second);
+}
+
 std::string answerText(const SearchReport& report) {
     const SearchResult& result = report.result;
     const std::string unit = unitOf(report);
     switch (result.status) {
         case SearchStatus::found:
-            return figureOf(report, result.answer) + unit + "  (" + bracketText(report) + ")";
+            return figureOf(report, result.answer) + unit + intervalText(report) + "  (" +
+                   bracketText(report) + ")";
         case SearchStatus::unstable_at_start:
             return "none: unstable at the start of the search, " + figureOf(report, result.high) + unit;
         case SearchStatus::stable_to_stop:
@@ -99,20 +108,30 @@ std::string theoryText(const SearchReport& report) {
     return row("theory", line) + row("", report.theory->prediction.formula);
 }
 
-std::string ceilingText(const SearchReport& report) {
-    const Ceiling& ceiling = report.ceiling;
-    return row("ceiling", ceiling.value ? figureOf(report, *ceiling.value) + unitOf(report) +
-                                              "  (limit analysis, joints that open as they slide)"
-                                        : "none: " + ceiling.reason);
+std::string upperBoundText(const SearchReport& report) {
+    const Ceiling& bound = report.result.upper_bound;
+    return row("upper bound", bound.value ? figureOf(report, *bound.value) + unitOf(report) +
+                                                "  (limit analysis, joints that open as they slide)"
+                                          : "none: " + bound.reason);
 }
 
-std::string rangeText(const SearchReport& report) {
-    const SearchResult& result = report.result;
-    if (result.range)
-        return row("range", figureOf(report, result.range->first) + " to " +
-                                figureOf(report, result.range->second) + unitOf(report) + "  (" +
-                                result.range_reason + ")");
-    return result.range_reason.empty() ? "" : row("range", "none: " + result.range_reason);
+std::string intervalReasons(const SearchReport& report) {
+    const auto& [low, high] = report.result.answer_interval_reasons;
+    if (!report.result.answer_interval) return "";
+    return row("interval", "low: " + low) + row("", "high: " + high);
+}
+
+/// The answers by other failure displacements, where they differ.
+std::string displacementText(const SearchReport& report) {
+    std::string answers;
+    for (const DisplacementAnswer& other : report.result.answers_by_displacement)
+        answers += (answers.empty() ? "" : ", ") + scientific(other.displacement) + ": " +
+                   figureOf(report, other.load);
+    if (answers.empty()) return "";
+    return row("by displacement", answers +
+                                      "  (answers if failures count from these shares of a block on; "
+                                      "here " +
+                                      scientific(report.result.failure_displacement) + ")");
 }
 
 std::string cohesionText(const SearchReport& report) {
@@ -122,11 +141,19 @@ std::string cohesionText(const SearchReport& report) {
                                     "  (the answer, did joints not lose it as they slip: limit equilibrium)");
 }
 
-/// Or null, as the reason.
+/// [low, high] where another loading path gives less, else null.
 Json rangeJson(const SearchReport& report) {
-    if (!report.result.range) return nullptr;
+    const auto& interval = report.result.answer_interval;
+    if (!interval || !(interval->first < report.result.answer)) return nullptr;
     const double scale = report.search.load->scale;
-    return {number(report.result.range->first / scale), number(report.result.range->second / scale)};
+    return {number(interval->first / scale), number(report.result.answer / scale)};
+}
+
+Json intervalJson(const SearchReport& report) {
+    const auto& interval = report.result.answer_interval;
+    if (!interval) return nullptr;
+    const double scale = report.search.load->scale;
+    return {number(interval->first / scale), number(interval->second / scale)};
 }
 
 std::string movingText(const SearchResult& result) {
@@ -196,16 +223,9 @@ std::string costText(const SearchResult& result) {
     const auto share = [&](double seconds) {
         return text(result.wall_seconds > 0 ? 100 * seconds / result.wall_seconds : 0.0, 0) + " % ";
     };
-    return std::to_string(result.probes.size()) + " probes, " + std::to_string(result.steps) + " steps, " +
-           std::to_string(result.factors) + " factorisations, " + text(result.wall_seconds, 2) +
-           " s: " + share(result.time.stepping) + "steps, " + share(result.time.solving) +
-           "implicit solve, " + share(result.time.watching) + "failures let go";
-}
-
-std::string methodText(const SearchResult& result) {
-    return "local damping " + text(result.damping_local, 2) +
-           (result.inertia_scaled ? ", inertia scaled" : "") + "; failure mode from " +
-           text(result.continuation_seconds, 4) + " s with true inertia";
+    return std::to_string(result.steps) + " steps, " + std::to_string(result.factors) + " factorisations, " +
+           text(result.wall_seconds, 2) + " s: " + share(result.time.loading) + "loading, " +
+           share(result.time.path) + "path, " + share(result.time.beside) + "beside the answer";
 }
 
 std::string sizeText(const SearchResult& result) {
@@ -215,13 +235,13 @@ std::string sizeText(const SearchResult& result) {
 }
 
 std::string probeTable(const SearchReport& report) {
-    std::string table = "\n" + figure("probe", 5) + figure("load" + unitOf(report), 12) + "  " +
-                        word("verdict", 10) + figure("steps", 10) + figure("unbalanced", 12) +
+    std::string table = "\n" + figure("step", 5) + figure("load" + unitOf(report), 12) + "  " +
+                        word("verdict", 10) + figure("factors", 10) + figure("unbalanced", 12) +
                         figure("moved m", 10) + "  reason\n";
     for (std::size_t i = 0; i < report.result.probes.size(); ++i) {
         const Probe& probe = report.result.probes[i];
         table += figure(std::to_string(i + 1), 5) + figure(figureOf(report, probe.load), 12) + "  " +
-                 word(toString(probe.verdict), 10) + figure(std::to_string(probe.steps), 10) +
+                 word(toString(probe.verdict), 10) + figure(std::to_string(probe.factors), 10) +
                  figure(scientific(probe.out_of_balance), 12) + figure(scientific(probe.displacement), 10) +
                  "  " + probe.reason + "\n";
     }
@@ -245,13 +265,17 @@ Json probeJson(const SearchReport& report, const Probe& probe) {
     return {{report.search.load->key, number(probe.load / report.search.load->scale)},
             {"verdict", toString(probe.verdict)},
             {"steps", probe.steps},
+            {"factorisations", probe.factors},
             {"out_of_balance", number(probe.out_of_balance)},
             {"displacement_m", number(probe.displacement)},
             {"reason", probe.reason}};
 }
 
 Json groupJson(const BlockGroup& group) {
-    return {{"factor", number(group.factor)}, {"blocks", group.blocks}};
+    return {{"factor", number(group.factor)},
+            {"blocks", group.blocks},
+            {"volume_m3", number(group.volume)},
+            {"mass_kg", number(group.mass)}};
 }
 
 Json motionJson(const BlockMotion& motion) {
@@ -263,6 +287,22 @@ Json motionJson(const BlockMotion& motion) {
             {"rotation_share", number(motion.rotation_share)},
             {"open_share", number(motion.open_share)},
             {"mobilised_friction", number(motion.mobilised_friction)}};
+}
+
+Json rulesJson() {
+    const SearchRules rules;
+    Json json = Json::object();
+    for (const SearchRule& rule : searchRules()) json[rule.name] = number(rules.*rule.value);
+    return json;
+}
+
+std::string rulesTable() {
+    const SearchRules rules;
+    std::string table = "\n" + word("rule", 24) + figure("value", 10) + "  meaning\n";
+    for (const SearchRule& rule : searchRules())
+        table += word(rule.name, 24) + figure(text(rules.*rule.value, 6), 10) + "  " + rule.meaning + " [" +
+                 rule.unit + "]; " + rule.effect + "\n";
+    return table;
 }
 
 /// Null unless found.
@@ -285,6 +325,15 @@ Json theoryJson(const SearchReport& report) {
             {"applies_because", prediction.applies_because}};
 }
 
+/// What a formula says of this load; null where none recognises the model.
+Json limitEquilibriumJson(const SearchReport& report) {
+    if (!report.theory) return nullptr;
+    const theory::Prediction& prediction = report.theory->prediction;
+    return {{"value", number(report.theory->value / report.search.load->scale)},
+            {"kind", prediction.kind()},
+            {"blocks", prediction.blocks}};
+}
+
 template <class T, class F>
 Json list(const std::vector<T>& items, F&& json_of) {
     Json result = Json::array();
@@ -297,6 +346,8 @@ Json list(const std::vector<T>& items, F&& json_of) {
 int exitCode(const SearchReport& report) {
     if (wasInterrupted(report.result) || report.cut_short) return kInterrupted;
     if (report.kept && report.kept->exit_code != kDone) return report.kept->exit_code;
+    for (const DrawnFile& drawn : report.drawn)
+        if (drawn.exit_code != kDone) return drawn.exit_code;
     const bool sure = report.result.status != SearchStatus::undecided && !report.result.groups_undecided;
     return sure ? kDone : kUndecided;
 }
@@ -311,12 +362,29 @@ Json searchJson(const SearchReport& report) {
                report.theory ? number(report.theory->value / search.load->scale) : Json(nullptr)}};
     if (search.load->varied != Varied::tilt)
         json["tilt_deg"] = number(degrees(report.scenario.model.gravity.tilt));
-    json["ceiling"] =
-        report.ceiling.value ? number(*report.ceiling.value / search.load->scale) : Json(nullptr);
-    json["ceiling_reason"] = report.ceiling.value ? Json(nullptr) : Json(report.ceiling.reason);
+    const double scale = search.load->scale;
+    const Ceiling& bound = result.upper_bound;
+    json["ceiling"] = bound.value ? number(*bound.value / scale) : Json(nullptr);
+    json["ceiling_reason"] = bound.value ? Json(nullptr) : Json(bound.reason);
+    json["upper_bound"] = json["ceiling"];
+    json["answer_interval"] = intervalJson(report);
+    json["answer_interval_reasons"] = result.answer_interval ? Json{result.answer_interval_reasons.first,
+                                                                    result.answer_interval_reasons.second}
+                                                             : Json(nullptr);
     json["range"] = rangeJson(report);
-    json["range_reason"] = result.range_reason.empty() ? Json(nullptr) : Json(result.range_reason);
-    json["joint_stiffness_factor"] = number(report.stiffness);
+    json["range_reason"] =
+        result.answer_interval ? Json(result.answer_interval_reasons.first) : Json(nullptr);
+    json["failure_displacement"] = number(result.failure_displacement);
+    json["failure_displacement_m"] = number(failureDisplacement(result, report.scenario.model));
+    json["answers_by_displacement"] =
+        list(result.answers_by_displacement, [&](const DisplacementAnswer& other) {
+            return Json{{"displacement", number(other.displacement)}, {"load", number(other.load / scale)}};
+        });
+    json["path"] = list(result.path, [&](const PathPoint& point) {
+        return Json{{"load", number(point.load / scale)}, {"displacement_m", number(point.displacement)}};
+    });
+    json["failing_volume_m3"] = number(result.failing_volume);
+    json["failing_mass_kg"] = number(result.failing_mass);
     json["kept_cohesion"] =
         result.kept_cohesion ? number(*result.kept_cohesion / search.load->scale) : Json(nullptr);
     json["lost_cohesion_share"] = number(result.lost_cohesion);
@@ -325,35 +393,35 @@ Json searchJson(const SearchReport& report) {
     json["moving_mass_share"] = number(massShare(report.scenario.model, result.moving_blocks));
     json["fallen_at_start"] = result.fallen_at_start;
     json["let_go"] = list(result.let_go, [&](const BlockGroup& group) {
-        const double scale = search.load->scale;
         return Json{{search.answer_key, number(group.factor / scale)},
                     {search.keyInUnit("bracket"), {number(group.low / scale), number(group.high / scale)}},
                     {"blocks", group.blocks},
-                    {"mass_share", number(massShare(report.scenario.model, group.blocks))}};
+                    {"mass_share", number(massShare(report.scenario.model, group.blocks))},
+                    {"volume_m3", number(group.volume)},
+                    {"mass_kg", number(group.mass)}};
     });
     addSupports(result.supports, json);
     if (search.follows_groups) json["groups"] = list(result.groups, groupJson);
     json["theory"] = theoryJson(report);
+    json["limit_equilibrium"] = limitEquilibriumJson(report);
     json["probes"] = result.probes.size();
     json["steps"] = result.steps;
     json["factorisations"] = result.factors;
     json["wall_seconds"] = number(result.wall_seconds);
-    json["time_s"] = {{"steps", number(result.time.stepping)},
-                      {"implicit_solve", number(result.time.solving)},
-                      {"failures_let_go", number(result.time.watching)}};
+    json["time_s"] = {{"loading", number(result.time.loading)},
+                      {"path", number(result.time.path)},
+                      {"beside", number(result.time.beside)}};
     json["state_hash"] = hashText(result.state_hash);
     json["interrupted"] = wasInterrupted(result) || report.cut_short;
     json["warnings"] = warningsJson(report.scenario, result.warnings);
     json["blocks"] = result.blocks;
     json["interfaces"] = result.interfaces;
     json["contact_points"] = result.contact_points;
-    json["time_step_s"] = number(result.time_step);
-    json["inertia_scaled"] = result.inertia_scaled;
-    json["damping_local"] = number(result.damping_local);
-    json["continuation_seconds"] = number(result.continuation_seconds);
+    json["search_rules"] = rulesJson();
     json["probe_list"] = list(result.probes, [&](const Probe& probe) { return probeJson(report, probe); });
     json["evidence"] = list(result.motions, motionJson);
     if (report.kept) json["kept_run"] = keptRunJson(*report.kept);
+    for (const DrawnFile& drawn : report.drawn) json[drawn.key] = drawnFileJson(drawn);
     json["provenance"] = provenance(report.common, report.scenario.path);
     return json;
 }
@@ -363,19 +431,21 @@ std::string searchText(const SearchReport& report, bool verbose) {
     // Without an answer there is nothing beside it.
     const std::string beside = wasInterrupted(result)
                                    ? ""
-                                   : theoryText(report) + ceilingText(report) + cohesionText(report) +
-                                         rangeText(report) + row("failure mode", toString(result.mode)) +
+                                   : theoryText(report) + upperBoundText(report) + cohesionText(report) +
+                                         intervalReasons(report) + displacementText(report) +
+                                         row("failure mode", toString(result.mode)) +
                                          row("moving blocks", movingText(result)) + smallPartText(report);
-    const std::string method = wasInterrupted(result) ? "" : row("method", methodText(result));
     std::string table = row("scenario", report.scenario.path) +
                         row(report.search.answer, answerText(report)) + beside + fallenText(result) +
                         letGoText(report) + groupsText(result) + supportsText(result) +
-                        row("model", sizeText(result)) + method + row("cost", costText(result)) +
+                        row("model", sizeText(result)) + row("cost", costText(result)) +
                         row("state hash", hashText(result.state_hash));
     for (const std::string& warning : result.warnings) table += row("warning", warning);
     if (report.kept)
         for (const auto& [label, content] : keptRunLines(*report.kept)) table += row(label, content);
-    if (verbose) table += probeTable(report) + motionTable(result);
+    for (const DrawnFile& drawn : report.drawn)
+        table += row(drawn.key, drawn.file.empty() ? "none: " + drawn.reason : drawn.file);
+    if (verbose) table += probeTable(report) + motionTable(result) + rulesTable();
     return table;
 }
 

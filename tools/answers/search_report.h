@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
+#include "answers/search_files.h"
 #include "cli/common.h"
 #include "cli/json_fwd.h"
 #include "recording/keep_run.h"
 #include "talus/formats/scenario.h"
-#include "talus/limit_analysis.h"
 #include "talus/searches.h"
 
 namespace talus::tools {
@@ -20,9 +20,8 @@ struct SearchReport {
     const LoadSearch& search;
     SearchResult result;
     std::optional<TheoryFigure> theory;
-    Ceiling ceiling{};
-    double stiffness = 1;           ///< of the joints in that search, over the scenario's
-    std::optional<KeptRun> kept{};  ///< with --keep-run
+    std::optional<KeptRun> kept{};   ///< with --keep-run
+    std::vector<DrawnFile> drawn{};  ///< with --plot and --picture
     /// Interrupted after the search: the answer stands, what belongs beside it may lack.
     bool cut_short = false;
 };

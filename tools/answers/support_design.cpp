@@ -89,6 +89,8 @@ class Design {
     SupportTrial trialOf(const Model& model, double amount, double up = 0) {
         SupportTrial trial{.amount = amount, .up = up, .bolts = countIn(model)};
         Control control = control_;
+        control.interval = false;
+        control.upper_bound = Beside::never;
         if (control.progress)
             control.progress = [&](Progress progress) {
                 progress.stage = "trial " + std::to_string(design_.trials.size() + 1) + ", " + progress.stage;

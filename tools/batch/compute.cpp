@@ -4,7 +4,6 @@
 #include <ctime>
 #include <limits>
 
-#include "answers/stiffer_joints.h"
 #include "cli/block_names.h"
 #include "cli/text.h"
 #include "talus/simulation.h"
@@ -72,22 +71,30 @@ void fail(RowWriter& row, const std::vector<Error>& errors) {
         row.addReason((error.field.empty() ? "" : error.field + ": ") + error.message);
 }
 
-void writeRange(const SearchResult& result, const LoadSearch& search, RowWriter& row) {
-    row.set("range_reason", result.range_reason);
-    if (!result.range) return;
-    row.set(search.keyInUnit(kRangeLow), result.range->first / search.load->scale);
-    row.set(search.keyInUnit(kRangeHigh), result.range->second / search.load->scale);
+void writeInterval(const SearchResult& result, const LoadSearch& search, bool with_range, RowWriter& row) {
+    if (!result.answer_interval) return;
+    const double scale = search.load->scale;
+    const auto [low, high] = *result.answer_interval;
+    row.set(search.keyInUnit(kIntervalLow), low / scale);
+    row.set(search.keyInUnit(kIntervalHigh), high / scale);
+    if (!with_range) return;
+    row.set("range_reason", result.answer_interval_reasons.first);
+    if (!(low < result.answer)) return;
+    row.set(search.keyInUnit(kRangeLow), low / scale);
+    row.set(search.keyInUnit(kRangeHigh), result.answer / scale);
 }
 
-void writeSearch(const CeiledAnswer& answer, const LoadSearch& search, const Model& model, RowWriter& row) {
-    const SearchResult& result = answer.result;
+void writeSearch(const SearchResult& result, const LoadSearch& search, const Model& model, bool with_range,
+                 RowWriter& row) {
     row.set("status", std::string(toString(result.status)));
     if (result.status == SearchStatus::found) row.set(search.answer_key, result.answer / search.load->scale);
     row.set(search.keyInUnit("bracket_low"), result.low / search.load->scale);
     row.set(search.keyInUnit("bracket_high"), result.high / search.load->scale);
-    if (answer.ceiling.value) row.set(search.keyInUnit(kCeiling), *answer.ceiling.value / search.load->scale);
-    row.set(kStiffness, answer.stiffness);
-    writeRange(result, search, row);
+    if (result.upper_bound.value)
+        row.set(search.keyInUnit(kCeiling), *result.upper_bound.value / search.load->scale);
+    writeInterval(result, search, with_range, row);
+    row.set("failing_volume_m3", result.failing_volume);
+    row.set("failing_mass_kg", result.failing_mass);
     if (const auto theory = search.theory(model, nullptr))
         row.set(search.theory_key, theory->value / search.load->scale);
     row.set("failure_mode", std::string(toString(result.mode)));
@@ -121,8 +128,7 @@ void writeRun(const RunResult& result, RowWriter& row) {
 bool analyse(const SampledScenario& sampled, const Sweep& sweep, const std::atomic<bool>& stop,
              RowWriter& row, bool& failed) {
     const LoadSearch* search = sweep.search;
-    const Control control{
-        .stop = &stop, .threads = 1, .most_points_of_range = sweep.tries_histories ? kAll : 0};
+    const Control control{.stop = &stop, .threads = 1};
     const Model& model = sampled.scenario.model;
     if (!search) {
         const auto result = run(model, control, [](const HistoryRecord&) {});
@@ -131,14 +137,10 @@ bool analyse(const SampledScenario& sampled, const Sweep& sweep, const std::atom
         failed ? fail(row, result.errors()) : writeRun(*result, row);
         return true;
     }
-    const auto answer = findUnderCeiling(*search, sampled.scenario, {}, control);
-    const SearchResult* result = answer ? &answer->result : nullptr;
-    // A probe that was cut short is undecided, too, and what stands beside the answer may have been cut short after it.
-    const bool may_be_cut = result && (result->status == SearchStatus::undecided || sweep.tries_histories ||
-                                       !answer->ceiling.value);
-    if (result && (result->status == SearchStatus::interrupted || (may_be_cut && stop))) return false;
+    const auto result = search->find(model, control, {});
+    if (stop) return false;  // what stands beside the answer may have been cut short, too
     failed = !result || result->status == SearchStatus::undecided;
-    result ? writeSearch(*answer, *search, model, row) : fail(row, answer.errors());
+    result ? writeSearch(*result, *search, model, sweep.tries_histories, row) : fail(row, result.errors());
     return true;
 }
 

@@ -51,12 +51,12 @@ void addSearchColumns(const LoadSearch& search, bool with_range, std::vector<Col
         {search.keyInUnit("bracket_high"), "number", unit, "first that failed; empty at an open end"});
     columns.push_back({search.keyInUnit(kCeiling), "number", unit,
                        "limit analysis; empty where there is none, or the model is too large for it"});
-    columns.push_back({kStiffness, "number", "",
-                       "1, or of the joints with which blocks stay where they were built, for the answer"});
+    columns.push_back({search.keyInUnit(kIntervalLow), "number", unit, "lowest answer found"});
+    columns.push_back({search.keyInUnit(kIntervalHigh), "number", unit, "highest, or the upper bound"});
     if (with_range) {
         const char* empty = "; empty where all lead to the answer";
         columns.push_back({search.keyInUnit(kRangeLow), "number", unit,
-                           std::string("smallest answer of other loading histories") + empty});
+                           std::string("smallest answer of other loading paths") + empty});
         columns.push_back(
             {search.keyInUnit(kRangeHigh), "number", unit, std::string("largest of them") + empty});
         columns.push_back({"range_reason", "string", "", "why there is a range, or none"});
@@ -65,12 +65,14 @@ void addSearchColumns(const LoadSearch& search, bool with_range, std::vector<Col
         {search.theory_key, "number", unit, "limit equilibrium; empty where no formula applies"});
     columns.push_back({"failure_mode", "string", "", "none, sliding, toppling or mixed"});
     columns.push_back({"moving_count", "integer", "", "blocks that move at failure"});
+    columns.push_back({"failing_volume_m3", "number", "m3", "of these"});
+    columns.push_back({"failing_mass_kg", "number", "kg", "of these"});
     columns.push_back({"moving_mass_share", "number", "", "of the free blocks"});
     columns.push_back({"moving_blocks", "string", "", "their names; c1-3 r1-5 s1 for a box of them"});
     columns.push_back(
         {"left_out", "string", "",
          "blocks that the answer is not for: fallen at the start, or too small and let go before"});
-    columns.push_back({"probes", "integer", "", "of the search"});
+    columns.push_back({"probes", "integer", "", "equilibria along the path"});
 }
 
 void addRunColumns(const formats::Sweep& sweep, std::vector<Column>& columns) {
@@ -100,7 +102,7 @@ std::vector<Column> columnsOf(const Sweep& sweep) {
         addSearchColumns(*sweep.search, sweep.tries_histories, columns);
     else
         addRunColumns(sweep, columns);
-    columns.push_back({"steps", "integer", "", "time steps computed"});
+    columns.push_back({"steps", "integer", "", "along paths, or in time"});
     columns.push_back({"cpu_seconds", "number", "s", "processor time of the run"});
     columns.push_back({"state_hash", "string", "", "of the state at the end of the last step"});
     columns.push_back({"reason", "string", "", "why a run failed or is undecided; warnings"});

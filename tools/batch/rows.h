@@ -16,7 +16,8 @@ namespace talus::tools::batch {
 /// Of the columns with the ends of the answers of other loading histories; with the unit behind them.
 inline constexpr const char *kRangeLow = "range_low", *kRangeHigh = "range_high";
 /// With limit analysis beside the answer, with the unit behind it; and what was made of the joints for the answer.
-inline constexpr const char *kCeiling = "ceiling", *kStiffness = "joint_stiffness_factor";
+inline constexpr const char* kCeiling = "ceiling";
+inline constexpr const char *kIntervalLow = "interval_low", *kIntervalHigh = "interval_high";
 
 /// One column of results.csv.
 struct Column {

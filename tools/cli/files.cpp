@@ -93,6 +93,22 @@ bool writeFile(const std::string& path, std::string_view content, const std::ato
     throw FileRefused(path, "cannot be written", error);
 }
 
+void refuseUnwritable(const std::string& path) {
+    // A pipe that is opened and closed has ended for who reads it.
+    if (isDeviceOrPipe(path)) {
+        if (::access(path.c_str(), W_OK) != 0) throw FileRefused(path, "cannot be opened for writing", errno);
+        return;
+    }
+    const std::string target = behindLinks(path);
+    if (std::error_code absent; std::filesystem::is_directory(target, absent))
+        throw FileRefused(path, "cannot be opened for writing", EISDIR);
+    std::string temporary;
+    const int file = openTemporary(target, temporary);
+    if (file < 0) throw FileRefused(path, "cannot be opened for writing", errno);
+    ::close(file);
+    ::unlink(temporary.c_str());
+}
+
 void makeFolder(const std::string& path) {
     std::error_code error;
     std::filesystem::create_directories(path, error);

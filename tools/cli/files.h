@@ -12,6 +12,9 @@ namespace talus::tools {
 /// \param stop  ends the writing of a large file early: then there is none, and the result is false
 bool writeFile(const std::string& path, std::string_view content, const std::atomic<bool>* stop = nullptr);
 
+/// Throws FileRefused where writeFile could not begin: before a long computation.
+void refuseUnwritable(const std::string& path);
+
 /// Makes a folder and its parents if needed; throws FileRefused.
 void makeFolder(const std::string& path);
 

@@ -10,6 +10,7 @@
 #include "cli/scenario.h"
 #include "cli/text.h"
 #include "commands/commands.h"
+#include "talus/limit_analysis.h"
 
 namespace talus::tools {
 
@@ -39,7 +40,8 @@ int find(const LoadSearch& search, const SearchOptions& options) {
 std::string footerOf(const LoadSearch& search) {
     const std::string call = "  talus " + std::string(search.name) + " slope.toml ";
     return "Example:\n" + call + "--verbose\n" + call + "--json | jq ." + search.answer_key + "\n" + call +
-           "--keep-run failing.mcap && talus replay failing.mcap -o failing.html\n\n" + search.details;
+           "--keep-run failing.mcap && talus replay failing.mcap -o failing.html\n" + call +
+           "--plot curve.svg --picture slope.svg\n\n" + search.details;
 }
 
 }  // namespace
@@ -48,21 +50,34 @@ Command addSearch(CLI::App& root, const LoadSearch& search) {
     auto options = std::make_shared<SearchOptions>();
     CLI::App* app = root.add_subcommand(search.name, search.about);
     addScenario(*app, options->scenario);
-    app->add_flag("--verbose", options->verbose, "Also print every probe and every block's motion");
+    app->add_flag("--verbose", options->verbose,
+                  "Also print every step of the path, every block's motion and the rules of the search");
     if (search.follows_groups)
         app->add_option(
                "--groups", options->request.groups,
-               "How many groups of blocks to follow: after the answer the search goes on without those "
-               "that have gone, at the cost of a search each")
+               "How many groups of blocks to follow: after the answer the path goes on without those "
+               "that have gone")
             ->check(CLI::Range(1, 1000));
     addKeepRun(*app, options->request.keep);
-    addCeiling(*app, options->request.ceiling);
-    RangeOptions& range = options->request.range;
-    CLI::Option* never = app->add_flag("--no-range", range.never, "Try no other loading history");
-    app->add_flag("--range", range.always,
-                  "Whether the answer depends on the loading history, whatever the size (default: up to " +
-                      std::to_string(kMostPointsOfRange) + " contact points)")
-        ->excludes(never);
+    addSearchFiles(*app, options->request.files);
+    const auto beside = [options](Beside wish) {
+        return [options, wish] { options->request.upper_bound = wish; };
+    };
+    CLI::Option* no_bound = app->add_flag_callback("--no-upper-bound,--no-ceiling", beside(Beside::never),
+                                                   "Leave limit analysis out");
+    app->add_flag_callback("--upper-bound,--ceiling", beside(Beside::always),
+                           "Limit analysis beside the answer whatever the size (default: up to " +
+                               std::to_string(kCeilingPointsInSection) +
+                               " contact points in a plane section, " + std::to_string(kCeilingPoints) +
+                               " in space)")
+        ->excludes(no_bound);
+    CLI::Option* no_interval = app->add_flag_callback(
+        "--no-interval,--no-range", [options] { options->request.interval = false; },
+        "Look for no lower answer by another loading path");
+    app->add_flag_callback(
+           "--interval,--range", [options] { options->request.interval = true; },
+           "The lowest answer by another loading path beside the headline (default)")
+        ->excludes(no_interval);
     addCommon(*app, options->common);
     app->footer(footerOf(search));
     return {app, [&search, options] { return find(search, *options); }};

@@ -88,11 +88,20 @@ Json failureJson(const formats::SnapshotHeader& header) {
     const LoadSearch* search = loadSearch(failure.analysis);
     // nullptr: of a later version
     const VariedQuantity* load = search ? search->load : mechanismLoad(failure.analysis);
-    return {{"analysis", failure.analysis},
-            {load ? load->key : "load", number(failure.load / (load ? load->scale : 1))},
-            {"mode", toString(failure.mode)},
-            {"slides", compactNames(slides)},
-            {"topples", compactNames(topples)}};
+    const double scale = load ? load->scale : 1;
+    Json json{{"analysis", failure.analysis},
+              {load ? load->key : "load", number(failure.load / scale)},
+              {"mode", toString(failure.mode)},
+              {"slides", compactNames(slides)},
+              {"topples", compactNames(topples)}};
+    if (failure.path.empty()) return json;
+    json["answer"] = number(failure.answer / scale);
+    json["bracket"] = {number(failure.stands / scale), number(failure.fails / scale)};
+    json["path"] = Json::array();
+    for (const PathPoint& point : failure.path)
+        json["path"].push_back(
+            {{"load", number(point.load / scale)}, {"displacement_m", number(point.displacement)}});
+    return json;
 }
 
 /// Its law and the numbers of that law, as a scenario has them.

@@ -2,15 +2,19 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include "answers/limit_report.h"
 #include "answers/run_report.h"
 #include "answers/search.h"
+#include "answers/search_plot.h"
 #include "batch/outcome.h"
 #include "cli/json.h"
 #include "cli/scenario.h"
 #include "python/computing.h"
 #include "python/module.h"
 #include "report/numbers.h"
+#include "report/svg.h"
 
 namespace talus::python {
 
@@ -26,18 +30,17 @@ Common commonOf(const Manner& manner) { return {.json = true, .quiet = true, .th
 struct SearchOptions {
     int groups = 1;
     py::object ceiling = py::none();  ///< True, False, or None: by the model's size
-    py::object range = py::none();    ///< likewise
+    py::object range = py::none();    ///< False: no interval
     std::string keep_run;
     std::optional<double> keep_run_seconds;
     bool force = false;
+    SearchFiles files{};
 };
 
-/// True, False, or None: by the model's size.
-template <class Options>
-void choose(const py::object& wish, Options& options) {
-    if (wish.is_none()) return;
-    options.always = wish.cast<bool>();
-    options.never = !options.always;
+/// Of True, False, or None.
+Beside besideOf(const py::object& wish) {
+    if (wish.is_none()) return Beside::by_size;
+    return wish.cast<bool>() ? Beside::always : Beside::never;
 }
 
 std::string search(const std::string& name, const formats::Scenario& scenario, const SearchOptions& options,
@@ -45,15 +48,43 @@ std::string search(const std::string& name, const formats::Scenario& scenario, c
     const LoadSearch* wanted = loadSearch(name);
     if (wanted == nullptr) throw BadInput(Error{"search", "there is no search \"" + name + "\""});
     SearchRequest request{.groups = options.groups,
-                          .keep = {options.keep_run, options.keep_run_seconds, options.force}};
-    choose(options.ceiling, request.ceiling);
-    choose(options.range, request.range);
+                          .keep = {options.keep_run, options.keep_run_seconds, options.force},
+                          .files = options.files};
+    request.upper_bound = besideOf(options.ceiling);
+    request.interval = options.range.is_none() || options.range.cast<bool>();
     std::string json;
     compute(manner, [&](Computing& computing) {
         const Common common = commonOf(manner);
         json = jsonText(searchJson(answer(*wanted, scenario, request, common, computing.control())));
     });
     return json;
+}
+
+/// The curve of a search's result, as SVG; "" of one without a curve.
+std::string curve(const std::string& result_json) {
+    const Json json = Json::parse(result_json);
+    const auto searches = loadSearches();
+    const auto search = std::find_if(searches.begin(), searches.end(),
+                                     [&](const LoadSearch& each) { return json.contains(each.answer_key); });
+    if (search == searches.end() || !json.contains("path") || json["path"].empty()) return "";
+    const auto load = [&](const Json& value) {
+        return value.is_number() ? value.get<double>() * search->load->scale : kInfinity;
+    };
+    SearchResult result;
+    for (const Json& point : json["path"])
+        result.path.push_back({load(point["load"]), point["displacement_m"].get<double>()});
+    for (const Json& probe : json.value("probe_list", Json::array()))
+        result.probes.emplace_back().verdict =
+            probe["verdict"] == toString(Verdict::failing) ? Verdict::failing : Verdict::stable;
+    if (json[search->answer_key].is_number()) {
+        result.status = SearchStatus::found;
+        result.answer = load(json[search->answer_key]);
+        result.low = load(json[search->keyInUnit("bracket")][0]);
+        result.high = load(json[search->keyInUnit("bracket")][1]);
+    }
+    const double failure = json.value("failure_displacement_m", 0.0);
+    const std::string scenario = json.value(Json::json_pointer("/provenance/scenario"), std::string());
+    return svgFile(searchPlot(*search, result, scenario, failure), true);
 }
 
 std::string limit(const formats::Scenario& scenario, const std::string& load, std::size_t max_points,
@@ -123,13 +154,16 @@ void addAnalyses(py::module_& module) {
         "search",
         [](const std::string& name, const formats::Scenario& scenario, int groups, const py::object& ceiling,
            const py::object& range, const std::string& keep_run, std::optional<double> keep_run_seconds,
-           bool force, int threads, const py::object& progress) {
-            return search(name, scenario, {groups, ceiling, range, keep_run, keep_run_seconds, force},
+           bool force, const std::string& plot, const std::string& picture, int threads,
+           const py::object& progress) {
+            return search(name, scenario,
+                          {groups, ceiling, range, keep_run, keep_run_seconds, force, {plot, picture}},
                           {threads, progress});
         },
         py::arg("name"), py::arg("scenario"), py::kw_only(), py::arg("groups"), py::arg("ceiling"),
-        py::arg("range"), py::arg("keep_run"), py::arg("keep_run_seconds"), py::arg("force"),
-        py::arg("threads"), py::arg("progress"));
+        py::arg("range"), py::arg("keep_run"), py::arg("keep_run_seconds"), py::arg("force"), py::arg("plot"),
+        py::arg("picture"), py::arg("threads"), py::arg("progress"));
+    module.def("curve", curve, py::arg("result_json"));
     module.def(
         "limit_analysis",
         [](const formats::Scenario& scenario, const std::string& load, std::size_t max_points, int threads,

@@ -75,15 +75,10 @@ std::vector<double> factorsOf(const SearchResult& result, const Model& model) {
     return list;
 }
 
-std::string remarkOn(const formats::Scenario& scenario, const FailingState& failing, double stiffness,
-                     const KeptRun& kept) {
+std::string remarkOn(const formats::Scenario& scenario, const FailingState& failing, const KeptRun& kept) {
     std::string remark = scenario.path + " as it fails: " + loadText(kept) +
                          ", just beyond the first that fails.\nWritten by talus " + kept.search->name +
                          " --keep-run. The dashpots in [damping] only take out the rattle of the contacts.";
-    if (stiffness != 1) {
-        remark += "\nIts joints have " + text(stiffness, 0) +
-                  " times the stiffness given, as the search's that found the answer.";
-    }
     if (scenario.model.hasWater() && failing.state.loads.water_share < 1)
         remark += "\nIt fails under its weight already: in the kept run no water pushes.";
     return remark;
@@ -124,18 +119,15 @@ FailureKeeper::FailureKeeper(const KeepRunOptions& options, const Common& common
     recorder_ = std::make_unique<RunRecorder>(run_options_, as_it_fails_, nullptr);
 }
 
-void FailureKeeper::play(const FailingState& failing, double stiffness, KeptRun& kept,
-                         const Control& control) {
+void FailureKeeper::play(const FailingState& failing, KeptRun& kept, const Control& control) {
     const double time = ownTime(failing.block_size, scenario_.model.gravity.magnitude);
     formats::FailingLoad load;
     load.varied = kept.search->load->varied;
     load.value = failing.load;
     load.contact_damping = failing.contact_damping;
-    load.stiffness = stiffness;
     load.duration = options_.seconds.value_or(kMostTimes * time);
     load.frame_interval = options_.seconds ? *options_.seconds / kFramesInGivenTime : time / kFramesPerTime;
-    as_it_fails_ =
-        valueOf(formats::failingScenario(scenario_, load, remarkOn(scenario_, failing, stiffness, kept)));
+    as_it_fails_ = valueOf(formats::failingScenario(scenario_, load, remarkOn(scenario_, failing, kept)));
 
     RunOutput output = recorder_->output(kept.failure);
     output.begin = [&, begin = output.begin](const RunGeometry& geometry) {
@@ -152,7 +144,7 @@ void FailureKeeper::play(const FailingState& failing, double stiffness, KeptRun&
         full(std::move(frame));
     };
     const double far_enough = options_.seconds ? kInfinity : failing.block_size;
-    auto outcome = runFailing(as_it_fails_.model, control, output, failing.state, far_enough);
+    auto outcome = runFailing(as_it_fails_.model, control, output, failing, far_enough);
     kept.file = options_.file;
     recorder_->finish(outcome);
     kept.bytes = recorder_->bytes();
@@ -160,8 +152,7 @@ void FailureKeeper::play(const FailingState& failing, double stiffness, KeptRun&
     if (kept.run.interrupted) kept.exit_code = kInterrupted, kept.reason = "interrupted";
 }
 
-KeptRun FailureKeeper::keep(const SearchResult& result, const LoadSearch& search, double stiffness,
-                            const Control& control) {
+KeptRun FailureKeeper::keep(const SearchResult& result, const LoadSearch& search, const Control& control) {
     KeptRun kept;
     kept.search = &search;
     if (!result.failing) {
@@ -169,9 +160,14 @@ KeptRun FailureKeeper::keep(const SearchResult& result, const LoadSearch& search
         return kept;
     }
     kept.failure = {search.name, result.failing->load, result.mode, {}, factorsOf(result, scenario_.model)};
+    if (result.status == SearchStatus::found) {
+        kept.failure.answer = result.answer, kept.failure.stands = result.low,
+        kept.failure.fails = result.high;
+        kept.failure.path = result.path;
+    }
     addRoles(result, scenario_.model, kept);
     try {
-        play(*result.failing, stiffness, kept, control);
+        play(*result.failing, kept, control);
     } catch (const FileRefused& refused) {
         kept.exit_code = kFileRefused, kept.reason = refused.what();
     } catch (const BadInput& bad) {

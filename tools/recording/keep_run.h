@@ -67,12 +67,10 @@ class FailureKeeper {
 
     /// Plays the failure on. What goes wrong is told in the result, so that what was found is not lost with it.
     /// \pre wanted(), and the search was made with Control::keep_failing_state
-    /// \param stiffness  of the joints in that search, over the scenario's
-    KeptRun keep(const SearchResult& result, const LoadSearch& search, double stiffness,
-                 const Control& control);
+    KeptRun keep(const SearchResult& result, const LoadSearch& search, const Control& control);
 
  private:
-    void play(const FailingState& failing, double stiffness, KeptRun& kept, const Control& control);
+    void play(const FailingState& failing, KeptRun& kept, const Control& control);
 
     const KeepRunOptions& options_;
     const formats::Scenario& scenario_;

@@ -18,6 +18,7 @@ namespace talus::tools {
 namespace {
 
 constexpr double kWidth = 900, kMargin = 20, kFoot = 56;  // [px]
+constexpr double kHead = 26, kRow = 20;                   // of a heading, of the legend's lines [px]
 constexpr double kLeastLine = 0.7;                        // [px] shorter is a speck
 constexpr double kLetter = 6.8, kLine = 12;               // of names, with the gap beside them [px]
 constexpr double kCompass = 0.036;                        // radius, of the picture's larger side
@@ -33,33 +34,33 @@ constexpr std::string_view kStyle = R"css(
 .needle{fill:#1a1a1a}
 .swatch{stroke:#3b342b;stroke-width:.7}
 .text{fill:#1a1a1a;font:13px system-ui,sans-serif}
+.caption{fill:#1a1a1a;font:600 14px system-ui,sans-serif}
 .name{fill:#1a1a1a;font:11px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-opacity:.7;stroke-width:2.5px}
 )css";
 
 /// Lambert shading under a light from the upper left; each block a little different, so that joints show.
-std::string colour(Motion motion, std::size_t index, const Vec3& normal, const Camera& camera) {
-    const Vec3 light = (0.9 * camera.towards + 0.8 * Vec3::UnitZ() - 0.7 * camera.right).normalized();
+std::string colour(const BlockLook& look, std::size_t index, const Vec3& normal, const Camera& camera) {
+    const Vec3 light = (0.9 * camera.towards + 0.8 * camera.level - 0.7 * camera.right).normalized();
     const double tint = 0.94 + 0.12 * static_cast<double>((index * 2654435761u >> 8) % 16) / 15;
     const double shade = tint * (0.62 + 0.38 * std::max(0.0, normal.dot(light)));
-    const Vec3 rock = motion == Motion::free ? Vec3(222, 203, 170) : Vec3(176, 180, 186);
     char text[8];
     const auto level = [&](double value) {
         return static_cast<unsigned>(std::clamp(shade * value, 0.0, 255.0));
     };
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", level(rock.x()), level(rock.y()), level(rock.z()));
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", level(look.red), level(look.green), level(look.blue));
     return text;
 }
 
 /// From the picture's metres to pixels.
 class Sheet {
  public:
-    explicit Sheet(const Model& model, const Camera& camera) {
+    Sheet(const Model& model, const Camera& camera, double head) : head_(head) {
         for (const Block& block : model.blocks)
             for (const Vec3& v : block.shape.vertices) add(camera.seen(v));
         scale_ = (kWidth - 2 * kMargin) / std::max(high_.x() - low_.x(), 1e-12);
     }
     Spot spot(const Vec3& seen) const {
-        return {kMargin + scale_ * (seen.x() - low_.x()), kMargin + scale_ * (high_.y() - seen.y())};
+        return {kMargin + scale_ * (seen.x() - low_.x()), head_ + kMargin + scale_ * (high_.y() - seen.y())};
     }
     std::vector<Spot> spots(const std::vector<Vec3>& seen) const {
         std::vector<Spot> list;
@@ -68,7 +69,7 @@ class Sheet {
     }
     double scale() const { return scale_; }
     double metresAcross() const { return high_.x() - low_.x(); }
-    double foot() const { return scale_ * (high_.y() - low_.y()) + 2 * kMargin; }
+    double foot() const { return head_ + scale_ * (high_.y() - low_.y()) + 2 * kMargin; }
 
  private:
     void add(const Vec3& seen) {
@@ -77,19 +78,20 @@ class Sheet {
     }
 
     Vec3 low_ = Vec3::Constant(kInfinity), high_ = Vec3::Constant(-kInfinity);
-    double scale_ = 1;
+    double head_, scale_ = 1;
 };
 
 const char* roleOf(Side side) {
     return side == Side::joint ? "joint" : side == Side::rim ? "rim" : side == Side::crease ? "crease" : "";
 }
 
-void drawPolygon(const Model& model, const VisibleFace& face, const PaintedPolygon& polygon,
-                 const Camera& camera, const Sheet& sheet, SvgWriter& svg) {
+void drawPolygon(const Model& model, const Painting& painting, const VisibleFace& face,
+                 const PaintedPolygon& polygon, const Camera& camera, const Sheet& sheet, SvgWriter& svg) {
     const Block& block = model.blocks[face.block];
+    const BlockLook& look = painting.looks[painting.look_of_block[face.block]];
     const std::vector<Spot> spots = sheet.spots(polygon.corners);
     // Of its own colour around, so that no gap shows between two pieces.
-    svg.shape(spots, false, "block", block.name, colour(block.motion, face.block, face.normal, camera), true);
+    svg.shape(spots, false, "block", block.name, colour(look, face.block, face.normal, camera), true);
 }
 
 void drawLine(const SeenLine& line, const Sheet& sheet, SvgWriter& svg) {
@@ -185,11 +187,11 @@ std::string lengthText(double metres) {
     return text;
 }
 
-void drawScale(const Sheet& sheet, double base, SvgWriter& svg) {
+void drawScale(const Sheet& sheet, double base, const std::string& remark, SvgWriter& svg) {
     const double bar = niceStep(sheet.metresAcross(), 6), end = kMargin + sheet.scale() * bar;
     svg.line({kMargin, base}, {end, base}, "bar");
     for (const double x : {kMargin, end}) svg.line({x, base - 4}, {x, base + 4}, "bar");
-    svg.label({end + 8, base + 4}, lengthText(bar));
+    svg.label({end + 8, base + 4}, lengthText(bar) + (remark.empty() ? "" : "; " + remark));
 }
 
 /// The ring of the horizon as it is seen, with north; in plan a circle. It grows with the picture.
@@ -221,11 +223,11 @@ struct LegendEntry {
     bool line = false;
 };
 
-std::vector<LegendEntry> legendOf(const Model& model, const VisibleFaces& visible, bool wet,
-                                  const Camera& camera) {
-    const auto any = [&](Motion motion) {
+std::vector<LegendEntry> legendOf(const Model& model, const Painting& painting, const VisibleFaces& visible,
+                                  bool wet, const Camera& camera) {
+    const auto any = [&](std::size_t look) {
         return std::any_of(visible.faces.begin(), visible.faces.end(), [&](const VisibleFace& face) {
-            return model.blocks[face.block].motion == motion;
+            return painting.look_of_block[face.block] == look;
         });
     };
     const bool joints =
@@ -234,38 +236,58 @@ std::vector<LegendEntry> legendOf(const Model& model, const VisibleFaces& visibl
         });
     std::vector<LegendEntry> entries;
     const Vec3 lit = camera.towards;
-    if (any(Motion::free)) entries.push_back({"swatch", "free", colour(Motion::free, 0, lit, camera)});
-    if (any(Motion::fixed)) entries.push_back({"swatch", "fixed", colour(Motion::fixed, 0, lit, camera)});
-    if (any(Motion::driven)) entries.push_back({"swatch", "driven", colour(Motion::driven, 0, lit, camera)});
+    for (std::size_t k = 0; k < painting.looks.size(); ++k) {
+        const BlockLook& look = painting.looks[k];
+        if (any(k)) entries.push_back({"swatch", look.words, colour(look, 0, lit, camera)});
+    }
     if (joints) entries.push_back({"joint", "joint", "", true});
     if (wet) entries.push_back({"water", "water, seen through the rock", ""});
     if (model.phreatic) entries.push_back({"table", "water table", "", true});
     return entries;
 }
 
-void drawLegend(const std::vector<LegendEntry>& entries, double base, SvgWriter& svg) {
+/// In lines that end before `right`. Returns the height of those after the first.
+double drawLegend(const std::vector<LegendEntry>& entries, double base, double right, SvgWriter& svg) {
+    const double first = base;
     double x = kMargin;
     for (const LegendEntry& entry : entries) {
+        const double wide = (entry.line ? 28 : 20) + 7.2 * static_cast<double>(entry.words.size());
+        if (x > kMargin && x + wide > right) x = kMargin, base += kRow;
         if (entry.line)
             svg.line({x, base - 4}, {x + 22, base - 4}, entry.role);
         else
             svg.shape({{x, base - 10}, {x + 14, base - 10}, {x + 14, base + 1}, {x, base + 1}}, false,
                       entry.role, "", entry.fill);
         svg.label({x + (entry.line ? 28 : 20), base}, entry.words);
-        x += (entry.line ? 28 : 20) + 7.2 * static_cast<double>(entry.words.size()) + 22;
+        x += wide + 22;
     }
+    return base - first;
 }
 
 }  // namespace
 
+Painting paintedByMotion(const Model& model) {
+    Painting painting{{{"free", 222, 203, 170}, {"fixed", 176, 180, 186}, {"driven", 176, 180, 186}}, {}};
+    for (const Block& block : model.blocks)
+        painting.look_of_block.push_back(block.motion == Motion::free    ? 0
+                                         : block.motion == Motion::fixed ? 1
+                                                                         : 2);
+    return painting;
+}
+
 std::string blocksSvg(const Model& model, const View& view, std::string_view title) {
+    return blocksSvg(model, view, title, paintedByMotion(model));
+}
+
+std::string blocksSvg(const Model& model, const View& view, std::string_view title,
+                      const Painting& painting) {
     const Camera camera(view);
-    const Sheet sheet(model, camera);
+    const Sheet sheet(model, camera, painting.heading.empty() ? 0 : kHead);
     const VisibleFaces visible = visibleFaces(model, camera);
     const SeenParts seen_parts = seenParts(paintOrder(visible.polygons));
     SvgWriter svg;
     for (const PaintedPolygon& polygon : seen_parts.polygons)
-        drawPolygon(model, visible.faces[polygon.source], polygon, camera, sheet, svg);
+        drawPolygon(model, painting, visible.faces[polygon.source], polygon, camera, sheet, svg);
     for (const SeenLine& line : seen_parts.lines) drawLine(line, sheet, svg);
     const std::vector<std::vector<Vec3>> wet = wetOutlines(model);
     const auto seen = [&](std::vector<Vec3> points) {
@@ -277,10 +299,13 @@ std::string blocksSvg(const Model& model, const View& view, std::string_view tit
     drawNames(model, visible, seen_parts.polygons, sheet, svg);
     const double foot = sheet.foot();
     const Compass compass(camera, kWidth, foot);
-    drawScale(sheet, foot + 10, svg);
-    drawLegend(legendOf(model, visible, !wet.empty(), camera), foot + 40, svg);
+    if (!painting.heading.empty()) svg.label({kMargin, kHead}, painting.heading, "start", "caption");
+    drawScale(sheet, foot + 10, painting.remark, svg);
+    const double compass_left = kWidth - kMargin - 2 * compass.radius - 32;
+    const double more =
+        drawLegend(legendOf(model, painting, visible, !wet.empty(), camera), foot + 40, compass_left, svg);
     drawCompass(camera, compass, {kWidth - kMargin - compass.radius - 16, foot + compass.high}, svg);
-    return svg.file(kWidth, foot + std::max(kFoot, 2 * compass.high + 8), title, "", kStyle);
+    return svg.file(kWidth, foot + std::max(kFoot + more, 2 * compass.high + 8), title, "", kStyle);
 }
 
 }  // namespace talus::tools

@@ -15,13 +15,15 @@ constexpr double kLetter = 7;  ///< width of a letter, about [px]
 /// The classes' looks; colours colour-blind safe (Okabe and Ito) and apart in grey as well, those of page/page.css.
 constexpr std::string_view kStyle = R"css(
 .text{fill:#1a1a1a;font:13px system-ui,sans-serif}
-.small{fill:#595959;font:12px system-ui,sans-serif}
+.small{fill:#595959;font:12px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-opacity:.8;stroke-width:3px}
 .caption{fill:#1a1a1a;font:600 14px system-ui,sans-serif}
 .page{fill:#fff}
 .frame{stroke:#1a1a1a;stroke-width:1;fill:none}
 .grid{stroke:#ddd;stroke-width:1}
 .band{fill:#cfe3ef;stroke:none}
 .theory{stroke:#0072b2;stroke-width:2;fill:none}
+.path{stroke:#b34700;stroke-width:2;fill:none;stroke-linejoin:round}
+.answer{stroke:#009e73;stroke-width:1.6;fill:none}
 .rule{stroke:#595959;stroke-width:1.2;stroke-dasharray:7 4;fill:none}
 .dots{stroke:#595959;stroke-width:1.2;stroke-dasharray:2 3;fill:none}
 .dem{fill:#b34700;stroke:#b34700;stroke-width:1.5}
@@ -69,9 +71,10 @@ struct Scale {
 
 class PlotFile {
  public:
-    explicit PlotFile(const Plot& plot) : plot_(plot) {}
+    PlotFile(const Plot& plot, bool titled) : plot_(plot), titled_(titled) {}
 
     std::string write() {
+        if (titled_) svg_.label({kLeft, 24}, plot_.title, "start", "caption");
         for (const Reference& reference : plot_.references)
             if (reference.to) draw(reference);
         for (const Series& series : plot_.series)
@@ -85,54 +88,56 @@ class PlotFile {
     }
 
  private:
-    static constexpr double kWidth = 720, kLeft = 64, kRight = 704, kTop = 26, kBase = 400;
+    static constexpr double kWidth = 720, kLeft = 64, kRight = 704, kBase = 400;
+    static constexpr double kNarrow = 110;  ///< words in lines of about 14 letters
 
     Spot at(double x, double y) const { return {x_.at(x), y_.at(y)}; }
 
     void drawAxes() {
         for (const auto& [value, words] : x_.ticks()) {
-            if (plot_.x.categories.empty()) svg_.line({x_.at(value), kBase}, {x_.at(value), kTop}, "grid");
+            if (plot_.x.categories.empty()) svg_.line({x_.at(value), kBase}, {x_.at(value), top_}, "grid");
             svg_.label({x_.at(value), kBase + 18}, words, "middle");
         }
         for (const auto& [value, words] : y_.ticks()) {
             svg_.line({kLeft, y_.at(value)}, {kRight, y_.at(value)}, "grid");
             svg_.label({kLeft - 8, y_.at(value) + 4}, words, "end");
         }
-        svg_.box({kLeft, kTop}, {kRight, kBase}, "frame");
+        svg_.box({kLeft, top_}, {kRight, kBase}, "frame");
         svg_.label({0.5 * (kLeft + kRight), kBase + 40}, plot_.x.title, "middle");
-        svg_.label({14, 0.5 * (kTop + kBase)}, plot_.y.title, "middle", "text", "-90");
+        svg_.label({14, 0.5 * (top_ + kBase)}, plot_.y.title, "middle", "text", "-90");
     }
 
     void draw(const Reference& one) {
         const bool upright = one.axis == 'x';
         const auto across = [&](double value) {
-            return upright ? std::pair{Spot{x_.at(value), kBase}, Spot{x_.at(value), kTop}}
+            return upright ? std::pair{Spot{x_.at(value), kBase}, Spot{x_.at(value), top_}}
                            : std::pair{Spot{kLeft, y_.at(value)}, Spot{kRight, y_.at(value)}};
         };
         const auto [from, to] = across(one.at);
         if (one.to) return svg_.box(from, across(*one.to).second, one.role);
         svg_.line(from, to, one.role);
+        const bool at_end = from.x + kNarrow > kRight;
         if (upright)
-            drawNarrow({from.x + 8, kBase - 46}, one.text);
+            drawNarrow({from.x + (at_end ? -8 : 8), kBase - 46}, one.text, at_end ? "end" : "start");
         else
             svg_.label({kLeft + 6, from.y + (one.below ? 15 : -6)}, one.text, "start", "small");
     }
 
     /// Words in lines of about 14 letters.
-    void drawNarrow(Spot at, const std::string& words) {
+    void drawNarrow(Spot at, const std::string& words, const char* anchor) {
         std::string line;
         for (std::size_t begin = 0; begin < words.size();) {
             const std::size_t end = std::min(words.find(' ', begin), words.size());
             const std::string word = words.substr(begin, end - begin);
             if (!line.empty() && line.size() + word.size() > 13) {
-                svg_.label(at, line, "start", "small");
+                svg_.label(at, line, anchor, "small");
                 at.y += 16;
                 line.clear();
             }
             line += (line.empty() ? "" : " ") + word;
             begin = end + 1;
         }
-        svg_.label(at, line, "start", "small");
+        svg_.label(at, line, anchor, "small");
     }
 
     void drawBand(const Series& series) {
@@ -197,13 +202,15 @@ class PlotFile {
     }
 
     const Plot& plot_;
-    const Scale x_{plot_.x, kLeft, kRight}, y_{plot_.y, kBase, kTop};
+    const bool titled_;
+    const double top_ = titled_ ? 42 : 26;
+    const Scale x_{plot_.x, kLeft, kRight}, y_{plot_.y, kBase, top_};
     SvgWriter svg_;
 };
 
 }  // namespace
 
-std::string svgFile(const Plot& plot) { return PlotFile(plot).write(); }
+std::string svgFile(const Plot& plot, bool titled) { return PlotFile(plot, titled).write(); }
 
 std::string svgFile(const Drawing& drawing) {
     constexpr double kWidth = 340, kMargin = 10;
@@ -233,6 +240,13 @@ double niceStep(double span, int count) {
     const double unit = std::pow(10.0, std::floor(std::log10(rough)));
     const double ratio = rough / unit;
     return unit * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
+}
+
+PlotAxis axisOver(std::string title, double low, double high, int count) {
+    const double step = niceStep(high > low ? high - low : std::max(std::abs(high), 1e-12), count);
+    const double from = step * std::floor(low / step + 1e-9), to = step * std::ceil(high / step - 1e-9);
+    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+    return {std::move(title), {from, std::max(to, from + step)}, step, decimals};
 }
 
 }  // namespace talus::tools

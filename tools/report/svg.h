@@ -9,11 +9,15 @@
 namespace talus::tools {
 
 /// A plot of lines, points, bands, boxes and labels, both axes with their domain and their step or names.
-std::string svgFile(const Plot& plot);
+/// \param titled  its title stands above it, for a file that no caption goes with
+std::string svgFile(const Plot& plot, bool titled = false);
 
 std::string svgFile(const Drawing& drawing);
 
 /// A step of 1, 2 or 5 times a power of ten that cuts the span into about `count` parts.
 double niceStep(double span, int count);
+
+/// An axis over values from low to high: its ends are ticks, some `count` steps apart.
+PlotAxis axisOver(std::string title, double low, double high, int count);
 
 }  // namespace talus::tools

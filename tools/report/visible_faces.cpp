@@ -302,6 +302,10 @@ Camera::Camera(const View& view)
       towards(std::sin(view.azimuth) * std::cos(view.elevation),
               std::cos(view.azimuth) * std::cos(view.elevation), std::sin(view.elevation)) {
     up = towards.cross(right);
+    const double c = std::cos(view.tilt), s = std::sin(view.tilt);
+    for (Vec3* axis : {&right, &up, &towards})
+        *axis = Vec3(c * axis->x() + s * axis->z(), axis->y(), c * axis->z() - s * axis->x());
+    level = Vec3(s, 0, c);
 }
 
 VisibleFaces visibleFaces(const Model& model, const Camera& camera) {

@@ -8,9 +8,9 @@
 
 namespace talus::tools {
 
-/// Right, up and towards the reader.
+/// Right, up and towards the reader, and against gravity.
 struct Camera {
-    Vec3 right, up, towards;
+    Vec3 right, up, towards, level;
 
     explicit Camera(const View& view);
     /// A point as the picture has it.

@@ -92,7 +92,7 @@ void keepFailures(PaperResults& results, const std::string& folder, const std::s
             FailureKeeper keeper(options, common, run.what.scenario);
             const Control control{[&shares, k](const Progress& p) { shares.tell(k, p.fraction); },
                                   &stopRequested(), 1};
-            kept.run = keeper.keep(run.search, *loadSearch("critical-angle"), 1, control);
+            kept.run = keeper.keep(run.search, *loadSearch("critical-angle"), control);
             if (kept.run.exit_code == kFileRefused) throw FileRefused(kept.run.reason);
             if (!kept.run.file.empty()) writeReplay(kept.file, kept.page);
             kept.file = relativeTo(page_folder, kept.file);

@@ -100,17 +100,6 @@ std::string waterText(const PaperResults& results) {
     return "";
 }
 
-/// "0.80", or "0.10 to 0.80" when the cases differ.
-std::string dampingText(const std::vector<const PaperRun*>& begun) {
-    const auto less = [](const PaperRun* a, const PaperRun* b) {
-        return a->search.damping_local < b->search.damping_local;
-    };
-    const auto [least, most] = std::minmax_element(begun.begin(), begun.end(), less);
-    const std::string from = text((*least)->search.damping_local, 2),
-                      to = text((*most)->search.damping_local, 2);
-    return from == to ? from : from + " to " + to;
-}
-
 }  // namespace
 
 Json table1(const PaperResults& results) {
@@ -187,20 +176,10 @@ std::vector<std::pair<std::string, std::string>> parameters(const PaperResults& 
     list.emplace_back("Gravity", text(model.gravity.magnitude, 2) + " m/s\u00b2");
     if (const std::string water = waterText(results); !water.empty()) list.emplace_back("Water", water);
     list.emplace_back("Contact points", results.table_points + " (Table 1 and section 5)");
-    list.emplace_back("Search", "tilted slowly from the last tilt that held until the slope fails; bracket " +
-                                    text(degrees(model.analysis.tolerance), 3) + "\u00b0");
-    std::vector<const PaperRun*> begun;
-    for (const PaperRun& run : results.runs)
-        if (run.begun && run.errors.empty()) begun.push_back(&run);
-    if (begun.empty()) return list;
-    list.emplace_back("Damping",
-                      "local, " + dampingText(begun) +
-                          ", while searching; the failure mode comes from a continuation without it");
-    list.emplace_back("Inertia",
-                      begun.front()->search.inertia_scaled
-                          ? "scaled while searching (equilibrium does not depend on it), true in the "
-                            "continuation"
-                          : "true");
+    list.emplace_back("Search",
+                      "the equilibrium path is followed as the slope is tilted, to the peak beyond which "
+                      "blocks part; bracket " +
+                          text(degrees(model.analysis.tolerance), 3) + "\u00b0");
     return list;
 }
 

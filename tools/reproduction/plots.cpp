@@ -160,16 +160,14 @@ Plot plotFig6(const PaperResults& results) {
 
 Plot plotDifference(const PaperResults& results) {
     const std::vector<Difference> columns = differences(results);
-    const double range = differenceRange(columns), step = niceStep(2 * range, 6);
+    const double range = differenceRange(columns);
+    PlotAxis difference = axisOver("DEM \u2212 exact limit (\u00b0)", -range, range, 6);
+    difference.domain = {-range, range};
     Plot plot{
         "plot-difference", "Difference from the exact limit",
         "The search ends with a bracket between the last tilt that held and the first that did not; the "
         "answer is its middle.",
-        PlotAxis{"watered fissure"},
-        PlotAxis{"DEM \u2212 exact limit (\u00b0)",
-                 {-range, range},
-                 step,
-                 std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)))}};
+        PlotAxis{"watered fissure"}, std::move(difference)};
     // Side by side, apart by symbol as well.
     std::vector<Series> by_friction{
         {"points", "dem-open", "friction angle 18\u00b0", {}, {}, "square", 5, -10},

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <mutex>
 
-#include "answers/stiffer_joints.h"
 #include "cli/failures.h"
 #include "talus/limit_analysis.h"
 #include "talus/parallel.h"
@@ -84,9 +83,11 @@ bool given(const Result<T>& result, Computed& computed) {
 }
 
 void search(const LoadSearch& search, const Control& control, Computed& computed) {
-    const Result<CeiledAnswer> answer = findUnderCeiling(search, computed.scenario, {}, control);
-    if (!given(answer, computed)) return;
-    const SearchResult* result = &answer->result;
+    Control alone = control;
+    alone.interval = false;
+    alone.upper_bound = Beside::never;
+    const Result<SearchResult> result = search.find(computed.scenario.model, alone, {});
+    if (!given(result, computed)) return;
     computed.status = toString(result->status);
     computed.motions = result->motions;
     const bool found = result->status == SearchStatus::found;

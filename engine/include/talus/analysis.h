@@ -13,6 +13,7 @@
 #include "talus/frame.h"
 #include "talus/model.h"
 #include "talus/result.h"
+#include "talus/search_rules.h"
 #include "talus/supports.h"
 
 namespace talus {
@@ -24,18 +25,18 @@ struct Progress {
     std::string detail;   ///< one line for people: "tilt 19.53 deg, failing"
 };
 
+/// Whether something is computed beside an answer: by the size of the model, never, or always.
+enum class Beside : std::uint8_t { by_size, never, always };
+
 /// What the caller lends to a computation. Threads: 1 runs in the calling thread; 0 takes all cores.
 struct Control {
     std::function<void(const Progress&)> progress{};
     const std::atomic<bool>* stop = nullptr;  ///< set it to end early; what was found so far is returned
     int threads = 1;
-    bool keep_failing_state = false;  ///< a search also hands out SearchResult::failing
-    int groups = 1;  ///< most groups of SearchResult::groups; each further one is a search more
-    /// contact points of models of which a search also tries another loading history (SearchResult::range)
-    std::size_t most_points_of_range = 0;
-    /// explicit steps after which a search ends undecided, a factorisation of the implicit solve counted as ten; 0: none. Looked
-    /// at from probe to probe
-    std::int64_t most_work = 0;
+    bool keep_failing_state = false;       ///< a search also returns SearchResult::failing
+    int groups = 1;                        ///< most groups of SearchResult::groups
+    bool interval = true;                  ///< look for lower answers, too (SearchResult::answer_interval)
+    Beside upper_bound = Beside::by_size;  ///< of limit analysis (SearchResult::upper_bound)
 };
 
 /// What an analysis varies until the assembly fails; described in talus/searches.h.
@@ -53,30 +54,35 @@ const char* toString(SearchStatus status);
 const char* toString(FailureMode mode);
 const char* toString(Verdict verdict);
 
-/// Wall time of a search by what it went to [s]; what is left went to contacts as built and to what stands beside the answer.
+/// Wall time of a search [s].
 struct TimeSpent {
-    double stepping = 0;  ///< explicit steps towards rest
-    double solving = 0;   ///< the implicit solve
-    double watching = 0;  ///< failures, let go with true inertia
+    double loading = 0;  ///< weight, water and tilt, up to where the search begins
+    double path = 0;     ///< the path of the load that is searched for
+    double beside = 0;   ///< the interval, and what else stands beside the answer
 
     TimeSpent& operator+=(const TimeSpent& other) {
-        stepping += other.stepping;
-        solving += other.solving;
-        watching += other.watching;
+        loading += other.loading;
+        path += other.path;
+        beside += other.beside;
         return *this;
     }
 };
 
-/// One probe of a search: the load was brought to `load`, then the assembly came to rest or did not.
+/// One equilibrium of a search's path, or the failure at its end.
 struct Probe {
     double load = 0;  ///< tilt [rad], factor of safety, or seismic coefficient
     Verdict verdict = Verdict::undecided;
     std::int64_t steps = 0;
-    std::int64_t factors = 0;   ///< factorisations of the implicit solve, where it was asked
-    double out_of_balance = 0;  ///< largest out-of-balance force of a block over its weight, at the end
-    double displacement = 0;    ///< largest of a block during the probe [m]
-    TimeSpent time{};
-    std::string reason;  ///< why this verdict, for people
+    std::int64_t factors = 0;   ///< factorisations since the one before
+    double out_of_balance = 0;  ///< largest out-of-balance force of a block over its weight
+    double displacement = 0;    ///< of the farthest-moved block since the path began [m]
+    std::string reason;         ///< why this verdict
+};
+
+/// A point of the path of a search: how far blocks have come at a load.
+struct PathPoint {
+    double load = 0;          ///< as the answer's
+    double displacement = 0;  ///< of the block that has come farthest [m]
 };
 
 /// How one block moves at failure, and on what that rests.
@@ -85,90 +91,96 @@ struct BlockMotion {
     FailureMode mode = FailureMode::none;
     Vec3 translation = Vec3::Zero();  ///< of its centroid during the continuation [m]
     double rotation = 0;              ///< during the continuation [rad]
+    Vec3 turn = Vec3::Zero();         ///< the same with its axis: axis times angle [rad]
     double rotation_share = 0;        ///< motion at its corners that is due to rotation, 0..1
     double open_share = 0;            ///< area share of its contact points that are open, 0..1
     double mobilised_friction = 0;  ///< shear force over shear strength, summed over its closed points, 0..1
     bool moving = false;
 };
 
-/// The assembly as it is let go at the end of a search; `runFailing` plays it on.
+/// The assembly as a search saw it leave its place; `runFailing` plays it on.
 struct FailingState {
     FullFrame state;
-    double load = 0;             ///< as searched for, a few cells beyond the first failing one
-    double contact_damping = 0;  ///< dashpots of the continuation, as `Damping::contact` [s]
-    double block_size = 0;       ///< median of the blocks' smallest extents [m]
+    double load = 0;             ///< as searched for, a little above the first failing one
+    double contact_damping = 0;  ///< dashpots that take out the rattle, as `Damping::contact` [s]
+    /// The square of the angular frequency up to which it is played on [1/s^2]: faster blocks, small ones, get more
+    /// inertia, at most 1 % of the mass that moves.
+    double frequency = 0;
+    double block_size = 0;  ///< median of the blocks' smallest extents [m]
 };
 
 /// Blocks that go together.
 struct BlockGroup {
-    double factor = 0;                  ///< of safety, or the load of another search
-    std::vector<std::string> blocks{};  ///< sorted
-    /// of those let go: the loads at which they stood and failed, `factor` in the middle; of others, and at the start, that
-    double low = factor, high = factor;
+    double factor = 0;                   ///< of safety, or the load of another search
+    std::vector<std::string> blocks{};   ///< sorted
+    double low = factor, high = factor;  ///< the loads at which they stood and failed
+    double volume = 0, mass = 0;         ///< [m^3, kg]
+};
+
+/// The upper bound that limit analysis gives for an answer: a tilt [rad], a factor of safety or a share of the weight.
+struct Ceiling {
+    std::optional<double> value{};
+    std::string reason{};  ///< why there is none
+};
+
+/// What the answer is if a failure counts from another displacement on.
+struct DisplacementAnswer {
+    double displacement = 0;  ///< share of the median block size
+    double load = 0;          ///< the answer
 };
 
 struct SearchResult {
     SearchStatus status = SearchStatus::undecided;
     double answer =
         0;  ///< midpoint of the bracket: tilt [rad], factor of safety or seismic coefficient; valid when found
-    double low = 0;   ///< last stable load (or -infinity)
-    double high = 0;  ///< first failing load (or infinity)
+    double low = 0;   ///< the last equilibrium (or -infinity)
+    double high = 0;  ///< the load at which the assembly was seen to leave its place (or infinity)
     FailureMode mode = FailureMode::none;
     std::vector<std::string> moving_blocks;  ///< sorted
     std::vector<BlockMotion> motions;        ///< evidence, one per free block, in the order of the blocks
+    double failing_volume = 0;               ///< of the moving blocks [m^3]
+    double failing_mass = 0;                 ///< [kg]
     /// fall whatever the strength: taken out before the search; sorted
     std::vector<std::string> fallen_at_start;
-    /// failed below the answer and had too little mass to be it (AnalysisSettings::least_mass_share), in that order, each with
-    /// what did not stand without it
+    /// failed below the answer with too little mass to be it (AnalysisSettings::least_mass_share), in that order
     std::vector<BlockGroup> let_go{};
-    /// low and high answers of other ways to the same load, where they differ; valid when found
-    std::optional<std::pair<double, double>> range;
-    std::string range_reason;  ///< why there is a range, or none
+    /// The lowest and the highest answer found, and how each was found; valid when found.
+    std::optional<std::pair<double, double>> answer_interval{};
+    std::pair<std::string, std::string> answer_interval_reasons{};
+    Ceiling upper_bound{};            ///< for joints that open as they slide, in the shape as built
+    double failure_displacement = 0;  ///< from which on a failure counts [share of the median block size]
+    /// The answers by other failure displacements where they differ from the answer by more than the tolerance; ascending.
+    std::vector<DisplacementAnswer> answers_by_displacement{};
+    std::vector<PathPoint> path{};  ///< load against displacement, from the start of the search
     /// Share of the area of joints whose cohesion goes at the first slip that has lost it in the failure, 0..1.
     double lost_cohesion = 0;
-    /// The answer were that cohesion kept to the end, as limit equilibrium has it: of models as small as those of `range`, where
-    /// some is lost and that is found within four times the work
+    /// The answer if that cohesion were kept, as in limit equilibrium; where some is lost.
     std::optional<double> kept_cohesion{};
     std::vector<BlockGroup> groups;  ///< of `safetyFactor`: who goes at which factor; the first is the answer
     bool groups_undecided = false;   ///< the search for the next group ended so
-    std::vector<Supports> supports;  ///< as the failure is let go, or at the last load that stands
-    double continuation_seconds = 0;  ///< simulated time of the continuation with true inertia [s]
-    bool confirmed = false;           ///< the continuation bore the failure out
-    std::vector<Probe> probes;
-    std::int64_t steps = 0;
-    std::int64_t factors = 0;  ///< factorisations of the implicit solve
+    std::vector<Supports> supports;  ///< as the assembly leaves its place, or at the last load that stands
+    std::vector<Probe> probes;       ///< the path, step by step
+    std::int64_t steps = 0;          ///< along paths
+    std::int64_t factors = 0;        ///< factorisations
     double wall_seconds = 0;
     TimeSpent time{};              ///< of that
     std::uint64_t state_hash = 0;  ///< over the state at the end of the last step computed
-    bool inertia_scaled = false;
-    double damping_local = 0;  ///< what the quasi-static part used
-    double time_step = 0;      ///< true-inertia step of the continuation [s]
     std::size_t blocks = 0, interfaces = 0, contact_points = 0;
     std::vector<std::string> warnings;
-    std::shared_ptr<const FailingState> failing;  ///< of a confirmed failure, when `Control` asks for it
-};
-
-/// Knobs of the quasi-static machinery; the answers do not depend on them by more than the bracket.
-struct QuasiStatic {
-    double local_damping = 0.3;  ///< Cundall; takes out what chatters
-    double drag_ratio = 0.5;  ///< drag on translation and rotation, over the critical one of the slowest mode
-    double step_safety = 0.6;    ///< share of the stability bound
-    double ramp_periods = 2.0;   ///< slowest periods over which a load is changed
-    double watch_periods = 1.5;  ///< slowest periods in a window in which a plateau is looked for
-    std::int64_t max_steps_per_probe = 2'000'000;
+    std::shared_ptr<const FailingState> failing;  ///< when `Control` asks for it
 };
 
 /// The tilt at which the assembly first fails. Loading order: gravity at the start tilt, water, tilt.
 Result<SearchResult> criticalAngle(const Model& model, const Control& control = {},
-                                   const QuasiStatic& settings = {});
+                                   const SearchRules& rules = {});
 
 /// Strength reduction (tan phi and C, peak and residual, over F) at the model's own tilt.
 Result<SearchResult> safetyFactor(const Model& model, const Control& control = {},
-                                  const QuasiStatic& settings = {});
+                                  const SearchRules& rules = {});
 
 /// The horizontal seismic coefficient, from the model's own upwards, at which the assembly first fails at its own tilt.
 Result<SearchResult> criticalAcceleration(const Model& model, const Control& control = {},
-                                          const QuasiStatic& settings = {});
+                                          const SearchRules& rules = {});
 
 /// The model as if these blocks had been removed before the start: what joined or wetted only them goes with them.
 Model withoutBlocks(const Model& model, const std::vector<std::string>& names);

@@ -58,18 +58,12 @@ struct LimitResult {
 Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control& control = {},
                                   const LimitSettings& settings = {});
 
-/// What a search's answer cannot be above: a tilt [rad] or a factor of safety.
-struct Ceiling {
-    std::optional<double> value;
-    std::string reason;  ///< why there is none
-};
-
 /// Up to how many contact points a ceiling is computed without being asked for: it then takes less than a second, and
 /// a small share of the search. A programme in space takes ten times as long as one of a plane section.
 inline constexpr std::size_t kCeilingPoints = 300;
 inline constexpr std::size_t kCeilingPointsInSection = 2000;
 
-/// The upper end of limit analysis. \param always whatever the model's size
+/// The upper bound of limit analysis, without value where it is not made. \param always whatever the model's size
 Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const Control& control = {},
                              const LimitSettings& settings = {});
 

@@ -195,6 +195,8 @@ struct AnalysisSettings {
     double acceleration_tolerance = 1e-4;      ///< width of the bracket of a seismic coefficient
     /// of the free blocks' mass: what fails and has less is let go, and the search goes on with the rest; 0: is the answer
     double least_mass_share = 0;
+    /// Neighbours that part by more have failed: share of the median block size.
+    double failure_displacement = 3e-4;
     bool reduce_tensile_strength = false;  ///< all joints are Joint::tension_reduced
     bool time_scaling = true;              ///< inertia scaling in quasi-static work
 };

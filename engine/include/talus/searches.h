@@ -1,6 +1,6 @@
 #pragma once
 // The searches for the load at which an assembly fails, each described once. Commands, sweeps, batches, kept runs and
-// inspection read this list and know no search by name: a new one is an entry in engine/src/analysis/searches.cpp, and a
+// inspection read this list and know no search by name: a new one is an entry in engine/src/search/searches.cpp, and a
 // file for how it is made.
 
 #include <atomic>
@@ -32,7 +32,7 @@ struct ScenarioNumber {
 };
 
 /// What an analysis varies, described once: how it is called, told, put on a model and written into a scenario. An entry of
-/// engine/src/analysis/searches.cpp.
+/// engine/src/search/searches.cpp.
 struct VariedQuantity {
     Varied varied;
     const char* name;    ///< on the command line: "tilt"
@@ -66,7 +66,7 @@ struct LoadSearch {
     double lowest, highest;           ///< loads between which a threshold may be asked for, in the unit
     std::optional<double> threshold;  ///< that is asked for unless a sweep names others, in the unit
     bool follows_groups;              ///< finds who goes next, too (Control::groups)
-    Result<SearchResult> (*find)(const Model& model, const Control& control, const QuasiStatic& settings);
+    Result<SearchResult> (*find)(const Model& model, const Control& control, const SearchRules& rules);
     /// Nothing where no formula applies, or where it is stopped: of 100,000 blocks it takes many seconds.
     std::optional<TheoryFigure> (*theory)(const Model& model, const std::atomic<bool>* stop);
 

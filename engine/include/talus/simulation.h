@@ -90,13 +90,13 @@ struct RunOutput {
 Result<RunResult> run(const Model& model, const Control& control, const RunOutput& output,
                       const FullFrame* resume = nullptr);
 
-/// Time history of a failure that a search has found: from the state in which it was let go, at rest at time 0, to
-/// `run.duration`, or to the first frame at which some block has gone `far_enough` [m]. Poses, contacts, strengths
-/// and the shares of weight and water are the state's; tilt and damping are the model's, so they should be those it
-/// fails at. Inertia is the true one. Frames as of `run`; any full one resumes to the same bits there. Errors: as of
-/// `run`.
+/// Time history of a failure that a search has found: from the state in which it has left its place, at rest at time 0,
+/// to `run.duration`, or to the first frame at which some block is displaced by `far_enough` [m]. Poses, contacts,
+/// strengths and the shares of weight and water are the state's; tilt and damping are the model's, so they should be
+/// those it fails at. Inertia is the true one, but for small blocks that would set the time step
+/// (`FailingState::frequency`). Frames as of `run`; any full one resumes to the same bits there. Errors: as of `run`.
 Result<RunResult> runFailing(const Model& model, const Control& control, const RunOutput& output,
-                             const FullFrame& failing, double far_enough);
+                             const FailingState& failing, double far_enough);
 
 /// `run` for a history alone: `record` is called at the start, at every frame interval and at the end.
 template <class Record>

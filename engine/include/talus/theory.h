@@ -31,10 +31,14 @@ double criticalTiltToppling(double length, double height, double density, double
 
 /// What the formulas say of a model, when they apply to it.
 struct Prediction {
-    double critical_tilt = 0;     ///< [rad]
-    bool topples = false;         ///< else slides
-    std::string formula;          ///< which, with its numbers, for people
-    std::string applies_because;  ///< the assumptions met
+    double critical_tilt = 0;           ///< [rad]
+    bool topples = false;               ///< else slides
+    std::string formula;                ///< which, with its numbers, for people
+    std::string applies_because;        ///< the assumptions met
+    std::vector<std::string> blocks{};  ///< that move, sorted
+
+    /// The formula's name.
+    const char* kind() const { return topples ? "overturning about the toe" : "sliding on a plane"; }
 };
 
 /// The lowest limit-equilibrium tilt of a model the formulas apply to, else nothing: one stack in "stack" bond with

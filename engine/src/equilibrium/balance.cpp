@@ -317,10 +317,10 @@ void move(const Balance& balance, const Vec6s& by, double share, Poses& poses) {
 }
 
 void sumForces(const State& state, Balance& balance, const Poses& poses, double rounding, bool stiffness,
-               Vec6s& force) {
+               Vec6s& force, bool contacts) {
     force.assign(balance.block.size(), Vec6::Zero());
     if (stiffness) balance.matrix.setZero();
-    addContacts(state, balance, poses, rounding, stiffness, force);
+    if (contacts) addContacts(state, balance, poses, rounding, stiffness, force);
     for (std::size_t r = 0; r < force.size(); ++r) force[r].tail<3>() /= balance.radius[r];
     addTies(state, balance, poses, stiffness, force);
     addLoad(bodyAcceleration(state), balance, state, poses, stiffness, force);

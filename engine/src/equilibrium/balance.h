@@ -69,8 +69,9 @@ void move(const Balance& balance, const Vec6s& by, double share, Poses& poses);
 /// Sum of weight, water and contacts on each row's block; with `stiffness`, minus its derivative into balance.matrix. What
 /// contact points remember is that of the state.
 /// \param rounding see normalResponse [N]
+/// \param contacts  whether those of contacts count: not where only differences between loads matter
 void sumForces(const State& state, Balance& balance, const Poses& poses, double rounding, bool stiffness,
-               Vec6s& force);
+               Vec6s& force, bool contacts = true);
 
 /// Largest change of slide or gap on an interface's patch between two sets of poses [m].
 double relativeMotion(const State& state, const ActiveInterface& interface, const Poses& from,

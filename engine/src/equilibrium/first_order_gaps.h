@@ -1,10 +1,11 @@
 #pragma once
-// Gaps at faces as they are in statics of the first order: what blocks close of a joint by turning together counts not.
+// Gaps at faces by statics of the first order: how far blocks close a joint by turning together does not count.
 //
-// Two columns that overturn side by side turn by the same angle t about toes that lie a width w apart. Exactly, that presses the
-// joint between them by w (1 - cos t), and friction on what it presses stops them after some microns: columns of one width stand jammed
-// at tilts far beyond that at which each of them overturns. No column that is cut is as exact as that, and to get there is to have
-// begun to topple. So a rest has to be one without that part of the gaps, too (analysis/probing.cpp).
+// Two columns that overturn side by side turn by the same angle t about toes that lie a width w apart. Exactly,
+// that presses the joint between them by w (1 - cos t), and friction on what it presses stops them after some
+// microns: columns of equal width would stand jammed at tilts far beyond the one at which each of them overturns.
+// No column is cut so exactly, and to get there it has already begun to topple. So an equilibrium counts only
+// without that part of the gaps.
 
 #include <vector>
 
@@ -12,34 +13,50 @@
 
 namespace talus::equilibrium {
 
-/// By what way blocks close or open the joints between them to first order. Ways, arms and normals are those from the model as it was
-/// built, for pairs that had hardly turned or slid when the assembly last stood, else from where it stood then. Of what has turned much since the gaps
-/// stay exact.
+/// How far each interface's exact gap differs from that of first order, kept out of it by way of its reference gap.
+/// Displacements, arms and normals are those since the model was built, for pairs that had hardly turned or slid when
+/// this was made; else those since then. Gaps of blocks that turn far from then on stay exact.
 class FirstOrderGaps {
  public:
-    /// \param stood  where the assembly last stood  \param state  the interfaces and their reference gaps
-    FirstOrderGaps(const State& stood, const State& state);
+    /// \pre  reference gaps are exact: nothing is set
+    explicit FirstOrderGaps(const State& state);
 
-    /// Sets the reference gaps so that the gaps are those of first order in the ways to where the blocks are now.
-    /// \pre the interfaces are those it was made with. Writes: reference gaps
-    void set(State& state) const;
+    /// Makes the gaps those of first order in the displacements to some poses.
+    /// \pre  the interfaces are those it was made with. Writes: reference gaps
+    void set(State& state, const PositionArray& position, const QuaternionArray& orientation);
 
-    /// The largest force by which an interface's exact gap differs from that of first order, over the weight of the lighter free
-    /// block of the two.
-    double share(const State& state) const;
+    /// Makes the gaps exact again, as a search for contacts needs them. Writes: reference gaps
+    void remove(State& state) const;
 
  private:
-    /// Exact gap less that of first order: at the interface's origin, and its slopes [m, -, -].
-    Vec3 secondOrder(const State& state, std::size_t interface) const;
-
+    /// A block's displacement and turn, from one of the poses below.
+    struct Motion {
+        Vec3 shift, turn;
+    };
     struct Places {
         PositionArray position;
         QuaternionArray orientation;
+        std::vector<Motion> motion{};  ///< by block
     };
-    Places stood_, built_;
-    std::vector<bool> turned_since_;  ///< by block, since the assembly stood
-    std::vector<bool> is_as_built_;   ///< by interface: where the assembly stood
-    std::vector<Vec3> reference_;     ///< gaps, of the interfaces
+    /// An interface as it lies in one of them.
+    struct Pair {
+        std::size_t interface = 0, block_a = 0, block_b = 0;
+        bool is_as_built = false;
+        Vec3 reference = Vec3::Zero();  ///< exact
+        Vec3 gap = Vec3::Zero();        ///< with that
+        Vec3 arm_a = Vec3::Zero();      ///< from a's centroid to the origin
+        Vec3 arm_b = Vec3::Zero();      ///< from b's centroid to its material point over the origin
+        Vec3 apart = Vec3::Zero();      ///< from the one to the other
+        Vec3 along_1 = Vec3::Zero(), along_2 = Vec3::Zero();  ///< b's directions that were e1 and e2
+        Vec3 normal = Vec3::Zero();
+    };
+
+    Pair pairOf(const State& state, std::size_t interface, bool is_as_built) const;
+    /// Exact gap less that of first order: at the interface's origin, and its slopes [m, -, -].
+    static Vec3 secondOrder(const Pair& pair, const Vec3& exact, const Motion& a, const Motion& b);
+
+    Places made_, built_;
+    std::vector<Pair> pairs_;
 };
 
 }  // namespace talus::equilibrium

@@ -81,10 +81,13 @@ void IterativeSolver::combine(std::size_t count, Vec6s& x) const {
     for (std::size_t k = 0; k < count; ++k) numbers(x) += share[k] * numbers(basis_[k]);
 }
 
+bool IterativeSolver::factorise(const BlockMatrix& matrix) {
+    return rows_ == 0 || factors_.factorise(matrix);
+}
+
 bool IterativeSolver::solve(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x,
-                            std::size_t most_iterations) {
+                            double accuracy, std::size_t most_iterations) {
     if (rows_ == 0) return true;
-    if (!factors_.factorise(matrix)) return false;
     basis_.resize(most_iterations + 1);
     columns_.resize(most_iterations);
     cosine_.resize(most_iterations);
@@ -102,7 +105,7 @@ bool IterativeSolver::solve(const BlockMatrix& matrix, const std::vector<double>
         apply(matrix, weight, basis_[k], basis_[k + 1]);
         orthogonalise(k);
         if (!std::isfinite(residual_[k + 1]) || columns_[k][k] == 0) return false;
-        if (std::abs(residual_[k + 1]) > kAccuracy * length) continue;
+        if (std::abs(residual_[k + 1]) > accuracy * length) continue;
         combine(k + 1, x);
         precondition(weight, x);
         return true;

@@ -20,11 +20,15 @@ class IterativeSolver {
     IterativeSolver(const IterativeSolver&) = delete;
     IterativeSolver& operator=(const IterativeSolver&) = delete;
 
-    /// x = A^-1 x, but for a residual of kAccuracy of the right side, both over each row's weight.
-    /// \pre  a matrix of the same structure
+    /// Makes the incomplete factors of a matrix of the same structure.
+    /// \return false where a block on its diagonal is singular
+    bool factorise(const BlockMatrix& matrix);
+
+    /// x = A^-1 x, but for a residual of a share of the right side, both over each row's weight.
+    /// \pre  the matrix is the one last factorised
     /// \return false, and x as it was, when that takes more than most_iterations
     bool solve(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x,
-               std::size_t most_iterations = kMostIterations);
+               double accuracy = kAccuracy, std::size_t most_iterations = kMostIterations);
 
     /// What Newton's steps need: a smaller residual than that the next one sees to.
     static constexpr double kAccuracy = 1e-2;

@@ -1,5 +1,7 @@
 #include "equilibrium/linear_solver.h"
 
+#include <cassert>
+
 namespace talus::equilibrium {
 namespace {
 
@@ -25,23 +27,34 @@ LinearSolver::LinearSolver(const BlockMatrix& structure, simd::InstructionSet in
     iterative_.emplace(structure, instructions);
 }
 
-/// \return whether that has solved it; else complete factors are due, where they are not too large
-bool LinearSolver::iterate(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x) {
-    const bool is_too_large = direct_ && direct_->isTooLarge();
-    if (!is_too_large && iterative_->solve(matrix, weight, x)) return true;
+bool LinearSolver::factoriseDirectly() {
     if (!direct_)
-        direct_.emplace(matrix, instructions_, stop_, products(matrix, kMostOfDirect * kIterations));
-    return direct_->isTooLarge() && iterative_->solve(matrix, weight, x, kMostIterations);
+        direct_.emplace(*matrix_, instructions_, stop_, products(*matrix_, kMostOfDirect * kIterations));
+    is_direct_ = !direct_->isTooLarge() && direct_->factorise(*matrix_);
+    return is_direct_;
 }
 
-bool LinearSolver::solve(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x) {
-    if (iterative_ && direct_next_ == 0) {
-        if (iterate(matrix, weight, x)) return true;
-        if (direct_->isTooLarge()) return false;
+bool LinearSolver::factorise(const BlockMatrix& matrix, const std::vector<double>& weight) {
+    matrix_ = &matrix;
+    weight_ = &weight;
+    if (!iterative_) return factoriseDirectly();
+    is_direct_ = false;
+    if (direct_next_ > 0) {
+        --direct_next_;
+        if (factoriseDirectly()) return true;
+    }
+    return iterative_->factorise(matrix) || factoriseDirectly();
+}
+
+bool LinearSolver::solve(Vec6s& x, double accuracy) {
+    assert(matrix_ != nullptr && x.size() == matrix_->rows());
+    if (!is_direct_) {
+        if (iterative_->solve(*matrix_, *weight_, x, accuracy)) return true;
+        const bool may_be_direct = !direct_ || !direct_->isTooLarge();
+        if (!may_be_direct || !factoriseDirectly())
+            return iterative_->solve(*matrix_, *weight_, x, accuracy, kMostIterations);
         direct_next_ = kDirectAfterFailure;
     }
-    if (direct_next_ > 0) --direct_next_;
-    if (!direct_->factorise(matrix)) return false;
     direct_->solve(x);
     return true;
 }

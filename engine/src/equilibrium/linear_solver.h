@@ -2,6 +2,7 @@
 // The linear systems of Newton's method: factors of few blocks, iterations for many.
 
 #include <atomic>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -10,30 +11,36 @@
 
 namespace talus::equilibrium {
 
-/// Solves systems of one structure. Where complete factors would take far longer than some iterations, these are tried first; the
-/// few systems that they do not come to the end of have complete factors, and so have the next ones; or more iterations, where
-/// complete factors would take minutes.
+/// Solves systems of one structure, several right sides with each matrix. Where complete factors would take far longer
+/// than some iterations, iterations are tried first. The few matrices for which they do not converge have complete
+/// factors, and so have the next ones; or more iterations, where complete factors would take minutes.
 class LinearSolver {
  public:
     /// \param stop  ends the work early: then nothing is solved
     LinearSolver(const BlockMatrix& structure, simd::InstructionSet instructions,
                  const std::atomic<bool>* stop);
 
-    /// x = A^-1 x, exactly or to IterativeSolver::kAccuracy.
-    /// \param matrix  of that structure
+    /// Takes a matrix of that structure. It must live until the next one is taken.
     /// \param weight  of each row, by which residuals are compared
-    /// \return false when a diagonal block is singular, when iterations do not come to an end, or when asked to stop
-    bool solve(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x);
+    /// \return false when a diagonal block is singular, or when asked to stop
+    bool factorise(const BlockMatrix& matrix, const std::vector<double>& weight);
+
+    /// x = A^-1 x, exactly or, by iterations, to an accuracy.
+    /// \pre  factorise() was true
+    /// \return false when iterations do not converge, or when asked to stop
+    bool solve(Vec6s& x, double accuracy = IterativeSolver::kAccuracy);
 
  private:
-    bool iterate(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x);
+    bool factoriseDirectly();
 
     simd::InstructionSet instructions_;
     const std::atomic<bool>* stop_;
-    std::optional<BlockLu>
-        direct_{};  ///< where there are iterations, from the first system that they fail at
+    const BlockMatrix* matrix_ = nullptr;
+    const std::vector<double>* weight_ = nullptr;
+    std::optional<BlockLu> direct_{};  ///< beside iterations from the first matrix on for which they failed
     std::optional<IterativeSolver> iterative_{};
-    int direct_next_ = 0;  ///< so many systems have complete factors
+    bool is_direct_ = true;  ///< of the matrix taken last
+    int direct_next_ = 0;    ///< so many matrices have complete factors
 };
 
 }  // namespace talus::equilibrium

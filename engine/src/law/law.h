@@ -316,7 +316,4 @@ inline bool holdsUnloaded(const JointLaw& joint) {
     return line.cohesion > 0 || line.tensile_strength > 0;
 }
 
-/// What both tension and shear without normal force have to overcome before an intact joint gives [Pa].
-inline double bondStrength(const JointLaw& joint) { return std::min(joint.cohesion, joint.tensile_strength); }
-
 }  // namespace talus::contact

@@ -5,15 +5,16 @@
 #include <cmath>
 #include <cstdio>
 
-#include "analysis/plausible.h"
-#include "analysis/threads.h"
 #include "build/build.h"
+#include "checks/plausible.h"
 #include "forces/sum.h"
 #include "law/joint_laws.h"
 #include "limit_analysis/assemble.h"
+#include "limit_analysis/ceiling.h"
 #include "limit_analysis/solver.h"
 #include "model/gravity.h"
 #include "state/caller.h"
+#include "state/threads.h"
 #include "talus/searches.h"
 
 namespace talus {
@@ -359,7 +360,7 @@ LimitResult analyse(State& state, const Assembly& assembly, Varied load, const C
 template <class T, class Body>
 Result<T> withAssembly(const Model& model, const Control& control, const LimitSettings& settings,
                        const T& interrupted, const Body& body) {
-    return analysis::inArena(control.threads, [&]() -> Result<T> {
+    return inArena(control.threads, [&]() -> Result<T> {
         Result<State> built = buildState(keptByCaller(model), control.threads != 1, control);
         if (isStopped(control)) return interrupted;
         if (!built) return built.errors();
@@ -376,7 +377,7 @@ std::string tooManyPoints(std::size_t points, std::size_t most, bool section) {
 
 constexpr const char* kInterrupted = "limit analysis was interrupted";
 
-Ceiling ceilingOf(const LimitResult& result) {
+Ceiling upperEnd(const LimitResult& result) {
     if (std::isfinite(result.upper)) return {result.upper, ""};
     if (result.status == SearchStatus::stable_to_stop)
         return {std::nullopt, "by limit analysis the assembly stands to the end of the search"};
@@ -394,8 +395,8 @@ Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control
     return withAssembly<LimitResult>(
         model, control, settings, interrupted,
         [&](State& state, const Assembly& assembly) -> Result<LimitResult> {
-            std::vector<Error> errors = analysis::implausible(state);
-            if (auto falls = analysis::nothingHolds(model)) errors.push_back(std::move(*falls));
+            std::vector<Error> errors = checks::implausible(state);
+            if (auto falls = checks::nothingHolds(model)) errors.push_back(std::move(*falls));
             if (!errors.empty()) return errors;
             if (assembly.points.size() > settings.max_contact_points)
                 return tooLarge(assembly.points.size(), settings.max_contact_points);
@@ -407,20 +408,29 @@ Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control
         });
 }
 
+namespace limit {
+
+Ceiling ceilingOf(State& state, Varied load, bool always, const Control& control,
+                  const LimitSettings& settings) {
+    state.load.gravity_share = state.load.water_share = 1;
+    const Assembly assembly = assemble(state, settings.left_out);
+    if (const std::string why = whyNot(state, assembly); !why.empty()) return {std::nullopt, why};
+    const std::size_t most = assembly.plane_section ? kCeilingPointsInSection : kCeilingPoints;
+    if (!always && assembly.points.size() > most)
+        return {std::nullopt, tooManyPoints(assembly.points.size(), most, assembly.plane_section)};
+    return upperEnd(analyse(state, assembly, load, control, settings));
+}
+
+}  // namespace limit
+
 Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const Control& control,
                              const LimitSettings& settings) {
-    return withAssembly<Ceiling>(
-        model, control, settings, Ceiling{std::nullopt, kInterrupted},
-        [&](State& state, const Assembly& assembly) -> Result<Ceiling> {
-            if (const std::string why = whyNot(state, assembly); !why.empty())
-                return Ceiling{std::nullopt, why};
-            const std::size_t most = assembly.plane_section ? kCeilingPointsInSection : kCeilingPoints;
-            if (!always && assembly.points.size() > most) {
-                return Ceiling{std::nullopt,
-                               tooManyPoints(assembly.points.size(), most, assembly.plane_section)};
-            }
-            return ceilingOf(analyse(state, assembly, load, control, settings));
-        });
+    return inArena(control.threads, [&]() -> Result<Ceiling> {
+        Result<State> built = buildState(keptByCaller(model), control.threads != 1, control);
+        if (isStopped(control)) return Ceiling{std::nullopt, kInterrupted};
+        if (!built) return built.errors();
+        return limit::ceilingOf(*built, load, always, control, settings);
+    });
 }
 
 bool isAbove(double stands, const Ceiling& ceiling, Varied load) {

@@ -157,4 +157,8 @@ double stableTimeStep(double omega_squared, double contact_damping) {
     return 2.0 / omega * (std::sqrt(1.0 + xi * xi) - xi);
 }
 
+double frequencyOfStep(double time_step, double contact_damping) {
+    return 4.0 / (time_step * (time_step + 2.0 * contact_damping));
+}
+
 }  // namespace talus

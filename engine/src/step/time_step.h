@@ -25,5 +25,7 @@ double medianBound(std::vector<double> bounds);
 /// Time step for a bound of omega^2 and contact damping c_k = contact * k: central differences with damping taken half
 /// a step late are stable for dt <= 2/omega (sqrt(1 + xi^2) - xi), xi = contact omega / 2 (Belytschko 1983).
 double stableTimeStep(double omega_squared, double contact_damping);
+/// Its inverse: the bound of omega^2 that a time step is stable for.
+double frequencyOfStep(double time_step, double contact_damping);
 
 }  // namespace talus

@@ -1,5 +1,6 @@
 // The prediction for a whole model: its weakest mechanism, if the model can stand up to it.
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -68,6 +69,15 @@ std::string formula(const Section& section, const Mechanism& mechanism) {
                               : slidingFormula(mass, *bed.columns[mechanism.first_column]));
 }
 
+std::vector<std::string> blocksOf(const Model& model, const Section& section, const Mechanism& mechanism) {
+    std::vector<std::string> names;
+    for (std::size_t column = mechanism.first_column; column <= mechanism.last_column; ++column)
+        for (const std::int32_t block : section.beds[mechanism.bed].columns[column]->blocks)
+            names.push_back(model.blocks[static_cast<std::size_t>(block)].name);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 std::string reasons(const Section& section) {
     const bool single = section.beds.size() == 1 && section.beds.front().columns.size() == 1;
     const std::string strength = "strength without a peak, no tension, water at its depth at the start";
@@ -91,7 +101,8 @@ std::optional<Prediction> predict(const Model& model) {
     // Water may push the other way: a slope that moves uphill when the search starts has no tilt to speak of.
     const double start = model.analysis.start.value_or(model.gravity.tilt);
     if (!canStand(mirrored(*section), -start)) return std::nullopt;
-    return Prediction{weakest.tilt, weakest.topples, formula(*section, weakest), reasons(*section)};
+    return Prediction{weakest.tilt, weakest.topples, formula(*section, weakest), reasons(*section),
+                      blocksOf(model, *section, weakest)};
 }
 
 }  // namespace talus::theory

@@ -2,6 +2,7 @@
 // The two-dimensional section of a model that the closed formulas speak of: columns side by side above each bed.
 // A model that is not of this kind has no section, and then no prediction: nothing rather than a guess.
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -12,18 +13,19 @@ namespace talus::theory {
 
 /// What one column carries above one bed, for the full width of the model. "Front" is the side towards -x.
 struct Body {
-    double length = 0;          ///< along x [m]
-    double height = 0;          ///< above the bed [m]
-    double weight = 0;          ///< [N]
-    double weight_moment = 0;   ///< weight times height of the centroid above the bed [N m]
-    double tan_friction = 0;    ///< of the bed
-    double cohesion_force = 0;  ///< C times base area [N]
-    double back_thrust = 0;     ///< water on the back face, per cos(tilt) [N]
-    double back_moment = 0;     ///< of it about the bed's level [N m]
-    double front_thrust = 0;    ///< water on the front face, per cos(tilt) [N]
-    double front_moment = 0;    ///< of it about the bed's level [N m]
-    double uplift = 0;          ///< water under the base, per cos(tilt) [N]
-    double uplift_front = 0;    ///< its moment about the front edge [N m]
+    double length = 0;                   ///< along x [m]
+    double height = 0;                   ///< above the bed [m]
+    double weight = 0;                   ///< [N]
+    double weight_moment = 0;            ///< weight times height of the centroid above the bed [N m]
+    double tan_friction = 0;             ///< of the bed
+    double cohesion_force = 0;           ///< C times base area [N]
+    double back_thrust = 0;              ///< water on the back face, per cos(tilt) [N]
+    double back_moment = 0;              ///< of it about the bed's level [N m]
+    double front_thrust = 0;             ///< water on the front face, per cos(tilt) [N]
+    double front_moment = 0;             ///< of it about the bed's level [N m]
+    double uplift = 0;                   ///< water under the base, per cos(tilt) [N]
+    double uplift_front = 0;             ///< its moment about the front edge [N m]
+    std::vector<std::int32_t> blocks{};  ///< of the model
 };
 
 /// All columns above one bed level; a column that ends below it is empty.

@@ -100,6 +100,7 @@ std::optional<Section> singleSection(const Model& model) {
     const Joint& joint = jointBetween(model, JointChoice(model), *base, *bed);
     if (!isPlainCoulomb(joint)) return std::nullopt;
     Body body = bodyOf(model.blocks[free], *box, joint, model.gravity.magnitude);
+    body.blocks = {free};
     if (!addWater(model, *box, body)) return std::nullopt;
     return Section{{Bed{1, box->min.z(), {body}}}};
 }

@@ -122,6 +122,7 @@ std::optional<Body> sliceBody(const Stack& stack, int column, int first_row, int
         body.weight += weight;
         body.weight_moment += weight * (row - first_row + 0.5) * size.z();
         body.height += size.z();
+        body.blocks.push_back(block);
         for (const WallWater& wall : stack.water[block]) {
             (wall.on_back ? body.back_thrust : body.front_thrust) += wall.thrust();
             (wall.on_back ? body.back_moment : body.front_moment) += wall.momentAbout(bed_z);
@@ -165,6 +166,8 @@ bool columnBody(const Stack& stack, int column, int row, std::optional<Body>& re
             result = body;
         } else if (body.has_value() != result.has_value() || (body && !alike(*body, *result))) {
             return false;
+        } else if (body) {
+            result->blocks.insert(result->blocks.end(), body->blocks.begin(), body->blocks.end());
         }
     }
     if (result) scale(*result, stack.shape.slices);

@@ -35,7 +35,6 @@ class Editor {
 
     void apply(const FailingLoad& load) {
         setVaried(load);
-        if (load.stiffness != 1) stiffen(load.stiffness);
         set({"run", "duration_s"}, load.duration);
         set({"run", "frame_interval_s"}, load.frame_interval);
         document_.erase({"run", "time_step_s"});
@@ -95,19 +94,6 @@ class Editor {
             divide(table, path, propertyOf(&Joint::friction), StrengthLaw::coulomb, "bed_friction_deg",
                    factor);
         });
-    }
-
-    void stiffen(double factor) {
-        const auto stiffen_in = [&](const Node& table, const Path& path) {
-            for (const auto property : {&Joint::normal_stiffness, &Joint::shear_stiffness}) {
-                change(table, path, std::string(propertyOf(property).key),
-                       [&](double value) { return factor * value; });
-            }
-        };
-        const Node root = document_.root();
-        if (const auto joints = root.find("joint"))
-            for (const Entry& joint : joints->entries()) stiffen_in(joint.value, {"joint", joint.key});
-        eachTable(root, "interface", stiffen_in);
     }
 
     /// What is not given and not zero either is written out.
@@ -201,7 +187,6 @@ std::string asComments(const std::string& text) {
 
 Model failingModel(Model model, const FailingLoad& load) {
     putUnderLoad(model, load.varied, load.value);
-    for (Joint& joint : model.joints) joint = stiffened(std::move(joint), load.stiffness);
     model.run.duration = load.duration;
     model.run.frame_interval = load.frame_interval;
     model.run.time_step.reset();

@@ -18,6 +18,8 @@ constexpr Interval kToleranceDeg{1e-9, 45, false, false};
 constexpr Interval kFactorTolerance{1e-9, 1, false, false};
 constexpr Interval kAccelerationTolerance{1e-9, 1, false, false};
 constexpr Interval kMassShare{0, 1, false, true};
+constexpr double kLeastMassOfRock = 0.01;
+constexpr Interval kFailureDisplacement{1e-6, 0.1};
 
 void readDirection(TableReader& table, Gravity& gravity) {
     if (table.has("direction") && table.has("tilt_deg"))
@@ -54,7 +56,9 @@ void readAnalysis(TableReader& root, Model& model, double tilt_deg) {
     settings.stop = defaultStopDeg(tilt_deg) * kRadPerDeg;
     auto table = root.table(
         "analysis", {"start_deg", "stop_deg", "tolerance_deg", "factor_tolerance", "acceleration_tolerance",
-                     "least_mass_share", "time_scaling", "reduce_tensile_strength"});
+                     "least_mass_share", "failure_displacement", "time_scaling", "reduce_tensile_strength"});
+    // Of a mass of many blocks the first to go is mostly a small one, and nobody asks about that.
+    if (root.has("rock_mass")) settings.least_mass_share = kLeastMassOfRock;
     if (!table) return;
     const auto start_deg = table->number("start_deg", kTiltDeg);
     const auto stop_deg = table->number("stop_deg", kTiltDeg);
@@ -71,6 +75,8 @@ void readAnalysis(TableReader& root, Model& model, double tilt_deg) {
                                           .value_or(settings.acceleration_tolerance);
     settings.least_mass_share =
         table->number("least_mass_share", kMassShare).value_or(settings.least_mass_share);
+    settings.failure_displacement =
+        table->number("failure_displacement", kFailureDisplacement).value_or(settings.failure_displacement);
     settings.reduce_tensile_strength =
         table->boolean("reduce_tensile_strength").value_or(settings.reduce_tensile_strength);
     settings.time_scaling = table->boolean("time_scaling").value_or(settings.time_scaling);

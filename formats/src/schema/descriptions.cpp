@@ -17,8 +17,12 @@ constexpr Description kScenario[] = {
     {"analysis.factor_tolerance", "safety-factor: width of the bracket; default 0.001"},
     {"analysis.acceleration_tolerance", "critical-acceleration: width of the bracket; default 0.0001"},
     {"analysis.least_mass_share",
-     "searches: what fails and has less than this share of the free blocks' mass (without loose ones) is let "
-     "go and named, and the search goes on with the rest; default 0: whatever fails is the answer"},
+     "searches: what fails and has less than this share of the free blocks' mass is taken out and named, and "
+     "the search goes on with the rest; default 0.01 with [rock_mass], else 0: whatever fails is the answer"},
+    {"analysis.failure_displacement",
+     "searches: neighbouring blocks that part by more before equilibrium is found again have failed; share "
+     "of "
+     "the median block size; default 0.0003"},
     {"analysis.reduce_tensile_strength",
      "the factor of safety divides tensile strengths, too; default false"},
     {"analysis.time_scaling",

@@ -272,6 +272,13 @@ fb::FailureT toMessage(const SnapshotFailure& failure) {
     m.mode = static_cast<std::uint8_t>(failure.mode);
     for (const FailureMode role : failure.roles) m.role.push_back(static_cast<std::uint8_t>(role));
     m.factor = failure.factors;
+    m.answer = failure.answer;
+    m.stands = failure.stands;
+    m.fails = failure.fails;
+    for (const PathPoint& point : failure.path) {
+        m.path_load.push_back(point.load);
+        m.path_displacement.push_back(point.displacement);
+    }
     return m;
 }
 
@@ -285,6 +292,12 @@ bool fromMessage(const fb::FailureT& m, SnapshotFailure& failure) {
     failure.mode = static_cast<FailureMode>(m.mode);
     for (const std::uint8_t role : m.role) failure.roles.push_back(static_cast<FailureMode>(role));
     failure.factors = m.factor;
+    failure.answer = m.answer;
+    failure.stands = m.stands;
+    failure.fails = m.fails;
+    if (m.path_load.size() != m.path_displacement.size()) return false;
+    for (std::size_t k = 0; k < m.path_load.size(); ++k)
+        failure.path.push_back({m.path_load[k], m.path_displacement[k]});
     return true;
 }
 

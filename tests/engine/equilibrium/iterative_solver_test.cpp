@@ -60,6 +60,12 @@ BlockMatrix hardMatrix() {
     return matrix;
 }
 
+bool solvedBy(simd::InstructionSet set, const BlockMatrix& matrix, const std::vector<double>& weight,
+              Vec6s& x) {
+    IterativeSolver solver(matrix, set);
+    return solver.factorise(matrix) && solver.solve(matrix, weight, x);
+}
+
 }  // namespace
 
 TEST_SUITE("equilibrium") {
@@ -77,6 +83,7 @@ TEST_SUITE("equilibrium") {
                      {std::vector<double>(rows, 1.0), unevenWeights(rows)}) {
                     const Vec6s right = forces(weight);
                     Vec6s x = right;
+                    REQUIRE(solver.factorise(matrix));
                     REQUIRE(solver.solve(matrix, weight, x));
                     CHECK(residualOf(matrix, weight, right, x) < 1.01 * kAccuracy);
                 }
@@ -89,6 +96,7 @@ TEST_SUITE("equilibrium") {
         const Vec6s right = forces(weight);
         Vec6s x = right;
         IterativeSolver solver(matrix);
+        REQUIRE(solver.factorise(matrix));
         REQUIRE(solver.solve(matrix, weight, x));
         CHECK(residualOf(matrix, weight, right, x) < 1e-12);
     }
@@ -99,11 +107,11 @@ TEST_SUITE("equilibrium") {
         const std::vector<double> weight = unevenWeights(90);
         const Vec6s right = forces(weight);
         Vec6s expected = right;
-        REQUIRE(IterativeSolver(matrix, InstructionSet::scalar).solve(matrix, weight, expected));
+        REQUIRE(solvedBy(InstructionSet::scalar, matrix, weight, expected));
         for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
             if (!simd::isAvailable(set)) continue;
             Vec6s x = right;
-            REQUIRE(IterativeSolver(matrix, set).solve(matrix, weight, x));
+            REQUIRE(solvedBy(set, matrix, weight, x));
             for (std::size_t r = 0; r < x.size(); ++r) CHECK((x[r].array() == expected[r].array()).all());
         }
     }
@@ -118,7 +126,7 @@ TEST_SUITE("equilibrium") {
             const std::vector<double> weight(matrix.rows(), 1.0);
             const Vec6s right = forces(weight);
             Vec6s x = right;
-            CHECK_FALSE(IterativeSolver(matrix).solve(matrix, weight, x));
+            CHECK_FALSE(solvedBy(simd::bestInstructionSet(), matrix, weight, x));
             for (std::size_t r = 0; r < x.size(); ++r) CHECK((x[r].array() == right[r].array()).all());
         }
     }
@@ -131,15 +139,19 @@ TEST_SUITE("equilibrium") {
             const std::vector<double> weight(300, 1.0);
             const Vec6s right = forces(weight);
             Vec6s x = right;
-            REQUIRE(LinearSolver(matrix, simd::bestInstructionSet(), nullptr).solve(matrix, weight, x));
+            LinearSolver solver(matrix, simd::bestInstructionSet(), nullptr);
+            REQUIRE(solver.factorise(matrix, weight));
+            REQUIRE(solver.solve(x));
             const double residual = residualOf(matrix, weight, right, x);
             CHECK(residual < 1.01 * kAccuracy);
             CHECK((residual < 1e-5) == is_hard);
         }
         const BlockMatrix chain = chainOf(300);
         Vec6s x(300, Vec6::Ones());
-        REQUIRE(LinearSolver(chain, simd::bestInstructionSet(), nullptr)
-                    .solve(chain, std::vector<double>(300, 1.0), x));
+        const std::vector<double> weight(300, 1.0);
+        LinearSolver solver(chain, simd::bestInstructionSet(), nullptr);
+        REQUIRE(solver.factorise(chain, weight));
+        REQUIRE(solver.solve(x));
         const Eigen::VectorXd exact =
             dense(chain).partialPivLu().solve(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(6 * 300)));
         CHECK((flat(x) - exact).norm() < 1e-9 * exact.norm());

@@ -118,6 +118,8 @@ TEST_SUITE("step") {
         State state = bonded(model);
         state.damping.contact = 5e-4;
         const double limit = stableTimeStep(frequencyBounds(state, false)[1], state.damping.contact);
+        CHECK(frequencyOfStep(limit, state.damping.contact) ==
+              doctest::Approx(frequencyBounds(state, false)[1]).epsilon(1e-12));
         const auto energyAfter = [&](double dt) {
             State moving = state;
             moving.blocks.velocity.set(1, {1e-4, 1e-4, -1e-4});

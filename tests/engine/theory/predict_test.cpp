@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "models.h"
@@ -44,6 +45,22 @@ TEST_CASE("the paper's slope: every watered fissure at three friction angles") {
             CHECK_FALSE(prediction->topples);
             CHECK_FALSE(prediction->formula.empty());
         }
+}
+
+TEST_CASE("a prediction names its formula and the blocks that move") {
+    StackOptions options;
+    Model model = stackModel(options);
+    addFissureWater(model, 2, 0.35);
+    const auto slides = predict(model);
+    REQUIRE(slides.has_value());
+    CHECK(slides->kind() == std::string("sliding on a plane"));
+    REQUIRE(slides->blocks.size() == static_cast<std::size_t>(2 * model.stack->rows * model.stack->slices));
+    CHECK(slides->blocks.front() == "c1r1s1");
+    CHECK(std::is_sorted(slides->blocks.begin(), slides->blocks.end()));
+    const auto topples = predict(paperSlope(30));
+    REQUIRE(topples.has_value());
+    CHECK(topples->kind() == std::string("overturning about the toe"));
+    CHECK(topples->blocks.size() == static_cast<std::size_t>(model.stack->rows * model.stack->slices));
 }
 
 TEST_CASE("twelve columns: further watered fissures behind the first change nothing") {

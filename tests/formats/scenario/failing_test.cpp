@@ -60,30 +60,6 @@ TEST_CASE("strengths are divided wherever the file gives them; joints keep their
     CHECK(after->model.gravity.tilt == before.model.gravity.tilt);
 }
 
-TEST_CASE("stiffness is multiplied wherever the file gives it, in the text as in the model") {
-    const Scenario before = readGood(
-        joint("default", "friction_deg = 30") + material() + stack() +
-        "[[interface]]\nbetween = [\"c1r1s1\", \"c2r1s1\"]\njoint = \"default\"\nnormal_stiffness = 4e9\n");
-    FailingLoad load;
-    load.value = 0.3;
-    load.frame_interval = 0.01;
-    load.stiffness = 1000;
-    const auto after = failingScenario(before, load, "");
-    REQUIRE(after.ok());
-    const auto read = parseScenario(after->text, "again.toml");
-    REQUIRE(read.ok());
-    REQUIRE(read->model.joints.size() == before.model.joints.size());
-    REQUIRE(before.model.joints.size() > 1);
-    for (std::size_t j = 0; j < before.model.joints.size(); ++j) {
-        for (const auto property : {&Joint::normal_stiffness, &Joint::shear_stiffness, &Joint::friction}) {
-            const double times = property == &Joint::friction ? 1 : 1000;
-            CHECK(after->model.joints[j].*property == before.model.joints[j].*property * times);
-            CHECK(read->model.joints[j].*property ==
-                  doctest::Approx(before.model.joints[j].*property * times).epsilon(1e-15));
-        }
-    }
-}
-
 TEST_CASE("the model is the search's to the bit; the text reads back as it but for the rounding of degrees") {
     const Scenario before = original();
     FailingLoad load;

@@ -80,6 +80,11 @@ TEST_CASE("a batch that tries other loading histories has the ranges of the sing
             REQUIRE(runTalus({"sample", batch.path, std::to_string(run), "-o", path}).exit_code == 0);
             const auto alone = runTalus({"critical-angle", path, "--json", "--quiet"}).json();
             CHECK(alone["range_reason"] == cellOf(results, run, "range_reason"));
+            for (const auto& [key, end] : {std::pair{"interval_low_deg", 0}, {"interval_high_deg", 1}})
+                CHECK(std::stod(cellOf(results, run, key)) ==
+                      alone["answer_interval"][static_cast<std::size_t>(end)].get<double>());
+            for (const char* key : {"failing_volume_m3", "failing_mass_kg"})
+                CHECK(std::stod(cellOf(results, run, key)) == alone[key].get<double>());
             const std::string low = cellOf(results, run, "range_low_deg");
             REQUIRE(low.empty() == alone["range"].is_null());
             CHECK(std::stod(cellOf(results, run, "moving_mass_share")) ==

@@ -1,9 +1,9 @@
-// talus limit-analysis, and the ceiling beside the answer of a search.
+// talus limit-analysis, and the upper bound beside the answer of a search.
 
 #include <doctest/doctest.h>
 
-#include "answers/ceiling.h"
 #include "cli/text.h"
+#include "support/wedged_columns.h"
 #include "tools/program.h"
 
 using namespace talus;
@@ -17,13 +17,6 @@ nlohmann::json limitOf(const std::string& path, const std::string& load) {
     const Outcome outcome = runTalus({"limit-analysis", path, "--for", load, "--json", "--threads", "1"});
     REQUIRE(outcome.exit_code == 0);
     return outcome.json();
-}
-
-SearchResult standsAt(double load) {
-    SearchResult result;
-    result.status = SearchStatus::found;
-    result.low = load;
-    return result;
 }
 
 }  // namespace
@@ -87,23 +80,30 @@ TEST_CASE("limit-analysis: for people, and what it does not take") {
           std::string::npos);
 }
 
-TEST_CASE("a search says whether its answer depends on the loading history, unless that is left out") {
+TEST_CASE("a search says how far its answer depends on the loading path, unless that is left out") {
     const TemporaryFolder folder;
     const std::string path = folder.write("s.toml", blockScenario(0, 20));
     const auto with = runTalus({"critical-angle", path, "--json"}).json();
     CHECK(with.at("range").is_null());
-    CHECK(with.at("range_reason") == "weight brought on at that load fails in the same place");
-    CHECK(runTalus({"critical-angle", path, "--no-range", "--json"}).json().at("range_reason").is_null());
-    CHECK(runTalus({"critical-angle", path, "--no-range", "--range"}).exit_code == 2);
+    CHECK(with.at("answer_interval")[0] == with.at("critical_angle_deg"));
+    CHECK(with.at("range_reason") == with.at("answer_interval_reasons")[0]);
+    for (const auto& [never, always] : {std::pair{"--no-range", "--range"}, {"--no-interval", "--interval"}})
+        CHECK(runTalus({"critical-angle", path, never, always}).exit_code == 2);
 
-    const std::string columns =
-        folder.write("columns.toml",
-                     "[joint.default]\nnormal_stiffness = 1e10\nshear_stiffness = 1e10\nfriction_deg = 38\n"
-                     "[material.rock]\ndensity = 2700.0\n"
-                     "[[stack]]\ncolumns = 3\nrows = 7\nslices = 1\nblock = [0.2, 0.1, 0.1]\n");
-    const auto range = runTalus({"critical-angle", columns, "--json"}).json().at("range");
+    const std::string columns = folder.write("columns.toml", talus::test::wedgedColumns());
+    const auto leaning = runTalus({"critical-angle", columns, "--json"}).json();
+    const auto range = leaning.at("range");
     REQUIRE(range.is_array());
     CHECK(range.at(0).get<double>() < range.at(1).get<double>());
+    CHECK(range.at(0) == leaning.at("answer_interval").at(0));
+    CHECK(range.at(1) == leaning.at("critical_angle_deg"));
+    CHECK(leaning.at("answer_interval").at(1).get<double>() >= range.at(1).get<double>());
+    const auto without = runTalus({"critical-angle", columns, "--no-interval", "--json"}).json();
+    CHECK(without.at("range").is_null());
+    CHECK(without.at("critical_angle_deg") == leaning.at("critical_angle_deg"));
+    const auto people = runTalus({"critical-angle", columns, "--quiet"}).out;
+    CHECK(people.find("low: no friction on the ") != std::string::npos);
+    CHECK(people.find("high: ") != std::string::npos);
 }
 
 TEST_CASE("a search has its ceiling beside the answer, unless it is left out") {
@@ -118,25 +118,11 @@ TEST_CASE("a search has its ceiling beside the answer, unless it is left out") {
           doctest::Approx(std::tan(20 * tools::kDegree) / std::tan(10 * tools::kDegree)).epsilon(2e-4));
     const auto without = runTalus({"critical-angle", path, "--no-ceiling", "--json"}).json();
     CHECK(without.at("ceiling").is_null());
-    CHECK(without.at("ceiling_reason") == "not wanted (--no-ceiling)");
-    CHECK(runTalus({"critical-angle", path, "--no-ceiling", "--ceiling"}).exit_code == 2);
-}
-
-TEST_CASE("an answer above its ceiling is undecided and says both") {
-    const Ceiling ceiling{1.2, ""};
-    SearchResult below = standsAt(1.2);
-    tools::holdUnder(ceiling, Varied::factor, below);
-    CHECK((below.status == SearchStatus::found));
-    CHECK(below.warnings.empty());
-
-    SearchResult above = standsAt(1.21);
-    tools::holdUnder(ceiling, Varied::factor, above);
-    CHECK((above.status == SearchStatus::undecided));
-    REQUIRE(above.warnings.size() == 1);
-    CHECK(above.warnings[0].find("1.2100") != std::string::npos);
-    CHECK(above.warnings[0].find("1.2000") != std::string::npos);
-
-    SearchResult unlimited = standsAt(100);
-    tools::holdUnder({}, Varied::factor, unlimited);
-    CHECK((unlimited.status == SearchStatus::found));
+    CHECK(without.at("upper_bound").is_null());
+    CHECK(without.at("ceiling_reason") == "not wanted (--no-upper-bound)");
+    CHECK(angle.at("upper_bound") == angle.at("ceiling"));
+    CHECK(angle.at("answer_interval")[1].get<double>() >= angle.at("critical_angle_deg").get<double>());
+    for (const auto& [never, always] :
+         {std::pair{"--no-ceiling", "--ceiling"}, {"--no-upper-bound", "--upper-bound"}})
+        CHECK(runTalus({"critical-angle", path, never, always}).exit_code == 2);
 }

@@ -73,16 +73,16 @@ TEST_CASE(
     CHECK((header.failure->mode == FailureMode::sliding));
     CHECK(header.failure->roles == std::vector{FailureMode::none, FailureMode::sliding});  // floor, key
     CHECK(header.failure->load / kDegree == doctest::Approx(kept.at("tilt_deg").get<double>()));
-    CHECK(header.failure->load / kDegree > plain.at("bracket_deg")[1].get<double>());
+    CHECK(header.failure->load / kDegree >= plain.at("bracket_deg")[1].get<double>() * (1 - 1e-12));
     CHECK(header.failure->load / kDegree < plain.at("bracket_deg")[1].get<double>() + 0.1);
 
     // At rest at first, then down the slope by its own height, which is its smallest extent.
     const LightFrame first = *reader->frame(0), last = *reader->frame(reader->frames().size() - 1);
     CHECK(first.kinetic_energy == 0);
     CHECK(first.tilt == doctest::Approx(header.failure->load).epsilon(1e-12));
-    CHECK(farthest(first) < 1e-4);
+    CHECK(farthest(first) < 5e-4);  // where it last stood
     CHECK(farthest(last) >= 0.5);
-    CHECK(farthest(*reader->frame(reader->frames().size() - 2)) < 0.5);
+    CHECK(farthest(*reader->frame(reader->frames().size() - 2)) < 0.5 + farthest(first));
     CHECK(last.displacement.x[1] < 0);
 
     const Outcome verified = runTalus({"replay", file, "--verify", "--json", "--quiet"});
@@ -136,7 +136,7 @@ TEST_CASE("safety-factor: the kept run has the reduced strengths") {
         {"safety-factor", scenario, "--keep-run", file, "--keep-run-time", "0.2", "--json", "--quiet"});
     REQUIRE(outcome.exit_code == 0);
     const double factor = outcome.json().at("kept_run").at("factor");
-    CHECK(factor > outcome.json().at("bracket")[1].get<double>());
+    CHECK(factor >= outcome.json().at("bracket")[1].get<double>());
     auto reader = SnapshotReader::open(file);
     REQUIRE(reader.ok());
     CHECK(reader->header().failure->analysis == "safety-factor");
@@ -187,7 +187,7 @@ TEST_CASE("critical-acceleration: the kept run is shaken by what the slope no lo
                                       "--keep-run", file, "--keep-run-time", "0.2", "--json", "--quiet"});
     REQUIRE(outcome.exit_code == 0);
     const double horizontal = outcome.json().at("kept_run").at("horizontal");
-    CHECK(horizontal > outcome.json().at("bracket")[1].get<double>());
+    CHECK(horizontal >= outcome.json().at("bracket")[1].get<double>());
     auto reader = SnapshotReader::open(file);
     REQUIRE(reader.ok());
     CHECK(reader->header().failure->analysis == "critical-acceleration");

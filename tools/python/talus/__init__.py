@@ -15,7 +15,7 @@ import os as _os
 from . import _core
 from ._errors import ScenarioError
 from ._model import Model
-from ._result import Result
+from ._result import Result, SearchResult
 from ._run import Contacts, Run, Simulation, open
 
 __version__ = _core.version
@@ -25,6 +25,7 @@ __all__ = [
     "Result",
     "Run",
     "ScenarioError",
+    "SearchResult",
     "Simulation",
     "batch",
     "critical_acceleration",
@@ -48,8 +49,8 @@ def _model(model):
 
 
 def _search(name, model, *, threads=0, progress=None, groups=1, ceiling=None, range=None, keep_run=None, keep_run_seconds=None,
-            force=False):
-    return Result.of_json(
+            force=False, plot=None, picture=None):
+    return SearchResult.of_json(
         _core.search(
             name,
             _model(model),
@@ -59,41 +60,45 @@ def _search(name, model, *, threads=0, progress=None, groups=1, ceiling=None, ra
             keep_run=_os.fspath(keep_run) if keep_run is not None else "",
             keep_run_seconds=keep_run_seconds,
             force=force,
+            plot=_os.fspath(plot) if plot is not None else "",
+            picture=_os.fspath(picture) if picture is not None else "",
             threads=threads,
             progress=progress,
         )
     )
 
 
-def critical_angle(model, *, threads=0, progress=None, ceiling=None, range=None, keep_run=None, keep_run_seconds=None, force=False):
+def critical_angle(model, *, threads=0, progress=None, ceiling=None, range=None, keep_run=None, keep_run_seconds=None, force=False,
+                   plot=None, picture=None):
     """The tilt at which the assembly first fails: ``critical_angle_deg``, ``bracket_deg``, ``failure_mode``, ... [degrees]
 
     ceiling: True, False, or None: limit analysis beside it up to a model's size; range: likewise another loading history, for
     ``range`` and ``range_reason``. keep_run: a .mcap file for the run in which it
-    fails, over keep_run_seconds or until it is plain to see; force replaces a finished one.
+    fails, over keep_run_seconds or until it is plain to see; force replaces a finished one. plot, picture: .svg files for the curve
+    of load against displacement and for the blocks that fail.
     """
     return _search("critical-angle", model, threads=threads, progress=progress, ceiling=ceiling, range=range, keep_run=keep_run,
-                   keep_run_seconds=keep_run_seconds, force=force)
+                   keep_run_seconds=keep_run_seconds, force=force, plot=plot, picture=picture)
 
 
 def safety_factor(model, *, threads=0, progress=None, groups=1, ceiling=None, range=None, keep_run=None, keep_run_seconds=None,
-                  force=False):
+                  force=False, plot=None, picture=None):
     """The factor by which all strengths can be divided before it fails, at the model's own tilt: ``safety_factor``, ``bracket``.
 
     groups: how many groups of blocks to follow, one going after the other. The rest as of critical_angle.
     """
     return _search("safety-factor", model, threads=threads, progress=progress, groups=groups, ceiling=ceiling, range=range,
-                   keep_run=keep_run, keep_run_seconds=keep_run_seconds, force=force)
+                   keep_run=keep_run, keep_run_seconds=keep_run_seconds, force=force, plot=plot, picture=picture)
 
 
 def critical_acceleration(model, *, threads=0, progress=None, ceiling=None, range=None, keep_run=None, keep_run_seconds=None,
-                          force=False):
+                          force=False, plot=None, picture=None):
     """The horizontal seismic coefficient at which it first fails, at the model's own tilt: ``critical_k`` [share of the weight].
 
     The rest as of critical_angle.
     """
     return _search("critical-acceleration", model, threads=threads, progress=progress, ceiling=ceiling, range=range, keep_run=keep_run,
-                   keep_run_seconds=keep_run_seconds, force=force)
+                   keep_run_seconds=keep_run_seconds, force=force, plot=plot, picture=picture)
 
 
 def limit_analysis(model, load="factor", *, max_points=_core.max_contact_points, threads=0, progress=None):

@@ -26,6 +26,18 @@ class Result:
     def __len__(self) -> int: ...
     def to_dict(self) -> dict[str, Any]: ...
 
+class SearchResult(Result):
+    status: str
+    path: NDArray[float64]
+    answer_interval: list[float] | None
+    answer_interval_reasons: list[str] | None
+    failure_displacement: float
+    failure_displacement_m: float
+    answers_by_displacement: list[Result]
+    failing_volume_m3: float
+    failing_mass_kg: float
+    limit_equilibrium: Result | None
+
 class Model:
     def __init__(self, tables: Mapping[str, Any] | None = None, *, folder: _Path = "") -> None: ...
     def add(self, section: str, name: str | None = None, /, **keys: Any) -> Model: ...
@@ -168,7 +180,9 @@ def critical_angle(
     keep_run: _Path | None = None,
     keep_run_seconds: float | None = None,
     force: bool = False,
-) -> Result: ...
+    plot: _Path | None = None,
+    picture: _Path | None = None,
+) -> SearchResult: ...
 def safety_factor(
     model: Model | _Path,
     *,
@@ -180,7 +194,9 @@ def safety_factor(
     keep_run: _Path | None = None,
     keep_run_seconds: float | None = None,
     force: bool = False,
-) -> Result: ...
+    plot: _Path | None = None,
+    picture: _Path | None = None,
+) -> SearchResult: ...
 def critical_acceleration(
     model: Model | _Path,
     *,
@@ -191,7 +207,9 @@ def critical_acceleration(
     keep_run: _Path | None = None,
     keep_run_seconds: float | None = None,
     force: bool = False,
-) -> Result: ...
+    plot: _Path | None = None,
+    picture: _Path | None = None,
+) -> SearchResult: ...
 def limit_analysis(
     model: Model | _Path,
     load: str = "factor",

@@ -4,7 +4,9 @@ import html
 import json
 import os
 
-from . import _core, _plot
+import numpy
+
+from . import _core
 
 
 class Result:
@@ -26,7 +28,7 @@ class Result:
         if name.startswith("_"):
             raise AttributeError(name)
         try:
-            return _shown(self._values[name])
+            return self[name]
         except KeyError:
             raise AttributeError(f"this result has no {name}; it has {', '.join(self._values)}") from None
 
@@ -54,7 +56,7 @@ class Result:
     __hash__ = None
 
     def __reduce__(self):
-        return Result, (self._values,)
+        return type(self), (self._values,)
 
     def to_dict(self):
         """Plain dictionaries and lists (a copy)."""
@@ -72,13 +74,32 @@ class Result:
         return f"{self._picture()}<table>{rows}</table>"
 
     def _picture(self):
-        """What a search probed, and the failing run that it kept, played; of a batch its report."""
+        """The curve of a search, and the failing run that it kept, played; of a batch its report."""
         kept, page = (self._values.get("kept_run") or {}).get("file"), self._values.get("page")
         played = _core.Snapshots(kept).page() if kept and os.path.exists(kept) else ""
         if page and os.path.exists(page):
             with open(page, encoding="utf-8") as stream:
                 played = stream.read()
-        return _plot.probes(self._values) + (frame_of(played) if played else "")
+        curve = _core.curve(json.dumps(self._values)) if "path" in self._values else ""
+        return curve[curve.find("<svg") :] + (frame_of(played) if played else "")
+
+
+class SearchResult(Result):
+    """Of ``critical_angle``, ``safety_factor`` or ``critical_acceleration``: beside the answer and its bracket
+
+    - ``path``: the curve, an array of shape (n, 2): displacement of the block that has come farthest [m], load (as the answer)
+    - ``answer_interval``, ``answer_interval_reasons``: the lowest and the highest answer found, and how; None without an answer
+    - ``failure_displacement``: from which on a failure counts, between neighbours, as a share of the median block size
+    - ``answers_by_displacement``: ``displacement``, ``load`` of each other answer that another one would give
+    - ``failing_volume_m3``, ``failing_mass_kg``: of the blocks that fail
+    - ``limit_equilibrium``: ``value``, ``kind``, ``blocks`` of the closed formula; None where none applies
+    """
+
+    def __getitem__(self, name):
+        if name != "path":
+            return super().__getitem__(name)
+        points = [(point["displacement_m"], point["load"]) for point in self._values[name]]
+        return numpy.array(points, dtype=float).reshape(-1, 2)
 
 
 def frame_of(page):

@@ -17,7 +17,6 @@ struct FailingLoad {
     double contact_damping = 0;  ///< Damping::contact [s]; all other damping is off
     double duration = 1;         ///< [s]
     double frame_interval = 0;   ///< [s]
-    double stiffness = 1;        ///< of the joints, over the scenario's
 };
 
 /// The model at that load, in the bits of the search. Water levels over time stay at their value at time 0, as in a search.

@@ -35,6 +35,8 @@ struct SnapshotFailure {
     std::vector<FailureMode> roles;  ///< per block: how the search saw it move
     /// per block: the factor of safety at which it goes, 0 where that is not known; empty without any
     std::vector<double> factors{};
+    double answer = 0, stands = 0, fails = 0;  ///< of the search, as its load; meaningless without a path
+    std::vector<PathPoint> path{};             ///< the search's curve of load against displacement
 };
 
 /// What a file says of its run before the first frame.

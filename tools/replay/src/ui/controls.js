@@ -8,6 +8,7 @@ import { Recorder } from "./recorder.js";
 import { compassSvg, scaleBar, scaleSvg, viewText } from "./scale.js";
 import { planeText } from "../view/section.js";
 import { legendHtml } from "./legend.js";
+import { pathHtml } from "./path.js";
 import { blockText, interfaceText, runText } from "./selection.js";
 import { readAddress } from "./address.js";
 
@@ -57,6 +58,7 @@ export class Controls {
     const motion = this.replay.motionText;
     element("facts").textContent = `${header.names.length} blocks · tilt ${angle(frames[0].tilt, 4)} · ` +
       `${quantity(frames.at(-1).time, "s")} · ${motion}` + (file.end?.get("ended") === "finished" ? "" : " · run not finished");
+    element("search").innerHTML = pathHtml(replay.header.failure);
     element("run").innerHTML = runText(file, motion);
     element("water").disabled = header.waters.length === 0 && !header.phreaticX?.length;
   }

@@ -1,5 +1,6 @@
 // The panel's text for what is selected: a block or an interface, its numbers and why.
 
+import { escape, loadFigure, wordsOf } from "./words.js";
 import { add, cross, dot, get, norm, poseOf, sub, turn, upOf } from "../data/poses.js";
 import { neighboursOf, stateNames } from "../data/contacts.js";
 import { roleNames } from "../data/roles.js";
@@ -8,7 +9,6 @@ import { patchPoint } from "../view/sheets.js";
 import { roleColours } from "../view/colours.js";
 import { angle, area, degrees, percent, quantity, ratio } from "../units.js";
 
-const escape = (text) => String(text).replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
 const facts = (rows) => `<dl>${rows.map(([name, value]) => `<dt>${name}</dt><dd>${value}</dd>`).join("")}</dl>`;
 const why = (sentences) => `<h3>Why</h3><ul class="why">${sentences.map((s) => `<li>${escape(s)}</li>`).join("")}</ul>`;
 const metres = (v) => `(${v.map((value) => value.toFixed(4).replace("-", "−")).join(", ")}) m`;
@@ -89,11 +89,8 @@ export function interfaceText({ header, full, frames, i }) {
 
 /** "tilt 19.5312°": the program says how it tells the loads of its searches. */
 function loadText({ analysis, load }) {
-  const words = JSON.parse(document.getElementById("searches")?.textContent ?? "{}")[analysis];
-  if (!words) return `load ${ratio(load)}`;  // a search of another version
-  const figure = (load / words.scale).toFixed(words.decimals).replace("-", "−");
-  const unit = words.unit === "deg" ? "°" : words.unit && ` ${words.unit}`;
-  return `${words.text} ${figure}${unit}`;
+  const words = wordsOf(analysis);
+  return words ? `${words.text} ${loadFigure(words, load)}` : `load ${ratio(load)}`;  // a search of another version
 }
 
 /** What the file says of the run: for the panel's last section. */

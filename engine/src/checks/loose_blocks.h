@@ -1,0 +1,48 @@
+#pragma once
+// Blocks that fall whatever the strength: they are named and taken out, and an analysis goes on with the rest.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "state/arrays.h"
+#include "talus/analysis.h"
+
+namespace talus::checks {
+
+/// Of the free blocks' mass: when more than that would fall, it is the slope that fails and not a loose block.
+inline constexpr double kMostLoose = 0.2;
+
+/// One entry per block: whether it has one of these names.
+std::vector<char> blocksNamed(const Model& model, const std::vector<std::string>& names);
+
+/// Their numbers, ascending.
+std::vector<std::size_t> numbersOf(const Model& model, const std::vector<std::string>& names);
+
+/// As the public one. \param gone one entry per block
+Model withoutBlocks(const Model& model, const std::vector<char>& gone);
+
+/// Share of the mass of free blocks that the marked ones have, 0..1.
+double looseShare(const Model& model, const std::vector<char>& gone);
+
+/// Whether a block has an interface that is closed.
+bool touchesSomething(const State& state, std::size_t block);
+
+/// [kg]
+double freeMass(const State& state);
+double massOf(const State& state, const std::vector<std::size_t>& blocks);
+
+/// Whether free blocks are splinters, all of them together: a thousandth of the free blocks' mass at most.
+bool areSplinters(const State& state, const std::vector<std::size_t>& blocks);
+
+/// Whether a bolt ties any of these blocks: taken out it would hold on to where they were. \param blocks  sorted
+bool areTied(const State& state, const std::vector<std::size_t>& blocks);
+
+/// Free blocks that have gone a fiftieth or more of the farthest one's way between two states: what counts as moving (motion_roles.h).
+std::vector<std::size_t> movingBlocks(const PositionArray& position, const QuaternionArray& orientation,
+                                      const State& to);
+inline std::vector<std::size_t> movingBlocks(const State& from, const State& to) {
+    return movingBlocks(from.blocks.position, from.blocks.orientation, to);
+}
+
+}  // namespace talus::checks

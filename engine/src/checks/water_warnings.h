@@ -1,0 +1,20 @@
+#pragma once
+// What users should know of water that moves blocks.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "state/arrays.h"
+
+namespace talus::checks {
+
+/// A horizontal table in a steep slope presses in full where its joints daylight, and pushes blocks off at any strength.
+/// \param built    the model as it was built, before it is loaded
+/// \param falling  blocks that fall whatever the strength
+std::optional<std::string> pushedByWater(const State& built, const std::vector<std::size_t>& falling);
+
+/// Water that never runs out of joints that open goes on pushing, and shoots blocks off. \param state  at the end of a run
+std::optional<std::string> pushedAway(const State& state);
+
+}  // namespace talus::checks

@@ -1,0 +1,103 @@
+#pragma once
+// An assembly on its equilibrium path: where it has come, steps from there, and the way back.
+
+#include <vector>
+
+#include "equilibrium/first_order_gaps.h"
+#include "equilibrium/parting.h"
+#include "equilibrium/path_equations.h"
+#include "state/arrays.h"
+#include "talus/search_rules.h"
+
+namespace talus::equilibrium {
+
+/// The end of a path so far. Steps are tried, then committed: only then do plastic slides, bonds and contacts follow.
+class EquilibriumPath {
+ public:
+    /// \param state  as built, or in equilibrium: gaps exact
+    EquilibriumPath(State state, const SearchRules& rules, bool parallel, const std::atomic<bool>* stop);
+    EquilibriumPath(const EquilibriumPath&) = delete;
+    EquilibriumPath& operator=(const EquilibriumPath&) = delete;
+
+    const State& state() const { return state_; }
+    double load() const { return equations_.load(); }
+    const Poses& poses() const { return equations_.poses(); }
+    const SearchRules& rules() const { return rules_; }
+    const PathWork& work() const { return work_; }
+    bool stopped() const { return equations_.stopped(); }
+    /// The step committed last; empty after a change of contacts of another kind or a jump.
+    const PathStep& last() const { return last_; }
+
+    /// What is varied from now on.
+    void vary(const Loading& loading, double load);
+    /// Puts a load on, without looking for equilibrium.
+    void putUnder(double load);
+    /// Another law for the contacts of some pairs: called with the state after each search for contacts.
+    void mark(std::function<void(State&)> marked);
+
+    /// A step along the path from the end, as long as the arc, or shorter where that does not converge.
+    PathStep along(const Arc& arc);
+    /// From the end to where forces balance at its load, by Newton's method alone.
+    PathStep toRest();
+    /// The same where nothing acted before: joints first hold together, then less and less.
+    PathStep fromHeldJoints();
+    /// The end moves on against a drag that becomes as small as it can, by `most` [block sizes] between neighbours.
+    PathStep against(double most);
+
+    /// \return whether contacts were searched for
+    void commit(PathStep step);
+    /// Whether bonds are being released, call by call.
+    bool bondsGive() const;
+    /// Out-of-balance force over the weight, the largest of any free block, by the exact law.
+    double outOfBalance() const;
+    bool isBalanced() const;
+    /// How far the joint that gives most gives elastically, along or across [m].
+    double elasticDisplacement() const;
+
+    /// From now on.
+    Parting parting() const { return {state_, equations_.balance(), poses()}; }
+    /// How far neighbours have parted, and by a step [median block sizes].
+    double partedSince(const Parting& since) const;
+    double partedAfter(const Parting& since, const PathStep& step) const;
+    double partedBy(const PathStep& step) const { return partedAfter(parting(), step); }
+    double norm(const PathStep& step) const { return equations_.norm(step.x); }
+
+    /// Takes blocks out: they stay where they are, fixed, and touch nothing any more.
+    void takeOut(const std::vector<std::size_t>& blocks);
+
+    /// The end as it is now, to come back to.
+    struct Place {
+        State state;
+        FirstOrderGaps gaps;
+        Loading loading;
+        double load;
+        PathStep last;
+        std::vector<double> motion;
+        double motion_since_search;
+    };
+    Place place() const;
+    void goBack(const Place& place);
+
+    /// The state with exact gaps, as others take it.
+    State exactState() const;
+
+ private:
+    PathStep tryAlong(const Arc& arc);
+    PathStep solveLonger(const Arc& arc, PathStep from, double longest);
+    void searchContacts();
+    void takeContacts();
+    void setGaps();
+
+    State state_;
+    SearchRules rules_;
+    bool parallel_;
+    PathWork work_{};
+    FirstOrderGaps gaps_;
+    PathEquations equations_;
+    PathStep last_{};
+    std::function<void(State&)> mark_{};
+    std::vector<double> motion_{};    ///< of each block since contacts were looked for [m]
+    double motion_since_search_ = 0;  ///< the largest, over the block's size
+};
+
+}  // namespace talus::equilibrium

@@ -1,0 +1,36 @@
+#include "equilibrium/parting.h"
+
+#include <algorithm>
+
+#include "forces/contact_forces.h"
+
+namespace talus::equilibrium {
+
+Parting::Parting(const State& state, const Balance& balance, Poses poses) : poses_(std::move(poses)) {
+    const Interfaces& f = state.interfaces;
+    for (const ActiveInterface& i : balance.interfaces) {
+        const RelativePose pose = relativePose(poses_.position, poses_.orientation, f, i.interface);
+        const auto own = [&](std::size_t block, const Vec3& x) {
+            return Vec3(poses_.turn[block].transpose() * (x - poses_.position.get(block)));
+        };
+        for (std::size_t k = 0; k < f.cornerCount(i.interface); ++k) {
+            const std::size_t slot = f.cornerSlot(i.interface, k);
+            const Vec3 x = pose.origin + f.corners.get(slot, 0) * pose.e1 + f.corners.get(slot, 1) * pose.e2;
+            corners_.push_back({i.block_a, i.block_b, own(i.block_a, x), own(i.block_b, x)});
+        }
+    }
+}
+
+double Parting::now(const Poses& poses) const {
+    double most = 0;
+    for (const Corner& corner : corners_) {
+        const auto place = [&](std::size_t block, const Vec3& in) {
+            return Vec3(poses.position.get(block) + poses.turn[block] * in);
+        };
+        most = std::max(
+            most, (place(corner.block_b, corner.in_b) - place(corner.block_a, corner.in_a)).squaredNorm());
+    }
+    return std::sqrt(most);
+}
+
+}  // namespace talus::equilibrium

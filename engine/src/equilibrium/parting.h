@@ -1,0 +1,31 @@
+#pragma once
+// How far neighbouring blocks have parted or slid since a moment.
+
+#include <vector>
+
+#include "equilibrium/balance.h"
+
+namespace talus::equilibrium {
+
+/// The corners of all patches as material points of both their blocks. What has parted stays known when a patch is
+/// clipped again, or is no more.
+class Parting {
+ public:
+    Parting() = default;
+    /// From the poses as they are in the state and its balance.
+    Parting(const State& state, const Balance& balance, Poses poses);
+
+    const Poses& poses() const { return poses_; }
+    /// The largest distance between two points that lay on each other [m].
+    double now(const Poses& poses) const;
+
+ private:
+    struct Corner {
+        std::size_t block_a = 0, block_b = 0;
+        Vec3 in_a = Vec3::Zero(), in_b = Vec3::Zero();  ///< in the blocks' own frames [m]
+    };
+    Poses poses_{};
+    std::vector<Corner> corners_{};
+};
+
+}  // namespace talus::equilibrium

@@ -1,0 +1,166 @@
+#include "equilibrium/path_equations.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "measure/measure.h"
+#include "state/block_motion.h"
+#include "state/caller.h"
+#include "state/incidence.h"
+
+namespace talus::equilibrium {
+namespace {
+
+// Of eps |x| k A / (m g): what rounding of the coordinates leaves of the out-of-balance force, sums over contact points
+// included.
+constexpr double kRounding = 4;
+// Of a cell: the difference of loads from which the derivative by the load follows.
+constexpr double kLoadDifference = 1e-3;
+
+}  // namespace
+
+PathEquations::PathEquations(State& state, FirstOrderGaps& gaps, const SearchRules& rules,
+                             const std::atomic<bool>* stop, PathWork& work)
+    : state_(state),
+      gaps_(gaps),
+      rules_(rules),
+      stop_(stop),
+      work_(work),
+      water_follows_(state.geometry->model.hasWater()) {}
+
+void PathEquations::setLoading(Loading loading, double load) {
+    loading_ = std::move(loading);
+    setLoad(load);
+}
+
+void PathEquations::setLoad(double load) {
+    load_ = load;
+    applied_ = std::numeric_limits<double>::quiet_NaN();
+    applyLoad(load);
+}
+
+void PathEquations::applyLoad(double load) {
+    if (load == applied_) return;
+    loading_.apply(state_, load);
+    applied_ = load;
+    if (!water_follows_ || balance_.block.empty()) return;
+    updateBlockForces(state_);
+    readApplied(state_, balance_);
+}
+
+void PathEquations::take(const std::vector<char>& moving) {
+    Balance next = makeBalance(state_, moving);
+    const bool same = linear_ && next.matrix.edges == edges_ && next.block.size() == balance_.block.size();
+    balance_ = std::move(next);
+    if (!same) {
+        edges_ = balance_.matrix.edges;
+        linear_.emplace(balance_.matrix, state_.instructions, stop_);
+    }
+    poses_ = posesOf(state_);
+    rounding_.resize(balance_.block.size());
+    heaviest_drag_ = 0;
+    for (std::size_t r = 0; r < balance_.block.size(); ++r) {
+        const double stiffness = balance_.drag[r] / balance_.weight[r];
+        const double reach = coordinateReach(state_, poses_.position, balance_.block[r]);
+        rounding_[r] = kRounding * std::numeric_limits<double>::epsilon() * reach * stiffness;
+        heaviest_drag_ = std::max(heaviest_drag_, stiffness * sizeOf(r));
+    }
+}
+
+double PathEquations::limitOf(std::size_t row) const {
+    const double limit = rules_.equilibrium_tolerance * loading_.imbalance;
+    return std::max(limit, 2 * rounding_[row]);
+}
+
+double PathEquations::inaccuracy(const Vec6s& force) const {
+    const double accuracy = rules_.newton_accuracy * rules_.equilibrium_tolerance * loading_.imbalance;
+    double most = 0;
+    for (std::size_t r = 0; r < force.size(); ++r) {
+        if (!force[r].allFinite()) return kInfinity;
+        const double ratio = force[r].cwiseAbs().maxCoeff() / balance_.weight[r];
+        most = std::max(most, ratio / std::max(accuracy, rounding_[r]));
+    }
+    return most;
+}
+
+void PathEquations::takePoses(Poses poses) {
+    poses_ = std::move(poses);
+    readApplied(state_, balance_);
+}
+
+bool PathEquations::stopped() const { return isStopped(stop_); }
+
+double PathEquations::sizeOf(std::size_t row) const {
+    return std::max(balance_.size[row], rules_.least_block_size * state_.geometry->length_scale);
+}
+
+double PathEquations::dot(const Vec6s& x, const Vec6s& y) const {
+    assert(x.size() == balance_.block.size() && y.size() == x.size());
+    double sum = 0;
+    for (std::size_t r = 0; r < x.size(); ++r) sum += x[r].dot(y[r]) / (sizeOf(r) * sizeOf(r));
+    return sum;
+}
+
+double PathEquations::norm(const Vec6s& x) const { return std::sqrt(dot(x, x)); }
+
+Poses PathEquations::moved(const Vec6s& x) const {
+    Poses poses = poses_;
+    move(balance_, x, 1.0, poses);
+    return poses;
+}
+
+double PathEquations::dragOf(const Arc& arc, const PathStep& at) const {
+    if (arc.unknown == Unknown::drag) return at.value;
+    const double displacement = std::isfinite(arc.displacement) ? arc.displacement : rules_.step_displacement;
+    const double accuracy = rules_.newton_accuracy * rules_.equilibrium_tolerance * loading_.imbalance;
+    return rules_.floor_drag * accuracy / (displacement * heaviest_drag_);
+}
+
+void PathEquations::residual(const Arc& arc, const PathStep& at, const Poses& poses, bool stiffness,
+                             Vec6s& force) {
+    applyLoad(arc.unknown == Unknown::load ? load_ + at.value : load_);
+    if (stiffness) gaps_.set(state_, poses.position, poses.orientation);
+    sumForces(state_, balance_, poses, 0.0, stiffness, force);
+    ++work_.forces;
+    const double drag = dragOf(arc, at);
+    for (std::size_t r = 0; r < force.size(); ++r) force[r] -= drag * balance_.drag[r] * at.x[r];
+}
+
+void PathEquations::byUnknown(const Arc& arc, const PathStep& at, const Poses& poses, Vec6s& rate) {
+    if (arc.unknown == Unknown::none) return rate.assign(at.x.size(), Vec6::Zero());
+    if (arc.unknown == Unknown::drag) {
+        rate.resize(at.x.size());
+        for (std::size_t r = 0; r < rate.size(); ++r) rate[r] = -balance_.drag[r] * at.x[r];
+        return;
+    }
+    const double difference = kLoadDifference * loading_.cell;
+    const auto sum = [&](double load, Vec6s& force) {
+        applyLoad(load);
+        sumForces(state_, balance_, poses, 0.0, false, force, loading_.changes_strength);
+        ++work_.forces;
+    };
+    Vec6s before;
+    sum(load_ + at.value, before);
+    sum(load_ + at.value + difference, rate);
+    for (std::size_t r = 0; r < rate.size(); ++r) rate[r] = (rate[r] - before[r]) / difference;
+}
+
+double PathEquations::merit(const Vec6s& force) const {
+    double sum = 0;
+    for (std::size_t r = 0; r < force.size(); ++r)
+        sum += force[r].squaredNorm() / (balance_.weight[r] * balance_.weight[r]);
+    return std::sqrt(sum);
+}
+
+bool PathEquations::factorise(const Arc& arc, const PathStep& at) {
+    const double drag = dragOf(arc, at);
+    for (std::size_t r = 0; r < balance_.block.size(); ++r)
+        balance_.matrix.diagonal[r].diagonal().array() += drag * balance_.drag[r];
+    ++work_.factors;
+    return linear_->factorise(balance_.matrix, balance_.weight);
+}
+
+}  // namespace talus::equilibrium

@@ -1,0 +1,147 @@
+#include "search/beginning.h"
+
+#include <cmath>
+
+#include "equilibrium/release.h"
+
+namespace talus::search {
+namespace {
+
+using equilibrium::EquilibriumPath;
+using equilibrium::Released;
+
+constexpr double kNothing = 1e-12;  // [rad], or of the weight
+
+PathResult resultOf(Released released) {
+    switch (released) {
+        case Released::rests:
+            return PathResult::reached;
+        case Released::left:
+            return PathResult::failed;
+        case Released::lost:
+            break;
+    }
+    return PathResult::lost;
+}
+
+/// A load that goes from nothing to what is wanted, in shares of that.
+LoadAxis shareOf(const LoadAxis& axis, double wanted) {
+    LoadAxis shares = axis;
+    const double size = std::abs(wanted);
+    shares.loading.apply = [apply = axis.loading.apply, wanted](State& state, double share) {
+        apply(state, share * wanted);
+    };
+    shares.loading.cell = axis.loading.cell / size;
+    shares.longest_step = axis.longest_step / size;
+    shares.start = 0;
+    shares.stop = 1;
+    shares.say = [say = axis.say, wanted](double share) { return say(share * wanted); };
+    return shares;
+}
+
+class Loader {
+ public:
+    Loader(EquilibriumPath& path, const Model& model, const Start& start)
+        : path_(path), model_(model), start_(start) {}
+
+    Begun run() {
+        // Gravity of a direction of its own is that of a site: it has no level ground to begin from.
+        const double level = model_.gravity.direction ? start_.tilt : 0.0;
+        const LoadAxis tilting = tiltAxis(model_, path_.rules());
+        path_.vary(tilting.loading, level);
+        if (!bringOn(weightAxis(start_.imbalance), "weight")) return begun_;
+        begun_.parted = parted_;
+        if (start_.weighted && start_.weighted(path_) && !bringOn(weightAxis(start_.imbalance), "weight"))
+            return begun_;
+        if (!model_.hasWater()) {
+            if (tilt(tilting, level)) push();
+            return begun_;
+        }
+        // Water that pushes uphill may need the tilt to stand against.
+        const auto dry = path_.place();
+        const bool stands = bringOn(waterAxis(start_.imbalance), "water");
+        const bool may_be_later = std::abs(start_.tilt - level) > kNothing && !path_.stopped();
+        if (!stands && !may_be_later) return begun_;
+        if (parted_ > start_.displacements[start_.counts] && may_be_later) {
+            const Begun wet_begun = begun_;
+            const auto wet = path_.place();
+            path_.goBack(dry);
+            path_.vary(tilting.loading, level);
+            if (tilt(tilting, level) && bringOn(waterAxis(start_.imbalance), "water")) {
+                push();
+                return begun_;
+            }
+            if (!stands || path_.stopped()) return begun_;
+            begun_ = wet_begun;
+            path_.goBack(wet);
+        }
+        if (tilt(tilting, level)) push();
+        return begun_;
+    }
+
+ private:
+    /// All at once, against a drag; what does not come to rest so is tried from joints that hold.
+    /// \return whether it comes to an equilibrium
+    bool bringOn(const LoadAxis& axis, const char* stage) {
+        begun_.stage = stage;
+        if (start_.report) start_.report(stage);
+        path_.vary(axis.loading, 0);
+        const equilibrium::Parting since = path_.parting();
+        const auto before = path_.place();
+        begun_.result = resultOf(equilibrium::release(path_, 1, since, path_.rules().fallen));
+        if (begun_.result != PathResult::reached && !path_.stopped()) {
+            path_.goBack(before);
+            begun_.result =
+                resultOf(equilibrium::releaseFromHeldJoints(path_, 1, since, path_.rules().fallen));
+        }
+        if (path_.stopped()) begun_.result = PathResult::interrupted;
+        const double gives = (path_.rules().elastic_parting * path_.elasticDisplacement()) /
+                             path_.state().geometry->length_scale;
+        parted_ = path_.partedSince(since) - gives;
+        return begun_.result == PathResult::reached;
+    }
+
+    bool follow(const LoadAxis& axis, double wanted, const char* stage) {
+        begun_.stage = stage;
+        if (std::abs(wanted) < kNothing) return true;
+        const LoadAxis shares = shareOf(axis, wanted);
+        path_.vary(shares.loading, 0);
+        Follow follow{.target = 1,
+                      .displacements = start_.displacements,
+                      .counts = start_.counts,
+                      .rise = start_.rise / std::abs(wanted),
+                      .mends = start_.mends,
+                      .report = [&](double share, const char* what) {
+                          if (start_.report) start_.report(shares.say(share) + ", " + what);
+                      }};
+        begun_.followed = followPath(path_, shares, follow);
+        begun_.result = begun_.followed.result;
+        return begun_.result == PathResult::reached;
+    }
+
+    bool tilt(const LoadAxis& tilting, double level) {
+        LoadAxis from_level = tilting;
+        from_level.loading.apply = [apply = tilting.loading.apply, level](State& state, double by) {
+            apply(state, level + by);
+        };
+        return follow(from_level, start_.tilt - level, "tilt");
+    }
+
+    bool push() {
+        return follow(accelerationAxis(model_, path_.rules()), start_.horizontal, "horizontal load");
+    }
+
+    EquilibriumPath& path_;
+    const Model& model_;
+    const Start& start_;
+    Begun begun_{};
+    double parted_ = 0;
+};
+
+}  // namespace
+
+Begun bringToStart(EquilibriumPath& path, const Model& model, const Start& start) {
+    return Loader(path, model, start).run();
+}
+
+}  // namespace talus::search

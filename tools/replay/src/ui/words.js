@@ -1,0 +1,12 @@
+// What people read: text that is safe in markup, and loads as the program tells them.
+
+export const escape = (text) => String(text).replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
+
+/** How the program tells the loads of a search: { text, scale, decimals, unit }; undefined for one of another version. */
+export const wordsOf = (analysis) => JSON.parse(document.getElementById("searches")?.textContent ?? "{}")[analysis];
+
+/** A load of the file in its unit: "19.531°", "1.0799". */
+export function loadFigure(words, load, decimals = words.decimals) {
+  const figure = (load / words.scale).toFixed(decimals).replace("-", "−");
+  return figure + (words.unit === "deg" ? "°" : words.unit && ` ${words.unit}`);
+}
