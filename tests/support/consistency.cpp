@@ -35,6 +35,8 @@ class Check {
     Check(const Model& model, bool with_history) : model_(model), with_history_(with_history) {
         model_.analysis.start = 0;
         model_.analysis.stop = radians(80);
+        // Small failures that are taken out one by one make up another slope than those that go together.
+        model_.analysis.least_mass_share = 0;
     }
 
     Consistency run() {

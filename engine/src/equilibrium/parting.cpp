@@ -8,7 +8,9 @@ namespace talus::equilibrium {
 
 Parting::Parting(const State& state, const Balance& balance, Poses poses) : poses_(std::move(poses)) {
     const Interfaces& f = state.interfaces;
+    std::vector<char> touches(state.blocks.size(), 0);
     for (const ActiveInterface& i : balance.interfaces) {
+        touches[i.block_a] = touches[i.block_b] = 1;
         const RelativePose pose = relativePose(poses_.position, poses_.orientation, f, i.interface);
         const auto own = [&](std::size_t block, const Vec3& x) {
             return Vec3(poses_.turn[block].transpose() * (x - poses_.position.get(block)));
@@ -19,6 +21,8 @@ Parting::Parting(const State& state, const Balance& balance, Poses poses) : pose
             corners_.push_back({i.block_a, i.block_b, own(i.block_a, x), own(i.block_b, x)});
         }
     }
+    for (const std::size_t block : balance.block)
+        if (!touches[block]) alone_.push_back(block);
 }
 
 double Parting::now(const Poses& poses) const {
@@ -30,6 +34,8 @@ double Parting::now(const Poses& poses) const {
         most = std::max(
             most, (place(corner.block_b, corner.in_b) - place(corner.block_a, corner.in_a)).squaredNorm());
     }
+    for (const std::size_t block : alone_)
+        most = std::max(most, (poses.position.get(block) - poses_.position.get(block)).squaredNorm());
     return std::sqrt(most);
 }
 

@@ -26,6 +26,7 @@ class Parting {
     };
     Poses poses_{};
     std::vector<Corner> corners_{};
+    std::vector<std::size_t> alone_{};  ///< blocks that touch nothing: they part from where they were
 };
 
 }  // namespace talus::equilibrium

@@ -46,10 +46,19 @@ class Loader {
 
     Begun run() {
         // Gravity of a direction of its own is that of a site: it has no level ground to begin from.
-        const double level = model_.gravity.direction ? start_.tilt : 0.0;
+        double level = model_.gravity.direction ? start_.tilt : 0.0;
         const LoadAxis tilting = tiltAxis(model_, path_.rules());
         path_.vary(tilting.loading, level);
-        if (!bringOn(weightAxis(start_.imbalance), "weight")) return begun_;
+        const auto bare = path_.place();
+        if (!bringOn(weightAxis(start_.imbalance), "weight")) {
+            // A block may stand at its tilt that falls on level ground.
+            if (begun_.result != PathResult::failed || std::abs(start_.tilt - level) < kNothing)
+                return begun_;
+            path_.goBack(bare);
+            level = start_.tilt;
+            path_.vary(tilting.loading, level);
+            if (!bringOn(weightAxis(start_.imbalance), "weight")) return begun_;
+        }
         begun_.parted = parted_;
         if (start_.weighted && start_.weighted(path_) && !bringOn(weightAxis(start_.imbalance), "weight"))
             return begun_;

@@ -72,6 +72,8 @@ class Follower {
         stood_ = path_.place();
     }
 
+    /// No step is shorter than the last one but for how Newton's method converges.
+    double longerThanLast() const { return std::max(1.0, rules_.longer_than_last); }
     double longest() const {
         // Steps end a little beside their arcs, and none may go beyond the target.
         const double left = kShortOfTarget * (follow_.target - path_.load());
@@ -197,9 +199,8 @@ class Follower {
         slow_ = is_slow ? slow_ + 1 : 0;
         if (parted > 0) growth = std::min(growth, rules_.step_displacement / parted);
         arc_.displacement =
-            std::max(rules_.longer_than_last * growth * length, rules_.shorter_start * arc_.displacement);
-        arc_.load =
-            std::clamp(rules_.longer_than_last * growth * std::abs(gain), rise_, std::max(longest(), rise_));
+            std::max(longerThanLast() * growth * length, rules_.shorter_start * arc_.displacement);
+        arc_.load = std::clamp(longerThanLast() * growth * std::abs(gain), rise_, std::max(longest(), rise_));
         note(Verdict::stable);
         return true;
     }

@@ -645,6 +645,11 @@ class Search {
             result_.answer_interval->second = *result_.upper_bound.value;
             high_reason = "upper bound of limit analysis";
         }
+        if (isAbove(result_.low, result_.upper_bound, varied_)) {
+            result_.answer_interval->first = *result_.upper_bound.value;
+            low_reason =
+                "upper bound of limit analysis for the shape as built, which deforms before it fails";
+        }
         if (!control_.interval || isStopped(control_)) return;
         report("the interval", kPath, "joints that carry nothing at first");
         std::vector<BlockGroup> let_go = result_.let_go;
@@ -673,15 +678,15 @@ class Search {
         const bool has_begun = other.begun.result == PathResult::reached;
         if (has_begun && other.followed.result == PathResult::failed) {
             const double answer = 0.5 * (other.followed.bracket.stands + other.followed.bracket.fails);
-            if (answer < result_.answer - axis_->loading.cell) {
+            if (answer < result_.answer_interval->first - axis_->loading.cell) {
                 result_.answer_interval->first = answer;
                 low_reason = what;
             } else {
                 low_reason += "; the same with " + what;
             }
         } else if (!has_begun && other.begun.result == PathResult::failed) {
-            result_.answer_interval->first =
-                std::min(result_.answer, varied_ == Varied::factor ? other.factor : axis_->start);
+            result_.answer_interval->first = std::min(
+                result_.answer_interval->first, varied_ == Varied::factor ? other.factor : axis_->start);
             low_reason = what + ": it does not stand at the start";
         } else if (other.followed.result == PathResult::lost || other.begun.result == PathResult::lost) {
             low_reason += "; with " + what + " undecided";

@@ -86,6 +86,16 @@ TEST_SUITE("equilibrium") {
         CHECK(since.now(apart) == doctest::Approx(3e-3).epsilon(1e-9));
     }
 
+    TEST_CASE("parting: a block that touches nothing parts from where it was") {
+        Model model = floorModel(30);
+        addBox(model, "hangs", {0, 0, 1}, {1, 1, 1});
+        const State state = *buildState(model, false);
+        const Parting since = partingOf(state);
+        Poses fallen = since.poses();
+        shift(fallen, 1, {0, 0, -0.4});
+        CHECK(since.now(fallen) == doctest::Approx(0.4));
+    }
+
     TEST_CASE("parting counts from the poses it was made at") {
         const State state = tower(1);
         const Balance balance = makeBalance(state);
