@@ -58,7 +58,7 @@ export class Controls {
     const motion = this.replay.motionText;
     element("facts").textContent = `${header.names.length} blocks · tilt ${angle(frames[0].tilt, 4)} · ` +
       `${quantity(frames.at(-1).time, "s")} · ${motion}` + (file.end?.get("ended") === "finished" ? "" : " · run not finished");
-    element("search").innerHTML = pathHtml(replay.header.failure);
+    element("search").innerHTML = pathHtml(header.failure);
     element("run").innerHTML = runText(file, motion);
     element("water").disabled = header.waters.length === 0 && !header.phreaticX?.length;
   }
