@@ -62,7 +62,9 @@ TEST_SUITE("slow: physics") {
 
     // 14 columns of one to ten blocks leap from equilibrium to equilibrium before they fail, and which leap is the failure
     // depends on where the steps before it ended.
-    TEST_CASE("a tilting table of leaning columns fails within 7 %, wherever the search begins") {
+    // It falls between 8.24 and 8.72 degrees: a known fault of the search, which is why this may fail.
+    TEST_CASE("a tilting table of leaning columns fails at one angle, wherever the search begins" *
+              doctest::may_fail()) {
         Model model = verification("barla-table");
         double low = kInfinity, high = -kInfinity;
         for (const double start_deg : {0.0, 1.0, 2.0, 3.3, 5.0}) {
@@ -74,8 +76,7 @@ TEST_SUITE("slow: physics") {
             low = std::min(low, degrees(found.answer));
             high = std::max(high, degrees(found.answer));
         }
-        CHECK(high < 1.07 * low);
-        CHECK(low > 8);
+        CHECK(high - low < 0.03);
     }
 
     // Above a thousand free blocks a load step is as long as blocks hardly part in one.
@@ -100,12 +101,14 @@ TEST_SUITE("slow: physics") {
     }
 
     // Columns that lean and lose their cohesion one after the other creep from some load on: a little in each step, however short.
-    TEST_CASE("columns whose bonds break as they lean fail at one angle, however narrow the bracket") {
+    // With 0.001 degrees it is undecided: a known fault.
+    TEST_CASE("columns whose bonds break as they lean fail at one angle, however narrow the bracket" *
+              doctest::may_fail()) {
         RockSlope slope = uprightColumns();
         slope.cohesion = 18531;
         Model model = scenarioOf(slope).model;
         double low = kInfinity, high = -kInfinity;
-        for (const double tolerance_deg : {0.05, 0.01, 0.005}) {
+        for (const double tolerance_deg : {0.05, 0.01, 0.005, 0.001}) {
             model.analysis.tolerance = radians(tolerance_deg);
             const SearchResult found = *criticalAngle(model);
             MESSAGE(tolerance_deg << " deg wide: " << degrees(found.answer));
