@@ -21,6 +21,7 @@ constexpr double kAccuracy = 5e-3;  // of a factor or of a share of the weight: 
 constexpr double kDiffers = 0.02;
 constexpr double kLowTilt = 0.7;  // of the critical angle
 constexpr double kStiff = 1e11;   // [Pa/m]: columns hardly lean on their joints
+constexpr double kDeforms = 0.2;  // of an upper bound: leaning columns have been seen 17 % above theirs
 constexpr double kSeconds = 1;
 constexpr double kStands = 0.01, kMoves = 0.05;  // median block sizes
 
@@ -46,6 +47,8 @@ class Check {
             return std::move(found_);
         }
         hold(*angle, "critical angle");
+        // Where blocks fall on level ground the answer is for the others.
+        model_ = withoutBlocks(model_, angle->fallen_at_start);
         if (angle->status != SearchStatus::found) {
             found_.answers = toString(angle->status);
             if (angle->status == SearchStatus::unstable_at_start) expectFailure(0);
@@ -124,9 +127,20 @@ class Check {
         if (!limit.ok() || limit->status != SearchStatus::found) return;
         const VariedQuantity& quantity = quantityOf(varied);
         const double give = quantity.give_is_share ? quantity.give * limit->upper : quantity.give;
-        if (found.low > limit->upper + give)
-            contradicts(text("%s %.4f above its upper bound %.4f", quantity.limit, found.low / quantity.scale,
-                             limit->upper / quantity.scale));
+        if (found.low <= limit->upper + give) return;
+        const std::string says = text("%s %.4f above its upper bound %.4f", quantity.limit,
+                                      found.low / quantity.scale, limit->upper / quantity.scale);
+        // The bound is for the shape as built: on soft joints blocks move before they fail.
+        if (softest() < kStiff && found.low < (1 + kDeforms) * limit->upper)
+            found_.differences.push_back(says);
+        else
+            contradicts(says);
+    }
+
+    double softest() const {
+        double softest = kInfinity;
+        for (const Joint& joint : model_.joints) softest = std::min(softest, joint.normal_stiffness);
+        return softest;
     }
 
     void compareTheory(double tilt) {
@@ -136,9 +150,7 @@ class Check {
         const double beyond = tilt - prediction->critical_tilt, most = kDiffers * tilt + kBeside;
         const std::string says = text("theory says %.3f deg", degrees(prediction->critical_tilt));
         // Formulas are for rigid joints; on soft ones columns lean, and topple sooner.
-        double softest = kInfinity;
-        for (const Joint& joint : model_.joints) softest = std::min(softest, joint.normal_stiffness);
-        if (beyond > most || (beyond < -most && softest >= kStiff))
+        if (beyond > most || (beyond < -most && softest() >= kStiff))
             contradicts(says);
         else if (beyond < -most)
             found_.differences.push_back(says);

@@ -87,13 +87,14 @@ void steps(Text& text, Draw& draw) {
 
 void wall(Text& text, Draw& draw) {
     text.strength(draw, 25, 50);
+    constexpr double kNone = 1e-9;  // [m]: rounding leaves that at the end of a row
     const double length = draw.between(1, 3), shortest = 0.25;
     text.floor(length);
     double z = 0;
     for (int rows = draw.one(2, 6), k = 0; k < rows; ++k) {
         const double height = draw.between(0.2, 0.5), end = length - (k > 0 ? draw.between(0, 0.3) : 0);
         double x = k > 0 ? draw.between(0, 0.3) : 0;
-        while (x < end) {
+        while (end - x > kNone) {
             const double left = end - x, wanted = draw.between(shortest, 1.2);
             const double width = left - wanted < shortest ? left : wanted;
             text.box(x, z, width, height, 0.4);

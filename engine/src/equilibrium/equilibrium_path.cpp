@@ -283,6 +283,10 @@ double EquilibriumPath::partedSince(const Parting& since) const {
     return since.now(poses()) / state_.geometry->length_scale;
 }
 
+double EquilibriumPath::slidSince(const Parting& since) const {
+    return since.slidNow(poses()) / state_.geometry->length_scale;
+}
+
 double EquilibriumPath::partedAfter(const Parting& since, const PathStep& step) const {
     return since.now(equations_.moved(step.x)) / state_.geometry->length_scale;
 }

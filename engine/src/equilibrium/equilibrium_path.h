@@ -58,6 +58,7 @@ class EquilibriumPath {
     Parting parting() const { return {state_, equations_.balance(), poses()}; }
     /// How far neighbours have parted, and by a step [median block sizes].
     double partedSince(const Parting& since) const;
+    double slidSince(const Parting& since) const;
     double partedAfter(const Parting& since, const PathStep& step) const;
     double partedBy(const PathStep& step) const { return partedAfter(parting(), step); }
     double norm(const PathStep& step) const { return equations_.norm(step.x); }

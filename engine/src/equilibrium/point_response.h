@@ -67,11 +67,12 @@ TALUS_KERNEL PointResponse<V> pointResponse(const contact::JointParameters<V>& j
         normal_stiffness =
             select(opening > 0.0, contact::tensionStiffness(joint, memory.bond) * area, normal_stiffness);
     const V trial_normal = -normal_stiffness * opening;
-    point.open = both(trial_normal < 0.0, tension_limit == 0.0);
+    const auto free = both(trial_normal < 0.0, tension_limit == 0.0);
+    point.open = both(free, contact::holdsNothing(joint, memory.bond));
     if (rounding > 0) point.open = simd::MaskOf<V>{};
     const NormalResponse<V> normal = normalResponse(trial_normal, tension_limit, rounding);
-    point.normal = select(point.open, zero, normal.force);
-    point.by_gap_n = select(point.open, zero, -normal.slope * normal_stiffness);
+    point.normal = select(free, zero, normal.force);
+    point.by_gap_n = select(free, zero, -normal.slope * normal_stiffness);
     const V back_1 = memory.offset_1 - slide_1, back_2 = memory.offset_2 - slide_2;
     const V back_squared = back_1 * back_1 + back_2 * back_2;
     const V strength = contact::shearStrength<Curved>(joint, area, point.normal, memory.bond);

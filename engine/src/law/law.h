@@ -164,6 +164,14 @@ TALUS_KERNEL V strengthSlope(const JointParameters<V>& joint, V area, V normal_f
     return slope;
 }
 
+/// Whether a contact point without tensile strength carries no shear once it is open. A brittle bond that is being released
+/// holds its share of the cohesion until it is gone, or forces would jump where the normal force becomes none.
+template <class V>
+TALUS_KERNEL simd::MaskOf<V> holdsNothing(const JointParameters<V>& joint, V bond) {
+    using simd::either;
+    return either(!joint.bonded, either(joint.softening > 0.0, bond == 0.0));
+}
+
 /// Forces at a contact point from its gap and slide; updates its memory.
 ///
 /// `release` is the share of the bond that goes per call once it breaks: 1 in a time history (brittle, eqs 7-9),
@@ -190,8 +198,9 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
         const auto torn = both(joint.bonded, trial_normal < -tensileStrength(joint, area, bond));
         bond = select(both(!softens, either(torn, bond < 1.0)), larger(bond - release, zero), bond);
         const V tension_limit = tensileStrength(joint, area, bond);
-        force.open = both(trial_normal < 0.0, tension_limit == 0.0);
-        force.normal = select(force.open, zero, larger(trial_normal, -tension_limit));
+        const auto free = both(trial_normal < 0.0, tension_limit == 0.0);
+        force.open = both(free, holdsNothing(joint, bond));
+        force.normal = select(free, zero, larger(trial_normal, -tension_limit));
     } else {
         trial_normal = -joint.normal_stiffness * area * gap;
         force.open = trial_normal < 0.0;

@@ -1,6 +1,8 @@
 #include "search/beginning.h"
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "equilibrium/release.h"
 
@@ -11,6 +13,9 @@ using equilibrium::EquilibriumPath;
 using equilibrium::Released;
 
 constexpr double kNothing = 1e-12;  // [rad], or of the weight
+// Attempts, each with more strength than the last, to bring the weight on.
+constexpr int kWeightAttempts = 3;
+constexpr double kPartsLess = 0.5;
 
 PathResult resultOf(Released released) {
     switch (released) {
@@ -50,33 +55,34 @@ class Loader {
         const LoadAxis tilting = tiltAxis(model_, path_.rules());
         path_.vary(tilting.loading, level);
         const auto bare = path_.place();
-        if (!bringOn(weightAxis(start_.imbalance), "weight")) {
+        if (!weigh()) {
             // A block may stand at its tilt that falls on level ground.
             if (begun_.result != PathResult::failed || std::abs(start_.tilt - level) < kNothing)
                 return begun_;
             path_.goBack(bare);
             level = start_.tilt;
             path_.vary(tilting.loading, level);
-            if (!bringOn(weightAxis(start_.imbalance), "weight")) return begun_;
+            if (!weigh()) return begun_;
         }
-        begun_.parted = parted_;
         if (start_.weighted && start_.weighted(path_) && !bringOn(weightAxis(start_.imbalance), "weight"))
             return begun_;
         if (!model_.hasWater()) {
-            if (tilt(tilting, level)) push();
+            if (weaken() && tilt(tilting, level)) push();
             return begun_;
         }
         // Water that pushes uphill may need the tilt to stand against.
         const auto dry = path_.place();
-        const bool stands = bringOn(waterAxis(start_.imbalance), "water");
+        const double dry_factor = begun_.factor;
+        bool stands = bringOn(waterAxis(start_.imbalance), "water");
+        const bool parts = parted_ > start_.displacements[start_.counts];
+        stands = stands && weaken();
         const bool may_be_later = std::abs(start_.tilt - level) > kNothing && !path_.stopped();
-        if (!stands && !may_be_later) return begun_;
-        if (parted_ > start_.displacements[start_.counts] && may_be_later) {
+        if ((!stands || parts) && may_be_later) {
             const Begun wet_begun = begun_;
             const auto wet = path_.place();
             path_.goBack(dry);
-            path_.vary(tilting.loading, level);
-            if (tilt(tilting, level) && bringOn(waterAxis(start_.imbalance), "water")) {
+            begun_.factor = dry_factor;
+            if (weaken() && tilt(tilting, level) && rise()) {
                 push();
                 return begun_;
             }
@@ -84,16 +90,56 @@ class Loader {
             begun_ = wet_begun;
             path_.goBack(wet);
         }
-        if (tilt(tilting, level)) push();
+        if (stands && tilt(tilting, level)) push();
         return begun_;
     }
 
  private:
+    /// Brings the weight on with more strength than is wanted, so much that joints only give. What parts as much with
+    /// more strength had joints to close.
+    bool weigh() {
+        const auto bare = path_.place();
+        std::optional<EquilibriumPath::Place> best;
+        double factor = start_.factor;
+        for (int k = 0; k < kWeightAttempts; ++k) {
+            factor /= path_.rules().weight_strength;
+            if (k > 0) path_.goBack(bare);
+            path_.vary(start_.strength.loading, factor);
+            const bool stands = bringOn(weightAxis(start_.imbalance), "weight");
+            if (path_.stopped()) return false;
+            if (!stands || (best && parted_ >= kPartsLess * begun_.parted)) continue;
+            best.emplace(path_.place());
+            begun_.parted = parted_;
+            begun_.factor = factor;
+            if (parted_ <= start_.displacements[start_.counts]) break;
+        }
+        if (!best) return false;
+        path_.goBack(*best);
+        begun_.result = PathResult::reached;
+        return true;
+    }
+
+    /// From the strength that the weight came on with to that which the search begins with.
+    bool weaken() {
+        if (!start_.weakens) return true;
+        begun_.stage = "strength";
+        const LoadAxis& axis = start_.strength;
+        path_.vary(axis.loading, begun_.factor);
+        Follow follow = following(start_.factor, [&](double factor, const char* what) {
+            start_.report(axis.say(factor) + ", " + what);
+        });
+        begun_.followed = followPath(path_, axis, follow);
+        begun_.result = begun_.followed.result;
+        if (begun_.result != PathResult::reached) return false;
+        begun_.factor = start_.factor;
+        return true;
+    }
+
     /// All at once, against a drag; what does not come to rest so is tried from joints that hold.
     /// \return whether it comes to an equilibrium
     bool bringOn(const LoadAxis& axis, const char* stage) {
         begun_.stage = stage;
-        if (start_.report) start_.report(stage);
+        start_.report(stage);
         path_.vary(axis.loading, 0);
         const equilibrium::Parting since = path_.parting();
         const auto before = path_.place();
@@ -110,22 +156,25 @@ class Loader {
         return begun_.result == PathResult::reached;
     }
 
-    bool follow(const LoadAxis& axis, double wanted, const char* stage) {
+    bool follow(const LoadAxis& axis, double wanted, double rise, const char* stage) {
         begun_.stage = stage;
         if (std::abs(wanted) < kNothing) return true;
         const LoadAxis shares = shareOf(axis, wanted);
         path_.vary(shares.loading, 0);
-        Follow follow{.target = 1,
-                      .displacements = start_.displacements,
-                      .counts = start_.counts,
-                      .rise = start_.rise / std::abs(wanted),
-                      .mends = start_.mends,
-                      .report = [&](double share, const char* what) {
-                          if (start_.report) start_.report(shares.say(share) + ", " + what);
-                      }};
+        Follow follow = following(
+            1, [&](double share, const char* what) { start_.report(shares.say(share) + ", " + what); });
+        follow.rise = rise / std::abs(wanted);
         begun_.followed = followPath(path_, shares, follow);
         begun_.result = begun_.followed.result;
         return begun_.result == PathResult::reached;
+    }
+
+    Follow following(double target, std::function<void(double, const char*)> report) const {
+        return {.target = target,
+                .displacements = start_.displacements,
+                .counts = start_.counts,
+                .mends = start_.mends,
+                .report = std::move(report)};
     }
 
     bool tilt(const LoadAxis& tilting, double level) {
@@ -133,11 +182,18 @@ class Loader {
         from_level.loading.apply = [apply = tilting.loading.apply, level](State& state, double by) {
             apply(state, level + by);
         };
-        return follow(from_level, start_.tilt - level, "tilt");
+        return follow(from_level, start_.tilt - level, start_.rise, "tilt");
+    }
+
+    /// Water that comes after the tilt: on a slope, what it parts is a failure.
+    bool rise() {
+        const LoadAxis axis = waterAxis(start_.imbalance);
+        return follow(axis, 1, path_.rules().rise * axis.loading.cell, "water");
     }
 
     bool push() {
-        return follow(accelerationAxis(model_, path_.rules()), start_.horizontal, "horizontal load");
+        return follow(accelerationAxis(model_, path_.rules()), start_.horizontal, start_.rise,
+                      "horizontal load");
     }
 
     EquilibriumPath& path_;

@@ -1,9 +1,9 @@
 #pragma once
 // The loading path up to where a search begins: every search begins alike, where equilibrium is easy.
 //
-// Weight and water are brought on level ground, then the assembly is tilted to the tilt wanted, then pushed by the
-// pseudo-static earthquake. Each of these is followed like the load that is searched for, so what stands was reached from
-// rest to rest, and the three searches agree by construction.
+// Weight and water are brought on level ground with more strength than the assembly has. Strength then falls to its own,
+// the ground is tilted, and the pseudo-static earthquake pushes. Each of these loads is followed like the one that is
+// searched for, so the three searches agree by construction.
 
 #include <functional>
 #include <string>
@@ -18,13 +18,16 @@ namespace talus::search {
 struct Start {
     double tilt = 0;        ///< [rad]
     double horizontal = 0;  ///< k_h of the pseudo-static earthquake
-    double factor = 1;      ///< that strengths are divided by on the way
-    double imbalance = 0;   ///< out-of-balance force over the weight that a cell of the search amounts to
+    double factor = 1;      ///< that strengths are divided by where it begins
+    bool weakens =
+        true;  ///< to that, after weight and water; else it begins with the strength that they came on with
+    LoadAxis strength{};
+    double imbalance = 0;  ///< out-of-balance force over the weight that a cell of the search amounts to
     std::vector<double> displacements{};  ///< as in Follow
     std::size_t counts = 0;
     double rise = 0;  ///< over the weight, from which on parting counts anew; 0: SearchRules::rise
     std::function<bool(const Followed&)> mends{};
-    std::function<void(const std::string&)> report{};
+    std::function<void(const std::string&)> report = [](const std::string&) {};
     /// Called in equilibrium under weight alone. \return whether it has changed something: then equilibrium is found anew
     std::function<bool(equilibrium::EquilibriumPath&)> weighted{};
 };
@@ -33,6 +36,7 @@ struct Start {
 struct Begun {
     PathResult result = PathResult::lost;
     double parted = 0;  ///< of neighbours, as weight came on, less what joints give [median block sizes]
+    double factor = 1;  ///< that strengths are divided by in the end
     const char* stage = "weight";
     Followed followed{};  ///< the last piece of the path, in shares of its load
 };

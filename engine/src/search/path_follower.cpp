@@ -95,26 +95,27 @@ class Follower {
         return std::nullopt;
     }
 
-    /// Blocks that part much farther than in a failure while the load hardly rises have failed where that began: what
-    /// they slide on hardens, as bolts across a slide do.
+    /// Blocks that slide much farther than in a failure while the load hardly rises have failed where that began: what
+    /// they slide on hardens, as bolts across a slide do. Columns that lean on soft joints move as slowly, and yet stand:
+    /// what is elastic slides nowhere.
     std::optional<PathResult> creeps() {
         if (!creep_) return std::nullopt;
-        const double parted = path_.partedSince(creep_->since);
-        if (risesFast(path_.load() - creep_->stood.load, parted)) {
+        const double slid = path_.slidSince(creep_->since);
+        if (risesFast(path_.load() - creep_->stood.load, slid)) {
             creep_.reset();
             return std::nullopt;
         }
-        if (parted <= rules_.creep + allowance()) return std::nullopt;
+        if (slid <= rules_.creep + allowance()) return std::nullopt;
         highest_ = creep_->stood.load;
         stood_ = creep_->stood;
         since_ = creep_->since;
-        return fails(parted, allowance(), highest_ + rules_.overload * cell_);
+        return fails(path_.partedSince(since_), allowance(), highest_ + rules_.overload * cell_);
     }
 
-    /// Whether the load rises by a cell's share before neighbours have parted as far as in a failure: by a step,
-    /// which may be longer than that.
-    bool risesFast(double gain, double parted) const {
-        const double share = (follow_.displacements[follow_.counts] + allowance()) / parted;
+    /// Whether the load rises by a cell's share before neighbours have slid as far as in a failure: by a step, which
+    /// may be longer than that.
+    bool risesFast(double gain, double slid) const {
+        const double share = (follow_.displacements[follow_.counts] + allowance()) / slid;
         return !(gain * share < rise_);
     }
 
@@ -183,7 +184,8 @@ class Follower {
             return true;
         }
         const double parted = path_.partedSince(before);
-        if (!creep_ && !risesFast(gain, parted)) {  // from where, is to be known as well as a peak
+        if (!creep_ &&
+            !risesFast(gain, path_.slidSince(before))) {  // from where, is to be known as well as a peak
             if (gain > rules_.peak_accuracy * cell_ && length > kTooShort) {
                 path_.goBack(*before_);
                 arc_.displacement = rules_.shorter_at_peak * length;

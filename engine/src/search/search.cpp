@@ -39,8 +39,6 @@ using equilibrium::Released;
 
 // Failure displacements that every answer is told for.
 constexpr std::array kDisplacements{1e-4, 3e-4, 1e-3, 3e-3, 1e-2};
-// Attempts, each with more strength than the last, to bring the weight on.
-constexpr int kWeightAttempts = 3;
 constexpr double kStrongest = 0.1;  // of the factors tried
 // Of the answer: answers nearer than that are the same.
 constexpr double kSameAnswer = 1.0;  // cells
@@ -169,11 +167,10 @@ class Search {
     bool isLevel() const { return rest_->gravity.direction || std::abs(startTilt()) < kNoTilt; }
 
     /// A path that begins with strengths divided by a factor.
-    Course beginAt(double factor) {
-        Course course{.path = std::make_unique<EquilibriumPath>(*built_, rules_, parallel_, control_.stop),
-                      .factor = factor};
+    /// \param weakens  to that after the weight has come on with more strength
+    Course beginAt(double factor, bool weakens = true) {
+        Course course{.path = std::make_unique<EquilibriumPath>(*built_, rules_, parallel_, control_.stop)};
         counted_ = {};
-        course.path->vary(strength_->loading, factor);
         const auto weighted = [&](EquilibriumPath& path) {
             if (!without_friction_) settled_ = path.exactState();
             if (without_friction_) path.mark([&](State& state) { unloaded_.release(state); });
@@ -183,6 +180,8 @@ class Search {
             .tilt = startTilt(),
             .horizontal = startHorizontal(),
             .factor = factor,
+            .weakens = weakens,
+            .strength = *strength_,
             .imbalance = axis().loading.imbalance,
             .displacements = {displacements_[counts_]},
             .counts = 0,
@@ -194,44 +193,28 @@ class Search {
             .report = [&](const std::string& what) { report("loading", kLoading, what); },
             .weighted = weighted};
         course.begun = bringToStart(*course.path, *rest_, start);
+        course.factor = weakens ? factor : course.begun.factor;
         effort(*course.path);
         return course;
     }
 
-    /// Where equilibrium is easy: on level ground with the scenario's own strength; where there is no tilt to come from,
-    /// with more. What fails on the way to its own tilt is tilted with more strength, no more than is needed.
+    /// What fails on the way to its own tilt is tilted with more strength, no more than is needed.
     Course begin() {
-        if (!isLevel()) {
-            // The factor at which a small failure occurs is found on the way back from more strength.
-            mends_on_the_way_ = varied_ != Varied::factor;
-            Course course = beginAt(1);
-            begins_failing_ = kInfinity;
-            while (course.begun.result == PathResult::failed && varied_ == Varied::factor &&
-                   course.factor / rules_.more_strength > kStrongest && !isStopped(control_)) {
-                begins_failing_ = course.factor;
-                course = beginAt(course.factor / rules_.more_strength);
-            }
-            const bool fails = course.begun.result == PathResult::failed;
-            if (!fails || mends_on_the_way_ || !(rest_->analysis.least_mass_share > 0)) return course;
-            mends_on_the_way_ = true;
-            begins_failing_ = kInfinity;
-            return beginAt(1);
+        if (isLevel()) return beginAt(1, varied_ != Varied::factor);
+        // The factor at which a small failure occurs is found on the way back from more strength.
+        mends_on_the_way_ = varied_ != Varied::factor;
+        Course course = beginAt(1);
+        begins_failing_ = kInfinity;
+        while (course.begun.result == PathResult::failed && varied_ == Varied::factor &&
+               course.factor / rules_.more_strength > kStrongest && !isStopped(control_)) {
+            begins_failing_ = course.factor;
+            course = beginAt(course.factor / rules_.more_strength);
         }
-        std::optional<Course> settled;
-        double factor = 1;
-        for (int k = 1; k <= kWeightAttempts; ++k) {
-            factor /= rules_.weight_strength;
-            Course course = beginAt(factor);
-            const bool stands = course.begun.result == PathResult::reached;
-            if (stands && course.begun.parted <= displacements_[counts_]) return course;
-            if (course.begun.result == PathResult::interrupted) return course;
-            // What parts less with more strength slid; what parts as much had joints to close.
-            if (stands && (!settled || course.begun.parted < kPartsLess * settled->begun.parted))
-                settled.emplace(std::move(course));
-            else if (!settled && k == kWeightAttempts)
-                return course;
-        }
-        return std::move(*settled);
+        const bool fails = course.begun.result == PathResult::failed;
+        if (!fails || mends_on_the_way_ || !(rest_->analysis.least_mass_share > 0)) return course;
+        mends_on_the_way_ = true;
+        begins_failing_ = kInfinity;
+        return beginAt(1);
     }
 
     /// Blocks that fall as weight comes on, whatever the strength, are taken out if they are few.
@@ -302,38 +285,23 @@ class Search {
         course.followed.by_displacement.clear();
     }
 
-    /// \param target  of the load that is searched for; 1 on the way from a greater strength to the scenario's own
     /// \return whether it stands there
     bool raiseTo(Course& course, double target) {
-        const bool is_own = course.factor != 1 && target == 1;
-        const LoadAxis& along = is_own ? *strength_ : axis();
-        const bool is_strength = is_own || varied_ == Varied::factor;
-        const double from = is_strength ? course.factor : along.start;
+        const double from = varied_ == Varied::factor ? course.factor : axis().start;
         EquilibriumPath& path = *course.path;
-        path.vary(along.loading, from);
-        const bool is_answer = !is_own || varied_ == Varied::factor;
+        path.vary(axis().loading, from);
         Follow follow{.target = target,
-                      .displacements = is_answer ? displacements_ : std::vector{displacements_[counts_]},
-                      .counts = is_answer ? counts_ : 0,
-                      .mends = [&](const Followed& found) { return letSmallGo(path, found, is_answer); },
+                      .displacements = displacements_,
+                      .counts = counts_,
+                      .mends = [&](const Followed& found) { return letSmallGo(path, found, true); },
                       .report =
                           [&](double load, const char* what) {
                               report("path", kLoading + (kPath - kLoading) * progressOf(load, from, target),
-                                     along.say(load) + ", " + what);
+                                     axis().say(load) + ", " + what);
                           }};
-        Followed followed = followPath(path, along, follow);
+        Followed followed = followPath(path, axis(), follow);
         effort(path);
         const bool stands = followed.result == PathResult::reached;
-        if (is_own && varied_ != Varied::factor) {  // on the way only
-            if (!stands) {
-                course.begun.result = followed.result;
-                course.begun.stage = "strength";
-            } else {
-                course.factor = target;
-            }
-            course.followed = std::move(followed);
-            return stands;
-        }
         if (course.is_followed) {  // the way to the scenario's own strength comes before
             const auto prepend = [](auto& before, auto& after) {
                 before.insert(before.end(), after.begin(), after.end());
@@ -344,7 +312,7 @@ class Search {
         }
         course.followed = std::move(followed);
         course.is_followed = true;
-        if (stands && is_strength) course.factor = target;
+        if (stands && varied_ == Varied::factor) course.factor = target;
         return stands;
     }
 
@@ -694,8 +662,7 @@ class Search {
     }
 
     static constexpr double kLoading = 0.2, kPath = 0.9;  // of the progress
-    static constexpr double kPartsLess = 0.5;
-    static constexpr double kLeastMotion = 0.05;  // of the farthest block's
+    static constexpr double kLeastMotion = 0.05;          // of the farthest block's
     // Cells beyond the bracket at which a failure is played on: at the peak itself it would take minutes to begin.
     static constexpr double kPlayedBeyond = 8;
 

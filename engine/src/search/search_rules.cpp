@@ -100,7 +100,7 @@ constexpr std::array kRules{
                "looks at contacts before a release has parted neighbours by the failure displacement",
                "smaller: blocks pass what would hold them"},
     SearchRule{"creep", &SearchRules::creep, "median block sizes",
-               "parting that is a failure although the load still rises, but slowly",
+               "slide that is a failure although the load still rises, but slowly",
                "larger: bolts across a slide turn farther and hold more"},
     SearchRule{"work_beyond", &SearchRules::work_beyond, "of the work",
                "spent beyond a failure, on answers for larger displacements",

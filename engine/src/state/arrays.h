@@ -279,7 +279,7 @@ enum class Springs : std::uint8_t {
 
 struct State {
     std::shared_ptr<const Geometry> geometry;
-    std::vector<contact::JointLaw> laws;  ///< one per joint; strength reduction changes these
+    std::vector<contact::JointLaw> laws;  ///< of the model's joints; a search may add more behind them
     Blocks blocks;
     Interfaces interfaces;
     ContactPoints points;

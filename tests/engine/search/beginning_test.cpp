@@ -37,8 +37,8 @@ Brought brought(const Case& of) {
     const Model model = slope(of);
     equilibrium::EquilibriumPath path(unloaded(model), {}, false, nullptr);
     const LoadAxis strength = strengthAxis(model, path.rules());
-    path.vary(strength.loading, 1);
-    Start start{.tilt = radians(of.tilt_deg), .horizontal = of.horizontal, .imbalance = 1e-4};
+    Start start{
+        .tilt = radians(of.tilt_deg), .horizontal = of.horizontal, .strength = strength, .imbalance = 1e-4};
     start.displacements = {3e-4};
     const Begun begun = bringToStart(path, model, start);
     const Load& load = path.state().load;
@@ -87,8 +87,7 @@ TEST_SUITE("search") {
         REQUIRE(thrust > weight * std::tan(radians(kFriction)));
         equilibrium::EquilibriumPath path(unloaded(model), {}, false, nullptr);
         const LoadAxis strength = strengthAxis(model, path.rules());
-        path.vary(strength.loading, 1);
-        Start start{.tilt = radians(15), .imbalance = 1e-4};
+        Start start{.tilt = radians(15), .strength = strength, .imbalance = 1e-4};
         start.displacements = {3e-4};
         CHECK((bringToStart(path, model, start).result == PathResult::reached));
         CHECK(path.state().load.water_share == 1);
@@ -100,8 +99,8 @@ TEST_SUITE("search") {
         addBox(model, "hangs", {1, 0.3, 0.3}, {0.1, 0.1, 0.1});
         equilibrium::EquilibriumPath path(unloaded(model), {}, false, nullptr);
         const LoadAxis strength = strengthAxis(model, path.rules());
-        path.vary(strength.loading, 1);
-        const Begun begun = bringToStart(path, model, {.imbalance = 1e-4, .displacements = {3e-4}});
+        const Begun begun =
+            bringToStart(path, model, {.strength = strength, .imbalance = 1e-4, .displacements = {3e-4}});
         CHECK((begun.result == PathResult::failed));
         CHECK(std::string(begun.stage) == "weight");
     }
@@ -110,9 +109,8 @@ TEST_SUITE("search") {
         const Model model = slope({10, 0, 0});
         equilibrium::EquilibriumPath path(unloaded(model), {}, false, nullptr);
         const LoadAxis strength = strengthAxis(model, path.rules());
-        path.vary(strength.loading, 1);
         int called = 0;
-        Start start{.tilt = radians(10), .imbalance = 1e-4};
+        Start start{.tilt = radians(10), .strength = strength, .imbalance = 1e-4};
         start.displacements = {3e-4};
         start.weighted = [&](equilibrium::EquilibriumPath& at) {
             CHECK(at.isBalanced());

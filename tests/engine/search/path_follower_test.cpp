@@ -78,7 +78,13 @@ TEST_SUITE("search") {
     }
 
     TEST_CASE("columns overturn at atan(0.2 / h), less what the give of their joints takes") {
-        for (const auto& [rows, exact] : {std::pair{10, 11.310}, {20, 5.711}, {40, 2.862}}) {
+        struct Column {
+            int rows;
+            double exact;
+        };
+        for (const Column& column : {Column{10, 11.310}, {20, 5.711}, {40, 2.862}}) {
+            const int rows = column.rows;
+            const double exact = column.exact;
             CAPTURE(rows);
             LoadedPath loaded(stackModel(1, rows, 1, 30));
             const Followed followed = followPath(loaded.path, loaded.axis, upTo(radians(60)));
@@ -91,12 +97,20 @@ TEST_SUITE("search") {
     }
 
     TEST_CASE("tilted arches fail by hinges where limit analysis says") {
-        for (const auto& [voussoirs, thickness, friction, exact] : {std::tuple{11, 1.5, 40.0, 9.165},
-                                                                    {15, 1.5, 40.0, 8.557},
-                                                                    {21, 1.5, 40.0, 8.436},
-                                                                    {27, 1.5, 35.0, 8.27}}) {
+        struct Arch {
+            int voussoirs;
+            double thickness;
+            double friction;
+            double exact;
+        };
+        for (const Arch& arch : {Arch{11, 1.5, 40.0, 9.165},
+                                 {15, 1.5, 40.0, 8.557},
+                                 {21, 1.5, 40.0, 8.436},
+                                 {27, 1.5, 35.0, 8.27}}) {
+            const int voussoirs = arch.voussoirs;
+            const double exact = arch.exact;
             CAPTURE(voussoirs);
-            LoadedPath loaded(archModel(voussoirs, 10, thickness, friction, 1e12));
+            LoadedPath loaded(archModel(voussoirs, 10, arch.thickness, arch.friction, 1e12));
             const Followed followed = followPath(loaded.path, loaded.axis, upTo(radians(60)));
             REQUIRE((followed.result == PathResult::failed));
             const auto [stands, fails] = followed.bracket;

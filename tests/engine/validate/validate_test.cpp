@@ -107,7 +107,7 @@ TEST_CASE("validate: whatever is wrong in a state is found") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<Damage> damages{
         {"arrays of blocks", [](State& s) { s.blocks.torque.y.pop_back(); }},
-        {"as many laws", [](State& s) { s.laws.pop_back(); }},
+        {"fewer laws", [](State& s) { s.laws.pop_back(); }},
         {"last search", [](State& s) { s.search_orientation.pop_back(); }},
         {"no margin", [](State& s) { s.search_margin = 0; }},
         {"block 2: its quaternion", [](State& s) { s.blocks.orientation[2].w += 1e-6; }},
