@@ -77,6 +77,12 @@ std::vector<Error> softJoints(const State& state) {
     return errors;
 }
 
+double largestFactor(const AppliedLoad& load) {
+    double most = load.factor.empty() ? 1 : 0;
+    for (const LevelPoint& at : load.factor) most = std::max(most, std::abs(at.value));
+    return most;
+}
+
 /// A joint that opens by more per slip than friction takes per load gains work as it slides: it pushes itself downhill.
 /// (J. Vermeer and R. de Borst, Heron 29(3), 1984: the angle of dilation is well below that of friction.)
 std::vector<Error> dilatesTooMuch(const Model& model) {
@@ -299,6 +305,35 @@ std::vector<std::size_t> splintersOfRounding(const State& state, double load_tol
     return splinters;
 }
 
+std::vector<Error> strongLoads(const State& state) {
+    const Model& model = state.geometry->model;
+    const std::vector<std::int32_t> stiffest = stiffestJoints(state, &Joint::normal_stiffness);
+    std::vector<Error> errors;
+    for (const AppliedLoad& load : model.loads) {
+        const bool is_force = load.kind == AppliedLoad::Kind::force;
+        const double most =
+            largestFactor(load) * (is_force ? load.force.stableNorm() : std::abs(load.pressure));
+        for (std::size_t b = 0; b < stiffest.size(); ++b) {
+            const bool loaded =
+                load.kind == AppliedLoad::Kind::box || load.block == static_cast<std::int32_t>(b);
+            if (!loaded || state.blocks.motion[b] != Motion::free || stiffest[b] < 0) continue;
+            const Joint& joint = model.joints[static_cast<std::size_t>(stiffest[b])];
+            const double area = is_force ? state.geometry->face_area[b] : 1.0, size = state.geometry->size[b];
+            const double allowed = kMostSink * size * joint.normal_stiffness * area;
+            if (!(most > allowed)) continue;
+            const char* unit = is_force ? " N" : " Pa";
+            errors.push_back({load.field + (is_force ? ".force" : ".pressure"),
+                              "found " + formatted("%.3g", most) + unit + ", which presses block \"" +
+                                  model.blocks[b].name + "\" into its joints by " +
+                                  formatted("%.2g", kMostSink * most / allowed) +
+                                  " of its size, allowed: at most " + formatted("%.1e", allowed) + unit +
+                                  " there; is it in " + (is_force ? "N?" : "Pa?")});
+            break;
+        }
+    }
+    return errors;
+}
+
 std::optional<Error> nothingHolds(const Model& model) {
     const bool held = std::any_of(model.blocks.begin(), model.blocks.end(),
                                   [](const Block& block) { return block.motion != Motion::free; });
@@ -317,6 +352,7 @@ std::vector<std::string> doubts(const State& state) {
     const auto add = [&](std::vector<Error> more) {
         std::move(more.begin(), more.end(), std::back_inserter(all));
     };
+    add(strongLoads(state));
     add(dilatesTooMuch(model));
     add(dryWater(model));
     add(highWater(model));
@@ -337,6 +373,7 @@ std::vector<Error> implausibleSearch(const State& state, double load_tolerance,
                                      const std::vector<double>& bounds) {
     std::vector<Error> errors = implausible(state);
     for (Error& error : softJoints(state)) errors.push_back(std::move(error));
+    for (Error& error : strongLoads(state)) errors.push_back(std::move(error));
     for (Error& error : dilatesTooMuch(state.geometry->model)) errors.push_back(std::move(error));
     if (auto error = nothingHolds(state.geometry->model)) errors.push_back(std::move(*error));
     if (auto error = roundingDecides(state, load_tolerance, bounds)) errors.push_back(std::move(*error));

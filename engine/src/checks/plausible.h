@@ -31,6 +31,10 @@ std::vector<std::string> doubts(const State& state);
 /// The same, and the block that makes a history's steps many times shorter than the median block would.
 std::vector<std::string> doubtsOfHistory(const State& state, bool parallel);
 
+/// Loads that press a block into its joints by a tenth of its size, as its weight must not either. A force is shared by a
+/// mean face; a pressure presses as hard as it is, however many faces it acts on. Fault of a search, doubt of a history.
+std::vector<Error> strongLoads(const State& state);
+
 /// A model in which every block falls, so that no search has an answer.
 std::optional<Error> nothingHolds(const Model& model);
 

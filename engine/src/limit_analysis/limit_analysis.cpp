@@ -396,6 +396,7 @@ Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control
         model, control, settings, interrupted,
         [&](State& state, const Assembly& assembly) -> Result<LimitResult> {
             std::vector<Error> errors = checks::implausible(state);
+            for (Error& error : checks::strongLoads(state)) errors.push_back(std::move(error));
             if (auto falls = checks::nothingHolds(model)) errors.push_back(std::move(*falls));
             if (!errors.empty()) return errors;
             if (assembly.points.size() > settings.max_contact_points)

@@ -2,11 +2,19 @@
 
 #include <ClpEventHandler.hpp>
 #include <ClpSimplex.hpp>
+#include <algorithm>
+#include <cmath>
 
 namespace talus::limit {
 namespace {
 
 constexpr double kTolerance = 1e-9;  // of rows, and of reduced costs; both are of size one (programme.h)
+// CLP takes larger numbers for infinite, and ends the program where it cannot.
+constexpr double kMost = 1e20;
+
+bool areWithinReach(const std::vector<double>& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::abs(x) < kMost; });
+}
 
 /// Ends the simplex method when the caller asks for it.
 class StopHandler : public ClpEventHandler {
@@ -43,12 +51,14 @@ Outcome outcomeOf(const ClpSimplex& model) {
 struct LinearProgram::Solver {
     ClpSimplex model;
     std::int64_t iterations = 0;
+    bool is_sound = true;  ///< all its numbers are within CLP's reach
 };
 
 LinearProgram::LinearProgram(const std::vector<double>& row_lower, const std::vector<double>& row_upper,
                              const std::atomic<bool>* stop)
     : solver_(std::make_unique<Solver>()) {
     ClpSimplex& model = solver_->model;
+    solver_->is_sound = areWithinReach(row_lower) && areWithinReach(row_upper);
     model.setLogLevel(0);
     const StopHandler handler(stop);
     model.passInEventHandler(&handler);
@@ -66,6 +76,7 @@ LinearProgram& LinearProgram::operator=(LinearProgram&&) noexcept = default;
 
 void LinearProgram::append(const Columns& columns) {
     if (columns.size() == 0) return;
+    solver_->is_sound = solver_->is_sound && areWithinReach(columns.value);
     solver_->model.addColumns(static_cast<int>(columns.size()), columns.lower.data(), columns.upper.data(),
                               columns.cost.data(), columns.begin.data(), columns.row.data(),
                               columns.value.data());
@@ -90,6 +101,7 @@ void LinearProgram::startFrom(const std::vector<unsigned char>& basis) {
 }
 
 Outcome LinearProgram::solveDual() {
+    if (!solver_->is_sound) return Outcome::failed;
     solver_->model.dual();
     solver_->iterations += solver_->model.numberIterations();
     return outcomeOf(solver_->model) == Outcome::optimal ? solvePrimal() : outcomeOf(solver_->model);
@@ -99,6 +111,7 @@ Outcome LinearProgram::solveDual() {
 /// forces.
 Outcome LinearProgram::solvePrimal() {
     constexpr int kMostTimes = 5;
+    if (!solver_->is_sound) return Outcome::failed;
     for (int k = 0; k < kMostTimes; ++k) {
         solver_->model.primal();
         solver_->iterations += solver_->model.numberIterations();
