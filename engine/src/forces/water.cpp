@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "forces/contact_forces.h"
 #include "forces/wet_walls.h"
@@ -147,30 +149,69 @@ Polygon inPlaneOf(const State& state, std::size_t i, std::size_t j, const Polygo
     return result;
 }
 
+/// What a wall's water wets now.
+struct WetPart {
+    std::size_t wall = 0;
+    Polygon polygon{};  ///< in the wall's plane
+    Vec3 low = Vec3::Constant(kInfinity),
+         high = Vec3::Constant(-kInfinity);  ///< in the block's own frame [m]
+};
+
+/// The wet parts of a block's walls, ascending by their lower ends along an axis.
+std::vector<WetPart> wetPartsOf(const State& state, std::size_t block, int& axis) {
+    const WetPatches& wet = state.wet;
+    std::vector<WetPart> parts;
+    Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
+    for (auto k = state.incidence.wet_begin[block]; k < state.incidence.wet_begin[block + 1]; ++k) {
+        const auto w = static_cast<std::size_t>(state.incidence.wet[static_cast<std::size_t>(k)]);
+        WetPart part{.wall = w, .polygon = wetPart(wetPolygon(wet, w), pressureOnWall(state, w).hydrostatic)};
+        if (part.polygon.empty()) continue;
+        for (const Vec2& v : part.polygon) {
+            const Vec3 x = wet.origin.get(w) + v.x() * wet.e1.get(w) + v.y() * wet.e2.get(w);
+            part.low = part.low.cwiseMin(x), part.high = part.high.cwiseMax(x);
+        }
+        low = low.cwiseMin(part.low), high = high.cwiseMax(part.high);
+        parts.push_back(std::move(part));
+    }
+    if (!parts.empty()) (high - low).maxCoeff(&axis);
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](const WetPart& a, const WetPart& b) { return a.low[axis] < b.low[axis]; });
+    return parts;
+}
+
+/// The first two walls of a block, in the order of their numbers, whose waters wet the same place. A wet part is compared with
+/// those alone that begin before it ends.
+std::optional<std::pair<std::size_t, std::size_t>> sharedWet(const State& state, std::size_t block) {
+    int axis = 0;
+    const std::vector<WetPart> parts = wetPartsOf(state, block, axis);
+    std::optional<std::pair<std::size_t, std::size_t>> shared;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (std::size_t j = i + 1; j < parts.size() && parts[j].low[axis] <= parts[i].high[axis]; ++j) {
+            const WetPart &first = parts[i], &second = parts[j];
+            if (!samePlace(state.wet, first.wall, second.wall)) continue;
+            const Polygon common =
+                intersect(first.polygon, inPlaneOf(state, first.wall, second.wall, second.polygon));
+            const double smaller = std::min(area(first.polygon), area(second.polygon));
+            if (common.empty() || area(common) <= kSharedWet * smaller) continue;
+            const std::pair<std::size_t, std::size_t> walls = std::minmax(first.wall, second.wall);
+            if (!shared || walls < *shared) shared = walls;
+        }
+    return shared;
+}
+
 std::vector<Error> sharedWetErrors(const State& state) {
     const Model& model = state.geometry->model;
-    const auto wetPartOf = [&](std::size_t w) {
-        return wetPart(wetPolygon(state.wet, w), pressureOnWall(state, w).hydrostatic);
-    };
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
-        for (auto k = state.incidence.wet_begin[b]; k < state.incidence.wet_begin[b + 1]; ++k)
-            for (auto l = k + 1; l < state.incidence.wet_begin[b + 1]; ++l) {
-                const auto i = static_cast<std::size_t>(state.incidence.wet[static_cast<std::size_t>(k)]);
-                const auto j = static_cast<std::size_t>(state.incidence.wet[static_cast<std::size_t>(l)]);
-                if (!samePlace(state.wet, i, j)) continue;
-                const Polygon wet_i = wetPartOf(i), wet_j = wetPartOf(j);
-                if (wet_i.empty() || wet_j.empty()) continue;
-                const Polygon common = intersect(wet_i, inPlaneOf(state, i, j, wet_j));
-                if (common.empty() || area(common) <= kSharedWet * std::min(area(wet_i), area(wet_j)))
-                    continue;
-                const auto first = static_cast<std::size_t>(std::min(state.wet.water[i], state.wet.water[j]));
-                const auto second =
-                    static_cast<std::size_t>(std::max(state.wet.water[i], state.wet.water[j]));
-                return {{model.waters[second].field,
-                         "its wet part on block \"" + model.blocks[b].name + "\" overlaps that of " +
-                             model.waters[first].field +
-                             "; allowed: waters on parts of a face that do not overlap"}};
-            }
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        const auto shared = sharedWet(state, b);
+        if (!shared) continue;
+        const auto waterOf = [&](std::size_t wall) {
+            return static_cast<std::size_t>(state.wet.water[wall]);
+        };
+        const auto [first, second] = std::minmax({waterOf(shared->first), waterOf(shared->second)});
+        return {{model.waters[second].field, "its wet part on block \"" + model.blocks[b].name +
+                                                 "\" overlaps that of " + model.waters[first].field +
+                                                 "; allowed: waters on parts of a face that do not overlap"}};
+    }
     return {};
 }
 

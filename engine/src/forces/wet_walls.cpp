@@ -244,9 +244,7 @@ std::vector<Error> dryErrors(const State& state) {
     std::vector<Error> errors;
     const Model& model = state.geometry->model;
     for (std::size_t water = 0; water < model.waters.size(); ++water) {
-        const auto index = static_cast<std::int32_t>(water);
-        if (std::find(state.wet.water.begin(), state.wet.water.end(), index) != state.wet.water.end())
-            continue;
+        if (state.wet.water_begin[water] < state.wet.water_begin[water + 1]) continue;
         const Water& description = model.waters[water];
         if (!description.pair) {
             errors.push_back(

@@ -418,6 +418,19 @@ TEST_CASE(
     overlaps("fissure = 1\ndepth = 0.05\n", "fissure = 1\nelevation = 0.02\n");
     overlaps("fissure = 1\nlevels = [[0, 0.0], [1, 0.06]]\n", "fissure = 1\ndepth = 0.02\nbase = 0.05\n");
     overlaps("fissure = 1\ndepth = 0.05\n", "block = \"c1r1s1\"\nface = \"+x\"\ndepth = 0.01\n");
+    // The wet part that overlaps is found wherever it stands among many, and named by its place in the file.
+    for (const int at : {1, 7, 24}) {
+        std::string many = properties() + stack();
+        for (int k = 0; k < 25; ++k)
+            many += "[[water]]\nfissure = 1\nbase = " + std::to_string(0.001 * (k == 24 ? at - 1 : k + 1)) +
+                    "\ndepth = 0.0009\n";
+        const auto errors = faultsOf(many);
+        REQUIRE(errors.size() == (at == 1 ? 0 : 1));
+        if (at == 1) continue;
+        CHECK(errors[0].field == "water[24]");
+        CHECK(errors[0].message.find("overlaps that of water[" + std::to_string(at - 2) + "]") !=
+              std::string::npos);
+    }
     fits("fissure = 1\ndepth = 0.05\n", "fissure = 1\ndepth = 0.02\nbase = 0.05\n");
     fits("fissure = 1\ndepth = 0.05\n", "fissure = 2\ndepth = 0.05\n");
     fits("fissure = 1\ndepth = 0.05\n", "fissure = 1\ndepth = 0.0\n");
