@@ -229,15 +229,4 @@ void takeOut(State& state, const std::vector<std::size_t>& blocks, bool parallel
     searchAround(state, std::move(around), parallel);
 }
 
-void holdOthers(State& state, const std::vector<char>& part, bool parallel) {
-    const std::vector<char> reached = withNeighbours(state, part, 1, Through::free_blocks);
-    std::vector<char> around(state.blocks.size(), 0);
-    for (std::size_t b = 0; b < around.size(); ++b) {
-        if (part[b] || state.blocks.motion[b] != Motion::free) continue;
-        fix(state.blocks, b);
-        around[b] = reached[b] ? 0 : 1;
-    }
-    searchAround(state, std::move(around), parallel);
-}
-
 }  // namespace talus

@@ -46,10 +46,4 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
 /// \pre no bolt ties them
 void takeOut(State& state, const std::vector<std::size_t>& blocks, bool parallel);
 
-/// Holds the free blocks of a state at rest that are not marked in `part` (by block) where they are: they are fixed. What they have with
-/// those of the part is left to the bit; contacts among themselves are no more, but for those beside it until the next search of all.
-/// Reads:  as findInterfaces
-/// Writes: the blocks' motion, inertia and velocities; as findInterfaces, forces of contacts and water
-void holdOthers(State& state, const std::vector<char>& part, bool parallel);
-
 }  // namespace talus

@@ -189,7 +189,7 @@ void addTies(const State& state, Balance& balance, const Poses& poses, bool stif
 /// Groups of interfaces whose stiffness is wanted at a time: as much as stays in the cache until it is added up.
 constexpr std::size_t kGroupsAtOnce = 4;
 
-ResponseView responseView(const State& state, Balance& balance, const Poses& poses, double rounding) {
+ResponseView responseView(const State& state, Balance& balance, const Poses& poses) {
     const Interfaces& f = state.interfaces;
     return {.position = numbers(poses.position),
             .orientation = numbers(poses.orientation),
@@ -209,8 +209,7 @@ ResponseView responseView(const State& state, Balance& balance, const Poses& pos
             .stiffness = nullptr,
             .remembers = state.points.remembers(),
             .curved = hasCurves(state),
-            .places = pointPlaces(state),
-            .rounding = rounding};
+            .places = pointPlaces(state)};
 }
 
 void addWrench(Balance& balance, const ActiveInterface& i, Vec6s& force) {
@@ -225,9 +224,8 @@ void addWrench(Balance& balance, const ActiveInterface& i, Vec6s& force) {
     add(balance.row[i.block_b], 1.0, wrench.moment_b);
 }
 
-void addContacts(const State& state, Balance& balance, const Poses& poses, double rounding, bool stiffness,
-                 Vec6s& force) {
-    ResponseView view = responseView(state, balance, poses, rounding);
+void addContacts(const State& state, Balance& balance, const Poses& poses, bool stiffness, Vec6s& force) {
+    ResponseView view = responseView(state, balance, poses);
     const ResponseKernel respond =
         simd::buildFor(state.instructions, kRespondScalar, kRespondAvx2, kRespondAvx512);
     constexpr auto kWidth = static_cast<std::size_t>(simd::kLanes);
@@ -316,51 +314,15 @@ void move(const Balance& balance, const Vec6s& by, double share, Poses& poses) {
     }
 }
 
-void sumForces(const State& state, Balance& balance, const Poses& poses, double rounding, bool stiffness,
-               Vec6s& force, bool contacts) {
+void sumForces(const State& state, Balance& balance, const Poses& poses, bool stiffness, Vec6s& force,
+               bool contacts) {
     force.assign(balance.block.size(), Vec6::Zero());
     if (stiffness) balance.matrix.setZero();
-    if (contacts) addContacts(state, balance, poses, rounding, stiffness, force);
+    if (contacts) addContacts(state, balance, poses, stiffness, force);
     for (std::size_t r = 0; r < force.size(); ++r) force[r].tail<3>() /= balance.radius[r];
     addTies(state, balance, poses, stiffness, force);
     addLoad(bodyAcceleration(state), balance, state, poses, stiffness, force);
     addDead(balance, poses, stiffness, force);
-}
-
-double relativeMotion(const State& state, const ActiveInterface& i, const Poses& from, const Poses& to) {
-    const Interfaces& f = state.interfaces;
-    const auto pose = [&](const Poses& at) {
-        return relativePose(at.position, at.orientation, f, i.interface);
-    };
-    const RelativePose before = pose(from), after = pose(to);
-    double most = 0;
-    for (std::size_t k = 0; k < f.cornerCount(i.interface); ++k) {
-        const std::size_t slot = f.cornerSlot(i.interface, k);
-        const Vec3 at(1.0, f.corners.get(slot, 0), f.corners.get(slot, 1));
-        most = std::max(most, Vec3(at.dot(after.slide_1 - before.slide_1),
-                                   at.dot(after.slide_2 - before.slide_2), at.dot(after.gap - before.gap))
-                                  .norm());
-    }
-    return most;
-}
-
-double deepestPoint(const State& state, const Balance& balance) {
-    double deepest = 0;
-    for (const ActiveInterface& i : balance.interfaces) {
-        const Vec3 gap = relativePose(state, i.interface).gap;
-        for (const ContactPoint& point : contactPoints(state, i.interface)) {
-            deepest = std::max(
-                deepest, point.memory.dilation - gap.dot(Vec3(1.0, point.position.x(), point.position.y())));
-        }
-    }
-    return deepest;
-}
-
-double largestRatio(const Balance& balance, const Vec6s& force) {
-    double largest = 0;
-    for (std::size_t r = 0; r < force.size(); ++r)
-        largest = std::max(largest, force[r].cwiseAbs().maxCoeff() / balance.weight[r]);
-    return largest;
 }
 
 }  // namespace talus::equilibrium

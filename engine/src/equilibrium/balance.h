@@ -68,19 +68,8 @@ void move(const Balance& balance, const Vec6s& by, double share, Poses& poses);
 
 /// Sum of weight, water and contacts on each row's block; with `stiffness`, minus its derivative into balance.matrix. What
 /// contact points remember is that of the state.
-/// \param rounding see normalResponse [N]
 /// \param contacts  whether those of contacts count: not where only differences between loads matter
-void sumForces(const State& state, Balance& balance, const Poses& poses, double rounding, bool stiffness,
-               Vec6s& force, bool contacts = true);
-
-/// Largest change of slide or gap on an interface's patch between two sets of poses [m].
-double relativeMotion(const State& state, const ActiveInterface& interface, const Poses& from,
-                      const Poses& to);
-
-/// How deep the deepest contact point is pressed together [m].
-double deepestPoint(const State& state, const Balance& balance);
-
-/// Largest of an array of forces over the weights of their blocks.
-double largestRatio(const Balance& balance, const Vec6s& force);
+void sumForces(const State& state, Balance& balance, const Poses& poses, bool stiffness, Vec6s& force,
+               bool contacts = true);
 
 }  // namespace talus::equilibrium

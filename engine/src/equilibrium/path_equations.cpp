@@ -123,7 +123,7 @@ void PathEquations::residual(const Arc& arc, const PathStep& at, const Poses& po
                              Vec6s& force) {
     applyLoad(arc.unknown == Unknown::load ? load_ + at.value : load_);
     if (stiffness) gaps_.set(state_, poses.position, poses.orientation);
-    sumForces(state_, balance_, poses, 0.0, stiffness, force);
+    sumForces(state_, balance_, poses, stiffness, force);
     ++work_.forces;
     const double drag = dragOf(arc, at);
     for (std::size_t r = 0; r < force.size(); ++r) force[r] -= drag * balance_.drag[r] * at.x[r];
@@ -139,7 +139,7 @@ void PathEquations::byUnknown(const Arc& arc, const PathStep& at, const Poses& p
     const double difference = kLoadDifference * loading_.cell;
     const auto sum = [&](double load, Vec6s& force) {
         applyLoad(load);
-        sumForces(state_, balance_, poses, 0.0, false, force, loading_.changes_strength);
+        sumForces(state_, balance_, poses, false, force, loading_.changes_strength);
         ++work_.forces;
     };
     Vec6s before;

@@ -20,29 +20,6 @@ struct PointResponse {
     simd::MaskOf<V> open{}, slips{};
 };
 
-/// Normal force and its derivative by the trial force -k_n A (gap - dilation).
-template <class V>
-struct NormalResponse {
-    V force{};  ///< compression positive [N]
-    V slope{};
-};
-
-/// eqs 5 and 7. With `rounding` > 0 [N] an unbonded contact point's corner between open and closed is a hyperbola
-/// that lies rounding/2 above it: a path for Newton's method through contacts that open and close, never the answer.
-template <class V>
-TALUS_KERNEL NormalResponse<V> normalResponse(V trial, V tension_limit, double rounding) {
-    using simd::larger, simd::select, simd::squareRoot;
-    const V zero{}, one = V{} + 1.0;
-    NormalResponse<V> exact{larger(trial, -tension_limit), select(trial < -tension_limit, zero, one)};
-    if (!(rounding > 0)) return exact;
-    const V root = squareRoot(trial * trial + rounding * rounding);
-    // The conjugate form: the plain sum loses everything where the contact point is wide open.
-    const V force =
-        select(trial > 0.0, (trial + root) * 0.5, (V{} + 0.5 * rounding * rounding) / (root - trial));
-    const auto holds = tension_limit > 0.0;
-    return {select(holds, exact.force, force), select(holds, exact.slope, force / root)};
-}
-
 /// From this share of the strength's square on a contact point slips. What slipped in the last committed step is at its strength to
 /// rounding: were it taken to stick, or left to rounding, each step would begin with finding out anew who slips.
 inline constexpr double kCorner = 1.0 - 1e-9;
@@ -53,9 +30,8 @@ inline constexpr double kCorner = 1.0 - 1e-9;
 /// way round.
 template <bool Curved = true, class V>
 TALUS_KERNEL PointResponse<V> pointResponse(const contact::JointParameters<V>& joint, V area, V slide_1,
-                                            V slide_2, V gap, const contact::MemoryOf<V>& memory,
-                                            double rounding) {
-    using simd::any, simd::both, simd::select, simd::squareRoot;
+                                            V slide_2, V gap, const contact::MemoryOf<V>& memory) {
+    using simd::any, simd::both, simd::larger, simd::select, simd::squareRoot;
     const V zero{};
     PointResponse<V> point;
     const contact::StiffnessOf<V> sticking = contact::stiffnessOf(joint);
@@ -69,10 +45,8 @@ TALUS_KERNEL PointResponse<V> pointResponse(const contact::JointParameters<V>& j
     const V trial_normal = -normal_stiffness * opening;
     const auto free = both(trial_normal < 0.0, tension_limit == 0.0);
     point.open = both(free, contact::holdsNothing(joint, memory.bond));
-    if (rounding > 0) point.open = simd::MaskOf<V>{};
-    const NormalResponse<V> normal = normalResponse(trial_normal, tension_limit, rounding);
-    point.normal = select(free, zero, normal.force);
-    point.by_gap_n = select(free, zero, -normal.slope * normal_stiffness);
+    point.normal = select(free, zero, larger(trial_normal, -tension_limit));
+    point.by_gap_n = select(trial_normal < -tension_limit, zero, zero - normal_stiffness);
     const V back_1 = memory.offset_1 - slide_1, back_2 = memory.offset_2 - slide_2;
     const V back_squared = back_1 * back_1 + back_2 * back_2;
     const V strength = contact::shearStrength<Curved>(joint, area, point.normal, memory.bond);

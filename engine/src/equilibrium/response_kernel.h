@@ -189,8 +189,8 @@ struct ResponseLoop {
             memory.dilation = members.load(row + 3 * kRow);
         }
         const V slide_1 = affine(pose.slide_1, xi, eta), slide_2 = affine(pose.slide_2, xi, eta);
-        const PointResponse<V> point = pointResponse<Curved>(
-            law, area, slide_1, slide_2, affine(pose.gap, xi, eta), memory, view.rounding);
+        const PointResponse<V> point =
+            pointResponse<Curved>(law, area, slide_1, slide_2, affine(pose.gap, xi, eta), memory);
         if (!any(!point.open)) return;
         const V x = xi + slide_1, y = eta + slide_2;
         sum.add(point, x, y);

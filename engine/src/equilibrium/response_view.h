@@ -36,7 +36,6 @@ struct ResponseView {
     bool remembers;  ///< as in ContactView
     bool curved;     ///< likewise
     PointPlaces places;
-    double rounding;  ///< see normalResponse [N]
 };
 
 /// Groups [begin, end). Same bits from each.

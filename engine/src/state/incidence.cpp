@@ -66,21 +66,6 @@ void buildIncidence(State& state) {
     if (incidence.wet_begin.size() != n + 1) incidence.wet_begin.assign(n + 1, 0);
 }
 
-std::vector<char> withNeighbours(const State& state, std::vector<char> marked, int rings, Through through) {
-    const Interfaces& f = state.interfaces;
-    const auto passes = [&](std::size_t b) {
-        return through == Through::all_blocks || state.blocks.motion[b] == Motion::free;
-    };
-    for (int ring = 0; ring < rings; ++ring) {
-        const std::vector<char> inner = marked;
-        for (std::size_t i = 0; i < f.size(); ++i) {
-            const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
-            if (!isIdle(f, i) && inner[a] != inner[b] && passes(a) && passes(b)) marked[a] = marked[b] = 1;
-        }
-    }
-    return marked;
-}
-
 std::int32_t largestInterface(const State& state, std::int32_t block_1, std::int32_t block_2) {
     const Incidence& incidence = state.incidence;
     assert(isBlockOf(incidence, block_1) && isBlockOf(incidence, block_2));

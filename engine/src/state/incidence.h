@@ -25,12 +25,6 @@ ContactCount countContacts(const Interfaces& interfaces);
 /// Finds which interfaces push on which block. Reads interfaces, writes their part of incidence.
 void buildIncidence(State& state);
 
-/// Through which blocks one is another's neighbour: what is fixed hands no motion on.
-enum class Through { free_blocks, all_blocks };
-
-/// By block: whether it is marked, or so many contacts (`rings`) from one that is.
-std::vector<char> withNeighbours(const State& state, std::vector<char> marked, int rings, Through through);
-
 /// Largest length that a block's gaps are differences of: its own coordinates, and those of what it touches with the arms from there
 /// to the contact. A gap is rounded by that times the rounding of one [m].
 double coordinateReach(const State& state, const PositionArray& position, std::size_t block);

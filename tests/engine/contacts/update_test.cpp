@@ -396,39 +396,4 @@ TEST_SUITE("contacts") {
                 CHECK_FALSE((isOut(anew.interfaces.block_a[i]) || isOut(anew.interfaces.block_b[i])));
         }
     }
-
-    TEST_CASE(
-        "of blocks that are held only contacts with the part that goes on are left, and these to the bit") {
-        const State before = pressedStack();
-        for (const std::vector<std::size_t>& going :
-             {std::vector<std::size_t>{1}, {5}, {3, 4, 24}, {1, 2, 3, 4, 5, 6}}) {
-            CAPTURE(going.size());
-            std::vector<char> part(before.blocks.size(), 0);
-            for (const std::size_t b : going) part[b] = 1;
-            State after = before;
-            holdOthers(after, part, false);
-            checkValid(after, true);
-            std::size_t of_part = 0;
-            for (std::size_t o = 0; o < before.interfaces.size(); ++o) {
-                const auto a = static_cast<std::size_t>(before.interfaces.block_a[o]),
-                           b = static_cast<std::size_t>(before.interfaces.block_b[o]);
-                if (!part[a] && !part[b]) continue;
-                ++of_part;
-                std::size_t i = 0;
-                while (i < after.interfaces.size() && sameFaces(after.interfaces, i, before.interfaces) != o)
-                    ++i;
-                REQUIRE(i < after.interfaces.size());
-                CHECK(after.interfaces.wrench(i).force == before.interfaces.wrench(o).force);
-            }
-            CHECK(of_part > 0);
-            for (std::size_t b = 0; b < part.size(); ++b) {
-                CHECK((after.blocks.motion[b] == Motion::free) == (part[b] != 0));
-                CHECK_FALSE(after.blocks.isGone(b));
-            }
-            REQUIRE(findInterfaces(after, false, false).empty());  // later searches leave no others
-            for (std::size_t i = 0; i < after.interfaces.size(); ++i)
-                CHECK((part[static_cast<std::size_t>(after.interfaces.block_a[i])] ||
-                       part[static_cast<std::size_t>(after.interfaces.block_b[i])]));
-        }
-    }
 }
