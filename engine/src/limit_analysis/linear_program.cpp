@@ -4,6 +4,7 @@
 #include <ClpSimplex.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace talus::limit {
 namespace {
@@ -12,8 +13,14 @@ constexpr double kTolerance = 1e-9;  // of rows, and of reduced costs; both are 
 // CLP takes larger numbers for infinite, and ends the program where it cannot.
 constexpr double kMost = 1e20;
 
-bool areWithinReach(const std::vector<double>& numbers) {
-    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::abs(x) < kMost; });
+bool isWithinReach(double x) { return std::abs(x) < kMost; }
+
+/// A row may have no lower or no upper bound.
+bool areBounds(const std::vector<double>& lower, const std::vector<double>& upper) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    return std::all_of(lower.begin(), lower.end(),
+                       [](double x) { return isWithinReach(x) || x == -kNone; }) &&
+           std::all_of(upper.begin(), upper.end(), [](double x) { return isWithinReach(x) || x == kNone; });
 }
 
 /// Ends the simplex method when the caller asks for it.
@@ -58,7 +65,7 @@ LinearProgram::LinearProgram(const std::vector<double>& row_lower, const std::ve
                              const std::atomic<bool>* stop)
     : solver_(std::make_unique<Solver>()) {
     ClpSimplex& model = solver_->model;
-    solver_->is_sound = areWithinReach(row_lower) && areWithinReach(row_upper);
+    solver_->is_sound = areBounds(row_lower, row_upper);
     model.setLogLevel(0);
     const StopHandler handler(stop);
     model.passInEventHandler(&handler);
@@ -76,7 +83,8 @@ LinearProgram& LinearProgram::operator=(LinearProgram&&) noexcept = default;
 
 void LinearProgram::append(const Columns& columns) {
     if (columns.size() == 0) return;
-    solver_->is_sound = solver_->is_sound && areWithinReach(columns.value);
+    solver_->is_sound =
+        solver_->is_sound && std::all_of(columns.value.begin(), columns.value.end(), isWithinReach);
     solver_->model.addColumns(static_cast<int>(columns.size()), columns.lower.data(), columns.upper.data(),
                               columns.cost.data(), columns.begin.data(), columns.row.data(),
                               columns.value.data());

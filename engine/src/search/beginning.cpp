@@ -1,5 +1,6 @@
 #include "search/beginning.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -66,6 +67,7 @@ class Loader {
         }
         if (start_.weighted && start_.weighted(path_) && !bringOn(weightAxis(start_.imbalance), "weight"))
             return begun_;
+        const bool may_be_later = std::abs(start_.tilt - level) > kNothing;
         if (!model_.hasWater()) {
             if (weaken() && tilt(tilting, level)) push();
             return begun_;
@@ -76,8 +78,7 @@ class Loader {
         bool stands = bringOn(waterAxis(start_.imbalance), "water");
         const bool parts = parted_ > start_.displacements[start_.counts];
         stands = stands && weaken();
-        const bool may_be_later = std::abs(start_.tilt - level) > kNothing && !path_.stopped();
-        if ((!stands || parts) && may_be_later) {
+        if ((!stands || parts) && may_be_later && !path_.stopped()) {
             const Begun wet_begun = begun_;
             const auto wet = path_.place();
             path_.goBack(dry);
@@ -95,23 +96,34 @@ class Loader {
     }
 
  private:
-    /// Brings the weight on with more strength than is wanted, so much that joints only give. What parts as much with
-    /// more strength had joints to close.
+    /// Brings the weight on with more strength than is wanted, so much that joints only give, and that water can come on
+    /// after it. What parts as much with more strength had joints to close.
     bool weigh() {
         const auto bare = path_.place();
         std::optional<EquilibriumPath::Place> best;
-        double factor = start_.factor;
+        bool bears_water = false;
         for (int k = 0; k < kWeightAttempts; ++k) {
-            factor /= path_.rules().weight_strength;
+            const double factor = start_.factor / std::pow(path_.rules().weight_strength, k + 1);
             if (k > 0) path_.goBack(bare);
             path_.vary(start_.strength.loading, factor);
             const bool stands = bringOn(weightAxis(start_.imbalance), "weight");
             if (path_.stopped()) return false;
-            if (!stands || (best && parted_ >= kPartsLess * begun_.parted)) continue;
-            best.emplace(path_.place());
-            begun_.parted = parted_;
+            if (!stands) {  // what falls even with the most strength always does
+                k = std::max(k, kWeightAttempts - 2);
+                continue;
+            }
+            const double parted = parted_;
+            const auto weighted = path_.place();
+            const bool bears = !model_.hasWater() || bringOn(waterAxis(start_.imbalance), "water");
+            if (path_.stopped()) return false;
+            const bool is_better = !best || (bears && !bears_water) ||
+                                   (bears == bears_water && parted < kPartsLess * begun_.parted);
+            if (!is_better) continue;
+            best.emplace(weighted);
+            bears_water = bears;
+            begun_.parted = parted;
             begun_.factor = factor;
-            if (parted_ <= start_.displacements[start_.counts]) break;
+            if (bears && parted <= start_.displacements[start_.counts]) break;
         }
         if (!best) return false;
         path_.goBack(*best);

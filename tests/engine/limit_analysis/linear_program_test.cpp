@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 using namespace talus::limit;
 
 TEST_SUITE("limit_analysis") {
@@ -10,15 +12,23 @@ TEST_SUITE("limit_analysis") {
             CAPTURE(bound);
             LinearProgram program({bound}, {bound}, nullptr);
             Columns columns;
-            columns.begin = {0, 1};
-            columns.lower = {0};
-            columns.upper = {1e4};
-            columns.cost = {1};
-            columns.row = {0};
-            columns.value = {1};
+            columns.entry(0, 1);
+            columns.close(0, 1e4, 1);
             program.append(columns);
             const Outcome outcome = program.solvePrimal();
             CHECK((outcome == (bound < 1e4 ? Outcome::optimal : Outcome::failed)));
         }
+    }
+
+    TEST_CASE("rows need have no lower or no upper bound") {
+        constexpr double kNone = std::numeric_limits<double>::infinity();
+        LinearProgram program({-kNone, 2}, {7, kNone}, nullptr);
+        Columns columns;
+        columns.entry(0, 1);
+        columns.entry(1, 1);
+        columns.close(0, 1e4, -1);
+        program.append(columns);
+        REQUIRE((program.solvePrimal() == Outcome::optimal));
+        CHECK(program.value(0) == doctest::Approx(7));
     }
 }

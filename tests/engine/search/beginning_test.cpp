@@ -94,6 +94,24 @@ TEST_SUITE("search") {
         CHECK(path.state().load.tilt == doctest::Approx(radians(15)));
     }
 
+    TEST_CASE("beginning: water that slides a block even at twice its strength comes on with more of it") {
+        // Thrust rho g H^2 / 2 = 4.4 kN/m against W tan(20) = 1.4 to 4.1 kN/m: two to eight times the strength hold it.
+        for (const double density : {400.0, 700.0, 1200.0}) {
+            CAPTURE(density);
+            Model model = floorModel(kFriction);
+            addBox(model, "box", {0, 0, 0}, {1, 1, 0.95}, density);
+            model.waters = {waterOn(model, 1, Vec3::UnitX(), 0.95)};
+            const double weight = density * 9.81 * 0.95, thrust = 9810 * 0.95 * 0.95 / 2;
+            equilibrium::EquilibriumPath path(unloaded(model), {}, false, nullptr);
+            const LoadAxis strength = strengthAxis(model, path.rules());
+            Start start{.weakens = false, .strength = strength, .imbalance = 1e-4};
+            start.displacements = {3e-4};
+            const Begun begun = bringToStart(path, model, start);
+            REQUIRE((begun.result == PathResult::reached));
+            CHECK(begun.factor < weight * std::tan(radians(kFriction)) / thrust);
+        }
+    }
+
     TEST_CASE("beginning: a block that nothing holds falls as its weight comes on") {
         Model model = slope({});
         addBox(model, "hangs", {1, 0.3, 0.3}, {0.1, 0.1, 0.1});
