@@ -1,5 +1,6 @@
 // The talus command line: finds the subcommand, runs it, and turns every failure into a message and an exit code.
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -147,6 +148,14 @@ void checkInstructionSet() {
                                             "\"avx2\" or \"avx512\""}});
 }
 
+/// Opens /dev/null in place of standard streams that the caller closed. Otherwise the next file to be opened would get their
+/// descriptor, and messages would be written into it. \return whether all three are open
+bool openStandardStreams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != stream) return false;
+    return true;
+}
+
 int guarded(int argc, char** argv) {
     const bool json = wantsJson(argc, argv);
     try {
@@ -166,6 +175,7 @@ int guarded(int argc, char** argv) {
 }  // namespace talus::tools
 
 int main(int argc, char** argv) {
+    if (!talus::tools::openStandardStreams()) return talus::tools::kFileRefused;
     talus::tools::rememberCommandLine(argc, argv);
     try {
         return talus::tools::guarded(argc, argv);

@@ -183,6 +183,26 @@ TEST_CASE("a full disk behind stdout is the file system's refusal") {
     CHECK(outcome.err.find("stdout") != std::string::npos);
 }
 
+TEST_CASE("a stream that was closed takes no file's place: what is printed is written into none") {
+    const TemporaryFolder folder;
+    const std::string scenario = folder.write(
+        "run.toml", blockScenario(10, 20, "[run]\nduration_s = 0.01\nframe_interval_s = 0.002\n"));
+    for (const std::string closed : {">&-", "2>&-", "<&-", ">&- 2>&-", ">&- 2>&- <&-"})
+        for (const std::string name : {"run.mcap", "run.csv"}) {
+            CAPTURE(closed);
+            CAPTURE(name);
+            const std::string path = folder / name;
+            const std::string line = "'" + std::string(TALUS_PROGRAM) + "' run '" + scenario + "' -o '" +
+                                     path + "' --force >'" + (folder / "out") + "' 2>'" + (folder / "err") +
+                                     "' " + closed;
+            CHECK(std::system(line.c_str()) == 0);
+            if (name == "run.mcap")
+                CHECK(runTalus({"inspect", path, "--verify"}).exit_code == 0);
+            else
+                CHECK(contentOf(path).ends_with("\n# end: finished\n"));
+        }
+}
+
 TEST_CASE("talus -V, and talus help COMMAND") {
     CHECK(runTalus({"-V"}).out == runTalus({"--version"}).out);
     CHECK(runTalus({"help"}).out == runTalus({"--help"}).out);
