@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <numeric>
+#include <sstream>
 
 #include "cli/failures.h"
 #include "cli/help.h"
@@ -16,6 +17,7 @@
 #include "cli/provenance.h"
 #include "cli/signals.h"
 #include "cli/terminal.h"
+#include "cli/text.h"
 #include "commands/commands.h"
 #include "talus/build_info.h"
 #include "talus/formats/scenario.h"
@@ -92,7 +94,12 @@ int execute(const std::vector<Command>& commands) {
 
 /// Help, version and wrong usage.
 int onParseError(const CLI::App& root, const CLI::ParseError& error, bool json) {
-    if (error.get_exit_code() == 0) return root.exit(error);
+    if (error.get_exit_code() == 0) {
+        std::ostringstream asked_for;
+        const int done = root.exit(error, asked_for, asked_for);
+        printText(asked_for.str());
+        return done;
+    }
     std::string command = "talus";
     for (const CLI::App* app = &root; !app->get_subcommands().empty();) {
         app = app->get_subcommands().front();
@@ -176,6 +183,7 @@ int guarded(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     if (!talus::tools::openStandardStreams()) return talus::tools::kFileRefused;
+    talus::tools::ignoreFileSizeSignal();
     talus::tools::rememberCommandLine(argc, argv);
     try {
         return talus::tools::guarded(argc, argv);

@@ -51,7 +51,7 @@ class Program {
     /// not counted: that file would be cut off, too.
     Program(Room room, std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), {"/bin/bash", "-c",
-                                             "trap '' XFSZ; export LLVM_PROFILE_FILE=/dev/null; ulimit -f " +
+                                             "export LLVM_PROFILE_FILE=/dev/null; ulimit -f " +
                                                  std::to_string(room.kib) + "; exec \"$0\" \"$@\"",
                                              TALUS_PROGRAM});
         start(arguments, "");

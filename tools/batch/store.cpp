@@ -299,9 +299,10 @@ void Store::requireFolder() const {
     struct stat here {
     }, there{};
     if (::fstat(results_, &here) == 0 && ::stat(resultsPath().c_str(), &there) == 0 &&
-        here.st_ino == there.st_ino && here.st_dev == there.st_dev)
+        here.st_ino == there.st_ino && here.st_dev == there.st_dev &&
+        static_cast<std::uint64_t>(here.st_size) >= read_up_to_)
         return;
-    throw FileRefused(resultsPath() + ": was removed or replaced while the batch went on");
+    throw FileRefused(resultsPath() + ": was removed, replaced or truncated while the batch went on");
 }
 
 int Store::sync() {

@@ -30,6 +30,7 @@ bool isStopped(const std::atomic<bool>* stop) {
 /// ECANCELED when stopped. Closes the file in any case.
 int writeAndClose(int file, std::string_view content, const std::atomic<bool>* stop = nullptr) {
     constexpr std::size_t kPiece = std::size_t{1} << 24;
+    const std::size_t size = content.size();
     int error = 0;
     while (!content.empty() && error == 0) {
         const ssize_t written = ::write(file, content.data(), std::min(content.size(), kPiece));
@@ -42,6 +43,7 @@ int writeAndClose(int file, std::string_view content, const std::atomic<bool>* s
         if (error == 0 && isStopped(stop)) error = ECANCELED;
     }
     if (error == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != ENOTSUP) error = errno;
+    if (error == 0 && !formats::isAsLong(file, size)) error = ENOENT;
     if (::close(file) != 0 && error == 0) error = errno;
     return error;
 }
@@ -67,7 +69,7 @@ void writeInPlace(const std::string& path, std::string_view content) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (file < 0) throw FileRefused(path, "cannot be opened for writing", errno);
     if (const int error = writeAndClose(file, content); error != 0)
-        throw FileRefused(path, "cannot be written", error);
+        throw FileRefused(path + ": " + formats::writeRefusal(error));
 }
 
 }  // namespace
@@ -90,7 +92,7 @@ bool writeFile(const std::string& path, std::string_view content, const std::ato
     }
     ::unlink(temporary.c_str());
     if (error == ECANCELED) return false;
-    throw FileRefused(path, "cannot be written", error);
+    throw FileRefused(path + ": " + formats::writeRefusal(error));
 }
 
 void refuseUnwritable(const std::string& path) {

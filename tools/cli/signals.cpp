@@ -50,6 +50,8 @@ void onStopSignal(int signal_number) {
 
 }  // namespace
 
+void ignoreFileSizeSignal() { std::signal(SIGXFSZ, SIG_IGN); }
+
 void catchStopSignals() {
     struct sigaction action {};
     action.sa_handler = onStopSignal;

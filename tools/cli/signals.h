@@ -1,11 +1,14 @@
 #pragma once
-// SIGINT and SIGTERM.
+// SIGINT and SIGTERM, and SIGXFSZ, which is ignored.
 
 #include <atomic>
 #include <string>
 #include <utility>
 
 namespace talus::tools {
+
+/// A file that may grow no further (ulimit -f) is then refused like one on a full disk, and does not end the process.
+void ignoreFileSizeSignal();
 
 /// Lets SIGINT and SIGTERM set the flag below instead of ending the process; a second one ends it at once.
 void catchStopSignals();

@@ -88,12 +88,18 @@ bool OutputFile::isAtItsPath() const {
     return ::stat(path_.c_str(), &there) == 0 && here.st_ino == there.st_ino && here.st_dev == there.st_dev;
 }
 
-int OutputFile::sync() const {
+int OutputFile::sync(std::uint64_t written) const {
     if (!isRegular(file_)) return 0;
     if (::fsync(file_) != 0 && errno != EINVAL && errno != ENOTSUP) return errno;
-    if (!isAtItsPath()) return ENOENT;
+    if (!isAtItsPath() || !isAsLong(file_, written)) return ENOENT;
     syncFolderOf(path_);
     return 0;
+}
+
+bool isAsLong(int file, std::uint64_t written) {
+    struct stat info {};
+    return ::fstat(file, &info) != 0 || !S_ISREG(info.st_mode) ||
+           static_cast<std::uint64_t>(info.st_size) == written;
 }
 
 void syncFolderOf(const std::string& path) {
@@ -107,7 +113,7 @@ void syncFolderOf(const std::string& path) {
 
 std::string writeRefusal(int error) {
     if (error == ENOENT)
-        return "was removed or replaced while it was being written; what was computed is lost";
+        return "was removed, replaced or truncated while it was being written; what was computed is lost";
     return std::string("cannot be written: ") + std::strerror(error);
 }
 

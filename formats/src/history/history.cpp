@@ -74,7 +74,7 @@ std::vector<Error> HistoryWriter::write(const HistoryRecord& record) {
 std::vector<Error> HistoryWriter::finish(std::string_view how) {
     if (failed_ || !started_) return {};
     std::vector<Error> errors = append(std::string(kLastLine) + std::string(how) + "\n");
-    if (const int error = errors.empty() ? file_.sync() : 0; error != 0)
+    if (const int error = errors.empty() ? file_.sync(written_) : 0; error != 0)
         errors = refusal(writeRefusal(error));
     return errors;
 }
@@ -120,10 +120,12 @@ std::string HistoryWriter::row(const HistoryRecord& record) const {
 }
 
 std::vector<Error> HistoryWriter::append(std::string_view text) {
+    if (!isAsLong(file_.file(), written_)) return refusal(writeRefusal(ENOENT));
     while (!text.empty()) {
         const ssize_t written = ::write(file_.file(), text.data(), text.size());
         if (written >= 0) {
             text.remove_prefix(static_cast<std::size_t>(written));
+            written_ += static_cast<std::uint64_t>(written);
         } else if (errno != EINTR) {
             return refusal(writeRefusal(errno));
         }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mcap/compression.h"
+#include "talus/formats/output_file.h"
 
 namespace talus::mcap {
 namespace {
@@ -32,8 +33,12 @@ Writer::~Writer() {
 int Writer::append(View bytes) {
     if (refused_ != 0) return refused_;
     // Devices and pipes cannot be cut or sought; a refusal to do so is none to be written to.
-    if (!std::exchange(cut_, true) && ::ftruncate(file_, static_cast<off_t>(written_.size)) == 0)
-        ::lseek(file_, static_cast<off_t>(written_.size), SEEK_SET);
+    if (!std::exchange(cut_, true)) {
+        if (::ftruncate(file_, static_cast<off_t>(written_.size)) == 0)
+            ::lseek(file_, static_cast<off_t>(written_.size), SEEK_SET);
+    } else if (!formats::isAsLong(file_, written_.size)) {
+        return refused_ = ENOENT;
+    }
     refused_ = writeAll(file_, bytes);
     if (refused_ != 0) {
         [[maybe_unused]] const int ignored = ::ftruncate(file_, static_cast<off_t>(written_.size));

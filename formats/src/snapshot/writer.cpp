@@ -218,7 +218,7 @@ std::vector<Error> SnapshotWriter::finish(const SnapshotEnd& end) {
     const std::string& path = work_->target.path();
     if (work_->too_large)
         return {Error{path, "a full state of this model is beyond the 2 GB that a snapshot can hold"}};
-    if (refused == 0 && work_->begun) refused = work_->target.sync();
+    if (refused == 0 && work_->begun) refused = work_->target.sync(work_->mcap.fileSize());
     work_->refused = refused;
     if (refused != 0) return {Error{path, writeRefusal(refused)}};
     return {};

@@ -45,9 +45,25 @@ TEST_CASE("a file that got nothing is taken away, one that was replaced meanwhil
         REQUIRE(file.ok());
         CHECK(::unlink((folder / "new").c_str()) == 0);
         folder.write("new", "");
-        CHECK(file->sync() == ENOENT);
+        CHECK(file->sync(0) == ENOENT);
     }
     CHECK(folder.files() == 1);
+}
+
+TEST_CASE("a file that is shorter or longer than what was written is told at its end") {
+    const TemporaryFolder folder;
+    const std::string path = folder / "new";
+    const auto file = OutputFile::open(path);
+    REQUIRE(file.ok());
+    REQUIRE(::write(file->file(), "12345", 5) == 5);
+    CHECK(file->sync(5) == 0);
+    for (const std::uintmax_t size : {3, 7}) {
+        std::filesystem::resize_file(path, size);
+        CHECK(file->sync(5) == ENOENT);
+    }
+    const auto device = OutputFile::open("/dev/null");
+    REQUIRE(device.ok());
+    CHECK(device->sync(5) == 0);
 }
 
 TEST_CASE("of two that make one file at the same moment one has it, and the other leaves it alone") {

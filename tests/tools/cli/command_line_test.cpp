@@ -203,6 +203,22 @@ TEST_CASE("a stream that was closed takes no file's place: what is printed is wr
         }
 }
 
+TEST_CASE("files that may grow no further are the file system's refusal, as a full disk is") {
+    const TemporaryFolder folder;
+    const std::string scenario = folder.write("block.toml", blockScenario(0, 20));
+    const std::vector<std::vector<std::string>> commands{
+        {"--help"},
+        {"theory", "table1"},
+        {"critical-angle", scenario, "--json"},
+        {"blocks", scenario, "-o", folder / "blocks.svg", "--quiet"}};
+    for (const auto& arguments : commands) {
+        CAPTURE(arguments.front());
+        Program program(Room{0}, arguments);
+        CHECK(program.outcome().exit_code == 4);
+    }
+    CHECK(folder.files() == 1);
+}
+
 TEST_CASE("talus -V, and talus help COMMAND") {
     CHECK(runTalus({"-V"}).out == runTalus({"--version"}).out);
     CHECK(runTalus({"help"}).out == runTalus({"--help"}).out);

@@ -370,4 +370,17 @@ TEST_CASE("a batch whose folder is removed says so") {
     CHECK(program.outcome().exit_code == 4);
 }
 
+TEST_CASE("a batch whose results are truncated says so") {
+    const BatchFolder batch(draws(100000));
+    const std::string results = batch.out() + "/results.csv";
+    Program program(batch.command());
+    REQUIRE(waitFor([&] { return std::filesystem::exists(results) && linesOf(results).size() > 3; }));
+    std::filesystem::resize_file(results, 0);
+    CHECK(program.endsWithin(60));
+    program.signal(SIGINT);
+    const Outcome outcome = program.outcome();
+    CHECK(outcome.exit_code == 4);
+    CHECK(outcome.err.find("truncated while the batch went on") != std::string::npos);
+}
+
 }  // namespace talus::tools::testing

@@ -52,7 +52,24 @@ TEST_CASE("a file that was removed while it was being written is told") {
     program.signal(SIGINT);
     const Outcome outcome = program.outcome();
     CHECK(outcome.exit_code == 4);
-    CHECK(outcome.err.find("was removed or replaced") != std::string::npos);
+    CHECK(outcome.err.find("was removed, replaced or truncated") != std::string::npos);
+}
+
+TEST_CASE("a file that was truncated while it was being written is told at the next write") {
+    const LongRun run;
+    for (const std::string name : {"cut.mcap", "cut.csv"}) {
+        CAPTURE(name);
+        const std::string path = run.folder / name;
+        Program program({"run", run.scenario, "-o", path, "--quiet"});
+        REQUIRE(waitFor(
+            [&] { return std::filesystem::exists(path) && std::filesystem::file_size(path) > 2000; }));
+        std::filesystem::resize_file(path, 100);
+        CHECK(program.endsWithin(60));
+        program.signal(SIGINT);
+        const Outcome outcome = program.outcome();
+        CHECK(outcome.exit_code == 4);
+        CHECK(outcome.err.find("truncated while it was being written") != std::string::npos);
+    }
 }
 
 TEST_CASE("no output replaces what the command reads, under whatever name and --force or not") {

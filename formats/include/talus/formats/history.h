@@ -40,6 +40,7 @@ class HistoryWriter {
 
     OutputFile file_;
     bool started_ = false, failed_ = false;
+    std::uint64_t written_ = 0;  ///< [bytes]
     std::string comments_;
     std::vector<std::string> watch_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 // A file that is written while a computation goes on, by one process at a time: snapshots and histories.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,9 @@ class OutputFile {
     const std::string& path() const { return path_; }
     LockReach lockReach() const { return reach_; }
 
-    /// Brings to the disk what was written, the folder's entry too. 0, or an errno; ENOENT when the file is not at its
-    /// path any more, because somebody has removed or replaced it or its folder.
-    int sync() const;
+    /// Brings to the disk what was written, so many bytes, and the folder's entry. 0, or an errno; ENOENT when the file at its
+    /// path is not the one that was written any more: somebody has removed, replaced or truncated it, or removed its folder.
+    int sync(std::uint64_t written) const;
 
  private:
     OutputFile(int file, std::string path) : file_(file), path_(std::move(path)) {}
@@ -39,6 +40,10 @@ class OutputFile {
     LockReach reach_ = LockReach::every_machine;
     std::string path_;
 };
+
+/// Whether a file is as long as what was written to it, so that nobody else has truncated it. True of devices and pipes. Ask before
+/// each write: a write to a truncated file leaves a hole, and the length is right again.
+bool isAsLong(int file, std::uint64_t written);
 
 /// Brings the entries of the folder this path is in to the disk, as far as the file system lets it.
 void syncFolderOf(const std::string& path);
