@@ -82,6 +82,24 @@ class Answers(unittest.TestCase):
         answers = {talus.critical_angle(self.file, threads=threads).state_hash for threads in (0, 1, 2)}
         self.assertEqual(len(answers), 1)
 
+    def test_threads_that_cannot_be_had_are_refused_at_once(self):
+        model = talus.load(self.file)
+        sweep = self.files / "sweep.toml"
+        calls = (
+            lambda threads: talus.critical_angle(model, threads=threads),
+            lambda threads: talus.limit_analysis(model, "tilt", threads=threads),
+            lambda threads: talus.run(model, threads=threads),
+            lambda threads: talus.batch(sweep, self.files / "out", threads=threads),
+            lambda threads: talus.Simulation(model, threads=threads),
+            lambda threads: model.validate(threads),
+        )
+        for call in calls:
+            for threads in (-1, 1025, 100_000, 10**9, 10**30):
+                with self.subTest(threads=threads), self.assertRaisesRegex(talus.ScenarioError, f"threads: found {threads}, allowed: 0"):
+                    call(threads)
+            with self.assertRaises(TypeError):
+                call(1.5)
+
     def test_limit_analysis(self):
         for load in ("tilt", "factor", "horizontal"):
             with self.subTest(load):

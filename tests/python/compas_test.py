@@ -108,6 +108,36 @@ class Compas(unittest.TestCase):
                 talus.compas.model(wrong, **STIFF)
             self.assertIn(words, caught.exception.errors[0][4])
 
+    def test_wrong_kinds_inside_are_told(self):
+        def wrong_at(value, *keys):
+            """The assembly with a value in place of what is there; "block" leads into a block's mesh."""
+            assembly = copy.deepcopy(talus.compas.load(HERE / "two-blocks-2.json"))
+            place = graph_of(assembly)
+            for key in keys[:-1]:
+                place = content(place[key]) if key == "block" else place[key]
+            place[keys[-1]] = value
+            return assembly
+
+        assembly = talus.compas.load(HERE / "two-blocks-2.json")
+        model = talus.compas.model(assembly, **STIFF)
+        for value in (3, [1], "x", None):
+            for keys in (
+                ["node"], ["node", "1"], ["node", "1", "block"], ["node", "1", "block", "vertex"], ["node", "1", "block", "face"],
+                ["node", "1", "block", "attributes"], ["node", "1", "block", "vertex", "6"],
+            ):
+                with self.subTest(value=value, keys=keys), self.assertRaises(talus.ScenarioError):
+                    talus.compas.model(wrong_at(value, *keys), **STIFF)
+            for keys in (["node"], ["edge"], ["edge", "0"], ["edge", "0", "1"]):
+                with self.subTest(value=value, keys=keys), self.assertRaises(talus.ScenarioError):
+                    talus.compas.with_forces(wrong_at(value, *keys), model)
+        for keys, value in ((["node", "1", "block", "vertex", "6", "x"], 10**400), (["node", "1", "block", "vertex"], {})):
+            with self.subTest(keys=keys), self.assertRaises(talus.ScenarioError):
+                talus.compas.model(wrong_at(value, *keys), **STIFF)
+        fewer = copy.deepcopy(assembly)
+        del graph_of(fewer)["node"]["1"]
+        with self.assertRaisesRegex(talus.ScenarioError, "no node of the block b1"):
+            talus.compas.with_forces(fewer, model)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -124,6 +124,31 @@ class Faults(unittest.TestCase):
         with self.assertRaises(talus.ScenarioError):
             talus.open("/nowhere/run.mcap")
 
+    def test_a_nul_ends_no_path(self):
+        with Folder() as files:
+            file = files.write("slope.toml", SLOPE)
+            model, cut = talus.load(file), f"{file}\0.toml"
+            for call in (
+                lambda: talus.load(cut),
+                lambda: talus.critical_angle(cut),
+                lambda: talus.critical_angle(model, plot=files / "a.svg\0.svg"),
+                lambda: talus.run(model, files / "a.mcap\0.mcap"),
+                lambda: talus.run(resume=files / "a.mcap\0.mcap"),
+                lambda: talus.batch(cut, files / "out"),
+                lambda: talus.open(files / "a.mcap\0.mcap"),
+                lambda: talus.Simulation(cut),
+                lambda: talus.Model(folder=f"{files.path}\0"),
+            ):
+                with self.assertRaisesRegex(talus.ScenarioError, "NUL"):
+                    call()
+            self.assertEqual(sorted(each.name for each in files.path.iterdir()), ["slope.toml"])
+
+    def test_a_nul_ends_no_mesh_files_name(self):
+        model = talus.load(ROOT / "bench/examples/hillside.toml")
+        model["rock_mass.region"] = {"obj": "hillside.obj\0.obj"}
+        with self.assertRaisesRegex(talus.ScenarioError, "NUL"):
+            model.validate()
+
     def test_a_file_system_that_refuses(self):
         with self.assertRaises(OSError):
             talus.run(sliding_block(), "/nowhere/run.mcap")

@@ -23,7 +23,7 @@ void addCommon(CLI::App& app, Common& common, bool computes) {
     app.add_flag("--quiet", common.quiet, "No progress and no notes on stderr");
     if (computes)
         app.add_option("--threads", common.threads, "Threads to compute with (0: all cores)")
-            ->check(CLI::Range(0, 1024))
+            ->check(CLI::Range(0, kMostThreads))
             ->capture_default_str();
 }
 

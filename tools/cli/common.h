@@ -5,6 +5,8 @@
 
 namespace talus::tools {
 
+inline constexpr int kMostThreads = 1024;  ///< a larger number is a typing error
+
 /// Options every computing subcommand takes.
 struct Common {
     bool json = false;   ///< one JSON object on stdout

@@ -154,11 +154,11 @@ void addAnalyses(py::module_& module) {
         "search",
         [](const std::string& name, const formats::Scenario& scenario, int groups, const py::object& ceiling,
            const py::object& range, const std::string& keep_run, std::optional<double> keep_run_seconds,
-           bool force, const std::string& plot, const std::string& picture, int threads,
+           bool force, const std::string& plot, const std::string& picture, const py::object& threads,
            const py::object& progress) {
             return search(name, scenario,
                           {groups, ceiling, range, keep_run, keep_run_seconds, force, {plot, picture}},
-                          {threads, progress});
+                          {threadsOf(threads), progress});
         },
         py::arg("name"), py::arg("scenario"), py::kw_only(), py::arg("groups"), py::arg("ceiling"),
         py::arg("range"), py::arg("keep_run"), py::arg("keep_run_seconds"), py::arg("force"), py::arg("plot"),
@@ -166,25 +166,25 @@ void addAnalyses(py::module_& module) {
     module.def("curve", curve, py::arg("result_json"));
     module.def(
         "limit_analysis",
-        [](const formats::Scenario& scenario, const std::string& load, std::size_t max_points, int threads,
-           const py::object& progress) {
-            return limit(scenario, load, max_points, {threads, progress});
+        [](const formats::Scenario& scenario, const std::string& load, std::size_t max_points,
+           const py::object& threads, const py::object& progress) {
+            return limit(scenario, load, max_points, {threadsOf(threads), progress});
         },
         py::arg("scenario"), py::kw_only(), py::arg("load"), py::arg("max_points"), py::arg("threads"),
         py::arg("progress"));
     module.def(
         "run",
         [](const formats::Scenario* scenario, const std::string& output, const std::string& resume,
-           int full_every, bool force, int threads, const py::object& progress) {
-            return timeHistory(scenario, output, resume, full_every, force, {threads, progress});
+           int full_every, bool force, const py::object& threads, const py::object& progress) {
+            return timeHistory(scenario, output, resume, full_every, force, {threadsOf(threads), progress});
         },
         py::arg("scenario"), py::kw_only(), py::arg("output"), py::arg("resume"), py::arg("full_every"),
         py::arg("force"), py::arg("threads"), py::arg("progress"));
     module.def(
         "batch",
-        [](const std::string& sweep, const std::string& folder, bool retry, int threads,
+        [](const std::string& sweep, const std::string& folder, bool retry, const py::object& threads,
            const py::object& progress) {
-            return batchRuns(sweep, folder, retry, {threads, progress});
+            return batchRuns(sweep, folder, retry, {threadsOf(threads), progress});
         },
         py::arg("sweep"), py::arg("folder"), py::kw_only(), py::arg("retry"), py::arg("threads"),
         py::arg("progress"));

@@ -6,6 +6,9 @@
 #include <optional>
 #include <thread>
 
+#include "cli/common.h"
+#include "cli/failures.h"
+
 namespace talus::python {
 
 /// The latest progress that nobody has been told, and whether the computation has ended.
@@ -39,6 +42,18 @@ void attend(const Manner& manner, const std::optional<Progress>& news) {
 }
 
 }  // namespace
+
+int threadsOf(const py::object& wish) {
+    const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(wish.ptr()));
+    if (!number) throw py::error_already_set();
+    int overflow = 0;
+    const long threads = PyLong_AsLongAndOverflow(number.ptr(), &overflow);
+    if (overflow != 0 || threads < 0 || threads > tools::kMostThreads)
+        throw tools::BadInput(Error{"threads", "found " + py::str(number).cast<std::string>() +
+                                                   ", allowed: 0 (all cores) to " +
+                                                   std::to_string(tools::kMostThreads)});
+    return static_cast<int>(threads);
+}
 
 void compute(const Manner& manner, const std::function<void(Computing&)>& body) {
     Computing computing(manner.threads);

@@ -14,6 +14,9 @@ namespace talus::python {
 
 namespace py = pybind11;
 
+/// The number of threads that a caller asks for. Throws BadInput for one that is negative or too large, and TypeError.
+int threadsOf(const py::object& wish);
+
 /// What a caller says of how to compute: threads (0: all cores), and a callback (stage, fraction, detail) or None.
 struct Manner {
     int threads = 0;

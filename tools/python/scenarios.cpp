@@ -38,8 +38,8 @@ std::string picture(const formats::Scenario& scenario, double azimuth_deg, doubl
 }
 
 /// What the command `talus validate` checks beyond reading: overlaps, water on no face, pairs that do not touch.
-void check(const formats::Scenario& scenario, int threads) {
-    compute({threads}, [&](Computing& computing) {
+void check(const formats::Scenario& scenario, const py::object& threads) {
+    compute({threadsOf(threads)}, [&](Computing& computing) {
         const std::vector<Error> errors =
             formats::placed(scenario, checkModel(scenario.model, computing.control()));
         if (!errors.empty()) throw tools::BadInput(errors);

@@ -46,9 +46,9 @@ constexpr py::ssize_t kDouble = sizeof(double);
 /// where it is, so that arrays handed out go along.
 class SteppedModel {
  public:
-    SteppedModel(const formats::Scenario& scenario, int threads, const py::object& progress)
-        : scenario_(std::make_shared<formats::Scenario>(scenario)), threads_(threads) {
-        compute({threads, progress}, [&](Computing& computing) {
+    SteppedModel(const formats::Scenario& scenario, const py::object& threads, const py::object& progress)
+        : scenario_(std::make_shared<formats::Scenario>(scenario)), threads_(threadsOf(threads)) {
+        compute({threads_, progress}, [&](Computing& computing) {
             const std::shared_ptr<const Model> model(scenario_, &scenario_->model);
             simulation_.emplace(tools::valueOf(Simulation::begin(model, computing.control()), *scenario_));
         });
@@ -130,8 +130,8 @@ py::tuple energies(const SteppedModel& self) {
 
 void addSimulation(py::module_& module) {
     py::class_<SteppedModel>(module, "Simulation")
-        .def(py::init<const formats::Scenario&, int, py::object>(), py::arg("scenario"), py::arg("threads"),
-             py::arg("progress"))
+        .def(py::init<const formats::Scenario&, py::object, py::object>(), py::arg("scenario"),
+             py::arg("threads"), py::arg("progress"))
         .def("step", &SteppedModel::step, py::arg("count"), py::arg("progress"))
         .def_property_readonly(
             "positions",

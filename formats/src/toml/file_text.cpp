@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "talus/formats/inputs.h"
+#include "toml/wording.h"
 
 namespace talus::formats::toml {
 
@@ -33,6 +34,9 @@ Result<std::string> readAll(std::FILE* file, const std::string& name) {
 }  // namespace
 
 Result<std::string> readFileText(const std::string& path) {
+    // The system would end the name there and open another file.
+    if (path.find('\0') != std::string::npos)
+        return fileError(oneLine(path), "has a NUL in its name, allowed: a name without");
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         return fileError(path, "found a directory, allowed: a file");

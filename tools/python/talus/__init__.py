@@ -10,10 +10,9 @@ answer is the same to the bit) and ``progress``, called with (stage, fraction, d
 it computes, and Ctrl-C stops it. What is wrong with the input is raised as ``talus.ScenarioError``.
 """
 
-import os as _os
-
 from . import _core
 from ._errors import ScenarioError
+from ._errors import path_of as _path_of
 from ._model import Model
 from ._result import Result, SearchResult
 from ._run import Contacts, Run, Simulation, open
@@ -40,7 +39,7 @@ __all__ = [
 
 def load(file):
     """Reads a scenario file (TOML). Raises ScenarioError with every fault, its line and column."""
-    return Model._loaded(_core.read(_os.fspath(file)))
+    return Model._loaded(_core.read(_path_of(file)))
 
 
 def _model(model):
@@ -57,11 +56,11 @@ def _search(name, model, *, threads=0, progress=None, groups=1, ceiling=None, ra
             groups=groups,
             ceiling=ceiling,
             range=range,
-            keep_run=_os.fspath(keep_run) if keep_run is not None else "",
+            keep_run=_path_of(keep_run) if keep_run is not None else "",
             keep_run_seconds=keep_run_seconds,
             force=force,
-            plot=_os.fspath(plot) if plot is not None else "",
-            picture=_os.fspath(picture) if picture is not None else "",
+            plot=_path_of(plot) if plot is not None else "",
+            picture=_path_of(picture) if picture is not None else "",
             threads=threads,
             progress=progress,
         )
@@ -122,8 +121,8 @@ def run(model=None, output=None, *, resume=None, full_every=10, force=False, thr
     return Result.of_json(
         _core.run(
             None if model is None else _model(model),
-            output=_os.fspath(output) if output is not None else "",
-            resume=_os.fspath(resume) if resume is not None else "",
+            output=_path_of(output) if output is not None else "",
+            resume=_path_of(resume) if resume is not None else "",
             full_every=full_every,
             force=force,
             threads=threads,
@@ -139,5 +138,5 @@ def batch(sweep, folder, *, retry=False, threads=0, progress=None):
     Gives ``runs``, ``done``, ``failed``, ``results`` (the CSV file), ``summary`` and ``page``.
     """
     return Result.of_json(
-        _core.batch(_os.fspath(sweep), _os.fspath(folder), retry=retry, threads=threads, progress=progress)
+        _core.batch(_path_of(sweep), _path_of(folder), retry=retry, threads=threads, progress=progress)
     )

@@ -1,5 +1,7 @@
 """What is wrong with the input."""
 
+import os
+
 
 class ScenarioError(ValueError):
     """Faults of a model, a file or an argument: all that were found.
@@ -13,6 +15,14 @@ class ScenarioError(ValueError):
 
     def __reduce__(self):
         return type(self), (self.errors,)
+
+
+def path_of(file):
+    """A path as text. Raises ScenarioError for one with a NUL, at which the system would end it."""
+    path = os.fspath(file)
+    if ("\0" if isinstance(path, str) else b"\0") in path:
+        raise ScenarioError([(None, None, None, "", f"found the path {path!r}, allowed: one without NUL characters")])
+    return path
 
 
 def _line(error):

@@ -8,7 +8,7 @@ import os
 import tomllib
 
 from . import _core, _toml
-from ._errors import ScenarioError
+from ._errors import ScenarioError, path_of
 
 
 @functools.cache
@@ -42,7 +42,7 @@ class Model:
     def __init__(self, tables=None, *, folder=""):
         """tables: those of a scenario as dictionaries and lists; folder: where its mesh files are looked for."""
         self._tables = copy.deepcopy(dict(tables)) if tables else {}
-        self._path = os.path.join(os.fspath(folder), "model") if folder else "model"
+        self._path = os.path.join(path_of(folder), "model") if folder else "model"
         self._scenario = None
 
     @classmethod

@@ -1,9 +1,9 @@
 """Motion: a simulation taken step by step, and runs read from snapshot files, as numpy arrays."""
 
 import functools
-import os
 
 from . import _core
+from ._errors import path_of
 from ._model import Model
 from ._result import frame_of
 
@@ -38,7 +38,7 @@ class Simulation:
     """
 
     def __init__(self, model, *, threads=0, progress=None):
-        scenario = (model if isinstance(model, Model) else Model._loaded(_core.read(os.fspath(model))))._read()
+        scenario = (model if isinstance(model, Model) else Model._loaded(_core.read(path_of(model))))._read()
         self._core = _core.Simulation(scenario, threads, progress)
         self.blocks = scenario.blocks
         """Names, in the order of the arrays."""
@@ -120,8 +120,8 @@ class Run:
     """A run read from a snapshot file; its arrays are read when one is first asked for."""
 
     def __init__(self, file):
-        self._core = _core.Snapshots(os.fspath(file))
-        self.file = os.fspath(file)
+        self._core = _core.Snapshots(path_of(file))
+        self.file = path_of(file)
 
     @property
     def blocks(self):

@@ -52,7 +52,7 @@ def model(
         vertices, faces = _mesh(key, node)
         if not _is_convex(vertices, faces):
             errors.append((None, None, None, f"node {key}", "found a mesh that is not convex, allowed: convex blocks"))
-        made.block(_name(key), vertices=vertices.tolist(), fixed=_is_support(node))
+        made.block(_name(key), vertices=vertices.tolist(), fixed=_is_support(key, node))
     if errors:
         raise ScenarioError(errors)
     return made
@@ -70,9 +70,12 @@ def with_forces(assembly: dict[str, Any], simulation: Simulation | Model) -> dic
     graph = _graph(result)
     keys = {_name(key): key for key in graph["node"]}
     edges = graph["edge"]
-    for others in edges.values():
-        for attributes in others.values():
-            attributes["interfaces"] = []
+    for u, others in _table(edges, "edge").items():
+        for v, attributes in _table(others, f"edge {u}").items():
+            _table(attributes, f"edge {u} {v}")["interfaces"] = []
+    for block in simulation.blocks:
+        if block not in keys:
+            raise _fault("node", f"found no node of the block {block}, allowed: the assembly that the simulation was made of")
     contacts = simulation.contacts
     for interface in _np.unique(contacts.interface):
         points = _np.flatnonzero(contacts.interface == interface)
@@ -120,9 +123,22 @@ def _graph(assembly):
     content = _content(assembly)
     graph = _content(content["graph"]) if isinstance(content, dict) and "graph" in content else content
     if not isinstance(graph, dict) or "node" not in graph:
-        raise ScenarioError([(None, None, None, "assembly", "found no graph with nodes, allowed: the JSON of an assembly of compas_assembly")])
+        raise _fault("assembly", "found no graph with nodes, allowed: the JSON of an assembly of compas_assembly")
+    for key, node in _table(graph["node"], "node").items():
+        _table(node, f"node {key}")
     graph.setdefault("edge", {})
     return graph
+
+
+def _table(thing, field):
+    """A dictionary that stands for a JSON object; anything else is a fault of the file."""
+    if not isinstance(thing, dict):
+        raise _fault(field, f"found {json.dumps(thing, default=repr)[:40]}, allowed: a JSON object")
+    return thing
+
+
+def _fault(field, message):
+    return ScenarioError([(None, None, None, field, message)])
 
 
 def _mesh(key, node):
@@ -131,14 +147,17 @@ def _mesh(key, node):
     try:
         numbers = {vertex: k for k, vertex in enumerate(mesh["vertex"])}
         vertices = _np.array([[at[axis] for axis in "xyz"] for at in mesh["vertex"].values()], dtype=float)
-        return vertices, [[numbers[str(corner)] for corner in face] for face in mesh["face"].values()]
-    except (TypeError, KeyError, ValueError):
-        raise ScenarioError([(None, None, None, f"node {key}", "found no block, allowed: a mesh of vertex and face")]) from None
+        faces = [[numbers[str(corner)] for corner in face] for face in mesh["face"].values()]
+    except (AttributeError, KeyError, OverflowError, TypeError, ValueError):
+        vertices, faces = [], []
+    if len(vertices) == 0:
+        raise _fault(f"node {key}", "found no block, allowed: a mesh of vertex and face")
+    return vertices, faces
 
 
-def _is_support(node):
-    block = _content(node.get("block")) or {}
-    return bool(node.get("is_support") or block.get("attributes", {}).get("is_support"))
+def _is_support(key, node):
+    attributes = _table(_content(node["block"]).get("attributes", {}), f"node {key}, block, attributes")
+    return bool(node.get("is_support") or attributes.get("is_support"))
 
 
 def _is_convex(vertices, faces):
