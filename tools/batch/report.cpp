@@ -315,7 +315,7 @@ void writeReport(const std::string& folder, const StoredBatch& batch, const Comm
     Json json = toJson(summary);
     json["provenance"] = facts;
     const auto write = [&](const char* name, const Json& what, int indent) {
-        writeFile(folder + "/" + name, what.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n");
+        writeFile(folder + "/" + name, jsonText(what, indent) + "\n");
     };
     write(kSummaryName, json, 2);
     write(kReportName, report, -1);

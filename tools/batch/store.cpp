@@ -192,13 +192,13 @@ std::string Store::resultsPath() const { return folder_ + "/" + resultsName(shar
 void Store::prepare() {
     const std::string path = folder_ + "/" + kInfoName;
     if (!std::filesystem::exists(path)) {
-        writeFile(path, toJson(info_).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+        writeFile(path, jsonText(toJson(info_), 2) + "\n");
         return;
     }
     const BatchInfo there = readInfo(path);
     // More samples, other thresholds to report on: the same runs, so the description follows the sweep.
     if (toJson(there) != toJson(info_) && there.runs <= info_.runs)
-        writeFile(path, toJson(info_).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+        writeFile(path, jsonText(toJson(info_), 2) + "\n");
 }
 
 void Store::openResults() {
@@ -213,7 +213,7 @@ void Store::openResults() {
         ::unlink(path.c_str());
         throw FileRefused(path, "cannot be written", error);
     }
-    writeFile(path + "-metadata.json", csvMetadata(info_, resultsName(shard_)).dump(2) + "\n");
+    writeFile(path + "-metadata.json", jsonText(csvMetadata(info_, resultsName(shard_)), 2) + "\n");
 }
 
 /// \pre byte 0 is held, so nobody is in the middle of a row

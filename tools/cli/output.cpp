@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -29,10 +30,16 @@ void printResult(const std::string& text) {
     printText(::isatty(STDOUT_FILENO) != 0 ? fitted(text, columnsOf(STDOUT_FILENO, 80)) : text);
 }
 
-// Names come from files, so they may hold bytes that are not UTF-8; those must not stop a result from being printed.
-void printJson(const Json& json) {
-    printText(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+std::string jsonText(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
+
+std::string validUtf8(const std::string& text) {
+    const bool is_ascii = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x80; });
+    return is_ascii ? text : Json::parse(jsonText(text)).get<std::string>();
+}
+
+void printJson(const Json& json) { printText(jsonText(json, 2) + "\n"); }
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 

@@ -54,7 +54,7 @@ std::string provenanceComments(const Common& common, const std::string& scenario
     std::string lines;
     for (const auto& [key, value] : facts.items()) {
         if (value.is_null()) continue;
-        std::string line = value.is_string() ? value.get<std::string>() : value.dump();
+        std::string line = value.is_string() ? value.get<std::string>() : jsonText(value);
         for (char& c : line)
             if (c == '\n' || c == '\r') c = ' ';  // a line break in an argument must not end the comment
         lines += "# " + key + ": " + line + "\n";

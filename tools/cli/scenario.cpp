@@ -38,7 +38,7 @@ EndsAtOnce whileReading(const std::string& name, const Common& common) {
 EndsAtOnce endsWhile(const std::string& doing, const Common& common) {
     const Error interrupted{"", "interrupted while " + doing};
     return EndsAtOnce(
-        common.json ? errorsJson({interrupted}).dump(2) + "\n" : "",
+        common.json ? jsonText(errorsJson({interrupted}), 2) + "\n" : "",
         // over the progress, if there is any
         (isatty(STDERR_FILENO) != 0 ? "\r\x1b[2Kerror: " : "error: ") + interrupted.message + "\n");
 }

@@ -48,7 +48,7 @@ std::vector<std::size_t> chosen(const formats::SnapshotReader& reader, std::size
 bool stopped() { return stopRequested().load(std::memory_order_relaxed); }
 
 std::string vtkText(const Json& vtk) {
-    return vtk["block_files"].dump() + " frames and " + vtk["contact_files"].dump() +
+    return jsonText(vtk["block_files"]) + " frames and " + jsonText(vtk["contact_files"]) +
            " sets of contacts in " + vtk["folder"].get<std::string>() +
            " (open blocks.pvd and contacts.pvd)\n";
 }
@@ -121,7 +121,7 @@ class VtkExport {
     /// What is told when it ends at once.
     std::string onStdout() const {
         const Json json = {{"frames", reader_.frames().size()}, {"vtk", facts()}, {"interrupted", true}};
-        return options_.common.json ? json.dump(2) + "\n" : vtkText(json["vtk"]);
+        return options_.common.json ? jsonText(json, 2) + "\n" : vtkText(json["vtk"]);
     }
 
     formats::SnapshotReader& reader_;
@@ -221,7 +221,7 @@ int exportSnapshot(const ExportOptions& options) {
     } else {
         std::string lines;
         if (json.contains("vtk")) lines += vtkText(json["vtk"]);
-        if (json.contains("csv")) lines += json["csv"]["rows"].dump() + " rows in " + options.csv + "\n";
+        if (json.contains("csv")) lines += jsonText(json["csv"]["rows"]) + " rows in " + options.csv + "\n";
         for (const char* kind : {"stl", "ply", "gltf"})
             if (json.contains(kind)) lines += "blocks in " + json[kind]["file"].get<std::string>() + "\n";
         printResult(lines);

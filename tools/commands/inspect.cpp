@@ -42,7 +42,7 @@ View viewOf(formats::SnapshotReader& reader, const InspectOptions& options) {
 std::string factText(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_float()) return Table{{""}, {{value}}}.text().substr(1);
-    return value.dump();
+    return jsonText(value);
 }
 
 /// "key: value" lines; lists of texts one a line, lists of objects as a table of their own.

@@ -57,10 +57,10 @@ int merge(const MergeOptions& options) {
         csv += all.lines.at(run) + '\n';
         failed += isFailure(all.row(run)[status]);
     }
-    writeFile(folder + "/batch.json",
-              toJson(all.info).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    writeFile(folder + "/batch.json", jsonText(toJson(all.info), 2) + "\n");
     writeFile(folder + "/results.csv", csv);
-    writeFile(folder + "/results.csv-metadata.json", csvMetadata(all.info, "results.csv").dump(2) + "\n");
+    writeFile(folder + "/results.csv-metadata.json",
+              jsonText(csvMetadata(all.info, "results.csv"), 2) + "\n");
     writeReport(folder, all, options.common);
     const std::uint64_t missing = all.info.runs - std::min<std::uint64_t>(all.info.runs, runs.size());
     if (options.common.json)

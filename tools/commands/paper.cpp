@@ -73,7 +73,7 @@ void writeAll(const PaperResults& results, const std::string& out) {
     makeFolder(out);
     writeFile(out + "/cases.csv", paperCsv(results));
     writeFile(out + "/laboratory.csv", laboratoryCsv(results));
-    writeFile(out + "/results.json", paperJson(results).dump(2) + '\n');
+    writeFile(out + "/results.json", jsonText(paperJson(results), 2) + '\n');
     writeFile(out + "/fig6.svg", svgFile(plotFig6(results)));
     writeFile(out + "/difference.svg", svgFile(plotDifference(results)));
     writeFile(out + "/contact-points.svg", svgFile(plotPoints(results)));
@@ -81,7 +81,7 @@ void writeAll(const PaperResults& results, const std::string& out) {
     writeSlopes(results, out + "/slopes");
     writeScenarios(results, out + "/scenarios");
     const Json report = paperReport(results);
-    writeFile(out + "/index.json", report.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
+    writeFile(out + "/index.json", jsonText(report) + '\n');
     writeFile(out + "/index.html", reportPage(report));
 }
 

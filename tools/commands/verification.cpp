@@ -61,7 +61,7 @@ void writeAll(const Manual& manual, const std::string& out) {
         writeFile(out + "/scenarios/" + scenarioName(row.what) + ".toml", scenarioText(row.what));
     writeFile(out + "/rows.csv", manualCsv(manual));
     const Json report = manualReport(manual);
-    writeFile(out + "/index.json", report.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
+    writeFile(out + "/index.json", jsonText(report) + '\n');
     writeFile(out + "/index.html", reportPage(report));
 }
 

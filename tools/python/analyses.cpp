@@ -22,9 +22,6 @@ namespace {
 
 using namespace tools;
 
-/// As the command line prints it; Python's reader makes the same numbers of it, to the bit.
-std::string jsonText(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 Common commonOf(const Manner& manner) { return {.json = true, .quiet = true, .threads = manner.threads}; }
 
 struct SearchOptions {

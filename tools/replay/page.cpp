@@ -97,7 +97,7 @@ std::string motionRule() {
                     {"toppling", MotionRule::kToppling},
                     {"pure", MotionRule::kPure},
                     {"deflectionOfSize", MotionRule::kDeflectionOfSize}};
-    return "<script id=\"motion-rule\" type=\"application/json\">" + rule.dump() + "</script>\n";
+    return "<script id=\"motion-rule\" type=\"application/json\">" + jsonText(rule) + "</script>\n";
 }
 
 /// How the page says at which load a failure was kept, by the names of searches and of limit analyses.
@@ -109,7 +109,7 @@ std::string searchWords() {
     };
     for (const LoadSearch& search : loadSearches()) add(search.name, *search.load);
     for (const VariedQuantity& load : variedQuantities()) add(mechanismSource(load), load);
-    return "<script id=\"searches\" type=\"application/json\">" + words.dump() + "</script>\n";
+    return "<script id=\"searches\" type=\"application/json\">" + jsonText(words) + "</script>\n";
 }
 
 void appendBase64(std::string_view bytes, std::string& out) {

@@ -32,7 +32,7 @@ Json toJson(const Report& report) {
 std::string reportPage(const Json& report) {
     std::string data;
     // Inside a script element only < can do harm ("</script>", "<!--"); in JSON it stands in strings alone.
-    for (const char letter : report.dump(-1, ' ', false, Json::error_handler_t::replace))
+    for (const char letter : jsonText(report))
         data += letter == '<' ? std::string("\\u003c") : std::string(1, letter);
     const std::size_t place = kReportPage.find(kPlace);
     return std::string(kReportPage.substr(0, place)) + "<script id=\"report\" type=\"application/json\">" +
@@ -76,7 +76,7 @@ std::vector<std::pair<std::string, std::string>> provenanceFacts(const Json& pro
         if (value.is_null()) continue;
         std::string term = key;
         std::replace(term.begin(), term.end(), '_', ' ');
-        items.emplace_back(term, value.is_string() ? value.get<std::string>() : value.dump());
+        items.emplace_back(term, value.is_string() ? value.get<std::string>() : jsonText(value));
     }
     return items;
 }

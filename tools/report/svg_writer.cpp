@@ -1,5 +1,6 @@
 #include "report/svg_writer.h"
 
+#include "cli/json.h"
 #include "cli/text.h"
 
 namespace talus::tools {
@@ -7,10 +8,11 @@ namespace {
 
 std::string px(double value) { return text(value, 1); }
 
-/// Text made safe for XML, attributes included.
+/// Text made safe for XML, attributes included. What XML has no way to write (control characters,
+/// U+FFFE, U+FFFF) is replaced by U+FFFD.
 std::string escaped(std::string_view text) {
     std::string safe;
-    for (const char letter : text) {
+    for (const char letter : validUtf8(std::string(text))) {
         switch (letter) {
             case '&':
                 safe += "&amp;";
@@ -27,8 +29,18 @@ std::string escaped(std::string_view text) {
             case '\'':
                 safe += "&#39;";
                 break;
-            default:
+            case '\t':
+            case '\n':
+            case '\r':
                 safe += letter;
+                break;
+            default:
+                const bool is_control = static_cast<unsigned char>(letter) < 0x20;
+                const bool ends_noncharacter =
+                    safe.ends_with("\xEF\xBF") && (letter == '\xBE' || letter == '\xBF');
+                safe += is_control          ? "\xEF\xBF\xBD"
+                        : ends_noncharacter ? std::string(1, '\xBD')
+                                            : std::string(1, letter);
         }
     }
     return safe;

@@ -20,12 +20,12 @@ std::string shown(const Json& value) {
     if (value.is_null()) return "-";
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_float()) return sixDigits(value.get<double>() + 0.0);  // -0 is 0
-    return value.dump();
+    return jsonText(value);
 }
 
 std::string csvCell(const Json& value) {
     if (value.is_null()) return "";
-    return value.is_string() ? csvField(value.get<std::string>()) : value.dump();
+    return value.is_string() ? csvField(value.get<std::string>()) : jsonText(value);
 }
 
 }  // namespace

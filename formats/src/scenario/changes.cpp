@@ -47,13 +47,13 @@ std::optional<std::string> change(Document& document, const FieldChange& wish) {
         return "is not the path of a field, allowed: one such as joint.default.friction_deg or "
                "water[0].depth";
     }
-    if (!wish.value.starts_with('[') && !wish.value.starts_with('{'))
-        return document.set(*path, toml::scalarOf(wish.value));
+    if (wish.value.find_first_of("[{\"") != 0) return document.set(*path, toml::scalarOf(wish.value));
     const auto parsed = Document::parse("value = " + wish.value, kChangedBy);
-    if (!parsed) {
+    // Behind a line break there may be more than the value.
+    if (!parsed || parsed->root().size() != 1) {
         return "found " + toml::quoted(wish.value) +
-               ", allowed: an array or a table as the file would have it, such as [0.2, 0.1, 0.1] or "
-               "[\"c1r2s1\"]";
+               ", allowed: one array, table or text as the file would have it, such as [0.2, 0.1, 0.1], "
+               "[\"c1r2s1\"] or \"c1r2s1\"";
     }
     return document.set(*path, *parsed->root().find("value"));
 }

@@ -18,8 +18,6 @@ std::optional<T> readWhole(std::string_view text) {
 }  // namespace
 
 Scalar scalarOf(std::string_view text) {
-    if (text.size() > 1 && text.front() == '"' && text.back() == '"')
-        return std::string(text.substr(1, text.size() - 2));
     if (text == "true" || text == "false") return text == "true";
     const std::string_view unsigned_text = text.starts_with('+') ? text.substr(1) : text;
     if (const auto integer = readWhole<std::int64_t>(unsigned_text)) return *integer;

@@ -7,7 +7,7 @@
 
 namespace talus::formats::toml {
 
-/// An integer, a number, true or false; else the text itself, without double quotes around it.
+/// An integer, a number, true or false; else the text itself.
 Scalar scalarOf(std::string_view text);
 
 }  // namespace talus::formats::toml

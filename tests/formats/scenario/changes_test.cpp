@@ -63,6 +63,34 @@ TEST_SUITE("scenario changes") {
             fault("stack[0].block", "[0.4, -1, 2]").starts_with("--set: error: stack[0].block[1]: found -1"));
     }
 
+    TEST_CASE("a text in double quotes is read as the file's, escapes and all, alone as in an array") {
+        const auto named = [](const std::string& value) {
+            const auto scenario = changed("stack[0].name", value);
+            REQUIRE(scenario.ok());
+            return scenario->model.blocks[1].name;
+        };
+        CHECK(named("wall-").starts_with("wall-"));
+        CHECK(named("\"wall-\"").starts_with("wall-"));
+        CHECK(named("\"w\\u0061ll \\\"a\\\"-\"").starts_with("wall \"a\"-"));
+        CHECK(named("w\\u0061ll-").starts_with("w\\u0061ll-"));
+        CHECK(changed("run.watch", "[\"c1r\\u0032s1\"]")->model.run.watch[0] == "c1r2s1");
+        for (const std::string open : {"\"wall", "\"wall\\q\"", "\"a\" \"b\"", "\""})
+            CHECK(fault("stack[0].name", open).find("allowed: one array, table or text") !=
+                  std::string::npos);
+    }
+
+    TEST_CASE("nothing behind a line break is dropped: it belongs to the value, or is a fault") {
+        CHECK(changed("run.watch", "[\"c1r2s1\",\n \"c2r1s1\"]\n")->model.run.watch.size() == 2);
+        for (const std::string more : {"\nwater = []", "\n[gravity]\ntilt_deg = 3", "\n3"}) {
+            CAPTURE(more);
+            CHECK(fault("run.watch", "[\"c1r2s1\"]" + more).starts_with("--set: error: run.watch: found "));
+            CHECK(
+                fault("stack[0].name", "\"wall\"" + more).starts_with("--set: error: stack[0].name: found "));
+            CHECK(fault("joint.default.friction_deg", "25" + more)
+                      .starts_with("--set: error: joint.default.friction_deg: found "));
+        }
+    }
+
     TEST_CASE("a joint or a material that the file does not have is named where it lacks what is required") {
         CHECK(fault("joint.defalt.friction_deg", "20") ==
               "--set: error: joint.defalt.friction_deg: found the unknown joint \"defalt\", did you mean "

@@ -219,6 +219,32 @@ TEST_CASE("files that may grow no further are the file system's refusal, as a fu
     CHECK(folder.files() == 1);
 }
 
+TEST_CASE("a scenario whose path is not UTF-8 has its answers, and the files drawn of it are XML") {
+    const TemporaryFolder folder;
+    const std::string scenario =
+        folder.write("sl\xff\xfe.toml", blockScenario(10, 20, "[run]\nduration_s = 0.01\n"));
+    const std::string shown = "sl\ufffd\ufffd.toml", run = folder / "run.mcap",
+                      picture = folder / "blocks.svg";
+    for (const std::vector<std::string>& command :
+         std::vector<std::vector<std::string>>{{"critical-angle", scenario},
+                                               {"limit-analysis", scenario, "--for", "tilt"},
+                                               {"theory", scenario},
+                                               {"validate", scenario},
+                                               {"run", scenario, "-o", run},
+                                               {"inspect", run},
+                                               {"blocks", scenario, "-o", picture}}) {
+        CAPTURE(command.front());
+        std::vector<std::string> arguments = command;
+        arguments.push_back("--json");
+        const Outcome outcome = runTalus(arguments);
+        CHECK(outcome.exit_code == 0);
+        const std::string json = outcome.json().dump();
+        CHECK((command.front() == "validate" || json.find(shown) != std::string::npos));
+    }
+    CHECK(contentOf(picture).find(shown) != std::string::npos);
+    CHECK(contentOf(picture).find('\xff') == std::string::npos);
+}
+
 TEST_CASE("talus -V, and talus help COMMAND") {
     CHECK(runTalus({"-V"}).out == runTalus({"--version"}).out);
     CHECK(runTalus({"help"}).out == runTalus({"--help"}).out);

@@ -231,3 +231,10 @@ TEST_CASE("steps between ticks are round, and SVG files are safe XML") {
     CHECK(svg.file(1, 1, "", "", "").find(">&lt;a href=&quot;x&quot;&gt;&amp;&#39;</text>") !=
           std::string::npos);
 }
+
+TEST_CASE("what XML cannot hold is replaced in SVG files: bytes that are not UTF-8, control characters") {
+    SvgWriter svg;
+    svg.label({}, "caf\xe9 \x01 \uffff\ufffd caf\u00e9\t");
+    CHECK(svg.file(1, 1, "", "", "").find(">caf\ufffd \ufffd \ufffd\ufffd caf\u00e9\t</text>") !=
+          std::string::npos);
+}

@@ -14,8 +14,8 @@ namespace talus::formats {
 /// A field that is to have another value than its file gives; it may be one that the file leaves out.
 struct FieldChange {
     std::string field;  ///< as a user writes it: water[0].depth
-    /// an integer, a number, true or false, an array in [] or a table in {} as TOML writes them, else text; in double quotes
-    /// always text
+    /// an integer, a number, true or false; an array in [], a table in {} or a text in double quotes as TOML writes them, with
+    /// its escapes; else text as it stands
     std::string value;
 };
 
