@@ -6,6 +6,7 @@ namespace talus::tools {
 
 SearchReport answer(const LoadSearch& search, const formats::Scenario& scenario, const SearchRequest& request,
                     const Common& common, Control control) {
+    requireFreeBlock(scenario);
     refuseSearchFiles(request.files);
     FailureKeeper keeper(request.keep, common, scenario);
     control.keep_failing_state = keeper.wanted();

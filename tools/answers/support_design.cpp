@@ -341,6 +341,7 @@ std::string answerText(const SupportDesign& design, const Amount& amount) {
 
 SupportDesign designSupport(const SupportQuestion& question, const formats::Scenario& scenario,
                             const Control& control) {
+    requireFreeBlock(scenario);
     return Design(question, scenario, control).run();
 }
 

@@ -139,6 +139,8 @@ bool analyse(const SampledScenario& sampled, const Sweep& sweep, const std::atom
     }
     const auto result = search->find(model, control, {});
     if (stop) return false;  // what stands beside the answer may have been cut short, too
+    // A draw whose joints free no block is a stable one.
+    if (const auto none = formats::noFreeBlock(sampled.scenario)) row.addReason(none->message);
     failed = !result || result->status == SearchStatus::undecided;
     result ? writeSearch(*result, *search, model, sweep.tries_histories, row) : fail(row, result.errors());
     return true;

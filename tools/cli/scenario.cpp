@@ -56,6 +56,11 @@ formats::Scenario loadScenario(const ScenarioInput& input, const Common& common)
     return scenario;
 }
 
+void requireFreeBlock(const formats::Scenario& scenario) {
+    if (auto none = formats::noFreeBlock(scenario))
+        throw BadInput(formats::placed(scenario, {std::move(*none)}));
+}
+
 Json warningsJson(const formats::Scenario& scenario, const std::vector<std::string>& result) {
     Json all = scenario.warnings;
     for (const std::string& warning : result) all.push_back(warning);

@@ -37,6 +37,9 @@ EndsAtOnce endsWhile(const std::string& doing, const Common& common);
 /// Reads a scenario; throws BadInput. Its warnings go to stderr.
 formats::Scenario loadScenario(const ScenarioInput& input, const Common& common);
 
+/// Throws BadInput where no block is free to move: a search has no answer then.
+void requireFreeBlock(const formats::Scenario& scenario);
+
 /// What a result says under "warnings": what is doubtful in the scenario, then in the result.
 Json warningsJson(const formats::Scenario& scenario, const std::vector<std::string>& result = {});
 

@@ -82,6 +82,7 @@ int exitCode(SearchStatus status) {
 
 int analyse(const LimitOptions& options) {
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    requireFreeBlock(scenario);
     MechanismKeeper keeper(options.keep, options.common, scenario);
     ProgressPrinter progress(options.common);
     LimitSettings settings;

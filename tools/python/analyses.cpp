@@ -93,6 +93,7 @@ std::string limit(const formats::Scenario& scenario, const std::string& load, st
             names += (names.empty() ? "\"" : ", \"") + std::string(known.name) + "\"";
         throw BadInput(Error{"load", "found \"" + load + "\", allowed: " + names});
     }
+    requireFreeBlock(scenario);
     LimitSettings settings;
     settings.max_contact_points = max_points;
     std::string json;

@@ -100,6 +100,7 @@ struct CutRockMass {
     double region_volume = 0;      ///< [m^3]
     double min_thickness = 0;      ///< the one used [m]
     std::vector<std::string> warnings;
+    std::vector<std::string> idle_joints;  ///< "joint_set[0] (J1)": those that parted no block
 };
 
 /// Cuts the region by the joint sets, then the unbounded single joints, then the finite ones, each in the order given.

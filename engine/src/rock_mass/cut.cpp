@@ -244,6 +244,7 @@ class Cutter {
 
     void warnOf(const std::string& title, const Tally& tally, std::size_t idle, std::size_t count,
                 bool discs) {
+        if (tally.cuts == 0) result_.idle_joints.push_back(title);
         if (tally.left_out > 0)
             result_.warnings.push_back(title + ": " + std::to_string(tally.left_out) +
                                        (tally.left_out == 1 ? " cut was" : " cuts were") +

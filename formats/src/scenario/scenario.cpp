@@ -65,6 +65,7 @@ class ScenarioReader {
         scenario.joint_origins = joints_.origins();
         scenario.materials = materials_.names.all();
         scenario.finite_cuts = finite_cuts_;
+        scenario.idle_joints = std::move(idle_joints_);
         scenario.warnings = report_.takeWarnings();
         for (std::string& warning : warnings_) scenario.warnings.push_back(std::move(warning));
         return scenario;
@@ -99,6 +100,7 @@ class ScenarioReader {
         if (report_.clean()) rock_blocks_ = cutBlocks(report_, *rock_);
         if (!rock_blocks_) return directory.setIncomplete();
         warnings_ = rock_blocks_->cut.warnings;
+        idle_joints_ = rock_blocks_->cut.idle_joints;
         finite_cuts_ = summaryOf(*rock_, rock_blocks_->finite_cuts);
         if (auto note = bridgeNote(finite_cuts_)) warnings_.push_back(std::move(*note));
         if (rock_->has_mesh)
@@ -203,7 +205,7 @@ class ScenarioReader {
     std::optional<RockMassInput> rock_;
     std::optional<RockMassBlocks> rock_blocks_;
     FiniteCuts finite_cuts_;
-    std::vector<std::string> warnings_;
+    std::vector<std::string> warnings_, idle_joints_;
 };
 
 }  // namespace

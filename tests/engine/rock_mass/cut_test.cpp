@@ -254,7 +254,10 @@ TEST_CASE("cutting: a joint along a face of the region cuts nothing, and says so
         CHECK(cut.blocks.size() == 1);
         REQUIRE(cut.warnings.size() == 1);
         CHECK(cut.warnings[0].find("single_joint[0]: cuts no block") == 0);
+        CHECK(cut.idle_joints == std::vector<std::string>{"single_joint[0]"});
     }
+    rock.singles = {joint(90, 90, {0.5, 0, 0})};
+    CHECK(good(rock).idle_joints.empty());
 }
 
 TEST_CASE("cutting: slivers are left out with a warning, or refused") {

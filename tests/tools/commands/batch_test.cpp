@@ -5,8 +5,10 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "cli/text.h"
 #include "tools/batch_folder.h"
 
 namespace talus::tools::testing {
@@ -42,6 +44,27 @@ TEST_CASE("a grid of friction angles slides at each of them") {
     CHECK(metadata["tableSchema"]["columns"].size() == csvFields(linesOf(results)[0]).size());
     CHECK(metadata["tableSchema"]["columns"][3]["schema:unitText"] == "deg");
     CHECK(contentOf(batch.out() + "/report.html").find("</html>") != std::string::npos);
+}
+
+TEST_CASE("a sample in which no block is free stands, and says so") {
+    const BatchFolder batch(
+        "[[grid]]\nfield = \"single_joint[0].point[2]\"\nvalues = [1.0, 200.0]\n", "safety-factor",
+        "[material.rock]\ndensity = 2650.0\n[joint.default]\nnormal_stiffness = 1e10\nshear_stiffness = 1e9\n"
+        "friction_deg = 20.0\n[rock_mass]\nregion = { box = { min = [0, 0, 0], max = [2, 1, 2] } }\n"
+        "fixed = [{ boundary = \"-z\" }]\n[[single_joint]]\nname = \"A\"\npoint = [1.0, 0.5, 1.0]\ndip_deg = "
+        "30\n"
+        "dip_direction_deg = 270\n");
+    const Outcome outcome = batch.run();
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.json()["failed"] == 0);
+    const std::string results = batch.out() + "/results.csv";
+    CHECK(std::stod(cellOf(results, 0, "safety_factor")) ==
+          doctest::Approx(std::tan(20 * kDegree) / std::tan(30 * kDegree)).epsilon(0.002));
+    CHECK(cellOf(results, 0, "reason").find("no block") == std::string::npos);
+    CHECK(cellOf(results, 1, "status") == "stable_to_stop");
+    CHECK(cellOf(results, 1, "reason")
+              .find("found no block that is free to move: the only block is fixed; "
+                    "single_joint[0] (A) cuts no block") != std::string::npos);
 }
 
 TEST_CASE("the rows are those of the single commands, for any number of threads") {

@@ -410,6 +410,45 @@ TEST_CASE("interrupted after the search, a command keeps its answer and ends wit
     }
 }
 
+TEST_CASE("a model in which no block can move has no answer: bad input, with the joints that cut nothing") {
+    const TemporaryFolder folder;
+    const std::string held = folder.write(
+        "held.toml",
+        "[material.rock]\ndensity = 2650.0\n[joint.default]\nnormal_stiffness = 1e10\nshear_stiffness = 1e9\n"
+        "friction_deg = 30.0\n[rock_mass]\nregion = { box = { min = [0, 0, 0], max = [4, 2, 3] } }\n"
+        "fixed = [{ boundary = \"-z\" }]\n[[single_joint]]\nname = \"A\"\npoint = [0, 0, 20]\ndip_deg = 48\n"
+        "dip_direction_deg = 220\n[[single_joint]]\npoint = [0, 0, 20]\ndip_deg = 52\ndip_direction_deg = "
+        "325\n");
+    const std::string blocks = folder.write(
+        "blocks.toml", blockScenario(0, 20).replace(blockScenario(0, 20).find("name = \"key\""), 0,
+                                                    "driven = true\nvelocity = [0.1, 0, 0]\n"));
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"critical-angle"},
+                                                    {"safety-factor"},
+                                                    {"critical-acceleration"},
+                                                    {"limit-analysis", "--for", "factor"}}) {
+        CAPTURE(command[0]);
+        auto words = command;
+        words.insert(words.begin() + 1, held);
+        const Outcome outcome = runTalus(words);
+        CHECK(outcome.exit_code == 2);
+        CHECK(outcome.out.empty());
+        CHECK(outcome.err.find(
+                  "held.toml:7:1: error: rock_mass: found no block that is free to move: the only block is "
+                  "fixed; single_joint[0] (A) and single_joint[1] cut no block, allowed: ") !=
+              std::string::npos);
+        words[1] = blocks;
+        CHECK(runTalus(words).err.find(
+                  "all 2 blocks are fixed or driven, allowed: at least one free block") != std::string::npos);
+    }
+    const Outcome json = runTalus({"safety-factor", held, "--json", "--quiet"});
+    CHECK(json.exit_code == 2);
+    CHECK(json.json().at("ok") == false);
+    CHECK(json.json().at("errors").size() == 1);
+    CHECK(runTalus({"validate", held}).exit_code == 0);
+    CHECK(runTalus({"safety-factor", held, "--quiet", "--set", "single_joint[0].point=[2.0, 0.0, 2.0]"})
+              .exit_code == 0);
+}
+
 TEST_CASE("what is doubtful in a scenario is told beside each result, to those who read it as JSON, too") {
     const TemporaryFolder folder;
     const std::string path = folder.write("box.toml", blockScenario(12, 0.6, "[run]\nduration_s = 0.01\n"));

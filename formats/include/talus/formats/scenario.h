@@ -15,6 +15,7 @@
 #include <bitset>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,6 +60,8 @@ struct Scenario {
     std::vector<JointOrigin> joint_origins{};           ///< per joint of the model
     std::vector<std::string> materials{};               ///< their names; blocks hold indices
     FiniteCuts finite_cuts{};
+    std::vector<std::string>
+        idle_joints{};  ///< of the rock mass: "joint_set[0] (J1)", those that parted no block
     /// Numbers that look like slips; of cutting a rock mass: cuts left out, joints that cut nothing
     std::vector<std::string> warnings{};
 };
@@ -76,6 +79,9 @@ inline constexpr std::int64_t kMostBlocks = 2'000'000;
 Result<Scenario> parseScenario(const std::string& text, const std::string& path,
                                std::int64_t most_blocks = kMostBlocks,
                                const std::atomic<bool>* stop = nullptr);
+
+/// That no block is free to move, and which joints part no block; nothing where a block is free.
+std::optional<Error> noFreeBlock(const Scenario& scenario);
 
 /// Adds file, line and column to errors of the engine (overlaps, water on no face, ...), by their field: the
 /// place of the field itself, else of the nearest enclosing table ("water[1].walls" falls back to
