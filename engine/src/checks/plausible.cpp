@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "checks/loose_blocks.h"
+#include "checks/water_warnings.h"
 #include "measure/words.h"
 #include "state/incidence.h"
 #include "step/time_step.h"
@@ -159,46 +160,6 @@ std::optional<Error> tableFarAway(const PhreaticSurface& table, const Heights& m
                  "found a water table at " + formatted("%g", level.low) + " to " +
                      formatted("%g", level.high) + " m, allowed: near the model, which reaches from " +
                      formatted("%.4g", model.low) + " to " + formatted("%.4g", model.high) + " m"};
-}
-
-/// No place that water can wet is lower than this [m]: its own base, the lowest corner of its walls; of two blocks' interface, the
-/// higher one's lowest corner.
-double lowestWettable(const Model& model, const Water& water) {
-    const auto lowest_of = [&](std::int32_t block) {
-        Heights heights;
-        for (const Vec3& v : model.blocks[static_cast<std::size_t>(block)].shape.vertices)
-            heights.take(v.z());
-        return heights.low;
-    };
-    if (water.pair)
-        return std::max({water.base, lowest_of(water.pair->first), lowest_of(water.pair->second)});
-    Heights walls;
-    for (const WetFace& wall : water.walls) {
-        const Polyhedron& shape = model.blocks[static_cast<std::size_t>(wall.block)].shape;
-        for (const std::int32_t v : shape.faces[static_cast<std::size_t>(wall.face)])
-            walls.take(shape.vertices[static_cast<std::size_t>(v)].z());
-    }
-    return water.walls.empty() ? water.base : std::max(water.base, walls.low);
-}
-
-/// Water whose table lies below all that it could wet wets nothing. (Where the model is tilted, heights are not along z.)
-std::vector<Error> dryWater(const Model& model) {
-    std::vector<Error> doubts;
-    if (model.phreatic && levelsOf(*model.phreatic).high <= heightsOf(model, 0).low) {
-        doubts.push_back({model.phreatic->field + ".surface",
-                          "found a water table below the whole model: it wets nothing"});
-    }
-    if (model.gravity.tilt != 0) return doubts;
-    for (const Water& water : model.waters) {
-        const double level = levelsOf(water).high, lowest = lowestWettable(model, water);
-        if (water.kind != Water::Level::elevation || level > lowest) continue;
-        const std::string of_what =
-            lowest == water.base ? "the water's own base, " : "the lowest of its walls, at ";
-        doubts.push_back({water.field + ".elevation", "found " + formatted("%g", level) +
-                                                          " m, which is not above " + of_what +
-                                                          formatted("%.4g", lowest) + " m: it wets nothing"});
-    }
-    return doubts;
 }
 
 /// A fissure holds water to its top; higher, it is a reservoir's.
@@ -354,7 +315,7 @@ std::vector<std::string> doubts(const State& state) {
     };
     add(strongLoads(state));
     add(dilatesTooMuch(model));
-    add(dryWater(model));
+    add(dryWaters(state));
     add(highWater(model));
     if (auto falls = nothingHolds(model)) all.push_back(std::move(*falls));
     std::vector<std::string> told;

@@ -25,7 +25,7 @@ std::vector<std::size_t> splintersOfRounding(const State& state, double load_tol
 std::vector<Error> implausible(const State& state);
 
 /// What may be meant, but hardly is: joints so soft that a block sinks a tenth of itself under its own weight, water that wets
-/// nothing or stands high above the model, nothing that holds the blocks, joints that dilate by more than their friction.
+/// no free block or stands high above the model, nothing that holds the blocks, joints that dilate by more than their friction.
 std::vector<std::string> doubts(const State& state);
 
 /// The same, and the block that makes a history's steps many times shorter than the median block would.

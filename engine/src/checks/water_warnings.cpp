@@ -1,9 +1,13 @@
 #include "checks/water_warnings.h"
 
 #include <algorithm>
+#include <numbers>
 
+#include "forces/phreatic.h"
 #include "forces/sum.h"
+#include "forces/water.h"
 #include "measure/words.h"
+#include "model/gravity.h"
 #include "state/block_motion.h"
 
 namespace talus::checks {
@@ -30,7 +34,89 @@ std::optional<std::string> undrainedOn(const State& state, std::size_t block) {
     return std::nullopt;
 }
 
+constexpr const char* kWetsNothing = "it wets no free block";
+
+/// Given with a depth or with heads of 0.
+bool isNothing(const Water& water) {
+    if (water.kind == Water::Level::head) return water.head[0] == 0 && water.head[1] == 0;
+    return water.kind == Water::Level::depth &&
+           std::all_of(water.level.begin(), water.level.end(),
+                       [](const LevelPoint& point) { return point.value == 0; });
+}
+
+/// The scenario's key for where it stands.
+const char* levelKey(const Water& water) {
+    if (water.kind == Water::Level::head) return ".head";
+    if (water.kind == Water::Level::elevation) return ".elevation";
+    return water.level.size() > 1 ? ".levels" : ".depth";
+}
+
+std::string atTilt(const Model& model) {
+    const double tilt_deg = model.gravity.tilt * 180 / std::numbers::pi;
+    return tilt_deg == 0 ? ""
+                         : " (heights along gravity at a tilt of " + formatted("%.4g", tilt_deg) + " deg)";
+}
+
+Error doubtOf(const Model& model, const Water& water, const DryWater& dry) {
+    const std::string wets_nothing = atTilt(model) + std::string(": ") + kWetsNothing;
+    const std::string stands =
+        "found water up to " + formatted("%.4g", dry.table) + " m, which is not above ";
+    switch (dry.why) {
+        case DryWater::Why::no_free_wall:
+            break;
+        case DryWater::Why::falls_from_nothing:
+            return {water.field + ".daylights", stands + "the joint's upper end, at " +
+                                                    formatted("%.4g", dry.wall) +
+                                                    " m, from where the pressure falls" + wets_nothing};
+        case DryWater::Why::table_too_low:
+            return {water.field + levelKey(water), stands + "the lowest of its walls on free blocks, at " +
+                                                       formatted("%.4g", dry.wall) + " m" + wets_nothing};
+        case DryWater::Why::no_head:
+            return {water.field + levelKey(water),
+                    std::string("found heads that leave its walls on free blocks dry: ") + kWetsNothing};
+    }
+    const bool has_base = water.base > -kInfinity;
+    return {water.field + (has_base ? ".base" : levelKey(water)),
+            std::string("found no wall of a free block") +
+                (has_base ? " above its base, " + formatted("%.4g", water.base) + " m: " : ": ") +
+                kWetsNothing};
+}
+
+/// Whether no face of a free block lies below a water table.
+bool isDry(const State& state, const PhreaticSurface& surface) {
+    const Model& model = state.geometry->model;
+    const double unit_weight = surface.density * model.gravity.magnitude;
+    const phreatic::Cells cells = phreatic::cellsOf(surface, downward(model.gravity, state.load.tilt),
+                                                    unit_weight, state.geometry->origin);
+    for (std::size_t b = 0; b < state.blocks.size(); ++b) {
+        if (state.blocks.motion[b] != Motion::free) continue;
+        const Polyhedron& shape = state.geometry->shape[b];
+        const Vec3 position = state.blocks.position.get(b);
+        const Mat3 turn = state.blocks.orientation.matrix(b);
+        const double least = kPresses * state.blocks.mass[b] * model.gravity.magnitude;
+        for (std::size_t face = 0; face < shape.faces.size(); ++face)
+            if (phreatic::pressureOn(cells, phreatic::outlineIn(shape, face), position, turn).force.norm() >
+                least)
+                return false;
+    }
+    return true;
+}
+
 }  // namespace
+
+std::vector<Error> dryWaters(const State& state) {
+    const Model& model = state.geometry->model;
+    std::vector<Error> doubts;
+    if (model.is_remainder || !(model.gravity.magnitude > 0)) return doubts;
+    for (std::size_t w = 0; w < model.waters.size(); ++w) {
+        if (isNothing(model.waters[w])) continue;
+        if (const auto dry = whyDry(state, w)) doubts.push_back(doubtOf(model, model.waters[w], *dry));
+    }
+    if (model.phreatic && isDry(state, *model.phreatic))
+        doubts.push_back({model.phreatic->field + (model.phreatic->line.empty() ? ".obj" : ".surface"),
+                          std::string("found a water table below all free blocks: ") + kWetsNothing});
+    return doubts;
+}
 
 std::optional<std::string> pushedByWater(const State& built, const std::vector<std::size_t>& falling) {
     if (!built.geometry->model.hasWater() || falling.empty()) return std::nullopt;

@@ -215,17 +215,20 @@ std::vector<Error> sharedWetErrors(const State& state) {
     return {};
 }
 
+/// The present load, at the time when a water stands highest.
+Load atHighestLevel(const State& state, std::size_t water) {
+    Load load = state.load;
+    const Water& description = state.geometry->model.waters[water];
+    for (const LevelPoint& point : description.level)
+        if (point.value >= levelAt(description, load.time)) load.time = point.time;
+    return load;
+}
+
 /// Waters that wet the same part of a face under the present load, each at the highest of its levels over time.
 /// \post the pressures are those
 std::vector<Error> overlapErrors(State& state) {
-    for (std::size_t water = 0; water < state.pressure.size(); ++water) {
-        const Load load = state.load;
-        for (const LevelPoint& point : state.geometry->model.waters[water].level)
-            if (point.value >= levelAt(state.geometry->model.waters[water], state.load.time))
-                state.load.time = point.time;
-        state.pressure[water] = pressureField(state, water);
-        state.load = load;
-    }
+    for (std::size_t water = 0; water < state.pressure.size(); ++water)
+        state.pressure[water] = pressureField(state, water, atHighestLevel(state, water));
     return sharedWetErrors(state);
 }
 
@@ -276,14 +279,14 @@ WallPressure pressureOnWall(const State& state, std::size_t w) {
     return pressureNow(state, w, state.pressure[static_cast<std::size_t>(state.wet.water[w])]);
 }
 
-PressureField pressureField(const State& state, std::size_t index) {
+PressureField pressureField(const State& state, std::size_t index, const Load& load) {
     const Water& water = state.geometry->model.waters[index];
     if (state.drained[index]) return {};
     const double g = state.geometry->model.gravity.magnitude;
-    const double unit_weight = water.density * g * state.load.water_share;
-    const Vec3 down = downward(state.geometry->model.gravity, state.load.tilt);
+    const double unit_weight = water.density * g * load.water_share;
+    const Vec3 down = downward(state.geometry->model.gravity, load.tilt);
     if (water.kind == Water::Level::head) return {unit_weight * -down.z(), Vec3::Zero()};
-    const double level = levelAt(water, state.load.time);
+    const double level = levelAt(water, load.time);
     const Vec3 table = water.kind == Water::Level::elevation ? Vec3(-level * down - state.geometry->origin)
                                                              : tablePoint(state, index, level, down);
     // Depth below the table along gravity: down . (x - table).
@@ -291,6 +294,31 @@ PressureField pressureField(const State& state, std::size_t index) {
     if (water.daylight != Water::Daylight::closed)
         field.most = fallingTo(endsOf(state, index, down), water.daylight, field, down);
     return field;
+}
+
+std::optional<DryWater> whyDry(const State& state, std::size_t water) {
+    Load load = atHighestLevel(state, water);
+    load.water_share = 1;
+    const PressureField field = pressureField(state, water, load);
+    const Gravity& gravity = state.geometry->model.gravity;
+    const Vec3 down = downward(gravity, load.tilt);
+    const auto height = [&](const Vec3& x) { return -down.dot(x + state.geometry->origin); };
+    double lowest = kInfinity;
+    for (std::size_t w = state.wet.water_begin[water]; w < state.wet.water_begin[water + 1]; ++w) {
+        const auto b = static_cast<std::size_t>(state.wet.block[w]);
+        if (state.blocks.motion[b] != Motion::free) continue;
+        const double thrust = thrustOnWall(state.wet, w, pressureNow(state, w, field)).force;
+        if (thrust > kPresses * state.blocks.mass[b] * gravity.magnitude) return std::nullopt;
+        for (const Vec2& v : wetPolygon(state.wet, w))
+            lowest = std::min(lowest, height(initialPoint(state, w, v)));
+    }
+    if (lowest == kInfinity) return DryWater{DryWater::Why::no_free_wall};
+    if (field.gradient.isZero()) return DryWater{DryWater::Why::no_head};
+    const double table = height(-field.p0 / field.gradient.squaredNorm() * field.gradient);
+    const double upper_end = height(endsOf(state, water, down).high);
+    if (field.most && table <= upper_end && table > lowest)
+        return DryWater{DryWater::Why::falls_from_nothing, table, upper_end};
+    return DryWater{DryWater::Why::table_too_low, table, lowest};
 }
 
 std::vector<Error> buildWater(State& state) {
@@ -320,7 +348,7 @@ void updateWater(State& state) {
                              levelAt(state.geometry->model.waters[water], state.load.time),
                              state.drained[water] != 0};
         const bool changed = !(load == state.water_load[water]);
-        if (changed) state.pressure[water] = pressureField(state, water);
+        if (changed) state.pressure[water] = pressureField(state, water, state.load);
         state.water_load[water] = load;
         const PressureField field = state.pressure[water];
         for (std::size_t w = state.wet.water_begin[water]; w < state.wet.water_begin[water + 1]; ++w)

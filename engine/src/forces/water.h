@@ -49,10 +49,28 @@ struct WallPressure {
 /// In the plane of a wall, as last computed.
 WallPressure pressureOnWall(const State& state, std::size_t wet_patch);
 
+inline constexpr double kPresses = 1e-9;  ///< of a block's weight: water that pushes less is rounding
+
+/// Why a water presses on no free block.
+struct DryWater {
+    enum class Why : std::uint8_t {
+        no_free_wall,        ///< all its walls belong to blocks that are not free
+        falls_from_nothing,  ///< it does not stand above its joint's upper end, from where its pressure falls
+        table_too_low,       ///< it does not stand above the lowest of its walls on free blocks
+        no_head              ///< its heads leave those walls dry
+    };
+    Why why = Why::no_free_wall;
+    double table = 0;  ///< how high it stands, along gravity above the model's origin [m]
+    double wall = 0;   ///< likewise: what it does not reach [m]
+};
+
+/// At the highest of its levels over time and under the state's tilt; nothing where it presses on a free block.
+std::optional<DryWater> whyDry(const State& state, std::size_t water);
+
 /// What follows of pressures from the rest of them: a restart brings only that. \pre state.wet, state.water_load
 void boundPressures(State& state);
 
-/// The pressure of a water under the state's load.
-PressureField pressureField(const State& state, std::size_t water);
+/// The pressure of a water under a load.
+PressureField pressureField(const State& state, std::size_t water, const Load& load);
 
 }  // namespace talus

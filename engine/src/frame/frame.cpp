@@ -57,7 +57,7 @@ void addWaterLevels(const State& state, WaterLevels& levels) {
     for (std::size_t w = 0; w < waters.size(); ++w) {
         levels.level.push_back(levelAt(waters[w], state.load.time));
         levels.drained.push_back(state.drained[w]);
-        const PressureField field = pressureField(state, w);
+        const PressureField field = pressureField(state, w, state.load);
         const double unit_weight = field.gradient.norm();
         // p = p0 + gradient . x in the state's coordinates; the table is told in the model's.
         const double shift = field.gradient.dot(state.geometry->origin);

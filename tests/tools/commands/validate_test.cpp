@@ -99,10 +99,11 @@ TEST_CASE("what is allowed but hardly meant is let pass with a warning") {
                0, 20,
                "[[stack]]\nname = \"s\"\norigin = [10.0, 0.0, 0.0]\ncolumns = 2\nrows = 1\nslices = 1\n"
                "block = [0.2, 0.1, 0.1]\n[[water]]\nstack = \"s\"\nfissure = 1\nelevation = -0.02\n"),
-           "it wets nothing");
+           "it wets no free block");
     warned(blockScenario(0, 20, "[[water]]\nblock = \"key\"\nface = \"+x\"\nelevation = -0.02\n"),
            "the lowest of its walls");
-    warned(blockScenario(0, 20, "[[water]]\nsurface = [[-1.0, -3.0], [3.0, -3.0]]\n"), "it wets nothing");
+    warned(blockScenario(0, 20, "[[water]]\nsurface = [[-1.0, -3.0], [3.0, -3.0]]\n"),
+           "it wets no free block");
     warned(blockScenario(0, 20, "[[water]]\nblock = \"key\"\nface = \"+x\"\ndepth = 5.0\n"),
            "m deep in a model");
     std::string text = blockScenario(0, 20);

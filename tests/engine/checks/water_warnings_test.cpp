@@ -1,0 +1,132 @@
+#include "checks/water_warnings.h"
+
+#include <doctest/doctest.h>
+
+#include "build/build.h"
+#include "support/models.h"
+
+using namespace talus;
+using namespace talus::test;
+
+namespace {
+
+/// A free block of 1 x 1 x 2 m on a fixed bench of 1 m, and a fixed wall behind both.
+Model bench() {
+    Model model = floorModel(40);
+    model.blocks.push_back(box("bench", {0, 0, 0}, {1, 1, 1}, 2700, Motion::fixed));
+    model.blocks.push_back(box("wall", {1, 0, 0}, {2, 1, 4}, 2700, Motion::fixed));
+    addBox(model, "key", {0, 0, 1}, {1, 1, 2});
+    return model;
+}
+
+/// In the plane before the wall: the wall's face, the bench's, and the key's from 1 m on.
+Water behind(const Model& model) {
+    Water water = fissureAt(model, 1, 0);
+    water.base = -kInfinity;
+    return water;
+}
+
+std::vector<std::string> told(const Model& model) {
+    std::vector<std::string> all;
+    for (const Error& doubt : checks::dryWaters(*buildState(model, false)))
+        all.push_back(doubt.field + ": " + doubt.message);
+    return all;
+}
+
+void checkTold(const Model& model, const std::string& key, const std::string& why) {
+    const auto all = told(model);
+    CAPTURE(key);
+    REQUIRE(all.size() == 1);
+    CAPTURE(all[0]);
+    CHECK(all[0].find(key + ": found ") == 0);
+    CHECK(all[0].find(why) != std::string::npos);
+    CHECK(all[0].find("it wets no free block") != std::string::npos);
+}
+
+}  // namespace
+
+TEST_SUITE("checks") {
+    TEST_CASE("water that stands below all free blocks is told by the key it was given with") {
+        Model model = bench();
+        const auto with = [&](auto change) {
+            Water water = behind(model);
+            change(water);
+            model.waters = {water};
+        };
+        with([](Water& w) { w.level = {{0, 0.8}}; });
+        checkTold(model, "water[0].depth", "up to 0.8 m, which is not above the lowest");
+        with([](Water& w) { w.level = {{0, 0.2}, {1, 0.9}, {2, 0.1}}; });
+        checkTold(model, "water[0].levels", "up to 0.9 m");
+        with([](Water& w) { w.kind = Water::Level::elevation, w.level = {{0, 1.0}}; });
+        checkTold(model, "water[0].elevation", "walls on free blocks, at 1 m");
+        with([](Water& w) { w.level = {{0, 0.5}}, w.base = 3.2; });
+        checkTold(model, "water[0].base", "no wall of a free block above its base, 3.2 m");
+    }
+
+    TEST_CASE("water that reaches a free block at any time is not doubted") {
+        Model model = bench();
+        Water water = behind(model);
+        for (const std::vector<LevelPoint>& level :
+             {std::vector<LevelPoint>{{0, 1.01}}, {{0, 0.0}, {1, 1.5}, {2, 0.5}}, {{0, 5.0}}}) {
+            water.level = level;
+            model.waters = {water};
+            CHECK(told(model).empty());
+        }
+        // What is given as nothing is meant to be dry.
+        water.level = {{0, 0.0}};
+        model.waters = {water};
+        CHECK(told(model).empty());
+    }
+
+    TEST_CASE("water with no wall of a free block") {
+        Model model = bench();
+        model.waters = {waterOn(model, 2, -Vec3::UnitX(), 2.5)};  // on the wall alone
+        checkTold(model, "water[0].depth", "no wall of a free block");
+        Water between;  // of two fixed blocks it is an error, as they share no interface
+        between.kind = Water::Level::head;
+        between.head = {1, 1};
+        between.field = "water[0]";
+        between.pair = {{3, 1}};
+        model.waters = {between};
+        CHECK(told(model).empty());
+    }
+
+    TEST_CASE("water whose pressure falls from nothing at the joint's upper end") {
+        Model model = bench();
+        Water water = behind(model);
+        water.kind = Water::Level::elevation;
+        water.daylight = Water::Daylight::straight;
+        water.level = {{0, 4.0}};  // where the joint ends
+        model.waters = {water};
+        checkTold(model, "water[0].daylights", "not above the joint's upper end, at 4 m");
+        water.level = {{0, 4.5}};
+        model.waters = {water};
+        CHECK(told(model).empty());
+        water.daylight = Water::Daylight::half_height;
+        water.level = {{0, 4.0}};
+        model.waters = {water};
+        CHECK(told(model).empty());
+    }
+
+    TEST_CASE("a tilt turns what is above what; heights are along gravity") {
+        Model model = bench();
+        Water water = behind(model);
+        water.kind = Water::Level::elevation;
+        water.level = {{0, 1.2}};
+        model.waters = {water};
+        CHECK(told(model).empty());
+        model.gravity.tilt = radians(30);  // the key's foot at x = 1 stands at sin(30) + cos(30)
+        checkTold(model, "water[0].elevation", "at 1.366 m (heights along gravity at a tilt of 30 deg)");
+    }
+
+    TEST_CASE("a water table below all free blocks") {
+        Model model = bench();
+        PhreaticSurface table;
+        table.field = "water[0]";
+        table.line = {{-5, 0.5}, {20, 0.9}};
+        model.phreatic = table;
+        checkTold(model, "water[0].surface", "a water table below all free blocks");
+        model.phreatic->line = {{-5, 0.5}, {20, 4}};
+        CHECK(told(model).empty());
+    }
+}
