@@ -13,6 +13,7 @@
 #include "cli/signals.h"
 #include "cli/text.h"
 #include "report/numbers.h"
+#include "talus/limit_analysis.h"
 
 namespace talus::tools {
 
@@ -32,6 +33,20 @@ bool wasInterrupted(const SearchResult& result) {
 /// A load, or a difference of loads, without its unit.
 std::string figureOf(const SearchReport& report, double load) {
     return loadFigure(report.search, load, report.search.load->decimals);
+}
+
+/// The upper bound, where the answer lies above it: at most by what its bracket leaves open, as a rule.
+std::optional<double> boundBelow(const SearchReport& report) {
+    const SearchResult& result = report.result;
+    const auto& bound = result.upper_bound.value;
+    return result.status == SearchStatus::found && bound && *bound < result.answer ? bound : std::nullopt;
+}
+
+/// The middle of a bracket that an upper bound cuts through is told no higher than the bound: the answer is below both.
+std::string answerFigure(const SearchReport& report, double load) {
+    const auto bound = boundBelow(report);
+    const bool cuts = bound && *bound >= report.result.low && load <= report.result.answer;
+    return figureOf(report, cuts ? std::min(load, *bound) : load);
 }
 
 /// " deg" or "".
@@ -75,7 +90,8 @@ std::string bracketText(const SearchReport& report) {
 std::string intervalText(const SearchReport& report) {
     const auto& interval = report.result.answer_interval;
     if (!interval) return "";
-    return ", interval " + figureOf(report, interval->first) + " to " + figureOf(report, interval->second);
+    return ", interval " + answerFigure(report, interval->first) + " to " +
+           answerFigure(report, interval->second);
 }
 
 std::string answerText(const SearchReport& report) {
@@ -83,7 +99,7 @@ std::string answerText(const SearchReport& report) {
     const std::string unit = unitOf(report);
     switch (result.status) {
         case SearchStatus::found:
-            return figureOf(report, result.answer) + unit + intervalText(report) + "  (" +
+            return answerFigure(report, result.answer) + unit + intervalText(report) + "  (" +
                    bracketText(report) + ")";
         case SearchStatus::unstable_at_start:
             return "none: unstable at the start of the search, " + figureOf(report, result.high) + unit;
@@ -108,10 +124,23 @@ std::string theoryText(const SearchReport& report) {
     return row("theory", line) + row("", report.theory->prediction.formula);
 }
 
+/// Where the figures would have the answer above its bound, how that can be; a warning tells of more than that.
+std::string aboveText(const SearchReport& report) {
+    const SearchResult& result = report.result;
+    const auto bound = boundBelow(report);
+    if (!bound || figureOf(report, result.answer) == figureOf(report, *bound) ||
+        isAbove(result.low, result.upper_bound, report.search.load->varied))
+        return "";
+    if (*bound >= result.low) return "; it lies in the answer's bracket";
+    return "; the answer is higher by " + figureOf(report, result.answer - *bound) + unitOf(report) +
+           ", as joints give before they fail";
+}
+
 std::string upperBoundText(const SearchReport& report) {
     const Ceiling& bound = report.result.upper_bound;
     return row("upper bound", bound.value ? figureOf(report, *bound.value) + unitOf(report) +
-                                                "  (limit analysis, joints that open as they slide)"
+                                                "  (limit analysis, joints that open as they slide" +
+                                                aboveText(report) + ")"
                                           : "none: " + bound.reason);
 }
 

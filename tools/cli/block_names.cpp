@@ -4,6 +4,7 @@
 #include <charconv>
 #include <map>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 namespace talus::tools {
@@ -95,11 +96,14 @@ std::optional<StackName> stackName(std::string name) {
 }
 
 std::string compactNames(const std::vector<std::string>& names, std::size_t limit) {
-    std::map<std::string, std::map<int, Cells>> stacks;
+    std::vector<std::pair<std::string, std::map<int, Cells>>> stacks;  // in the order of the names
+    std::unordered_map<std::string, std::size_t> place;
     std::vector<Item> items, others;
     for (const std::string& name : names) {
         if (const auto cell = stackName(name)) {
-            stacks[cell->prefix][cell->column].emplace(cell->row, cell->slice);
+            const auto [known, is_new] = place.emplace(cell->prefix, stacks.size());
+            if (is_new) stacks.push_back({cell->prefix, {}});
+            stacks[known->second].second[cell->column].emplace(cell->row, cell->slice);
         } else {
             others.push_back({name});
         }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "forces/contact_forces.h"
+#include "measure/natural_order.h"
 #include "state/block_motion.h"
 #include "state/incidence.h"
 #include "step/time_step.h"
@@ -104,7 +105,7 @@ Failure describeFailure(const PositionArray& position, const QuaternionArray& or
         failure.motions.push_back(describeBlock(from, to, b, ways[b], roles[b]));
         if (failure.motions.back().moving) failure.moving_blocks.push_back(failure.motions.back().block);
     }
-    std::sort(failure.moving_blocks.begin(), failure.moving_blocks.end());
+    sortNaturally(failure.moving_blocks);
     failure.mode = overallMode(ways, roles);
     return failure;
 }

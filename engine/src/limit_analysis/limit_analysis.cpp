@@ -12,6 +12,7 @@
 #include "limit_analysis/assemble.h"
 #include "limit_analysis/ceiling.h"
 #include "limit_analysis/solver.h"
+#include "measure/natural_order.h"
 #include "model/gravity.h"
 #include "state/caller.h"
 #include "state/threads.h"
@@ -298,7 +299,7 @@ class LimitSearch {
             velocity.moving = velocity.speed >= kMechanismShare;
             if (velocity.moving) result_.moving_blocks.push_back(velocity.block);
         }
-        std::sort(result_.moving_blocks.begin(), result_.moving_blocks.end());
+        sortNaturally(result_.moving_blocks);
     }
 
     void describeEffort() {

@@ -18,6 +18,7 @@
 #include "law/joint_laws.h"
 #include "limit_analysis/ceiling.h"
 #include "measure/measure.h"
+#include "measure/natural_order.h"
 #include "measure/stopwatch.h"
 #include "search/beginning.h"
 #include "search/path_follower.h"
@@ -371,7 +372,7 @@ class Search {
             group.mass += built_->blocks.mass[b];
             group.volume += built_->blocks.mass[b] / rest_->blocks[b].density;
         }
-        std::sort(group.blocks.begin(), group.blocks.end());
+        sortNaturally(group.blocks);
         return group;
     }
 
@@ -506,7 +507,7 @@ class Search {
         for (std::size_t b = 0; b < gone_.size(); ++b)
             if (gone_[b]) result_.fallen_at_start.push_back(model_.blocks[b].name);
         if (result_.fallen_at_start.empty()) return;
-        std::sort(result_.fallen_at_start.begin(), result_.fallen_at_start.end());
+        sortNaturally(result_.fallen_at_start);
         std::string what;
         if (fallen_ > 0)
             what = std::to_string(fallen_) + " of the blocks fall at the start whatever the strength";
@@ -543,7 +544,7 @@ class Search {
                 BlockGroup also = groupOf(going, load);
                 BlockGroup& last = result_.groups.back();
                 last.blocks.insert(last.blocks.end(), also.blocks.begin(), also.blocks.end());
-                std::sort(last.blocks.begin(), last.blocks.end());
+                sortNaturally(last.blocks);
                 last.volume += also.volume, last.mass += also.mass;
                 stood = std::move(before);
                 continue;

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "measure/natural_order.h"
 #include "talus/theory.h"
 #include "theory/mechanisms.h"
 #include "theory/section.h"
@@ -74,7 +75,7 @@ std::vector<std::string> blocksOf(const Model& model, const Section& section, co
     for (std::size_t column = mechanism.first_column; column <= mechanism.last_column; ++column)
         for (const std::int32_t block : section.beds[mechanism.bed].columns[column]->blocks)
             names.push_back(model.blocks[static_cast<std::size_t>(block)].name);
-    std::sort(names.begin(), names.end());
+    sortNaturally(names);
     return names;
 }
 

@@ -31,6 +31,10 @@ TEST_CASE("what is not a box is told in pieces, and names of other kinds as they
     CHECK(compactNames({"c1r1s1", "key", "c1rs2"}) == "c1 r1 s1, key, c1rs2");
 }
 
+TEST_CASE("stacks stand in the order of their names, which is a natural one") {
+    CHECK(compactNames({"s2c1r1s1", "s2c2r1s1", "s10c1r1s1"}) == "s2c1-2 r1 s1, s10c1 r1 s1");
+}
+
 TEST_CASE("a long list is cut and its rest counted") {
     CHECK(compactNames({"a", "b", "c", "d"}, 2) == "a, b and 2 more blocks");
     CHECK(compactNames({"c1r1s1", "c1r3s1", "c1r3s2", "c1r5s1"}, 1) == "c1 r1 s1 and 3 more blocks");

@@ -410,6 +410,37 @@ TEST_CASE("interrupted after the search, a command keeps its answer and ends wit
     }
 }
 
+TEST_CASE("an upper bound that cuts through the answer's bracket stands below no answer") {
+    using namespace talus;
+    const auto scenario = formats::parseScenario(blockScenario(0, 12), "block.toml");
+    REQUIRE(scenario);
+    const Common common;
+    SearchResult result;
+    result.status = SearchStatus::found;
+    result.low = 0.06130, result.high = 0.06140, result.answer = 0.06135;
+    result.answer_interval = std::pair(result.answer, result.answer);
+    const auto text = [&](double bound) {
+        SearchReport report{common, *scenario, *loadSearch("critical-acceleration"), result, std::nullopt};
+        report.result.upper_bound.value = bound;
+        return searchText(report, false);
+    };
+    const auto has = [](const std::string& text, const std::string& what) {
+        CAPTURE(text);
+        CHECK(text.find(what) != std::string::npos);
+    };
+    has(text(0.06134), "0.0613, interval 0.0613 to 0.0613  (stands at 0.0613, fails at 0.0614)");
+    has(text(0.06134),
+        "upper bound       0.0613  (limit analysis, joints that open as they slide; it lies in the answer's "
+        "bracket)");
+    has(text(0.0612), "0.0614, interval 0.0614 to 0.0614");
+    has(text(0.0612),
+        "0.0612  (limit analysis, joints that open as they slide; the answer is higher by 0.0002");
+    for (const double bound : {0.061352, 0.07}) {
+        has(text(bound), "0.0614, interval 0.0614 to 0.0614");
+        has(text(bound), "joints that open as they slide)");
+    }
+}
+
 TEST_CASE("a model in which no block can move has no answer: bad input, with the joints that cut nothing") {
     const TemporaryFolder folder;
     const std::string held = folder.write(
