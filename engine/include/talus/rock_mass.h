@@ -133,7 +133,7 @@ struct CutPlane {
     std::size_t joint = 0;  ///< index into the sets, then the singles
 };
 
-/// All planes that cut the region, in the order of cutting. Errors: those of the joints.
+/// All planes that pass through the region or touch it, in the order of cutting; others cut nothing. Errors: those of the joints.
 Result<std::vector<CutPlane>> cuttingPlanes(const RockMass& description);
 
 /// Which blocks a user means.

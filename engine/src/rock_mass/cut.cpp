@@ -74,6 +74,22 @@ std::string roundText(double count) {
     return text;
 }
 
+/// Whether a plane passes through the region, or touches it: the region is in one piece, so it does where not all corners lie on
+/// one side. A finite joint has to come near it, too.
+bool meets(const JointPlane& joint, const TriangleSurface& region) {
+    const double weld = weldDistance(region);
+    double low = kInfinity, high = -kInfinity;
+    for (const Vec3& corner : region.vertices) {
+        low = std::min(low, joint.plane.height(corner));
+        high = std::max(high, joint.plane.height(corner));
+    }
+    if (low > weld || high < -weld) return false;
+    if (!joint.reach) return true;
+    const auto [min, max] = boundsOf(region);
+    return (joint.reach->min.array() <= max.array() + weld).all() &&
+           (joint.reach->max.array() >= min.array() - weld).all();
+}
+
 class Cutter {
  public:
     explicit Cutter(const RockMass& description) : description_(description) {}
@@ -344,7 +360,8 @@ Result<std::vector<CutPlane>> cuttingPlanes(const RockMass& description) {
     const auto joints = jointPlanes(description, description.region.vertices);
     if (!joints) return joints.errors();
     std::vector<CutPlane> planes;
-    for (const JointPlane& joint : *joints) planes.push_back({joint.plane.normal, joint.joint});
+    for (const JointPlane& joint : *joints)
+        if (meets(joint, description.region)) planes.push_back({joint.plane.normal, joint.joint});
     return planes;
 }
 

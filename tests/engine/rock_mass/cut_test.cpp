@@ -260,6 +260,33 @@ TEST_CASE("cutting: a joint along a face of the region cuts nothing, and says so
     CHECK(good(rock).idle_joints.empty());
 }
 
+TEST_CASE("cutting planes: those that miss the region are none, scattered or not") {
+    RockMass rock = box({60, 60, 60});
+    for (const std::optional<double> fisher :
+         {std::optional<double>(), std::optional(200.0), std::optional(20.0)}) {
+        CAPTURE(fisher.value_or(0));
+        rock.sets = {jointSet(0, 270, 7)};
+        rock.sets[0].origin = {0, 0, 1};  // no plane along the region's faces
+        rock.sets[0].fisher = fisher;
+        const CutRockMass cut = good(rock);
+        std::set<std::int64_t> cutting;
+        for (const CutBlock& block : cut.blocks)
+            for (const FaceOrigin& origin : block.origin)
+                if (origin.joint == 0) cutting.insert(origin.plane);
+        CHECK(cutting.size() >= 9);
+        CHECK(cuttingPlanes(rock)->size() == cutting.size());
+    }
+    rock.sets.clear();
+    rock.singles = {joint(48, 220, {1, 0, 200}), joint(48, 220, {1, 0, 20})};
+    CHECK(cuttingPlanes(rock)->size() == 1);
+    rock.singles[1].point = {-20, 30, 30};  // a disc beside the region, in a plane through it
+    rock.singles[1].dip = 0;
+    for (const auto& [radius, count] : {std::pair(15.0, 0), std::pair(25.0, 1)}) {
+        rock.singles[1].radius = radius;
+        CHECK(cuttingPlanes(rock)->size() == static_cast<std::size_t>(count));
+    }
+}
+
 TEST_CASE("cutting: slivers are left out with a warning, or refused") {
     RockMass rock = box({1, 1, 1});
     rock.singles = {joint(90, 90, {1e-5, 0, 0}), joint(0, 0, {0, 0, 0.5})};
