@@ -80,6 +80,8 @@ class Design {
             if (number && fields_.contains(pattern.like.field)) {
                 design_.spacing_along = pattern.spacing_along;
                 design_.spacing_up = pattern.spacing_up;
+                const auto extent = extentOf(pattern, scenario_.model);
+                if (extent) design_.width = extent->along, design_.height = extent->up;
             }
     }
 
@@ -88,6 +90,7 @@ class Design {
     /// \param amount  share of the yield force, or factor on the spacing along; 0: without these bolts
     SupportTrial trialOf(const Model& model, double amount, double up = 0) {
         SupportTrial trial{.amount = amount, .up = up, .bolts = countIn(model)};
+        if (up > 0) trial.spacing_along = spacingAlong(amount), trial.spacing_up = spacingUp(up);
         Control control = control_;
         control.interval = false;
         control.upper_bound = Beside::never;
@@ -123,12 +126,20 @@ class Design {
         return trialOf(model, share);
     }
 
+    /// A row of n bolts in a slice stands for a spacing of width / n on a wide slope: so it has the same force per metre.
+    /// Spacings between these, and wider than the slice, have none that the slice could show.
+    double spacingAlong(double factor) const {
+        const double wanted = factor * design_.spacing_along;
+        return design_.width / std::max(1.0, std::floor(design_.width / wanted + 1e-9));
+    }
+    double spacingUp(double factor) const { return std::min(factor * design_.spacing_up, design_.height); }
+
     Model spaced(double along, double up) const {
         Model model = scenario_.model;
         for (BoltPattern& pattern : model.bolt_patterns)
             if (fields_.contains(pattern.like.field)) {
-                pattern.spacing_along = along * design_.spacing_along;
-                pattern.spacing_up = up * design_.spacing_up;
+                pattern.spacing_along = spacingAlong(along);
+                pattern.spacing_up = spacingUp(up);
             }
         if (std::vector<Error> errors = placeBoltPatterns(model); !errors.empty())
             throw BadInput(formats::placed(scenario_, std::move(errors)));
@@ -250,9 +261,8 @@ class Design {
         const double amount = design_.enough->amount;
         if (amount == 0) return;
         if (question_.by == DesignedBy::number) {
-            design_.sets = {
-                *fields_.begin() + ".spacing[0]=" + exact(amount * design_.spacing_along),
-                *fields_.begin() + ".spacing[1]=" + exact(design_.enough->up * design_.spacing_up)};
+            design_.sets = {*fields_.begin() + ".spacing[0]=" + exact(design_.enough->spacing_along),
+                            *fields_.begin() + ".spacing[1]=" + exact(design_.enough->spacing_up)};
             return;
         }
         std::set<std::string> told;
@@ -284,9 +294,11 @@ class Amount {
         Json json{{"bolts", trial.amount == 0 ? 0 : trial.bolts},
                   {"safety_factor", std::isfinite(trial.factor) ? number(trial.factor) : Json(nullptr)},
                   {"status", talus::toString(trial.status)}};
-        if (number_ && trial.amount > 0)
-            json["spacing_m"] = {number(trial.amount * design_.spacing_along),
-                                 number(trial.up * design_.spacing_up)};
+        if (number_ && trial.amount > 0) {
+            json["spacing_m"] = {number(trial.spacing_along), number(trial.spacing_up)};
+            json["bolts_in_row"] = inRow(trial);
+            json["yield_force_n_per_m"] = number(forcePerMetre(trial));
+        }
         if (number_) return json;
         json["share_of_yield_force"] = number(trial.amount);
         json["pretension_n"] =
@@ -298,14 +310,32 @@ class Amount {
         if (trial.amount == 0) return "without these bolts";
         const std::string bolts = std::to_string(trial.bolts) + (trial.bolts == 1 ? " bolt" : " bolts");
         if (number_)
-            return bolts + ", " + tools::text(trial.amount * design_.spacing_along, 3) + " x " +
-                   tools::text(trial.up * design_.spacing_up, 3) + " m apart";
+            return bolts + ", " + tools::text(trial.spacing_along, 3) + " x " +
+                   tools::text(trial.spacing_up, 3) + " m apart";
         const std::string share = tools::text(100 * trial.amount, 2) + " % of the yield force";
         if (design_.yield_force == 0) return bolts + " with " + share;
         return bolts + " of " + tools::text(trial.amount * design_.yield_force / 1000, 2) + " kN, " + share;
     }
 
+    /// What an amount is per metre of slope, and where the slice leaves wider spacings open; "" of pretension.
+    std::string widthText(const SupportTrial& trial) const {
+        if (!number_ || trial.amount == 0) return "";
+        const int in_row = inRow(trial);
+        return std::to_string(in_row) + " in a row " + tools::text(design_.width, 3) +
+               " m wide, all together " + tools::text(forcePerMetre(trial) / 1000, 2) +
+               " kN per metre of slope at yield" +
+               (in_row > 1 ? "" : "; a spacing along wider than that takes a wider slice");
+    }
+
  private:
+    int inRow(const SupportTrial& trial) const {
+        return static_cast<int>(std::lround(design_.width / trial.spacing_along));
+    }
+    /// At yield [N/m].
+    double forcePerMetre(const SupportTrial& trial) const {
+        return static_cast<double>(trial.bolts) * design_.yield_force / design_.width;
+    }
+
     bool number_;
     const SupportDesign& design_;
 };
@@ -377,6 +407,8 @@ Json supportDesignJson(const SupportQuestion& question, const SupportDesign& des
             {"answer", design.status == Status::found ? amount.json(*design.enough) : Json(nullptr)},
             {"too_little", design.too_little ? amount.json(*design.too_little) : Json(nullptr)},
             {"set", design.sets},
+            {"bolts_count_as", "active"},
+            {"slice_width_m", design.width > 0 ? number(design.width) : Json(nullptr)},
             {"trials", trials},
             {"wall_seconds", number(design.wall_seconds)},
             {"warnings", warningsJson(scenario)},
@@ -392,6 +424,11 @@ std::string supportDesignText(const SupportQuestion& question, const SupportDesi
     if (design.enough && design.status == Status::found)
         lines += row("", factorText(*design.enough) + "; " + amount.text(*design.too_little) + ": " +
                              factorText(*design.too_little));
+    if (design.enough && design.status == Status::found) {
+        if (const std::string width = amount.widthText(*design.enough); !width.empty())
+            lines += row("", width);
+        lines += row("bolts", "active: the factor divides the strength of joints, not the bolts' forces");
+    }
     for (const std::string& set : design.sets)
         lines += row(&set == &design.sets.front() ? "as" : "", "--set " + set);
     for (const SupportTrial& trial : design.trials)

@@ -26,9 +26,10 @@ struct SupportQuestion {
 
 /// The factor of safety with one amount of support.
 struct SupportTrial {
-    double amount = 0;      ///< share of the yield force, or factor on the pattern's spacing along
-    double up = 0;          ///< factor on the pattern's spacing up
-    std::size_t bolts = 0;  ///< that are asked about
+    double amount = 0;  ///< share of the yield force, or factor on the pattern's spacing along
+    double up = 0;      ///< factor on the pattern's spacing up
+    double spacing_along = 0, spacing_up = 0;  ///< of the pattern: what the slope has room for [m]
+    std::size_t bolts = 0;                     ///< that are asked about
     SearchStatus status = SearchStatus::undecided;
     double factor =
         0;  ///< infinite where it stands to the end of the search, 0 where it falls whatever the strength
@@ -41,6 +42,7 @@ struct SupportDesign {
     std::optional<SupportTrial> enough, too_little;  ///< the least that is enough, and the next below it
     double yield_force = 0;                          ///< of the bolts, where they are alike; else 0 [N]
     double spacing_along = 0, spacing_up = 0;        ///< as the scenario has it [m]
+    double width = 0, height = 0;                    ///< of the faces with the pattern, along and up [m]
     std::vector<std::string> sets;                   ///< of --set: the scenario with what is enough
     double wall_seconds = 0;
 };

@@ -69,7 +69,9 @@ Command addSupport(CLI::App& root) {
         "with no more, up to all of it, as limit equilibrium counts an anchor; by number\nthe pattern's "
         "spacing is widened or narrowed, along and up alike and in the end one of them, from an eighth of "
         "its own\nto as far as one "
-        "bolt is left. The answer is the least that was found to be enough; `set` has the --set options of "
+        "bolt is left; along it is the width over the bolts in a row, so that a slice has the force "
+        "per\nmetre of "
+        "a wide slope. The answer is the least that was found to be enough; `set` has the --set options of "
         "it.\nA factor that is reached without them or not with all they can is a result (exit code 0), an "
         "undecided one\nis not (3).");
     return {app, [options] { return design(*options); }};

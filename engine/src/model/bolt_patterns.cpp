@@ -31,10 +31,21 @@ bool contains(const Polygon& polygon, const Vec2& p) {
 
 class Placing {
  public:
-    Placing(const BoltPattern& pattern, Model& model) : pattern_(pattern), model_(model) {}
+    Placing(const BoltPattern& pattern, const Model& model) : pattern_(pattern), model_(model) {}
 
-    /// What is wrong, or nothing.
-    std::optional<Error> run() {
+    std::optional<PatternExtent> facesExtent() {
+        findParts();
+        if (parts_.empty()) return std::nullopt;
+        findPlane();
+        const auto reach = [&](const Vec3& axis) {
+            const auto [low, high] = extentOn(axis);
+            return high - low;
+        };
+        return PatternExtent{reach(along_), reach(up_)};
+    }
+
+    /// Adds the bolts to `bolts`. Returns what is wrong, or nothing.
+    std::optional<Error> run(std::vector<Bolt>& bolts) {
         findParts();
         if (parts_.empty()) return noFace();
         findPlane();
@@ -44,11 +55,11 @@ class Placing {
                                                                " bolts, allowed: at most " +
                                                                std::to_string(static_cast<int>(kMostBolts))};
         const std::vector<double> along = line(along_, pattern_.spacing_along);
-        const std::size_t before = model_.bolts.size();
+        const std::size_t before = bolts.size();
         for (const double v : line(up_, pattern_.spacing_up))
             for (const double u : along)
-                if (const auto head = headAt(u, v)) add(*head, model_.bolts.size() - before + 1);
-        return model_.bolts.size() > before ? std::nullopt : std::optional(noFace());
+                if (const auto head = headAt(u, v)) bolts.push_back(boltAt(*head, bolts.size() - before + 1));
+        return bolts.size() > before ? std::nullopt : std::optional(noFace());
     }
 
  private:
@@ -143,7 +154,7 @@ class Placing {
         return head;
     }
 
-    void add(const Vec3& head, std::size_t number) {
+    Bolt boltAt(const Vec3& head, std::size_t number) const {
         Bolt bolt = pattern_.like;
         const double level = std::cos(pattern_.plunge);
         bolt.head = head;
@@ -152,11 +163,11 @@ class Placing {
                                           -std::sin(pattern_.plunge));
         bolt.name += "-" + std::to_string(number);
         bolt.must_hold = false;
-        model_.bolts.push_back(std::move(bolt));
+        return bolt;
     }
 
     const BoltPattern& pattern_;
-    Model& model_;
+    const Model& model_;
     std::vector<Part> parts_{};
     Vec3 normal_ = Vec3::UnitZ(), along_ = Vec3::UnitX(), up_ = Vec3::UnitY();
 };
@@ -170,8 +181,12 @@ std::vector<Error> placeBoltPatterns(Model& model) {
     });
     std::vector<Error> errors;
     for (const BoltPattern& pattern : model.bolt_patterns)
-        if (auto error = Placing(pattern, model).run()) errors.push_back(std::move(*error));
+        if (auto error = Placing(pattern, model).run(model.bolts)) errors.push_back(std::move(*error));
     return errors;
+}
+
+std::optional<PatternExtent> extentOf(const BoltPattern& pattern, const Model& model) {
+    return Placing(pattern, model).facesExtent();
 }
 
 }  // namespace talus

@@ -36,16 +36,20 @@ nlohmann::json supportOf(std::vector<std::string> arguments) {
     return outcome.json();
 }
 
-/// A block of 4 x 4 x 1 m, 2700 kg/m3, on a plane tilted by 30 degrees with 20 degrees of friction, pinned to it by bolts of
+/// A block of 4 x `width` x 1 m, 2700 kg/m3, on a plane tilted by 30 degrees with 20 degrees of friction, pinned to it by bolts of
 /// 20 kN normal to the plane.
-std::string pinned() {
+std::string pinned(const std::string& width = "4", const std::string& spacing = "[1.0, 1.0]") {
     return "[gravity]\ntilt_deg = 30.0\n[material.rock]\ndensity = 2700.0\n[joint.default]\nnormal_stiffness "
            "= "
            "1e10\nshear_stiffness = 1e10\nfriction_deg = 20.0\n"
-           "[[block]]\nname = \"plane\"\nbox = { min = [-9, -2, -3], max = [9, 6, 0] }\nfixed = true\n"
-           "[[block]]\nname = \"key\"\nbox = { min = [0, 0, 0], max = [4, 4, 1] }\n"
-           "[[bolt_pattern]]\nname = \"P\"\nbox = { min = [0, 0, 0.9], max = [4, 4, 1.1] }\nface = \"+z\"\n"
-           "spacing = [1.0, 1.0]\nlength = 3.0\nplunge_deg = 90\ntrend_deg = 0\nkind = \"anchored\"\n"
+           "[[block]]\nname = \"plane\"\nbox = { min = [-9, -2, -3], max = [9, 30, 0] }\nfixed = true\n"
+           "[[block]]\nname = \"key\"\nbox = { min = [0, 0, 0], max = [4, " +
+           width +
+           ", 1] }\n"
+           "[[bolt_pattern]]\nname = \"P\"\nbox = { min = [0, 0, 0.9], max = [4, 30, 1.1] }\nface = \"+z\"\n"
+           "spacing = " +
+           spacing +
+           "\nlength = 3.0\nplunge_deg = 90\ntrend_deg = 0\nkind = \"anchored\"\n"
            "area = 1e-4\nmodulus = 2e11\nyield_force = 2e4\npretension = 2e4\n";
 }
 
@@ -90,6 +94,42 @@ TEST_CASE("support: the number of bolts of a pattern") {
                       .epsilon(0.002));
         }
     }
+}
+
+TEST_CASE("support: a slice shows no spacing wider than itself, and what it shows holds on a wide slope") {
+    const TemporaryFolder folder;
+    const std::string wide = folder.write("wide.toml", pinned("24"));
+    for (const std::string spacing : {"[3.0, 1.0]", "[1.0, 2.0]", "[0.7, 0.5]"})
+        for (const double factor : {0.7, 0.8}) {
+            CAPTURE(spacing);
+            CAPTURE(factor);
+            const std::string slice = folder.write("slice.toml", pinned("2", spacing));
+            const auto found = supportOf({slice, "--factor", std::to_string(factor), "--by", "number"});
+            REQUIRE(found["status"] == "found");
+            CHECK(found["slice_width_m"].get<double>() == doctest::Approx(2));
+            CHECK(found["bolts_count_as"] == "active");
+            for (const auto& trial : found["trials"]) {
+                if (trial["bolts"] == 0) continue;
+                CHECK(trial["spacing_m"][0].get<double>() * trial["bolts_in_row"].get<int>() ==
+                      doctest::Approx(2));
+                CHECK(trial["spacing_m"][1].get<double>() <= 4 * (1 + 1e-9));
+                CHECK(trial["yield_force_n_per_m"].get<double>() ==
+                      doctest::Approx(trial["bolts"].get<int>() * 2e4 / 2));
+            }
+            const auto& answer = found["answer"];
+            std::vector<std::string> again{"safety-factor", wide, "--json",
+                                           "--threads",     "1",  "--no-interval"};
+            for (const auto& set : found["set"]) again.insert(again.end(), {"--set", set.get<std::string>()});
+            const double on_wide = runTalus(again).json()["safety_factor"];
+            CHECK(on_wide == doctest::Approx(answer["safety_factor"].get<double>()).epsilon(0.002));
+            CHECK(on_wide >= factor - 0.002);
+        }
+    const Outcome people = runTalus({"support", folder.write("slice.toml", pinned("2", "[3.0, 1.0]")), "--by",
+                                     "number", "--factor", "0.7", "--quiet"});
+    CAPTURE(people.out);
+    CHECK(people.out.find(" 1 in a row 2.000 m wide, all together ") != std::string::npos);
+    CHECK(people.out.find("a spacing along wider than that takes a wider slice") != std::string::npos);
+    CHECK(people.out.find("active: the factor divides the strength of joints") != std::string::npos);
 }
 
 TEST_CASE(
