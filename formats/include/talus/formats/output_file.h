@@ -41,8 +41,8 @@ class OutputFile {
     std::string path_;
 };
 
-/// Whether a file is as long as what was written to it, so that nobody else has truncated it. True of devices and pipes. Ask before
-/// each write: a write to a truncated file leaves a hole, and the length is right again.
+/// Whether a file is as long as what was written to it, so that nobody else has truncated it. True of devices and pipes. Files are
+/// opened for appending, so that the length stays wrong after the next write.
 bool isAsLong(int file, std::uint64_t written);
 
 /// Brings the entries of the folder this path is in to the disk, as far as the file system lets it.
