@@ -28,9 +28,9 @@ Error refusal(const std::string& path, int error) {
 /// A file that is there is opened as it is; one that is not is made, and then nobody can have put a link in its place.
 int openOrMake(const std::string& path, bool may_create, bool& created) {
     for (int attempt = 0; attempt < 100; ++attempt) {
-        int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+        int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
         if (file >= 0 || errno != ENOENT || !may_create) return file;
-        file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kMode);
+        file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kMode);
         created = file >= 0;
         if (created || errno != EEXIST) return file;
         struct stat info {};
@@ -100,6 +100,11 @@ bool isAsLong(int file, std::uint64_t written) {
     struct stat info {};
     return ::fstat(file, &info) != 0 || !S_ISREG(info.st_mode) ||
            static_cast<std::uint64_t>(info.st_size) == written;
+}
+
+void appendFromNowOn(int file) {
+    const int flags = ::fcntl(file, F_GETFL);
+    if (flags >= 0) ::fcntl(file, F_SETFL, flags | O_APPEND);
 }
 
 void syncFolderOf(const std::string& path) {

@@ -68,6 +68,7 @@ std::vector<Error> HistoryWriter::write(const HistoryRecord& record) {
     if (failed_) return {};
     if (std::exchange(started_, true)) return append(row(record));
     if (isRegular(file_.file()) && ::ftruncate(file_.file(), 0) != 0) return refusal(writeRefusal(errno));
+    appendFromNowOn(file_.file());
     return append(head(record) + row(record));
 }
 

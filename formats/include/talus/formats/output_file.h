@@ -41,9 +41,12 @@ class OutputFile {
     std::string path_;
 };
 
-/// Whether a file is as long as what was written to it, so that nobody else has truncated it. True of devices and pipes. Files are
-/// opened for appending, so that the length stays wrong after the next write.
+/// Whether a file is as long as what was written to it, so that nobody else has truncated it. True of devices and pipes. Ask before
+/// each write, of a file that is appended to: else a write leaves a hole, and the length is right again.
 bool isAsLong(int file, std::uint64_t written);
+
+/// From now on each write goes to the file's end, wherever that is. (Not from the start: systems refuse to copy into such a file.)
+void appendFromNowOn(int file);
 
 /// Brings the entries of the folder this path is in to the disk, as far as the file system lets it.
 void syncFolderOf(const std::string& path);
