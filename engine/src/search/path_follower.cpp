@@ -246,13 +246,18 @@ class Follower {
         if (path_.stopped()) return PathResult::interrupted;
         const double parted = path_.partedSince(since) - gives;
         const bool is_near = released == Released::rests && parted <= follow_.displacements[follow_.counts];
-        if (!is_near && leap_ > (rules_.overload + 0.01) * cell_) {  // too far: less load
+        if (released == Released::lost && parted <= follow_.displacements[follow_.counts]) {
+            // Newton's method may find its way at a little more load; the bracket is as much wider.
+            if (leap_ >= kMostLeap * cell_) return PathResult::lost;
             path_.goBack(place);
-            leap_ = std::max(rules_.overload * cell_, rules_.shorter_at_peak * leap_);
+            least_leap_ = leap_ = 2 * leap_;
             return std::nullopt;
         }
-        if (released == Released::lost && parted <= follow_.displacements[follow_.counts])
-            return PathResult::lost;
+        if (!is_near && leap_ > kSameLeap * least_leap_) {  // too far: less load
+            path_.goBack(place);
+            leap_ = std::max(least_leap_, rules_.shorter_at_peak * leap_);
+            return std::nullopt;
+        }
         const std::size_t known = next_;
         const bool was_known = found_.failing.has_value();
         if (const auto result = fails(path_.partedSince(since), gives, load)) return result;
@@ -265,6 +270,7 @@ class Follower {
         if (released != Released::rests) return PathResult::failed;
         if (found_.failing && mostFactors() <= 0) return PathResult::failed;
         leap_ *= 2;
+        least_leap_ = rules_.overload * cell_;
         const double highest = highest_;
         beginAnew();
         if (next_ > known) since_ = since, peak_ = highest;
@@ -327,6 +333,8 @@ class Follower {
     }
 
     static constexpr double kTooShort = 1e-9;  // an arc that rounding would decide
+    static constexpr double kMostLeap = 4;     // cells, beyond which a search is undecided
+    static constexpr double kSameLeap = 1.04;  // but for rounding
 
     EquilibriumPath& path_;
     const LoadAxis& axis_;
@@ -338,7 +346,7 @@ class Follower {
     Parting since_{};
     double peak_ = 0, highest_ = 0;
     Arc arc_{};
-    double leap_ = rules_.overload * cell_;
+    double leap_ = rules_.overload * cell_, least_leap_ = leap_;
     int slow_ = 0;
     bool mended_ = false;   ///< by the caller: the path is in equilibrium again
     std::size_t next_ = 0;  ///< the least displacement that nothing has failed by
