@@ -94,10 +94,11 @@ bool isDry(const State& state, const PhreaticSurface& surface) {
         const Vec3 position = state.blocks.position.get(b);
         const Mat3 turn = state.blocks.orientation.matrix(b);
         const double least = kPresses * state.blocks.mass[b] * model.gravity.magnitude;
-        for (std::size_t face = 0; face < shape.faces.size(); ++face)
-            if (phreatic::pressureOn(cells, phreatic::outlineIn(shape, face), position, turn).force.norm() >
-                least)
-                return false;
+        for (std::size_t face = 0; face < shape.faces.size(); ++face) {
+            const Wrench pressure =
+                phreatic::pressureOn(cells, phreatic::outlineIn(shape, face), position, turn);
+            if (pressure.force.norm() > least) return false;
+        }
     }
     return true;
 }
@@ -112,9 +113,10 @@ std::vector<Error> dryWaters(const State& state) {
         if (isNothing(model.waters[w])) continue;
         if (const auto dry = whyDry(state, w)) doubts.push_back(doubtOf(model, model.waters[w], *dry));
     }
-    if (model.phreatic && isDry(state, *model.phreatic))
+    if (model.phreatic && isDry(state, *model.phreatic)) {
         doubts.push_back({model.phreatic->field + (model.phreatic->line.empty() ? ".obj" : ".surface"),
                           std::string("found a water table below all free blocks: ") + kWetsNothing});
+    }
     return doubts;
 }
 

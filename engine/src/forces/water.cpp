@@ -185,7 +185,7 @@ std::optional<std::pair<std::size_t, std::size_t>> sharedWet(const State& state,
     int axis = 0;
     const std::vector<WetPart> parts = wetPartsOf(state, block, axis);
     std::optional<std::pair<std::size_t, std::size_t>> shared;
-    for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t i = 0; i < parts.size(); ++i) {
         for (std::size_t j = i + 1; j < parts.size() && parts[j].low[axis] <= parts[i].high[axis]; ++j) {
             const WetPart &first = parts[i], &second = parts[j];
             if (!samePlace(state.wet, first.wall, second.wall)) continue;
@@ -196,6 +196,7 @@ std::optional<std::pair<std::size_t, std::size_t>> sharedWet(const State& state,
             const std::pair<std::size_t, std::size_t> walls = std::minmax(first.wall, second.wall);
             if (!shared || walls < *shared) shared = walls;
         }
+    }
     return shared;
 }
 
@@ -204,10 +205,10 @@ std::vector<Error> sharedWetErrors(const State& state) {
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         const auto shared = sharedWet(state, b);
         if (!shared) continue;
-        const auto waterOf = [&](std::size_t wall) {
+        const auto water_of = [&](std::size_t wall) {
             return static_cast<std::size_t>(state.wet.water[wall]);
         };
-        const auto [first, second] = std::minmax({waterOf(shared->first), waterOf(shared->second)});
+        const auto [first, second] = std::minmax({water_of(shared->first), water_of(shared->second)});
         return {{model.waters[second].field, "its wet part on block \"" + model.blocks[b].name +
                                                  "\" overlaps that of " + model.waters[first].field +
                                                  "; allowed: waters on parts of a face that do not overlap"}};

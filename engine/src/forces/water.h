@@ -70,7 +70,7 @@ std::optional<DryWater> whyDry(const State& state, std::size_t water);
 /// What follows of pressures from the rest of them: a restart brings only that. \pre state.wet, state.water_load
 void boundPressures(State& state);
 
-/// The pressure of a water under a load.
-PressureField pressureField(const State& state, std::size_t water, const Load& load);
+/// The pressure of a water, by its number, under a load.
+PressureField pressureField(const State& state, std::size_t index, const Load& load);
 
 }  // namespace talus
