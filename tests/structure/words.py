@@ -13,7 +13,7 @@ import re
 import subprocess
 import sys
 
-COLUMNS = 100  # of Markdown, as STYLE has it
+COLUMNS = 100  # of Markdown
 CPP_COLUMNS = 110  # of C++, as .clang-format has it
 LIMITS = {  # file: (what is counted, how many of it are allowed)
     "engine/README.md": ("words", 3000),
