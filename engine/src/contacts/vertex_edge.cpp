@@ -41,9 +41,13 @@ void swapSides(State& state, std::size_t i) {
     Incidence& incidence = state.incidence;
     for (const std::int32_t block : {f.block_a[i], f.block_b[i]}) {
         const auto b = static_cast<std::size_t>(block);
-        for (auto k = incidence.interface_begin[b]; k < incidence.interface_begin[b + 1]; ++k)
-            if (incidence.interface[static_cast<std::size_t>(k)] == static_cast<std::int32_t>(i))
-                incidence.wrench[static_cast<std::size_t>(k)] ^= 1;  // the other side
+        // A block's interfaces are in order, and a ground has very many.
+        const auto first = incidence.interface.begin();
+        const auto at =
+            std::lower_bound(first + incidence.interface_begin[b], first + incidence.interface_begin[b + 1],
+                             static_cast<std::int32_t>(i));
+        assert(at != incidence.interface.end() && *at == static_cast<std::int32_t>(i));
+        incidence.wrench[static_cast<std::size_t>(at - first)] ^= 1;  // the other side
     }
     std::swap(f.block_a[i], f.block_b[i]);
     std::swap(f.face_a[i], f.face_b[i]);
