@@ -63,6 +63,34 @@ void dropCovered(const WorldShape& a, const WorldShape& b, PairFinding& finding)
     });
 }
 
+/// Puts faces with a deep contact back among those found, and takes out those that would push against it: the far
+/// sides of a thin body.
+void keepDeep(const State& state, const KnownPairs& known, BoxPair parts, const WorldShape& a,
+              const WorldShape& b, PairFinding& finding) {
+    const auto before = [](const DeepFaces& deep, BoxPair pair) { return deep.parts < pair; };
+    auto deep = std::lower_bound(known.deep.begin(), known.deep.end(), parts, before);
+    for (; deep != known.deep.end() && deep->parts == parts; ++deep) {
+        const bool same_order = deep->block_a == finding.block_a;
+        const auto face_a = static_cast<std::size_t>((same_order ? deep->face_a : deep->face_b) -
+                                                     firstFace(*state.geometry, finding.part_a)),
+                   face_b = static_cast<std::size_t>((same_order ? deep->face_b : deep->face_a) -
+                                                     firstFace(*state.geometry, finding.part_b));
+        const auto pair =
+            findFacePair(a, face_a, b, face_b,
+                         {.max_gap = kInfinity, .max_overlap = kInfinity, .max_angle = kMostFaceAngle});
+        if (!pair) continue;
+        std::erase_if(finding.faces, [&](const FacePair& other) {
+            const auto other_a = static_cast<std::size_t>(other.face_a);
+            return a.normals[other_a].dot(a.normals[face_a]) < 0 ||
+                   (other_a == face_a && static_cast<std::size_t>(other.face_b) == face_b);
+        });
+        finding.faces.push_back(*pair);
+    }
+    std::sort(finding.faces.begin(), finding.faces.end(), [](const FacePair& p, const FacePair& q) {
+        return std::pair(p.face_a, p.face_b) < std::pair(q.face_a, q.face_b);
+    });
+}
+
 /// Leaves out patches that are too small for the depth they are pressed to, or to matter. \return whether one may get there before
 /// the next search, or is left out: then the pair needs places
 bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, double least_share,
@@ -181,6 +209,7 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     dropTilted(placed_a, placed_b, size, finding);
     dropFalsePairs(placed_a, placed_b, closed, finding);
     dropCovered(placed_a, placed_b, finding);
+    if (!known.deep.empty()) keepDeep(state, known, pair, placed_a, placed_b, finding);
     const bool slivers =
         dropSlivers(state, a, b, size, leastShare(state, known, pair, initial), finding, initial);
     // A pair that has places keeps them as long as it is near.

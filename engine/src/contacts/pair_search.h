@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "contacts/deep_contacts.h"
 #include "contacts/face_pairs.h"
 #include "contacts/near_pairs.h"
 #include "state/arrays.h"
@@ -25,8 +26,9 @@ struct PairFinding {
 
 /// What a search knows of pairs of parts by the interfaces before it; each sorted.
 struct KnownPairs {
-    PartPairs with_places{};  ///< keep their places as long as they are near
-    PartPairs bearing{};      ///< keep their patch, however narrow (kLeastShare)
+    PartPairs with_places{};        ///< keep their places as long as they are near
+    PartPairs bearing{};            ///< keep their patch, however narrow (kLeastShare)
+    std::vector<DeepFaces> deep{};  ///< keep their patch, however deep
 };
 
 /// Whether patches count however narrow they are (kLeastShare): in histories, and of a model as it was built.
