@@ -29,6 +29,7 @@ void registerAll(const Extent& extent) {
     addMachine(extent);
     addSlopes(extent);
     addSearches(extent);
+    addRockfalls(extent);
 }
 
 /// Machine limits belong to every table, so `--only` leaves them in.

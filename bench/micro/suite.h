@@ -25,6 +25,8 @@ void addSlopes(const Extent& extent);  ///< kernels, step, detection; slope by s
 void addSearches(
     const Extent& extent);  ///< of the paper's cases, and of what topples, arches and rock masses
 
+void addRockfalls(const Extent& extent);  ///< on a plane and on surveys of growing size
+
 /// What a benchmark of a slope says beside its time; counters of the same names.
 struct Facts {
     double points = 0;  ///< contact points (or blocks, or pairs) that one iteration works on

@@ -134,6 +134,24 @@ void printWork(const std::vector<Best>& results) {
     }
 }
 
+/// On a survey a step should cost what it costs on the plane, the first row.
+void printRockfalls(const std::vector<Best>& results) {
+    const Best* plane = nullptr;
+    for (const Best& result : results) {
+        const double steps = result.counter("run_steps");
+        if (steps <= 0) continue;
+        if (plane == nullptr) {
+            plane = &result;
+            std::printf("\n%-28s %10s %12s %12s %14s %14s  %s\n", "Rockfall on triangles", "steps",
+                        "us per step", "of the first", "ground's shape", "until step 1", "state hash");
+        }
+        const double step = result.seconds / steps, first = plane->seconds / plane->counter("run_steps");
+        std::printf("%-28s %10.0f %12.2f %12.2f %12.2f s %12.2f s  %s\n", result.name.c_str(), steps,
+                    1e6 * step, step / first, result.counter("ground_seconds"),
+                    result.counter("start_seconds"), result.label.c_str());
+    }
+}
+
 /// Wall time far above processor time in the single-threaded runs: something else had the cores.
 void warnIfBusy(const std::vector<Best>& results) {
     double wall = 0, processor = 0;
@@ -156,6 +174,7 @@ void printTable(const std::vector<Best>& results, const Extent& extent) {
     printMemory(results);
     printSearches(results);
     printWork(results);
+    printRockfalls(results);
     warnIfBusy(results);
 }
 

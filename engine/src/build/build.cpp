@@ -9,6 +9,7 @@
 #include "forces/sum.h"
 #include "law/joint_laws.h"
 #include "state/caller.h"
+#include "state/placed_shape.h"
 
 namespace talus {
 namespace {
@@ -139,6 +140,7 @@ Result<State> buildState(std::shared_ptr<const Model> description, bool parallel
     geometry->length_scale = medianOf(geometry->size);
     geometry->initial_position = state.blocks.position;
     geometry->initial_orientation = state.blocks.orientation;
+    geometry->fixed = placeFixed(state.blocks, *geometry);
     state.geometry = geometry;
     state.laws = jointLaws(model.joints);
     state.load.tilt = model.gravity.tilt;

@@ -18,8 +18,9 @@ constexpr double kCornerRounding = 1e-3;
 constexpr double kSameWay = 1e-6;    // [rad]
 constexpr double kCornerTie = 1e-6;  // likewise: what makes clear how two corners meet
 
-/// Normals of the faces of a convex shape, or of the faces `first` to `end` that are one of its parts, that a point lies on, or
-/// nearer than `distance` [m]; none when it is farther from it. Inner faces are none.
+/// Normals of the faces of a convex shape, or of the faces `first` to `end` that are one of its parts,
+/// that a point lies on, or nearer than `distance` [m]; none when it is farther from it. Inner faces
+/// are none.
 std::vector<Vec3> normalsAt(const Polyhedron& shape, std::size_t first, std::size_t end, const Vec3& point,
                             double distance) {
     std::vector<Vec3> normals;
@@ -33,14 +34,38 @@ std::vector<Vec3> normalsAt(const Polyhedron& shape, std::size_t first, std::siz
     return normals;
 }
 
-/// Faces of a block that a point lies on, or nearer than `distance` [m]; none when it is farther from the block. Faces of
-/// several parts that look the same way are one.
+/// Parts of a block that may hold a point, or be nearer to it than `distance` [m]; ascending. Of a
+/// block that stands as built those that its tree finds.
+std::vector<std::size_t> partsAt(const State& state, std::int32_t block, const Vec3& point, double distance) {
+    // Where faces meet at an angle of w, what is nearer to both planes than the distance may be 2/w of
+    // it from their edge. Only wedges of less than two thousandths reach farther than this.
+    constexpr double kSharpest = 1000.0;
+    const auto b = static_cast<std::size_t>(block);
+    const Geometry& geometry = *state.geometry;
+    const std::int32_t first = geometry.first_part[b], end = geometry.first_part[b + 1];
+    std::vector<std::size_t> parts;
+    if (standsAsBuilt(state, b)) {
+        geometry.fixed.boxes.visit(Box{point, point}.grown(kSharpest * distance), [&](std::size_t k) {
+            const std::int32_t part = geometry.fixed.parts[k];
+            if (part >= first && part < end) parts.push_back(static_cast<std::size_t>(part - first));
+        });
+        std::sort(parts.begin(), parts.end());
+    } else {
+        for (std::int32_t part = first; part < end; ++part)
+            parts.push_back(static_cast<std::size_t>(part - first));
+    }
+    return parts;
+}
+
+/// Faces of a block that a point lies on, or nearer than `distance` [m]; none when it is farther from
+/// the block. Faces of several parts that look the same way are one.
 std::size_t facesAt(const State& state, std::int32_t block, const Vec3& point, double distance) {
     const Polyhedron& shape = state.geometry->shape[static_cast<std::size_t>(block)];
     const Vec3 own = toOwn(state.blocks, block, point);
     if (shape.partCount() == 1) return normalsAt(shape, 0, shape.faces.size(), own, distance).size();
     std::vector<Vec3> different;
-    for (const ConvexPart& part : shape.faces.parts()) {
+    for (const std::size_t p : partsAt(state, block, point, distance)) {
+        const ConvexPart& part = shape.faces.parts()[p];
         const auto first = static_cast<std::size_t>(part.first_face);
         for (const Vec3& normal : normalsAt(shape, first, first + part.faces.size(), own, distance))
             if (std::none_of(different.begin(), different.end(),
@@ -69,9 +94,10 @@ bool isCarriedAt(const State& state, std::int32_t block, std::int32_t partner, c
     return false;
 }
 
-/// How deep a corner at a kink is left out, of the smaller block's size. What is placed then counts its gap from there. Where springs
-/// keep their energy that overlap goes only as the blocks' motion pays for it (contacts/gap_recovery.h), and those that come
-/// to rest have none. No verdict hangs on a corner there, so it is no more than goes as touching anyway.
+/// How deep a corner at a kink is left out, of the smaller block's size. What is placed then counts its
+/// gap from there. Where springs keep their energy that overlap goes only as the blocks' motion pays
+/// for it (contacts/gap_recovery.h), and those that come to rest have none. No verdict hangs on a
+/// corner there, so it is no more than goes as touching anyway.
 double roundingOf(const State& state) {
     return state.springs == Springs::keep_energy ? kClosedGap : kCornerRounding;
 }

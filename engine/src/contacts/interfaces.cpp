@@ -324,10 +324,12 @@ std::vector<Error> interrupted() { return {{"", "interrupted while its contacts 
 
 std::vector<Error> makeInterfaces(State& state, const SearchRange& range, bool initial, bool parallel,
                                   const Control& control) {
+    const bool keeps_energy = state.springs == Springs::keep_energy;
     const KnownPairs known{pairsWithPlaces(*state.geometry, state.interfaces, range),
-                           narrowPatchesCount(state, initial) ? PartPairs{} : pairsThatBear(state, range)};
+                           narrowPatchesCount(state, initial) ? PartPairs{} : pairsThatBear(state, range),
+                           keeps_energy ? deepFaces(state, range) : std::vector<DeepFaces>{}};
     const std::vector<PairEnergy> held =
-        state.springs == Springs::keep_energy ? energyOfPairs(contactsOf(state)) : std::vector<PairEnergy>{};
+        keeps_energy ? energyOfPairs(contactsOf(state)) : std::vector<PairEnergy>{};
     OldInterfaces old = takeInterfaces(state, range.near);
     const SearchRemarks remarks = appendInterfaces(state, old, range, known, initial, parallel, control);
     if (remarks.stopped) {
@@ -350,7 +352,7 @@ std::vector<Error> makeInterfaces(State& state, const SearchRange& range, bool i
     if (initial && isStopped(control)) return interrupted();
     buildIncidence(state);
     renewVertexEdges(state, range.ahead, parallel, carried, range.around);
-    if (state.springs == Springs::keep_energy) balanceEnergy(state, held);
+    if (keeps_energy) balanceEnergy(state, held);
     keepSearchPoses(state, range.around);
     state.search_margin = range.margin;
     if (initial) return touchErrors(state);

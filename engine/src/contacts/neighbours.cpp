@@ -73,11 +73,8 @@ void forEachIndex(std::size_t count, std::size_t grain, bool parallel, const Bod
 }
 
 Box boundsOf(const std::vector<Box>& boxes) {
-    Box all = boxes[0];
-    for (const Box& box : boxes) {
-        all.min = all.min.cwiseMin(box.min);
-        all.max = all.max.cwiseMax(box.max);
-    }
+    Box all;
+    for (const Box& box : boxes) all.add(box);
     return all;
 }
 
@@ -171,7 +168,7 @@ std::vector<Chunk> cutChunks(const std::vector<Level>& levels) {
 void testRun(const Grids& grids, std::size_t e, std::size_t from, std::size_t end, std::uint64_t last,
              std::vector<BoxPair>& pairs) {
     for (std::size_t other = from; other < end && grids.entries[other].cell <= last; ++other)
-        if (overlaps(grids.sorted_boxes[e], grids.sorted_boxes[other]))
+        if (grids.sorted_boxes[e].meets(grids.sorted_boxes[other]))
             pairs.push_back(std::minmax(grids.entries[e].box, grids.entries[other].box));
 }
 
@@ -265,7 +262,7 @@ class MarkedCells {
     }
 
     bool meet(const Box& box) {
-        return overlaps(box, bounds_) && anyCell(box, [](const char& cell) { return cell != 0; });
+        return box.meets(bounds_) && anyCell(box, [](const char& cell) { return cell != 0; });
     }
 
  private:

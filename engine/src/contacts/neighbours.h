@@ -5,19 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "talus/polyhedron.h"
+#include "geometry/box_tree.h"
 
 namespace talus {
-
-/// Axis-aligned bounds of a block, with whatever margin the caller wants [m].
-struct Box {
-    Vec3 min = Vec3::Zero(), max = Vec3::Zero();
-};
-
-/// Touching counts.
-inline bool overlaps(const Box& a, const Box& b) {
-    return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
-}
 
 using BoxPair = std::pair<std::int32_t, std::int32_t>;
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <span>
+#include <optional>
 
 #include "contacts/limits.h"
 #include "contacts/vertex_edge_points.h"
@@ -20,17 +20,6 @@ namespace {
 constexpr double kBears = 0.01;         // of the forces on a block: strips of neighbours have a thousandth
 constexpr double kMostFaceAngle = 0.8;  // [rad] however deep: then a box always has one such face
 
-Box boundingBox(const WorldShape& shape, double margin) {
-    Box box{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
-    for (const Vec3& v : shape.vertices) {
-        box.min = box.min.cwiseMin(v);
-        box.max = box.max.cwiseMax(v);
-    }
-    box.min.array() -= margin;
-    box.max.array() += margin;
-    return box;
-}
-
 /// The reference face is the fixed block's, else the larger block's, else that of the block with the lower index.
 bool firstIsReference(const State& state, std::size_t first, std::size_t second) {
     const bool first_free = state.blocks.motion[first] == Motion::free;
@@ -38,80 +27,6 @@ bool firstIsReference(const State& state, std::size_t first, std::size_t second)
     if (first_free != second_free) return second_free;
     const double radius_1 = state.geometry->radius[first], radius_2 = state.geometry->radius[second];
     return radius_1 >= radius_2 * (1.0 - 1e-9);
-}
-
-/// Shapes of the blocks of a range where they are now, with their face normals; the faces' outlines are those of the own frame.
-struct PlacedShapes {
-    const Geometry& geometry;
-    const std::vector<Polyhedron>& own;
-    std::vector<std::size_t> first_vertex, first_normal;  ///< of each block
-    std::vector<Vec3> vertices, normals;
-    std::vector<std::int32_t> body;  ///< of each part: its place in `bodies`, -1 where it is a whole block
-    std::vector<PartOfBody> bodies;
-
-    std::size_t blockOf(std::size_t part) const {
-        return static_cast<std::size_t>(geometry.part_block[part]);
-    }
-    WorldShape world(std::size_t part) const {
-        const std::size_t b = blockOf(part);
-        const WorldShape block{std::span(vertices).subspan(first_vertex[b], own[b].vertices.size()),
-                               own[b].faces,
-                               std::span(normals).subspan(first_normal[b], own[b].faces.size())};
-        return body.empty() || body[part] < 0 ? block
-                                              : partIn(block, bodies[static_cast<std::size_t>(body[part])]);
-    }
-
- private:
-    static WorldShape partIn(const WorldShape& block, const PartOfBody& body) {
-        const ConvexPart& range = body.shape.faces.parts()[body.part];
-        const auto first = static_cast<std::size_t>(range.first_face), count = range.faces.size();
-        return {block.vertices.subspan(static_cast<std::size_t>(range.first_vertex),
-                                       static_cast<std::size_t>(range.vertices)),
-                range.faces, block.normals.subspan(first, count),
-                std::span(body.shape.faces.covers()).subspan(first, count), &body};
-    }
-};
-
-void placeBodies(const State& state, const SearchRange& range, PlacedShapes& placed) {
-    const std::size_t parts = state.geometry->part_block.size();
-    if (parts == state.blocks.size()) return;
-    placed.body.assign(parts, -1);
-    for (std::size_t part = 0; part < parts; ++part) {
-        if (!range.isNear(placed.blockOf(part))) continue;
-        const auto body = partOfBody(state, static_cast<std::int32_t>(part));
-        if (!body) continue;
-        placed.body[part] = static_cast<std::int32_t>(placed.bodies.size());
-        placed.bodies.push_back(*body);
-    }
-}
-
-PlacedShapes placeShapes(const State& state, const SearchRange& range, bool parallel) {
-    const std::size_t n = state.blocks.size();
-    PlacedShapes placed{*state.geometry, state.geometry->shape, {}, {}, {}, {}, {}, {}};
-    placed.first_vertex.reserve(n);
-    placed.first_normal.reserve(n);
-    std::size_t vertices = 0, normals = 0;
-    for (std::size_t b = 0; b < n; ++b) {
-        placed.first_vertex.push_back(vertices);
-        placed.first_normal.push_back(normals);
-        if (!range.isNear(b)) continue;
-        vertices += placed.own[b].vertices.size();
-        normals += placed.own[b].faces.size();
-    }
-    placed.vertices.resize(vertices);
-    placed.normals.resize(normals);
-    forRange(n, 256, parallel, [&](Range some) {
-        Polyhedron shape;
-        for (std::size_t b = some.begin; b < some.end; ++b) {
-            if (!range.isNear(b)) continue;
-            placeShape(state, b, shape);
-            std::copy(shape.vertices.begin(), shape.vertices.end(), &placed.vertices[placed.first_vertex[b]]);
-            for (std::size_t f = 0; f < shape.faces.size(); ++f)
-                placed.normals[placed.first_normal[b] + f] = shape.faceNormal(f);
-        }
-    });
-    placeBodies(state, range, placed);
-    return placed;
 }
 
 /// Faces may look at each other through the bodies: the far side of a block and the near side of its neighbour, or
@@ -145,6 +60,34 @@ void dropCovered(const WorldShape& a, const WorldShape& b, PairFinding& finding)
         const FaceFrame frame = faceFrame(a, static_cast<std::size_t>(pair.face_a));
         const Vec3 on_a = frame.toWorld(centroid(pair.patch));
         return isCovered(a, pair.face_a, on_a) || isCovered(b, pair.face_b, on_a + pair.gap * frame.e3);
+    });
+}
+
+/// Puts faces with a deep contact back among those found, and takes out those that would push against it: the far
+/// sides of a thin body.
+void keepDeep(const State& state, const KnownPairs& known, BoxPair parts, const WorldShape& a,
+              const WorldShape& b, PairFinding& finding) {
+    const auto before = [](const DeepFaces& deep, BoxPair pair) { return deep.parts < pair; };
+    auto deep = std::lower_bound(known.deep.begin(), known.deep.end(), parts, before);
+    for (; deep != known.deep.end() && deep->parts == parts; ++deep) {
+        const bool same_order = deep->block_a == finding.block_a;
+        const auto face_a = static_cast<std::size_t>((same_order ? deep->face_a : deep->face_b) -
+                                                     firstFace(*state.geometry, finding.part_a)),
+                   face_b = static_cast<std::size_t>((same_order ? deep->face_b : deep->face_a) -
+                                                     firstFace(*state.geometry, finding.part_b));
+        const auto pair =
+            findFacePair(a, face_a, b, face_b,
+                         {.max_gap = kInfinity, .max_overlap = kInfinity, .max_angle = kMostFaceAngle});
+        if (!pair) continue;
+        std::erase_if(finding.faces, [&](const FacePair& other) {
+            const auto other_a = static_cast<std::size_t>(other.face_a);
+            return a.normals[other_a].dot(a.normals[face_a]) < 0 ||
+                   (other_a == face_a && static_cast<std::size_t>(other.face_b) == face_b);
+        });
+        finding.faces.push_back(*pair);
+    }
+    std::sort(finding.faces.begin(), finding.faces.end(), [](const FacePair& p, const FacePair& q) {
+        return std::pair(p.face_a, p.face_b) < std::pair(q.face_a, q.face_b);
     });
 }
 
@@ -255,8 +198,10 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     finding.part_b = first_is_a ? pair.second : pair.first;
     const double size = std::min(state.geometry->size[a], state.geometry->size[b]);
     const double closed = kClosedGap * size;
-    const WorldShape placed_a = placed.world(first_is_a ? part_1 : part_2),
-                     placed_b = placed.world(first_is_a ? part_2 : part_1);
+    const std::optional<PartOfBody> body_a = partOfBody(state, finding.part_a),
+                                    body_b = partOfBody(state, finding.part_b);
+    const WorldShape placed_a = placed.world(static_cast<std::size_t>(finding.part_a), body_a),
+                     placed_b = placed.world(static_cast<std::size_t>(finding.part_b), body_b);
     if (!initial && areApart(placed_a, placed_b, range.margin)) return finding;
     finding.faces =
         findFacePairs(placed_a, placed_b,
@@ -264,6 +209,7 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     dropTilted(placed_a, placed_b, size, finding);
     dropFalsePairs(placed_a, placed_b, closed, finding);
     dropCovered(placed_a, placed_b, finding);
+    if (!known.deep.empty()) keepDeep(state, known, pair, placed_a, placed_b, finding);
     const bool slivers =
         dropSlivers(state, a, b, size, leastShare(state, known, pair, initial), finding, initial);
     // A pair that has places keeps them as long as it is near.
@@ -286,36 +232,18 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     return finding;
 }
 
-/// Pairs of parts of the range, and others beside, in order.
-std::vector<BoxPair> nearPairs(const PlacedShapes& placed, const SearchRange& range, bool parallel) {
-    std::vector<std::int32_t> parts;
-    for (std::size_t part = 0; part < placed.geometry.part_block.size(); ++part)
-        if (range.isNear(placed.blockOf(part))) parts.push_back(static_cast<std::int32_t>(part));
-    std::vector<Box> boxes(parts.size());
-    forRange(boxes.size(), 1024, parallel, [&](Range some) {
-        for (std::size_t k = some.begin; k < some.end; ++k)
-            boxes[k] = boundingBox(placed.world(static_cast<std::size_t>(parts[k])), 0.5 * range.margin);
-    });
-    std::vector<BoxPair> pairs = findNeighbours(boxes, parallel);
-    if (range.near.empty()) return pairs;
-    for (auto& [first, second] : pairs) {
-        first = parts[static_cast<std::size_t>(first)];
-        second = parts[static_cast<std::size_t>(second)];
-    }
-    return pairs;
-}
-
 }  // namespace
 
 bool examinePairs(const State& state, const SearchRange& range, const KnownPairs& known, bool initial,
-                  bool parallel, const std::function<void(const PairFinding&)>& take,
-                  const Control& control) {
+                  bool parallel, const std::function<void(const PairFinding&)>& take, const Control& control,
+                  SearchWork* work) {
     constexpr std::size_t kPiece = 16384;
     assert(range.margin > 0 && range.ahead >= 0 &&
            std::is_sorted(known.with_places.begin(), known.with_places.end()));
-    const PlacedShapes placed = placeShapes(state, range, parallel);
+    const PlacedShapes placed(state, range, parallel);
     if (isStopped(control)) return false;
-    const std::vector<BoxPair> pairs = nearPairs(placed, range, parallel);
+    SearchWork done;
+    const PartPairs pairs = nearPairs(state, placed, range, parallel, work != nullptr ? *work : done);
     std::vector<PairFinding> findings;
     for (std::size_t begin = 0; begin < pairs.size(); begin += kPiece) {
         if (isStopped(control)) return false;

@@ -6,8 +6,9 @@
 #include <functional>
 #include <vector>
 
+#include "contacts/deep_contacts.h"
 #include "contacts/face_pairs.h"
-#include "contacts/neighbours.h"
+#include "contacts/near_pairs.h"
 #include "state/arrays.h"
 #include "talus/analysis.h"
 
@@ -23,34 +24,17 @@ struct PairFinding {
     double depth = 0;  ///< [m], when they overlap
 };
 
-/// Pairs of parts, sorted.
-using PartPairs = std::vector<BoxPair>;
-
 /// What a search knows of pairs of parts by the interfaces before it; each sorted.
 struct KnownPairs {
-    PartPairs with_places{};  ///< keep their places as long as they are near
-    PartPairs bearing{};      ///< keep their patch, however narrow (kLeastShare)
+    PartPairs with_places{};        ///< keep their places as long as they are near
+    PartPairs bearing{};            ///< keep their patch, however narrow (kLeastShare)
+    std::vector<DeepFaces> deep{};  ///< keep their patch, however deep
 };
 
 /// Whether patches count however narrow they are (kLeastShare): in histories, and of a model as it was built.
 inline bool narrowPatchesCount(const State& state, bool initial) {
     return initial || state.springs == Springs::keep_energy;
 }
-
-/// What a search foresees, and where it looks.
-struct SearchRange {
-    double margin = 0;  ///< pairs of faces nearer than this count [m]
-    double ahead = 0;   ///< time until the next look, not negative [s]
-    /// By block: pairs of which neither is marked are left out; empty: none is.
-    std::vector<char> around{};
-    /// By block: 1 of those in any pair that is not left out, and of some beside (blocksNear); empty: all are.
-    std::vector<char> near{};
-
-    bool has(std::size_t a, std::size_t b) const {
-        return around.empty() || around[a] != 0 || around[b] != 0;
-    }
-    bool isNear(std::size_t block) const { return near.empty() || near[block] != 0; }
-};
 
 /// By block: 1 of the marked ones, of all that may be nearer than `margin` [m] to one, and of some beside.
 std::vector<char> blocksNear(const State& state, const std::vector<char>& around, double margin);
@@ -67,8 +51,9 @@ PartPairs pairsThatBear(const State& state, const SearchRange& range);
 /// pieces: of a million blocks' thirteen million pairs all findings at once would take more memory than the state.
 /// \param initial    whether the blocks stand as the model has them: then overlaps are looked for
 /// \param control    told the share that is done; \return false when it asked to stop: then pairs are missing
+/// \param work       what was looked at is added to it; null: nobody wants to know
 bool examinePairs(const State& state, const SearchRange& range, const KnownPairs& known, bool initial,
                   bool parallel, const std::function<void(const PairFinding&)>& take,
-                  const Control& control = {});
+                  const Control& control = {}, SearchWork* work = nullptr);
 
 }  // namespace talus

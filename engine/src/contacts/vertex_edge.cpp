@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "contacts/corner_rounding.h"
+#include "contacts/deep_contacts.h"
 #include "contacts/limits.h"
 #include "state/block_motion.h"
 #include "state/incidence.h"
@@ -41,9 +42,13 @@ void swapSides(State& state, std::size_t i) {
     Incidence& incidence = state.incidence;
     for (const std::int32_t block : {f.block_a[i], f.block_b[i]}) {
         const auto b = static_cast<std::size_t>(block);
-        for (auto k = incidence.interface_begin[b]; k < incidence.interface_begin[b + 1]; ++k)
-            if (incidence.interface[static_cast<std::size_t>(k)] == static_cast<std::int32_t>(i))
-                incidence.wrench[static_cast<std::size_t>(k)] ^= 1;  // the other side
+        // A block's interfaces are in order, and a ground has very many.
+        const auto first = incidence.interface.begin();
+        const auto at =
+            std::lower_bound(first + incidence.interface_begin[b], first + incidence.interface_begin[b + 1],
+                             static_cast<std::int32_t>(i));
+        assert(at != incidence.interface.end() && *at == static_cast<std::int32_t>(i));
+        incidence.wrench[static_cast<std::size_t>(at - first)] ^= 1;  // the other side
     }
     std::swap(f.block_a[i], f.block_b[i]);
     std::swap(f.face_a[i], f.face_b[i]);
@@ -203,8 +208,10 @@ struct Look {
     VertexEdgePoints found;
     bool changes = false;   ///< from faces to a vertex or edge, or the other way round
     bool no_faces = false;  ///< they are pressed together by two faces without an interface
-    double size = 0;        ///< of the smaller block [m]
-    double travel = 0;      ///< until the next look [m]
+    bool stays =
+        false;  ///< they are so deep in each other that what they touch with stays (contacts/deep_contacts.h)
+    double size = 0;    ///< of the smaller block [m]
+    double travel = 0;  ///< until the next look [m]
 };
 
 /// Where two parts meet, with the faces' numbers in their blocks.
@@ -236,6 +243,14 @@ double nearestWithoutInterface(const State& state, const Look& look, const Verte
     return state.springs == Springs::keep_energy ? 0.5 * limits.reach : -look.travel;
 }
 
+/// Whether what two parts touch with is so deep that it stays.
+/// \param faces  the interface of the faces that meet now, -1: none
+bool contactsStay(const State& state, std::size_t begin, const VertexEdgePoints& found, std::int32_t faces) {
+    if (state.springs != Springs::keep_energy || found.distance >= 0) return false;
+    const bool would_change = found.count > 0 || faces < 0;
+    return would_change && (pushAgainst(state, begin, found.axis) || areHeldByFaces(state, begin));
+}
+
 /// \param searched whether faces that have no interface now will have none
 Look lookAtPair(const State& state, std::size_t begin, double ahead, bool searched) {
     const Interfaces& f = state.interfaces;
@@ -260,6 +275,8 @@ Look lookAtPair(const State& state, std::size_t begin, double ahead, bool search
     if (look.found.first_face < 0) return look;
     const std::int32_t faces = interfaceOfFaces(state, f.block_a[begin], look.found.first_face,
                                                 f.block_b[begin], look.found.second_face);
+    look.stays = contactsStay(state, begin, look.found, faces);
+    if (look.stays) return look;
     if (look.found.count > 0) {
         look.changes = faces >= 0;
     } else if (faces >= 0) {
@@ -379,7 +396,7 @@ PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const 
             }
             return;
         }
-        if (writePlaces(state, begin, look.found, {}, look.size)) places = true;
+        if (!look.stays && writePlaces(state, begin, look.found, {}, look.size)) places = true;
         left = look.travel;
     });
     return {.places = places, .search = search};
@@ -395,10 +412,11 @@ void renewVertexEdges(State& state, double ahead, bool parallel, const CarriedPo
         if (!is_near(state.interfaces.block_a[begin]) && !is_near(state.interfaces.block_b[begin])) return;
         const Look look = lookAtPair(state, begin, ahead, true);
         state.interfaces.faces_are_apart[begin] = look.no_faces ? 1 : 0;
+        state.interfaces.travel_left[begin] = look.travel;
+        if (look.stays) return;
         const auto of_pair = carried.find(partsOf(*state.geometry, state.interfaces, begin));
         writePlaces(state, begin, look.found,
                     of_pair == carried.end() ? std::vector<CarriedPoint>{} : of_pair->second, look.size);
-        state.interfaces.travel_left[begin] = look.travel;
     });
 }
 

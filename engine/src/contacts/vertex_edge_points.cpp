@@ -337,6 +337,7 @@ VertexEdgePoints findVertexEdgePoints(const WorldShape& first, const WorldShape&
     const Faces faces = meetingFaces(pair, axis);
     found.near = true;
     found.distance = axis.distance;
+    found.axis = axis.second_is_reference ? Vec3(-axis.normal) : axis.normal;
     found.first_face = faces.first;
     found.second_face = faces.second;
     return found;

@@ -28,6 +28,8 @@ struct VertexEdgePoints {
     bool near = false;  ///< within reach, by vertices and edges or face to face
     /// when near: along the axis they meet along, negative for overlap; otherwise: at least [m]
     double distance = 0;
+    Vec3 axis =
+        Vec3::Zero();  ///< when near: along which they meet, from the first to the second; zero: along none
     std::int32_t first_face = -1,
                  second_face = -1;  ///< the faces that look at each other most where they meet; -1: nowhere
 

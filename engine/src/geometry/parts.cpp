@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "geometry/box_tree.h"
 #include "geometry/face_frame.h"
 #include "geometry/separation.h"
 
@@ -18,25 +19,18 @@ constexpr double kOpposite =
 constexpr double kLeastCover = 1e-9;  // share of a face
 constexpr double kWhole = 1e-6;       // likewise: a face of which less is free is inside
 
-struct Bounds {
-    Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity()), max = -min;
-};
-
-Bounds boundsOf(const Polyhedron& shape) {
-    Bounds bounds;
-    for (const Vec3& v : shape.vertices) {
-        bounds.min = bounds.min.cwiseMin(v);
-        bounds.max = bounds.max.cwiseMax(v);
-    }
+Box boundsOf(const Polyhedron& shape) {
+    Box bounds;
+    for (const Vec3& v : shape.vertices) bounds.add(v);
     return bounds;
 }
 
 double extentOf(const Polyhedron& shape) {
-    const Bounds bounds = boundsOf(shape);
+    const Box bounds = boundsOf(shape);
     return (bounds.max - bounds.min).maxCoeff();
 }
 
-bool areNear(const Bounds& a, const Bounds& b, double distance) {
+bool areNear(const Box& a, const Box& b, double distance) {
     return (a.min.array() <= b.max.array() + distance).all() &&
            (b.min.array() <= a.max.array() + distance).all();
 }
@@ -48,10 +42,14 @@ std::span<const Vec3> verticesOf(const Polyhedron& shape, const ConvexPart& part
         .subspan(static_cast<std::size_t>(part.first_vertex), static_cast<std::size_t>(part.vertices));
 }
 
+bool areOpposite(const Vec3& normal_1, const Vec3& normal_2) {
+    return (normal_1 + normal_2).norm() <= kOpposite;
+}
+
 /// Of a face `under` what another part's face lies on; empty when it does not.
 Polygon commonPart(const Polyhedron& shape, std::size_t under, std::size_t over, double touch) {
+    if (!areOpposite(shape.faceNormal(under), shape.faceNormal(over))) return {};
     const FaceFrame frame = faceFrame(shape, under);
-    if ((frame.e3 + shape.faceNormal(over)).norm() > kOpposite) return {};
     const auto& outline = shape.faces[over];
     Polygon other;
     for (std::size_t i = outline.size(); i-- > 0;) {
@@ -89,15 +87,12 @@ class Joiner {
           touch_(kTouch * extentOf(whole_)),
           covered_(whole_.faces.size(), 0.0),
           root_(parts.size()) {
+        for (std::size_t f = 0; f < whole_.faces.size(); ++f) normals_.push_back(whole_.faceNormal(f));
         std::iota(root_.begin(), root_.end(), std::size_t{0});
     }
 
     Result<Polyhedron> run() {
-        std::vector<Bounds> bounds;
-        for (const Polyhedron& part : parts_) bounds.push_back(boundsOf(part));
-        for (std::size_t i = 0; i < parts_.size(); ++i)
-            for (std::size_t j = i + 1; j < parts_.size(); ++j)
-                if (areNear(bounds[i], bounds[j], touch_)) meet(i, j);
+        meetAll();
         for (std::size_t i = 1; i < parts_.size() && errors_.empty(); ++i)
             if (rootOf(i) != rootOf(0))
                 errors_.push_back(
@@ -114,6 +109,23 @@ class Joiner {
     std::size_t rootOf(std::size_t part) {
         while (root_[part] != part) part = root_[part] = root_[root_[part]];
         return part;
+    }
+
+    /// Each with those behind it, in order: sums of covers and lists of neighbours follow it.
+    void meetAll() {
+        std::vector<Box> bounds;
+        for (const Polyhedron& part : parts_) bounds.push_back(boundsOf(part));
+        const BoxTree tree(std::move(bounds));
+        std::vector<std::size_t> behind;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            behind.clear();
+            // Twice as wide as near: rounding leaves none out.
+            tree.visit(tree[i].grown(2.0 * touch_), [&](std::size_t j) {
+                if (j > i && areNear(tree[i], tree[j], touch_)) behind.push_back(j);
+            });
+            std::sort(behind.begin(), behind.end());
+            for (const std::size_t j : behind) meet(i, j);
+        }
     }
 
     void meet(std::size_t i, std::size_t j) {
@@ -137,6 +149,7 @@ class Joiner {
             for (std::size_t g = 0; g < faceCount(second); ++g) {
                 const std::size_t under = static_cast<std::size_t>(first.first_face) + f,
                                   over = static_cast<std::size_t>(second.first_face) + g;
+                if (!areOpposite(normals_[under], normals_[over])) continue;
                 const Polygon common = commonPart(whole_, under, over, touch_);
                 if (common.empty()) continue;
                 const double shared = area(common);
@@ -163,6 +176,7 @@ class Joiner {
     Polyhedron whole_;
     double touch_;
     std::vector<double> covered_;  ///< of each face [m^2]
+    std::vector<Vec3> normals_{};  ///< likewise, outward
     std::vector<std::size_t> root_;
     std::vector<Error> errors_;
 };

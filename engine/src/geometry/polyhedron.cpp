@@ -41,6 +41,40 @@ double sizeOfCube(const Polyhedron& shape) {
     return 6.0 * massProperties(shape).volume / surface;
 }
 
+/// Extents along many directions. A terrain of n triangles has n normals and some n vertices; but few
+/// vertices are the last ones in any direction, and those known already tell most directions apart from
+/// the shortest.
+class Widths {
+ public:
+    explicit Widths(const Polyhedron& shape) : vertices_(shape.vertices) {}
+
+    /// Along a unit vector; where it is no less than `enough`, something between that and itself [m].
+    double along(const Vec3& direction, double enough) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const std::size_t v : outermost_) {
+            const double height = direction.dot(vertices_[v]);
+            low = std::min(low, height);
+            high = std::max(high, height);
+        }
+        if (high - low >= enough) return high - low;
+        std::size_t lowest = 0, highest = 0;
+        for (std::size_t v = 0; v < vertices_.size(); ++v) {
+            const double height = direction.dot(vertices_[v]);
+            if (height < low) low = height, lowest = v;
+            if (height > high) high = height, highest = v;
+            if (high - low >= enough) break;
+        }
+        if (vertices_.size() > kFew) outermost_.insert(outermost_.end(), {lowest, highest});
+        return high - low;
+    }
+
+ private:
+    static constexpr std::size_t kFew = 64;  // vertices that are as quickly gone through
+
+    const std::vector<Vec3>& vertices_;
+    std::vector<std::size_t> outermost_{};
+};
+
 std::vector<Error> checkBox(const Vec3& min, const Vec3& max) {
     std::vector<Error> errors;
     for (int axis = 0; axis < 3; ++axis) {
@@ -100,18 +134,10 @@ Result<Polyhedron> makeBox(const Vec3& min, const Vec3& max) {
 }
 
 double smallestExtent(const Polyhedron& shape) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    double smallest = shape.partCount() > 1 ? sizeOfCube(shape) : kInfinity;
-    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
-        if (shape.isInner(f)) continue;
-        const Vec3 normal = shape.faceNormal(f);
-        double low = kInfinity, high = -kInfinity;
-        for (const Vec3& v : shape.vertices) {
-            low = std::min(low, normal.dot(v));
-            high = std::max(high, normal.dot(v));
-        }
-        smallest = std::min(smallest, high - low);
-    }
+    Widths widths(shape);
+    double smallest = shape.partCount() > 1 ? sizeOfCube(shape) : std::numeric_limits<double>::infinity();
+    for (std::size_t f = 0; f < shape.faces.size(); ++f)
+        if (!shape.isInner(f)) smallest = std::min(smallest, widths.along(shape.faceNormal(f), smallest));
     return smallest;
 }
 

@@ -8,6 +8,7 @@
 
 #include "build/build.h"
 #include "checks/loose_blocks.h"
+#include "checks/passing.h"
 #include "checks/plausible.h"
 #include "checks/water_warnings.h"
 #include "contacts/update.h"
@@ -287,6 +288,7 @@ class TimeHistory {
                 fault_ = given_step_.look(state_, progress_.time_step, progress_.stability_bound, parallel_);
             if (fault_) return;
             lookAtBlockForces(state_);
+            checks::warnOfPassing(state_, kStepsPerLook * dt);
             if (refreshInterfaces(state_, parallel_, kStepsPerLook * progress_.time_step)) chooseTimeStep();
         }
         if (state_.step % kStepsPerReport == 0 && control_.progress)

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "rock_mass/box_tree.h"
+#include "geometry/box_tree.h"
 #include "rock_mass/joints.h"
 #include "talus/rock_mass.h"
 

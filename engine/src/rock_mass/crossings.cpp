@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "rock_mass/box_tree.h"
+#include "geometry/box_tree.h"
 #include "rock_mass/place_text.h"
 #include "rock_mass/surface_faults.h"
 

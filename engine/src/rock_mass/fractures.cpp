@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "rock_mass/box_tree.h"
+#include "geometry/box_tree.h"
 #include "rock_mass/place_text.h"
 #include "rock_mass/radius_law.h"
 #include "rock_mass/random.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "rock_mass/box_tree.h"
+#include "geometry/box_tree.h"
 
 namespace talus::rock_mass {
 

@@ -4,8 +4,9 @@
 #include <array>
 #include <numeric>
 #include <optional>
+#include <utility>
 
-#include "rock_mass/box_tree.h"
+#include "geometry/box_tree.h"
 
 namespace talus::rock_mass {
 
@@ -139,16 +140,44 @@ Sides sidesOf(const Solid& solid, std::int32_t plane, const Reach* reach, const 
     return sides;
 }
 
+Box boundsOf(const CellFace& face, const VertexTable& vertices) {
+    Box bounds;
+    for (const std::int32_t v : face.outline) bounds.add(vertices[v]);
+    return bounds;
+}
+
 /// Pairs of cells that share a face.
 std::vector<std::array<std::size_t, 2>> sharedFaces(const std::vector<Cell>& cells, const Knife& knife) {
     std::vector<std::array<std::size_t, 2>> pairs;
     const auto faces = facesByPlane(cells);
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        for (std::size_t j = i + 1; j < faces.size() && faces[j].plane == faces[i].plane; ++j)
-            if (touch(cells[faces[i].cell].faces[faces[i].face], cells[faces[j].cell].faces[faces[j].face],
-                      knife))
-                pairs.push_back(
-                    {std::min(faces[i].cell, faces[j].cell), std::max(faces[i].cell, faces[j].cell)});
+    const auto face_of = [&](const FaceOf& f) -> const CellFace& { return cells[f.cell].faces[f.face]; };
+    // What lies in a plane does so within the weld distance.
+    const double margin = 4 * knife.vertices.weld();
+    std::vector<FaceOf> below;  // the plane, whose normal points out of them; those above it look at these
+    for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
+        below.clear();
+        std::vector<Box> bounds;
+        for (end = begin; end < faces.size() && faces[end].plane == faces[begin].plane; ++end) {
+            if (!face_of(faces[end]).outward) continue;
+            below.push_back(faces[end]);
+            bounds.push_back(boundsOf(face_of(faces[end]), knife.vertices));
+        }
+        if (below.empty() || below.size() == end - begin) continue;
+        const BoxTree tree(std::move(bounds));
+        for (std::size_t i = begin; i < end; ++i) {
+            const CellFace& face = face_of(faces[i]);
+            if (face.outward) continue;
+            tree.visit(boundsOf(face, knife.vertices).grown(margin), [&](std::size_t k) {
+                const CellFace& other = face_of(below[k]);
+                // In their order, which gives the plane's frame.
+                const bool is_first =
+                    std::pair(faces[i].cell, faces[i].face) < std::pair(below[k].cell, below[k].face);
+                if (is_first ? touch(face, other, knife) : touch(other, face, knife))
+                    pairs.push_back(
+                        {std::min(faces[i].cell, below[k].cell), std::max(faces[i].cell, below[k].cell)});
+            });
+        }
+    }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;

@@ -21,6 +21,7 @@
 #include "simd/pointers.h"
 #include "simd/scalar.h"
 #include "state/bolt_arrays.h"
+#include "state/fixed_shapes.h"
 #include "state/interface_frame.h"
 #include "state/interface_group.h"
 #include "state/lane_array.h"
@@ -253,6 +254,7 @@ struct Geometry {
     std::vector<double> face_area;            ///< mean of the faces of each block's surface [m^2]
     PositionArray initial_position;
     QuaternionArray initial_orientation;
+    FixedShapes fixed{};         ///< of blocks that are fixed in the model, at their initial poses
     double length_scale = 0;     ///< median block size [m]
     Vec3 origin = Vec3::Zero();  ///< of the state's positions, in the model frame [m]
 };

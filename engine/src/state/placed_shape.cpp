@@ -23,13 +23,56 @@ bool isWhole(const Geometry& geometry, std::int32_t part) {
     return geometry.shape[block].partCount() == 1;
 }
 
+void placeShape(const Blocks& blocks, const Geometry& geometry, std::size_t block, Polyhedron& shape) {
+    shape = geometry.shape[block];
+    const Mat3 turn = blocks.orientation.matrix(block);
+    const Vec3 position = blocks.position.get(block);
+    for (Vec3& v : shape.vertices) v = position + turn * v;
+}
+
+void addBoxes(const Polyhedron& placed, std::vector<Box>& boxes) {
+    const auto add = [&](std::size_t first, std::size_t count) {
+        Box box;
+        for (std::size_t v = first; v < first + count; ++v) box.add(placed.vertices[v]);
+        boxes.push_back(box);
+    };
+    if (placed.partCount() == 1) return add(0, placed.vertices.size());
+    for (const ConvexPart& part : placed.faces.parts())
+        add(static_cast<std::size_t>(part.first_vertex), static_cast<std::size_t>(part.vertices));
+}
+
 }  // namespace
 
 void placeShape(const State& state, std::size_t block, Polyhedron& shape) {
-    shape = state.geometry->shape[block];
-    const Mat3 turn = state.blocks.orientation.matrix(block);
-    const Vec3 position = state.blocks.position.get(block);
-    for (Vec3& v : shape.vertices) v = position + turn * v;
+    placeShape(state.blocks, *state.geometry, block, shape);
+}
+
+FixedShapes placeFixed(const Blocks& blocks, const Geometry& geometry) {
+    FixedShapes fixed;
+    fixed.first_vertex.assign(blocks.size(), FixedShapes::kNone);
+    fixed.first_normal.assign(blocks.size(), FixedShapes::kNone);
+    std::vector<Box> boxes;
+    Polyhedron shape;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (blocks.motion[b] != Motion::fixed) continue;
+        placeShape(blocks, geometry, b, shape);
+        fixed.first_vertex[b] = fixed.vertices.size();
+        fixed.first_normal[b] = fixed.normals.size();
+        fixed.vertices.insert(fixed.vertices.end(), shape.vertices.begin(), shape.vertices.end());
+        for (std::size_t f = 0; f < shape.faces.size(); ++f) fixed.normals.push_back(shape.faceNormal(f));
+        for (auto part = geometry.first_part[b]; part < geometry.first_part[b + 1]; ++part)
+            fixed.parts.push_back(part);
+        addBoxes(shape, boxes);
+    }
+    fixed.boxes = BoxTree(std::move(boxes));
+    return fixed;
+}
+
+bool standsAsBuilt(const State& state, std::size_t block) {
+    const Geometry& geometry = *state.geometry;
+    return state.blocks.motion[block] == Motion::fixed && geometry.fixed.has(block) &&
+           state.blocks.position[block] == geometry.initial_position[block] &&
+           state.blocks.orientation[block] == geometry.initial_orientation[block];
 }
 
 Polyhedron placedShape(const State& state, std::size_t block) {

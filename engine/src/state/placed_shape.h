@@ -17,6 +17,13 @@ Polyhedron placedShape(const State& state, std::size_t block);
 /// The same into a shape there is already: blocks one after the other need no new memory.
 void placeShape(const State& state, std::size_t block, Polyhedron& shape);
 
+/// Places what the model holds fixed.
+/// \pre the geometry's shapes and parts are those of these blocks, where the model has them
+FixedShapes placeFixed(const Blocks& blocks, const Geometry& geometry);
+
+/// Whether a block stands where Geometry::fixed has it. (A frame from a file may have it elsewhere.)
+bool standsAsBuilt(const State& state, std::size_t block);
+
 /// A point of the model frame in a block's own.
 Vec3 toOwn(const Blocks& blocks, std::int32_t block, const Vec3& x);
 

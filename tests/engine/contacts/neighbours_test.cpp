@@ -134,7 +134,7 @@ TEST_SUITE("contacts") {
             const std::vector<char> near = findNearMarked(boxes, marked);
             for (std::size_t i = 0; i < boxes.size(); ++i)
                 for (std::size_t j = 0; j < boxes.size(); ++j)
-                    if (marked[j] && overlaps(boxes[i], boxes[j])) REQUIRE(near[i]);
+                    if (marked[j] && boxes[i].meets(boxes[j])) REQUIRE(near[i]);
         }
         const std::vector<Box> wall = stack(20, 20, 20, {1, 2, 3}, {5, 6, 7});
         std::vector<char> one(wall.size());

@@ -2,13 +2,16 @@
 // Boxes in a tree of halves: which of many things may meet one.
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "talus/polyhedron.h"
 
-namespace talus::rock_mass {
+namespace talus {
 
+/// Along the axes; empty until something is added.
 struct Box {
     Vec3 min = Vec3::Constant(1e300), max = Vec3::Constant(-1e300);  ///< [m]
 
@@ -20,6 +23,9 @@ struct Box {
         min = min.cwiseMin(other.min);
         max = max.cwiseMax(other.max);
     }
+    /// Wider by so much on every side [m].
+    Box grown(double margin) const { return {min.array() - margin, max.array() + margin}; }
+    /// Touching counts.
     bool meets(const Box& other) const {
         return (min.array() <= other.max.array()).all() && (other.min.array() <= max.array()).all();
     }
@@ -27,21 +33,29 @@ struct Box {
 
 class BoxTree {
  public:
-    explicit BoxTree(const std::vector<Box>& boxes) : boxes_(boxes), order_(boxes.size()) {
+    BoxTree() = default;
+    explicit BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
         std::iota(order_.begin(), order_.end(), std::size_t{0});
-        if (!boxes.empty()) build(0, boxes.size());
+        if (!boxes_.empty()) build(0, boxes_.size());
     }
 
-    /// Calls `use(index)` for every box that meets this one.
+    const Box& operator[](std::size_t index) const { return boxes_[index]; }
+    std::size_t size() const { return boxes_.size(); }
+
+    /// Calls `use(index)` for every box that meets this one, in no order. \return how many boxes it was
+    /// compared with
     template <class Use>
-    void visit(const Box& box, const Use& use) const {
-        if (nodes_.empty()) return;
+    std::size_t visit(const Box& box, const Use& use) const {
+        if (nodes_.empty()) return 0;
         std::vector<std::size_t> todo{0};
+        std::size_t compared = 0;
         while (!todo.empty()) {
             const Node& node = nodes_[todo.back()];
             todo.pop_back();
+            ++compared;
             if (!node.box.meets(box)) continue;
             if (node.second == 0) {
+                compared += node.end - node.begin;
                 for (std::size_t k = node.begin; k < node.end; ++k)
                     if (boxes_[order_[k]].meets(box)) use(order_[k]);
                 continue;
@@ -49,6 +63,7 @@ class BoxTree {
             todo.push_back(node.second);
             todo.push_back(static_cast<std::size_t>(&node - nodes_.data()) + 1);
         }
+        return compared;
     }
 
  private:
@@ -79,9 +94,9 @@ class BoxTree {
         return at;
     }
 
-    const std::vector<Box>& boxes_;
-    std::vector<std::size_t> order_;
-    std::vector<Node> nodes_;
+    std::vector<Box> boxes_{};
+    std::vector<std::size_t> order_{};
+    std::vector<Node> nodes_{};
 };
 
-}  // namespace talus::rock_mass
+}  // namespace talus
