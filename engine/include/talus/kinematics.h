@@ -148,7 +148,7 @@ struct Analysis {
     std::vector<SetPair> pairs;     ///< of all sets, (0, 0), (0, 1), ...
 };
 
-/// Pairs grow with the square of the planes: so many take some seconds.
+/// Pairs grow with the square of the planes: so many take a minute.
 inline constexpr std::size_t kMostPoles = 20'000;
 
 /// Tests all planes and all lines of intersection of two of them. Errors: no poles or more than kMostPoles; a set beyond `sets`;

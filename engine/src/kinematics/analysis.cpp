@@ -1,10 +1,12 @@
 // All planes and all pairs of planes through the tests, counted by set.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "talus/kinematics.h"
+#include "talus/rock_mass.h"
 
 namespace talus::kinematics {
 
@@ -63,6 +65,22 @@ PlaneShares testPlane(const Pole& pole, const Face& face, const Limits& limits) 
     return shares;
 }
 
+/// What no critical line is without, cheaply: most pairs need no angles.
+struct Prefilter {
+    Vec3 face_normal, into_face;
+    double least_sine;  ///< of the plunge of lines that topple
+
+    explicit Prefilter(const Face& face)
+        : face_normal(upwardNormal(face.dip, face.dip_direction)),
+          into_face(-std::sin(face.dip_direction), -std::cos(face.dip_direction), 0),
+          least_sine(std::cos(face.dip) - kSameAngle) {}
+
+    bool maySlide(const Vec3& line) const { return line.dot(face_normal) > 0; }
+    bool mayTopple(const Vec3& line) const {
+        return -line.z() > least_sine && line.dot(into_face) > -kSameAngle;
+    }
+};
+
 /// Whether the wedge holds by friction alone on what it slides on.
 bool isHeld(const Pole& a, const Pole& b, const Vec3& line, SlidesOn on, double friction) {
     const double steepness =
@@ -70,14 +88,15 @@ bool isHeld(const Pole& a, const Pole& b, const Vec3& line, SlidesOn on, double 
     return steepness <= friction + kSameAngle;
 }
 
-void testPair(const Pole& a, const Pole& b, const Face& face, const Limits& limits, LineShares& shares) {
+void testPair(const Pole& a, const Pole& b, const Face& face, const Limits& limits, const Prefilter& may,
+              LineShares& shares) {
     const auto line = intersection(a.normal, b.normal);
     if (!line) {
         ++shares.parallel;
         return;
     }
     const double weight = a.weight * b.weight;
-    const WedgeZone zone = wedgeZone(*line, face, limits.friction);
+    const WedgeZone zone = may.maySlide(*line) ? wedgeZone(*line, face, limits.friction) : WedgeZone::none;
     shares.wedge.count(zone != WedgeZone::none, weight);
     if (zone != WedgeZone::none) {
         ++(zone == WedgeZone::primary ? shares.primary : shares.secondary);
@@ -85,7 +104,8 @@ void testPair(const Pole& a, const Pole& b, const Face& face, const Limits& limi
         if (on != SlidesOn::both) ++shares.on_one_plane;
         if (isHeld(a, b, *line, on, limits.friction)) ++shares.held_by_friction;
     }
-    const TopplingZone toppling = topplingZone(*line, face, limits);
+    const TopplingZone toppling =
+        may.mayTopple(*line) ? topplingZone(*line, face, limits) : TopplingZone::none;
     shares.direct.count(toppling == TopplingZone::direct, weight);
     shares.oblique.count(toppling == TopplingZone::oblique, weight);
 }
@@ -144,10 +164,11 @@ Result<Analysis> analyse(const std::vector<Pole>& poles, std::size_t sets, const
     for (std::size_t a = 0; a < sets; ++a)
         for (std::size_t b = a; b < sets; ++b) analysis.pairs.push_back({a, b, {}});
     for (const Pole& pole : poles) add(analysis.sets[pole.set], testPlane(pole, face, limits));
+    const Prefilter may(face);
     for (std::size_t i = 0; i < poles.size(); ++i)
         for (std::size_t j = i + 1; j < poles.size(); ++j) {
             const auto [a, b] = std::minmax(poles[i].set, poles[j].set);
-            testPair(poles[i], poles[j], face, limits, analysis.pairs[placeOf(a, b, sets)].lines);
+            testPair(poles[i], poles[j], face, limits, may, analysis.pairs[placeOf(a, b, sets)].lines);
         }
     for (const PlaneShares& set : analysis.sets) add(analysis.planes, set);
     for (const SetPair& pair : analysis.pairs) add(analysis.lines, pair.lines);

@@ -33,6 +33,77 @@ std::vector<Pole> scatteredPoles(std::size_t count, double turn = 0) {
     return poles;
 }
 
+/// An oracle in the angles of the field: dips, directions, plunges and trends in degrees, no vectors.
+namespace field {
+
+double off(double a, double b) {
+    const double d = std::fmod(std::abs(a - b), 360);
+    return std::min(d, 360 - d);
+}
+
+double apparent(double dip, double to, double trend) {
+    return std::atan2(std::sin(dip * kDeg) * std::cos((trend - to) * kDeg), std::cos(dip * kDeg)) / kDeg;
+}
+
+struct Plane {
+    double dip, to;
+};
+struct Line {
+    double plunge, trend;
+};
+
+/// The trend at which both planes have one apparent dip.
+Line meet(const Plane& a, const Plane& b) {
+    const double ta = std::tan(a.dip * kDeg), tb = std::tan(b.dip * kDeg);
+    const double c = ta * std::cos(a.to * kDeg) - tb * std::cos(b.to * kDeg);
+    const double s = ta * std::sin(a.to * kDeg) - tb * std::sin(b.to * kDeg);
+    const double trend = std::atan2(-c, s) / kDeg, plunge = apparent(a.dip, a.to, trend);
+    return plunge < 0 ? Line{-plunge, trend + 180} : Line{plunge, trend};
+}
+
+struct Counts {
+    std::size_t planar = 0, flexural = 0, base = 0, primary = 0, secondary = 0, one = 0, held = 0, direct = 0,
+                oblique = 0;
+    bool operator==(const Counts&) const = default;
+};
+
+Counts counted(const std::vector<Plane>& planes, const Plane& face, double friction, double lateral) {
+    Counts n;
+    const auto topples = [&](const Line& line, std::size_t& direct, std::size_t& oblique) {
+        const double across = off(line.trend, face.to + 180);
+        if (line.plunge <= 90 - face.dip) return;
+        if (across <= lateral)
+            ++direct;
+        else if (across < 90 && line.plunge > 90 - friction)
+            ++oblique;
+    };
+    for (const Plane& p : planes) {
+        n.planar +=
+            p.dip > friction && p.dip < apparent(face.dip, face.to, p.to) && off(p.to, face.to) <= lateral;
+        n.flexural += face.dip > friction && off(p.to + 180, face.to) <= lateral &&
+                      90 - p.dip < apparent(face.dip - friction, face.to, p.to + 180);
+        topples({90 - p.dip, p.to + 180}, n.base, n.base);
+    }
+    for (std::size_t i = 0; i < planes.size(); ++i)
+        for (std::size_t j = i + 1; j < planes.size(); ++j) {
+            const Plane &a = planes[i], &b = planes[j];
+            const Line line = meet(a, b);
+            topples(line, n.direct, n.oblique);
+            if (line.plunge >= apparent(face.dip, face.to, line.trend)) continue;
+            const bool primary = line.plunge > friction;
+            if (!primary && line.plunge <= apparent(friction, face.to, line.trend)) continue;
+            ++(primary ? n.primary : n.secondary);
+            const double across = std::cos((a.to - b.to) * kDeg);
+            const double ta = std::tan(a.dip * kDeg), tb = std::tan(b.dip * kDeg);
+            const bool on_a = tb * across > ta, on_b = ta * across > tb;
+            n.one += on_a || on_b;
+            n.held += (on_a ? a.dip : on_b ? b.dip : line.plunge) <= friction;
+        }
+    return n;
+}
+
+}  // namespace field
+
 bool same(const Share& a, const Share& b) { return a.critical == b.critical && a.total == b.total; }
 
 }  // namespace
@@ -95,6 +166,28 @@ TEST_CASE("one wedge by hand: both zones, one plane or both, and what friction h
     lines = pair(pole(29, 250), pole(28, 225));
     CHECK(lines.secondary == 1);
     CHECK(lines.held_by_friction == 1);
+}
+
+TEST_CASE("drawn planes and faces: the counts are those of the conditions written in dips and trends") {
+    rock_mass::Random random(23);
+    for (int trial = 0; trial < 30; ++trial) {
+        std::vector<field::Plane> planes;
+        std::vector<Pole> poles;
+        for (int k = 0; k < 40; ++k) {
+            planes.push_back({std::acos(random.uniform()) / kDeg, 360 * random.uniform()});
+            poles.push_back(pole(planes.back().dip, planes.back().to));
+        }
+        const field::Plane face{25 + 65 * random.uniform(), 360 * random.uniform()};
+        const double friction = 10 + 50 * random.uniform(), lateral = 10 + 30 * random.uniform();
+        const auto found =
+            analyse(poles, 1, {face.dip * kDeg, face.to * kDeg}, {friction * kDeg, lateral * kDeg});
+        const PlaneShares& p = found->planes;
+        const LineShares& l = found->lines;
+        const field::Counts counts{p.planar.critical,  p.flexural.critical, p.base.critical,
+                                   l.primary,          l.secondary,         l.on_one_plane,
+                                   l.held_by_friction, l.direct.critical,   l.oblique.critical};
+        CHECK(counts == field::counted(planes, face, friction, lateral));
+    }
 }
 
 TEST_CASE("parallel planes have no line of intersection") {
