@@ -1,0 +1,116 @@
+#include "answers/kinematics_net.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "cli/text.h"
+#include "report/contours.h"
+#include "talus/rock_mass.h"
+
+namespace talus::tools {
+
+namespace {
+
+using namespace kinematics;
+
+constexpr double kReach = 1.04;  ///< of sampled fields, in radii of the net, over whose edge they are cut off
+constexpr std::size_t kZoneSide =
+    261;  ///< points along a side of a zone's field: 2 px apart, as wide as a line
+/// Points along a side of the contours' field: as many as `kMostDensities` poles times points allow, half a second.
+constexpr double kMostDensities = 2e7, kLeastSide = 41, kMostSide = 161;
+
+Field fieldOf(const Net& net, std::size_t side, const std::function<double(const Vec3&)>& value) {
+    return sampled(side, kReach, [&](Spot at) { return value(net.lineAt(at)); });
+}
+
+void drawAbove(SvgWriter& svg, const Net& net, const Field& field, double level, const std::string& role) {
+    auto rings = ringsAbove(field, level);
+    for (auto& ring : rings)
+        for (Spot& spot : ring) spot = net.onPage(spot);
+    svg.area(rings, role);
+}
+
+/// A round step of which at most kNetColours lie below `most` [%].
+double levelStep(double most) {
+    double step = 0.5;
+    for (const double next : {1.0, 2.0, 3.0, 4.0, 5.0, 10.0, 15.0})
+        if (step * (kNetColours + 0.5) < most) step = next;
+    return step;
+}
+
+/// Poles of planes whose dip vectors lie in the face: tan(dip) = tan(dip of the face) cos(off its dip direction).
+std::vector<Spot> daylightEnvelope(const Net& net, const Face& face) {
+    std::vector<Spot> spots;
+    for (int k = -90; k <= 90; ++k) {
+        const double off = radians(k);
+        const double dip = std::atan2(std::sin(face.dip) * std::max(0.0, std::cos(off)), std::cos(face.dip));
+        spots.push_back(net.onPage(Vec3(-upwardNormal(dip, face.dip_direction + off))));
+    }
+    return spots;
+}
+
+}  // namespace
+
+std::string numbered(const char* kind, std::size_t k) { return kind + std::to_string(k % kNetColours); }
+
+NetLevels drawContours(SvgWriter& svg, const Net& net, const KinematicsAnswer& answer,
+                       const Counting& counting) {
+    std::vector<Vec3> normals;
+    std::vector<double> weights;
+    for (const Pole& pole : answer.source.poles) {
+        normals.push_back(pole.normal);
+        weights.push_back(pole.weight);
+    }
+    const double side = std::sqrt(kMostDensities / static_cast<double>(normals.size()));
+    const Field field =
+        fieldOf(net, static_cast<std::size_t>(std::clamp(side, kLeastSide, kMostSide)),
+                [&](const Vec3& pole) { return 100 * poleDensity(pole, normals, weights, counting); });
+    const double most = *std::max_element(field.values.begin(), field.values.end());
+    NetLevels levels{levelStep(most)};
+    for (; levels.step * static_cast<double>(levels.count + 1) < most; ++levels.count)
+        drawAbove(svg, net, field, levels.step * static_cast<double>(levels.count + 1),
+                  numbered("level", levels.count));
+    return levels;
+}
+
+void drawZones(SvgWriter& svg, const Net& net, const KinematicsQuestion& question, bool intersections) {
+    const auto& [face, limits] = std::tie(question.face, question.limits);
+    const auto draw = [&](const char* role, const std::function<double(const Vec3&)>& margin) {
+        drawAbove(svg, net, fieldOf(net, kZoneSide, margin), kSameAngle, role);
+    };
+    if (!intersections) {
+        draw("slides", [&](const Vec3& pole) { return planarMargin(-pole, face, limits); });
+        draw("topples", [&](const Vec3& pole) { return flexuralTopplingMargin(pole, face, limits); });
+        return;
+    }
+    draw("slides", [&](const Vec3& line) { return wedgeMargin(line, face, limits.friction); });
+    draw("second", [&](const Vec3& line) { return secondaryWedgeMargin(line, face, limits.friction); });
+    draw("topples", [&](const Vec3& line) { return directTopplingMargin(line, face, limits); });
+    draw("oblique", [&](const Vec3& line) { return obliqueTopplingMargin(line, face, limits); });
+}
+
+void drawLimits(SvgWriter& svg, const Net& net, const KinematicsQuestion& question, bool intersections) {
+    const auto& [face, limits] = std::tie(question.face, question.limits);
+    svg.shape(net.greatCircle(upwardNormal(face.dip, face.dip_direction)), true, "face");
+    for (const double side : {-limits.lateral, limits.lateral}) {
+        const double to = face.dip_direction + side;
+        const Vec3 end(std::sin(to), std::cos(to), 0);
+        svg.line(net.onPage(end), net.onPage(Vec3(-end)), "lateral");
+    }
+    if (intersections) {
+        // A line lies as far from the middle as it lacks of vertical, a pole as far as its plane dips.
+        svg.shape(net.cone(0.5 * std::numbers::pi - limits.friction), true, "friction");
+        svg.shape(net.greatCircle(upwardNormal(limits.friction, face.dip_direction)), true, "friction");
+        svg.shape(net.cone(face.dip), true, "slip");
+        return;
+    }
+    svg.shape(net.cone(limits.friction), true, "friction");
+    svg.shape(daylightEnvelope(net, face), true, "daylight");
+    if (face.dip > limits.friction)
+        svg.shape(net.greatCircle(upwardNormal(face.dip - limits.friction, face.dip_direction)), true,
+                  "slip");
+}
+
+}  // namespace talus::tools

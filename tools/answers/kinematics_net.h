@@ -1,0 +1,30 @@
+#pragma once
+// What lies under the poles of a kinematic analysis' stereonet: contours, critical zones, and the curves that bound them.
+
+#include "answers/kinematics.h"
+#include "report/net.h"
+
+namespace talus::tools {
+
+inline constexpr std::size_t kNetColours = 7;  ///< of sets and of contours; the style has as many
+/// "set3": a class of the style by number, over and over.
+std::string numbered(const char* kind, std::size_t k);
+
+/// Contours that were drawn.
+struct NetLevels {
+    double step = 0;  ///< [%]
+    std::size_t count = 0;
+};
+
+/// By the density of poles, filled.
+NetLevels drawContours(SvgWriter& svg, const Net& net, const KinematicsAnswer& answer,
+                       const kinematics::Counting& counting);
+
+/// The critical zones of poles or of lines, shaded by the margins of the tests themselves (talus/kinematics.h): what is shaded is what
+/// is counted.
+void drawZones(SvgWriter& svg, const Net& net, const KinematicsQuestion& question, bool intersections);
+
+/// Face, friction, lateral limits, and what else bounds the zones.
+void drawLimits(SvgWriter& svg, const Net& net, const KinematicsQuestion& question, bool intersections);
+
+}  // namespace talus::tools
