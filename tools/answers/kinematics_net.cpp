@@ -18,7 +18,7 @@ using namespace kinematics;
 constexpr double kReach = 1.04;  ///< of sampled fields, in radii of the net, over whose edge they are cut off
 constexpr std::size_t kZoneSide =
     261;  ///< points along a side of a zone's field: 2 px apart, as wide as a line
-/// Points along a side of the contours' field: as many as `kMostDensities` poles times points allow, half a second.
+/// Points along a side of the contours' field: as many as `kMostDensities` poles or lines times points allow, half a second.
 constexpr double kMostDensities = 2e7, kLeastSide = 41, kMostSide = 161;
 
 Field fieldOf(const Net& net, std::size_t side, const std::function<double(const Vec3&)>& value) {
@@ -55,18 +55,12 @@ std::vector<Spot> daylightEnvelope(const Net& net, const Face& face) {
 
 std::string numbered(const char* kind, std::size_t k) { return kind + std::to_string(k % kNetColours); }
 
-NetLevels drawContours(SvgWriter& svg, const Net& net, const KinematicsAnswer& answer,
-                       const Counting& counting) {
-    std::vector<Vec3> normals;
-    std::vector<double> weights;
-    for (const Pole& pole : answer.source.poles) {
-        normals.push_back(pole.normal);
-        weights.push_back(pole.weight);
-    }
-    const double side = std::sqrt(kMostDensities / static_cast<double>(normals.size()));
+NetLevels drawContours(SvgWriter& svg, const Net& net, const std::vector<Vec3>& axes,
+                       const std::vector<double>& weights, const Counting& counting) {
+    const double side = std::sqrt(kMostDensities / static_cast<double>(axes.size()));
     const Field field =
         fieldOf(net, static_cast<std::size_t>(std::clamp(side, kLeastSide, kMostSide)),
-                [&](const Vec3& pole) { return 100 * poleDensity(pole, normals, weights, counting); });
+                [&](const Vec3& line) { return 100 * poleDensity(line, axes, weights, counting); });
     const double most = *std::max_element(field.values.begin(), field.values.end());
     NetLevels levels{levelStep(most)};
     for (; levels.step * static_cast<double>(levels.count + 1) < most; ++levels.count)

@@ -16,9 +16,9 @@ struct NetLevels {
     std::size_t count = 0;
 };
 
-/// By the density of poles, filled.
-NetLevels drawContours(SvgWriter& svg, const Net& net, const KinematicsAnswer& answer,
-                       const kinematics::Counting& counting);
+/// By the density of poles or lines, filled. \param weights  one each
+NetLevels drawContours(SvgWriter& svg, const Net& net, const std::vector<Vec3>& axes,
+                       const std::vector<double>& weights, const kinematics::Counting& counting);
 
 /// The critical zones of poles or of lines, shaded by the margins of the tests themselves (talus/kinematics.h): what is shaded is what
 /// is counted.

@@ -22,8 +22,8 @@ using kinematics::Limits;
 
 constexpr double kNetRadius = 270, kWidth = 640, kTop = 64;  // [px]
 constexpr double kLine = 22, kLeft = 24, kSymbol = 36;       // of the legend [px]
-/// Lines of intersection drawn, critical ones first: more are one grey area.
-constexpr std::size_t kMostLines = 4000;
+constexpr std::size_t kMostDrawn = 5000;       ///< lines of intersection: more are one grey area
+constexpr std::size_t kMostContoured = 20000;  ///< lines that contours are made of, a sample beyond
 constexpr std::size_t kMostPaired = 2000;  ///< poles whose lines are looked for: two million pairs, a second
 constexpr std::string_view kStyle = R"css(
 .page{fill:#fff}
@@ -75,18 +75,20 @@ class Picture {
     std::string file(const std::string& title) {
         svg_.label({kLeft, 26}, title, "start", "caption");
         svg_.beginClip(net_.middle(), kNetRadius);
-        if (wanted_.contours && !wanted_.intersections)
-            levels_ = drawContours(svg_, net_, answer_, wanted_.counting);
+        if (wanted_.contours) contour();
         drawZones(svg_, net_, answer_.question, wanted_.intersections);
         svg_.endClip();
         net_.draw(svg_, std::string(nameOf(wanted_.projection)) +
                             ", lower hemisphere; rings 30 and 60 from the middle");
         drawLimits(svg_, net_, answer_.question, wanted_.intersections);
-        drawMeans();
+        for (std::size_t s = 0; s < answer_.sets.size(); ++s)
+            svg_.shape(net_.greatCircle(answer_.sets[s].mean), true, "mean " + numbered("mean", s));
         if (wanted_.intersections)
             drawLines();
         else
             drawPoles();
+        svg_.label(net_.onPage(*kinematics::dipVector(upwardNormal(face_.dip, face_.dip_direction))), "face",
+                   "middle", "name");
         drawLegend();
         return svg_.file(
             kWidth, at_ + 6, title,
@@ -99,10 +101,10 @@ class Picture {
  private:
     struct Crossing {
         Vec3 line;
+        double weight;
         bool is_critical;
     };
 
-    /// All of them, as far as there are few; the critical ones are kept first.
     void findLines() {
         const auto& poles = answer_.source.poles;
         stride_ = 1 + (poles.size() - 1) / kMostPaired;
@@ -113,21 +115,23 @@ class Picture {
                 const bool is_critical =
                     wedgeZone(*line, face_, limits_.friction) != kinematics::WedgeZone::none ||
                     topplingZone(*line, face_, limits_) != kinematics::TopplingZone::none;
-                const Spot at = net_.onPage(*line);
-                if (places_.emplace(is_critical, std::lround(at.x), std::lround(at.y)).second)
-                    lines_.push_back({*line, is_critical});
+                lines_.push_back({*line, poles[i].weight * poles[j].weight, is_critical});
             }
-        if (lines_.size() <= kMostLines) return;
-        std::stable_partition(lines_.begin(), lines_.end(),
-                              [](const Crossing& each) { return each.is_critical; });
-        lines_.resize(kMostLines);
     }
 
-    void drawMeans() {
-        for (std::size_t s = 0; s < answer_.sets.size(); ++s)
-            svg_.shape(net_.greatCircle(answer_.sets[s].mean), true, "mean " + numbered("mean", s));
-        svg_.label(net_.onPage(kinematics::dipVector(upwardNormal(face_.dip, face_.dip_direction)).value()),
-                   "face", "middle", "name");
+    void contour() {
+        std::vector<Vec3> axes;
+        std::vector<double> weights;
+        const auto add = [&](const Vec3& axis, double weight) {
+            axes.push_back(axis);
+            weights.push_back(weight);
+        };
+        if (wanted_.intersections)
+            for (std::size_t k = 0; k < lines_.size(); k += 1 + lines_.size() / kMostContoured)
+                add(lines_[k].line, lines_[k].weight);
+        else
+            for (const kinematics::Pole& pole : answer_.source.poles) add(pole.normal, pole.weight);
+        if (!axes.empty()) levels_ = drawContours(svg_, net_, axes, weights, wanted_.counting);
     }
 
     void drawPoles() {
@@ -153,12 +157,19 @@ class Picture {
         }
     }
 
+    /// A sample of them where there are many, each place once.
     void drawLines() {
+        const std::size_t every = 1 + lines_.size() / kMostDrawn;
+        const double r = lines_.size() > 1000 ? 1.2 : 2.2;
+        std::set<std::tuple<bool, long, long>> drawn;
         for (const bool critical : {false, true})
-            for (const Crossing& each : lines_)
-                if (each.is_critical == critical)
-                    svg_.symbol("circle", net_.onPage(each.line), critical ? 2.4 : 1.8,
-                                critical ? "linecritical" : "line");
+            for (std::size_t k = 0; k < lines_.size(); k += every) {
+                const Spot at = net_.onPage(lines_[k].line);
+                if (lines_[k].is_critical == critical &&
+                    drawn.emplace(critical, std::lround(at.x), std::lround(at.y)).second)
+                    svg_.symbol("circle", at, r, critical ? "linecritical" : "line");
+            }
+        if (every > 1 || stride_ > 1) note_ = "drawn: a sample of the lines, critical ones red";
     }
 
     // --- legend -------------------------------------------------------------------------------------------------
@@ -209,11 +220,8 @@ class Picture {
         if (levels_.count > 0) drawLevels();
         svg_.label({kLeft, at_}, "angles in degrees, planes as dip/dip direction", "start", "small");
         at_ += kLine;
-        if (stride_ == 1 && lines_.size() < kMostLines) return;
-        const std::string from = stride_ > 1 ? ", of every " + std::to_string(stride_) + "th pole" : "";
-        svg_.label({kLeft, at_},
-                   "drawn: " + std::to_string(lines_.size()) + " lines" + from + ", critical ones first",
-                   "start", "small");
+        if (note_.empty()) return;
+        svg_.label({kLeft, at_}, note_, "start", "small");
         at_ += kLine;
     }
 
@@ -251,8 +259,8 @@ class Picture {
         at_ += kLine - 2;
         const std::string area = shownAngle(100 * wanted_.counting.area) + " % of the area";
         svg_.label({kLeft, at_},
-                   "% of the poles" + std::string(answer_.weighted.empty() ? "" : ", by weight,") + " per " +
-                       area +
+                   (wanted_.intersections ? "% of the lines" : "% of the poles") +
+                       std::string(answer_.weighted.empty() ? "" : ", by weight,") + " per " + area +
                        (wanted_.counting.fisher ? ", each spread by Fisher's distribution"
                                                 : ", counted in a circle"),
                    "start", "small");
@@ -276,9 +284,9 @@ class Picture {
     const Limits& limits_;
     Net net_;
     SvgWriter svg_;
-    std::set<std::tuple<bool, long, long>> places_;
     std::vector<Crossing> lines_;
     NetLevels levels_;
+    std::string note_;
     std::size_t stride_ = 1;  ///< every so manieth pole's lines are drawn
     double at_ = 0;           ///< where the legend goes on [px]
 };

@@ -121,6 +121,8 @@ Command addKinematics(CLI::App& root) {
         "kinematics",
         "Planar sliding, wedges and toppling of a face on the stereonet, with sets and Fisher statistics");
     addScenario(*app, options->input);
+    app->get_option("SCENARIO")
+        ->description("Scenario file (TOML), or a table of poles: a name that ends in .csv, .tsv, .txt or .dat");
     app->add_option("--slope", options->slope, "The face: dip and dip direction in degrees, such as 70/135")
         ->required()
         ->type_name("DIP/DIPDIRECTION");
