@@ -24,12 +24,16 @@ std::size_t setNamed(const std::string& name, std::vector<std::string>& sets) {
 
 std::vector<Vec3> normalsOf(const std::vector<kinematics::Pole>& poles) {
     std::vector<Vec3> normals;
+    normals.reserve(poles.size());
+    normals.reserve(poles.size());
     for (const kinematics::Pole& pole : poles) normals.push_back(pole.normal);
     return normals;
 }
 
 std::vector<double> weightsOf(const std::vector<kinematics::Pole>& poles) {
     std::vector<double> weights;
+    weights.reserve(poles.size());
+    weights.reserve(poles.size());
     for (const kinematics::Pole& pole : poles) weights.push_back(pole.weight);
     return weights;
 }
@@ -42,15 +46,17 @@ void normalise(std::vector<kinematics::Pole>& poles) {
 }
 
 std::string weighingOf(const formats::PoleTable& table, const KinematicsQuestion& question) {
-    if (question.scanline && (table.has_weight || table.has_spacing || table.has_scanline))
+    if (question.scanline && (table.has_weight || table.has_spacing || table.has_scanline)) {
         throw BadInput(Error{"--scanline",
                              "found a table that weighs its planes itself, allowed: a table without "
                              "the columns weight, spacing_m and scanline_trend_deg"});
+    }
     const bool by_scanline = question.scanline || table.has_scanline;
-    if (question.bias_limit && !by_scanline)
+    if (question.bias_limit && !by_scanline) {
         throw BadInput(Error{"--bias-limit",
                              "found no scanline, allowed: together with --scanline or the columns "
                              "scanline_trend_deg and scanline_plunge_deg"});
+    }
     if (by_scanline) return "terzaghi";
     return table.has_weight ? "weight" : table.has_spacing ? "spacing" : "";
 }
@@ -90,9 +96,10 @@ std::pair<double, double> anglesOf(const std::string& option, const std::string&
 }
 
 Vec3 scanlineOf(double trend, double plunge) {
-    if (!(std::abs(plunge) <= 90) || !std::isfinite(trend))
+    if (!(std::abs(plunge) <= 90) || !std::isfinite(trend)) {
         throw BadInput(
             Error{"scanline", "found a plunge of " + text(plunge, 2) + ", allowed: -90 to 90 degrees"});
+    }
     const double to = radians(trend), down = radians(plunge);
     return {std::cos(down) * std::sin(to), std::cos(down) * std::cos(to), -std::sin(down)};
 }
@@ -121,22 +128,25 @@ PoleSource polesOf(const formats::PoleTable& table, const KinematicsQuestion& qu
 }
 
 PoleSource polesOf(const formats::Scenario& scenario, const KinematicsQuestion& question) {
-    if (question.scanline || question.bias_limit)
+    if (question.scanline || question.bias_limit) {
         throw BadInput(Error{
             "--scanline", "found a scenario, whose planes no scanline has met, allowed: a table of poles"});
+    }
     const auto joints = formats::rockJoints(scenario);
     if (!joints) throw BadInput(joints.errors());
-    if (joints->empty())
+    if (joints->empty()) {
         throw BadInput(Error{
             "SCENARIO", "found no joint set in " + scenario.path +
                             ", allowed: a scenario with [rock_mass] and joints, or a table of poles (.csv)"});
+    }
     refuseTooMany(joints->size(), "SCENARIO");
     PoleSource source;
     const Gravity& gravity = scenario.model.gravity;
     source.is_tilted = gravity.tilt != 0 || gravity.direction;
-    for (const formats::RockJoint& joint : *joints)
+    for (const formats::RockJoint& joint : *joints) {
         source.poles.push_back({kinematics::normalUnderGravity(joint.normal, gravity).normalized(), 1,
                                 setNamed(joint.set, source.sets)});
+    }
     source.warnings = scenario.warnings;
     return source;
 }

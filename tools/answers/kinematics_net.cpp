@@ -53,6 +53,37 @@ std::vector<Spot> daylightEnvelope(const Net& net, const Face& face) {
 
 }  // namespace
 
+const std::string_view kNetStyle = R"css(
+.page{fill:#fff}
+.text{fill:#1a1a1a;font:15px system-ui,sans-serif}
+.small{fill:#4d4d4d;font:14px system-ui,sans-serif}
+.caption{fill:#1a1a1a;font:600 17px system-ui,sans-serif}
+.name{fill:#1a1a1a;font:600 14px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-width:3px}
+.frame{stroke:#1a1a1a;stroke-width:1.5;fill:none}
+.grid{stroke:#c8c8c8;stroke-width:.7;fill:none}
+.pole{stroke:#fff;stroke-width:.5}
+.critical{stroke:#1a1a1a;stroke-width:1.3}
+.line{fill:#666}
+.linecritical{fill:#b00020}
+)css"
+                                   R"css(
+.set0{fill:#0072b2}.set1{fill:#d55e00}.set2{fill:#009e73}.set3{fill:#cc79a7}.set4{fill:#7a2f6b}.set5{fill:#b38600}.set6{fill:#1a1a1a}
+.mean{stroke-width:1.8;fill:none}
+.mean0{stroke:#0072b2}.mean1{stroke:#d55e00}.mean2{stroke:#009e73}.mean3{stroke:#cc79a7}.mean4{stroke:#7a2f6b}.mean5{stroke:#b38600}.mean6{stroke:#1a1a1a}
+.level0{fill:#eef3f7}.level1{fill:#dfe9f1}.level2{fill:#cddde9}.level3{fill:#b8cee0}.level4{fill:#a1bdd5}.level5{fill:#88abc9}.level6{fill:#6e98bc}
+)css"
+                                   R"css(
+.face{stroke:#1a1a1a;stroke-width:3;fill:none}
+.friction{stroke:#b00020;stroke-width:2;fill:none;stroke-dasharray:9 4}
+.daylight{stroke:#00684a;stroke-width:2;fill:none}
+.lateral{stroke:#444;stroke-width:1.6;fill:none;stroke-dasharray:3 4}
+.slip{stroke:#7a2f6b;stroke-width:2;fill:none;stroke-dasharray:12 3 3 3}
+.slides{fill:#d62728;fill-opacity:.28}
+.second{fill:#f2b600;fill-opacity:.38}
+.topples{fill:#8e44ad;fill-opacity:.26}
+.oblique{fill:#2f8f9d;fill-opacity:.25}
+)css";
+
 std::string numbered(const char* kind, std::size_t k) { return kind + std::to_string(k % kNetColours); }
 
 NetLevels drawContours(SvgWriter& svg, const Net& net, const std::vector<Vec3>& axes,
@@ -63,14 +94,16 @@ NetLevels drawContours(SvgWriter& svg, const Net& net, const std::vector<Vec3>& 
                 [&](const Vec3& line) { return 100 * poleDensity(line, axes, weights, counting); });
     const double most = *std::max_element(field.values.begin(), field.values.end());
     NetLevels levels{levelStep(most)};
-    for (; levels.step * static_cast<double>(levels.count + 1) < most; ++levels.count)
+    for (; levels.step * static_cast<double>(levels.count + 1) < most; ++levels.count) {
         drawAbove(svg, net, field, levels.step * static_cast<double>(levels.count + 1),
                   numbered("level", levels.count));
+    }
     return levels;
 }
 
 void drawZones(SvgWriter& svg, const Net& net, const KinematicsQuestion& question, bool intersections) {
-    const auto& [face, limits] = std::tie(question.face, question.limits);
+    const Face& face = question.face;
+    const Limits& limits = question.limits;
     const auto draw = [&](const char* role, const std::function<double(const Vec3&)>& margin) {
         drawAbove(svg, net, fieldOf(net, kZoneSide, margin), kSameAngle, role);
     };
@@ -86,7 +119,8 @@ void drawZones(SvgWriter& svg, const Net& net, const KinematicsQuestion& questio
 }
 
 void drawLimits(SvgWriter& svg, const Net& net, const KinematicsQuestion& question, bool intersections) {
-    const auto& [face, limits] = std::tie(question.face, question.limits);
+    const Face& face = question.face;
+    const Limits& limits = question.limits;
     svg.shape(net.greatCircle(upwardNormal(face.dip, face.dip_direction)), true, "face");
     for (const double side : {-limits.lateral, limits.lateral}) {
         const double to = face.dip_direction + side;
@@ -102,9 +136,10 @@ void drawLimits(SvgWriter& svg, const Net& net, const KinematicsQuestion& questi
     }
     svg.shape(net.cone(limits.friction), true, "friction");
     svg.shape(daylightEnvelope(net, face), true, "daylight");
-    if (face.dip > limits.friction)
+    if (face.dip > limits.friction) {
         svg.shape(net.greatCircle(upwardNormal(face.dip - limits.friction, face.dip_direction)), true,
                   "slip");
+    }
 }
 
 }  // namespace talus::tools

@@ -1,11 +1,15 @@
 #pragma once
 // What lies under the poles of a kinematic analysis' stereonet: contours, critical zones, and the curves that bound them.
 
+#include <string_view>
+
 #include "answers/kinematics.h"
 #include "report/net.h"
 
 namespace talus::tools {
 
+/// The look of all that is on the net and of the legend.
+extern const std::string_view kNetStyle;
 inline constexpr std::size_t kNetColours = 7;  ///< of sets and of contours; the style has as many
 /// "set3": a class of the style by number, over and over.
 std::string numbered(const char* kind, std::size_t k);

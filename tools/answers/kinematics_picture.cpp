@@ -25,36 +25,6 @@ constexpr double kLine = 22, kLeft = 24, kSymbol = 36;       // of the legend [p
 constexpr std::size_t kMostDrawn = 5000;       ///< lines of intersection: more are one grey area
 constexpr std::size_t kMostContoured = 20000;  ///< lines that contours are made of, a sample beyond
 constexpr std::size_t kMostPaired = 2000;  ///< poles whose lines are looked for: two million pairs, a second
-constexpr std::string_view kStyle = R"css(
-.page{fill:#fff}
-.text{fill:#1a1a1a;font:15px system-ui,sans-serif}
-.small{fill:#4d4d4d;font:14px system-ui,sans-serif}
-.caption{fill:#1a1a1a;font:600 17px system-ui,sans-serif}
-.name{fill:#1a1a1a;font:600 14px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-width:3px}
-.frame{stroke:#1a1a1a;stroke-width:1.5;fill:none}
-.grid{stroke:#c8c8c8;stroke-width:.7;fill:none}
-.pole{stroke:#fff;stroke-width:.5}
-.critical{stroke:#1a1a1a;stroke-width:1.3}
-.line{fill:#666}
-.linecritical{fill:#b00020}
-)css"
-                                    R"css(
-.set0{fill:#0072b2}.set1{fill:#d55e00}.set2{fill:#009e73}.set3{fill:#cc79a7}.set4{fill:#7a2f6b}.set5{fill:#b38600}.set6{fill:#1a1a1a}
-.mean{stroke-width:1.8;fill:none}
-.mean0{stroke:#0072b2}.mean1{stroke:#d55e00}.mean2{stroke:#009e73}.mean3{stroke:#cc79a7}.mean4{stroke:#7a2f6b}.mean5{stroke:#b38600}.mean6{stroke:#1a1a1a}
-.level0{fill:#eef3f7}.level1{fill:#dfe9f1}.level2{fill:#cddde9}.level3{fill:#b8cee0}.level4{fill:#a1bdd5}.level5{fill:#88abc9}.level6{fill:#6e98bc}
-)css"
-                                    R"css(
-.face{stroke:#1a1a1a;stroke-width:3;fill:none}
-.friction{stroke:#b00020;stroke-width:2;fill:none;stroke-dasharray:9 4}
-.daylight{stroke:#00684a;stroke-width:2;fill:none}
-.lateral{stroke:#444;stroke-width:1.6;fill:none;stroke-dasharray:3 4}
-.slip{stroke:#7a2f6b;stroke-width:2;fill:none;stroke-dasharray:12 3 3 3}
-.slides{fill:#d62728;fill-opacity:.28}
-.second{fill:#f2b600;fill-opacity:.38}
-.topples{fill:#8e44ad;fill-opacity:.26}
-.oblique{fill:#2f8f9d;fill-opacity:.25}
-)css";
 
 const char* symbolOf(std::size_t set) {
     constexpr std::array kSymbols{"circle", "triangle", "square"};
@@ -83,10 +53,11 @@ class Picture {
         drawLimits(svg_, net_, answer_.question, wanted_.intersections);
         for (std::size_t s = 0; s < answer_.sets.size(); ++s)
             svg_.shape(net_.greatCircle(answer_.sets[s].mean), true, "mean " + numbered("mean", s));
-        if (wanted_.intersections)
+        if (wanted_.intersections) {
             drawLines();
-        else
+        } else {
             drawPoles();
+        }
         svg_.label(net_.onPage(*kinematics::dipVector(upwardNormal(face_.dip, face_.dip_direction))), "face",
                    "middle", "name");
         drawLegend();
@@ -95,7 +66,7 @@ class Picture {
             wanted_.intersections
                 ? "Lines of intersection on the lower hemisphere, wedge sliding and direct toppling"
                 : "Poles on the lower hemisphere, planar sliding and flexural toppling",
-            kStyle);
+            kNetStyle);
     }
 
  private:
@@ -108,7 +79,7 @@ class Picture {
     void findLines() {
         const auto& poles = answer_.source.poles;
         stride_ = 1 + (poles.size() - 1) / kMostPaired;
-        for (std::size_t i = 0; i < poles.size(); i += stride_)
+        for (std::size_t i = 0; i < poles.size(); i += stride_) {
             for (std::size_t j = i + stride_; j < poles.size(); j += stride_) {
                 const auto line = kinematics::intersection(poles[i].normal, poles[j].normal);
                 if (!line) continue;
@@ -117,6 +88,7 @@ class Picture {
                     topplingZone(*line, face_, limits_) != kinematics::TopplingZone::none;
                 lines_.push_back({*line, poles[i].weight * poles[j].weight, is_critical});
             }
+        }
     }
 
     void contour() {
@@ -126,17 +98,18 @@ class Picture {
             axes.push_back(axis);
             weights.push_back(weight);
         };
-        if (wanted_.intersections)
+        if (wanted_.intersections) {
             for (std::size_t k = 0; k < lines_.size(); k += 1 + lines_.size() / kMostContoured)
                 add(lines_[k].line, lines_[k].weight);
-        else
+        } else {
             for (const kinematics::Pole& pole : answer_.source.poles) add(pole.normal, pole.weight);
+        }
         if (!axes.empty()) levels_ = drawContours(svg_, net_, axes, weights, wanted_.counting);
     }
 
     void drawPoles() {
         std::set<std::tuple<std::size_t, long, long>> drawn;  // many of one set at one place are one
-        for (const bool critical : {false, true})
+        for (const bool critical : {false, true}) {
             for (const kinematics::Pole& pole : answer_.source.poles) {
                 const bool is_critical = planarSliding(pole.normal, face_, limits_) ||
                                          flexuralToppling(pole.normal, face_, limits_);
@@ -148,6 +121,7 @@ class Picture {
                             std::string(critical ? "critical " : "pole ") + numbered("set", pole.set),
                             answer_.source.sets[pole.set] + " " + planeText(pole.normal));
             }
+        }
         for (std::size_t s = 0; s < answer_.sets.size(); ++s) {
             const Spot at = net_.onPage(Vec3(-answer_.sets[s].mean));
             svg_.symbol(symbolOf(s), at, 9, "mean " + numbered("mean", s),
@@ -162,13 +136,14 @@ class Picture {
         const std::size_t every = 1 + lines_.size() / kMostDrawn;
         const double r = lines_.size() > 1000 ? 1.2 : 2.2;
         std::set<std::tuple<bool, long, long>> drawn;
-        for (const bool critical : {false, true})
+        for (const bool critical : {false, true}) {
             for (std::size_t k = 0; k < lines_.size(); k += every) {
                 const Spot at = net_.onPage(lines_[k].line);
                 if (lines_[k].is_critical == critical &&
                     drawn.emplace(critical, std::lround(at.x), std::lround(at.y)).second)
                     svg_.symbol("circle", at, r, critical ? "linecritical" : "line");
             }
+        }
         if (every > 1 || stride_ > 1) note_ = "drawn: a sample of the lines, critical ones red";
     }
 
@@ -306,9 +281,10 @@ NetPicture netPicture(const std::string& view, const std::string& projection, co
     checked("view", view, kNetViews);
     checked("net", projection, kNetProjections);
     checked("contours", contours, kNetContours);
-    if (!(counting_area >= 0.1 && counting_area <= 20))
+    if (!(counting_area >= 0.1 && counting_area <= 20)) {
         throw BadInput(Error{"counting_area",
                              "found " + text(counting_area, 3) + ", allowed: 0.1 to 20 % of the hemisphere"});
+    }
     return {projection == kNetProjections[0] ? Projection::equal_area : Projection::equal_angle,
             view != kNetViews[0],
             {contours == kNetContours[0], counting_area / 100},

@@ -102,7 +102,8 @@ Json meanLineJson(const KinematicsAnswer& answer, const kinematics::SetPair& pai
     if (pair.a == pair.b) return nullptr;
     const auto line = kinematics::intersection(answer.sets[pair.a].mean, answer.sets[pair.b].mean);
     if (!line) return nullptr;
-    const auto& [face, limits] = std::tie(answer.question.face, answer.question.limits);
+    const kinematics::Face& face = answer.question.face;
+    const kinematics::Limits& limits = answer.question.limits;
     return {{"trend_deg", number(degrees(kinematics::trendOf(*line)))},
             {"plunge_deg", number(degrees(kinematics::plungeOf(*line)))},
             {"wedge", nameOf(wedgeZone(*line, face, limits.friction))},
@@ -122,9 +123,10 @@ Json weightsJson(const KinematicsAnswer& answer) {
     Json json{{"by", answer.source.weighted_by}};
     if (answer.source.weighted_by == "terzaghi")
         json["bias_limit_deg"] = number(degrees(answer.question.bias_limit.value_or(radians(kBiasLimitDeg))));
-    if (answer.question.scanline)
+    if (answer.question.scanline) {
         json["scanline"] = {{"trend_deg", number(degrees(kinematics::trendOf(*answer.question.scanline)))},
                             {"plunge_deg", number(degrees(kinematics::plungeOf(*answer.question.scanline)))}};
+    }
     return json;
 }
 
@@ -242,9 +244,10 @@ std::string kinematicsText(const KinematicsAnswer& answer) {
                               (answer.source.notation.empty() ? ", one for each plane that cuts the rock mass"
                                                               : ", read by " + answer.source.notation));
     if (answer.source.is_tilted) head += line("", "turned so that gravity points down");
-    if (answer.analysis.lines.parallel > 0)
+    if (answer.analysis.lines.parallel > 0) {
         head +=
             line("parallel pairs", std::to_string(answer.analysis.lines.parallel) + ", without intersection");
+    }
     return head + "\n" + testsText(answer) + weighingText(answer) + "\n" + setsText(answer);
 }
 

@@ -32,13 +32,15 @@ KinematicsQuestion questionOf(const KinematicsOptions& options) {
     KinematicsQuestion question;
     const auto [dip, direction] =
         anglesOf("--slope", options.slope, "DIP/DIPDIRECTION in degrees, such as 70/135");
-    if (!(dip > 0 && dip <= 90))
+    if (!(dip > 0 && dip <= 90)) {
         throw BadInput(Error{"--slope", "found a dip of " + options.slope.substr(0, options.slope.find('/')) +
                                             ", allowed: greater than 0 and at most 90 degrees"});
-    if (!(std::abs(direction) <= 360))
+    }
+    if (!(std::abs(direction) <= 360)) {
         throw BadInput(Error{"--slope", "found a dip direction of " +
                                             options.slope.substr(options.slope.find('/') + 1) +
                                             ", allowed: -360 to 360 degrees"});
+    }
     question.face = {radians(dip), radians(direction < 0 ? direction + 360 : direction)};
     question.limits = {radians(options.friction), radians(options.lateral)};
     question.find_sets = options.sets;
@@ -80,10 +82,11 @@ int analyse(const KinematicsOptions& options) {
             netPicture(options.view, options.net, options.counting, options.counting_area);
         writeFile(options.stereonet, kinematicsSvg(answer, picture, "Kinematics of " + options.input.name()));
     }
-    if (options.common.json)
+    if (options.common.json) {
         printJson(kinematicsJson(answer, options.common, options.input.name()));
-    else
+    } else {
         printResult(kinematicsText(answer));
+    }
     return kDone;
 }
 
@@ -122,7 +125,8 @@ Command addKinematics(CLI::App& root) {
         "Planar sliding, wedges and toppling of a face on the stereonet, with sets and Fisher statistics");
     addScenario(*app, options->input);
     app->get_option("SCENARIO")
-        ->description("Scenario file (TOML), or a table of poles: a name that ends in .csv, .tsv, .txt or .dat");
+        ->description(
+            "Scenario file (TOML), or a table of poles: a name that ends in .csv, .tsv, .txt or .dat");
     app->add_option("--slope", options->slope, "The face: dip and dip direction in degrees, such as 70/135")
         ->required()
         ->type_name("DIP/DIPDIRECTION");

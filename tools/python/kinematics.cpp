@@ -36,9 +36,10 @@ KinematicsQuestion questionOf(const Wish& wish) {
     question.find_sets = wish.sets;
     if (wish.scanline) question.scanline = scanlineOf(wish.scanline->first, wish.scanline->second);
     if (wish.bias_limit) {
-        if (!(*wish.bias_limit >= 1 && *wish.bias_limit <= 90))
+        if (!(*wish.bias_limit >= 1 && *wish.bias_limit <= 90)) {
             throw BadInput(
                 Error{"bias_limit", "found " + text(*wish.bias_limit, 2) + ", allowed: 1 to 90 degrees"});
+        }
         question.bias_limit = radians(*wish.bias_limit);
     }
     return question;

@@ -48,11 +48,12 @@ class Tracer {
         for (std::size_t k = 0; k < 4; ++k) {
             if (!above[k] || above[(k + 1) % 4]) continue;
             std::size_t end = k;
-            if (is_saddle)
+            if (is_saddle) {
                 end = middle > level_ ? (k + 1) % 4 : (k + 3) % 4;
-            else
+            } else {
                 do end = (end + 1) % 4;
                 while (above[end] || !above[(end + 1) % 4]);
+            }
             next_[sides[k]] = sides[end];
         }
     }

@@ -24,9 +24,10 @@ std::string degreesText(double angle) {
 bool within(double value, double low, double high) { return value >= low && value <= high; }
 
 std::optional<Error> faultOf(const Face& face, const Limits& limits) {
-    if (!(face.dip > 0 && face.dip <= kRightAngle + kSameAngle))
+    if (!(face.dip > kSameAngle && face.dip <= kRightAngle + kSameAngle)) {
         return Error{"slope", "found a dip of " + degreesText(face.dip) +
                                   ", allowed: greater than 0 and at most 90 degrees"};
+    }
     if (!std::isfinite(face.dip_direction))
         return Error{"slope", "found a dip direction that is no number, allowed: degrees from north"};
     if (!within(limits.friction, 0, kRightAngle + kSameAngle))
@@ -37,14 +38,16 @@ std::optional<Error> faultOf(const Face& face, const Limits& limits) {
 }
 
 std::optional<Error> faultOf(const std::vector<Pole>& poles, std::size_t sets) {
-    if (poles.empty() || poles.size() > kMostPoles)
+    if (poles.empty() || poles.size() > kMostPoles) {
         return Error{"poles", "found " + std::to_string(poles.size()) + ", allowed: 1 to " +
                                   std::to_string(kMostPoles)};
+    }
     for (std::size_t p = 0; p < poles.size(); ++p) {
         const std::string field = "poles[" + std::to_string(p) + "]";
-        if (poles[p].set >= sets)
+        if (poles[p].set >= sets) {
             return Error{field, "found set " + std::to_string(poles[p].set) + ", allowed: less than " +
                                     std::to_string(sets)};
+        }
         if (!(poles[p].weight > 0 && std::isfinite(poles[p].weight)))
             return Error{field, "found a weight that is not positive, allowed: greater than 0"};
         if (!(std::abs(poles[p].normal.norm() - 1) < kSameAngle && poles[p].normal.z() >= -kSameAngle))
@@ -165,11 +168,12 @@ Result<Analysis> analyse(const std::vector<Pole>& poles, std::size_t sets, const
         for (std::size_t b = a; b < sets; ++b) analysis.pairs.push_back({a, b, {}});
     for (const Pole& pole : poles) add(analysis.sets[pole.set], testPlane(pole, face, limits));
     const Prefilter may(face);
-    for (std::size_t i = 0; i < poles.size(); ++i)
+    for (std::size_t i = 0; i < poles.size(); ++i) {
         for (std::size_t j = i + 1; j < poles.size(); ++j) {
             const auto [a, b] = std::minmax(poles[i].set, poles[j].set);
             testPair(poles[i], poles[j], face, limits, may, analysis.pairs[placeOf(a, b, sets)].lines);
         }
+    }
     for (const PlaneShares& set : analysis.sets) add(analysis.planes, set);
     for (const SetPair& pair : analysis.pairs) add(analysis.lines, pair.lines);
     return analysis;

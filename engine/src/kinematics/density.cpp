@@ -22,10 +22,11 @@ double poleDensity(const Vec3& direction, const std::vector<Vec3>& normals,
         const double weight = weights.empty() ? 1 : weights[i];
         const double cosine = std::abs(normals[i].dot(direction));
         all += weight;
-        if (counting.fisher)
+        if (counting.fisher) {
             sum += weight * std::exp(concentration * (cosine - 1));
-        else if (cosine >= edge)
+        } else if (cosine >= edge) {
             sum += weight;
+        }
     }
     return all > 0 ? sum / all : 0;
 }

@@ -21,9 +21,10 @@ using Weights = std::vector<double>;
 /// Falls from 1 on the plane to 0 at the angle above.
 Weights densities(const Normals& normals, const Weights& weights) {
     Weights density(normals.size(), 0);
-    for (std::size_t i = 0; i < normals.size(); ++i)
+    for (std::size_t i = 0; i < normals.size(); ++i) {
         for (std::size_t j = 0; j < normals.size(); ++j)
             density[i] += weights[j] * std::max(0.0, std::abs(normals[i].dot(normals[j])) - kNearCosine);
+    }
     return density;
 }
 
@@ -109,10 +110,11 @@ std::size_t differentPlanes(const Normals& normals, std::size_t wanted) {
 
 Result<std::vector<std::size_t>> findSets(const Normals& normals, std::size_t count, const Weights& weights) {
     const std::size_t different = differentPlanes(normals, std::max<std::size_t>(1, count));
-    if (count < 1 || count > different)
+    if (count < 1 || count > different) {
         return Error{"sets", "found " + std::to_string(count) + ", allowed: 1 to " +
                                  std::to_string(count < 1 ? normals.size() : different) +
                                  ", no more than there are different planes"};
+    }
     Weights each = weights;
     each.resize(normals.size(), 1);
     Normals centres = firstCentres(normals, each, count);

@@ -28,9 +28,10 @@ void readRow(PlaneTable& rows, std::vector<Fracture>& fractures) {
     const auto at_x = rows.number(x), at_y = rows.number(y), at_z = rows.number(z);
     const auto plane = rows.orientation();
     const auto size = rows.number(rows.has(radius) ? radius : diameter);
-    if (at_x && at_y && at_z && plane && size)
+    if (at_x && at_y && at_z && plane && size) {
         fractures.push_back(
             {{*at_x, *at_y, *at_z}, plane->dip, plane->dip_direction, rows.has(radius) ? *size : *size / 2});
+    }
 }
 
 }  // namespace

@@ -51,27 +51,31 @@ double turned(double azimuth) {
 std::string withoutDegreeSigns(std::string_view text) {
     std::string rest(text);
     for (const std::string_view sign :
-         {"\xc2\xb0", "\xc2\xba"})  // the degree sign, and the ordinal taken for it
+         {"\xc2\xb0", "\xc2\xba"}) {  // the degree sign, and the ordinal taken for it
         for (auto at = rest.find(sign); at != std::string::npos; at = rest.find(sign))
             rest.erase(at, sign.size());
+    }
     return std::string(withoutBlanks(rest));
 }
 
 std::string titleWord(std::string_view title) {
     std::vector<std::string> words(1);
     for (const char c : title) {
-        if (isLetterOrDigit(c))
+        if (isLetterOrDigit(c)) {
             words.back() += small(c);
-        else if (!words.back().empty())
+        } else if (!words.back().empty()) {
             words.emplace_back();
+        }
     }
     if (words.back().empty()) words.pop_back();
-    if (words.size() > 1)
-        for (const std::string_view unit : kUnits)
+    if (words.size() > 1) {
+        for (const std::string_view unit : kUnits) {
             if (words.back() == unit) {
                 words.pop_back();
                 break;
             }
+        }
+    }
     std::string whole;
     for (const std::string& word : words) whole += word;
     return whole;

@@ -67,10 +67,11 @@ std::string listed(const std::vector<PlaneColumn>& columns) {
 
 std::optional<PlaneColumn> columnTitled(const std::string& title) {
     const std::string word = titleWord(title);
-    for (std::size_t k = 0; k < kColumns.size(); ++k)
+    for (std::size_t k = 0; k < kColumns.size(); ++k) {
         if (word == titleWord(kColumns[k].name) ||
             (!word.empty() && kColumns[k].other_titles.find(" " + word + " ") != std::string_view::npos))
             return static_cast<PlaneColumn>(k);
+    }
     return std::nullopt;
 }
 
@@ -102,9 +103,10 @@ std::string PlaneTable::allowed(const std::vector<PlaneColumn>& required) const 
     std::string all = required.empty() ? "" : listed(required) + ", and ";
     for (std::size_t n = 0; n < kNotations.size(); ++n)
         all += (n == 0 ? "" : ", or ") + listed(kNotations[n]) + (n == 2 ? " of the pole" : "");
-    for (const PlaneColumn column : others_)
+    for (const PlaneColumn column : others_) {
         if (std::count(required.begin(), required.end(), column) == 0)
             all += (column == others_.front() && required.empty() ? "; besides " : ", ") + shown(column);
+    }
     return all + ", each once, and others";
 }
 
@@ -186,11 +188,12 @@ std::optional<Orientation> PlaneTable::byStrike() {
     if (!bearing) return std::nullopt;
     if (!with_side) {
         const auto angle = number(dip);
-        if (angle && quadrant)
+        if (angle && quadrant) {
             fault("found dip " + toml::quoted(text(dip)) + " beside the strike " +
                       toml::quoted(text(strike)) +
                       ", allowed: a dip with the side to which the plane dips, such as 45SE",
                   dip);
+        }
         if (!angle || quadrant) return std::nullopt;
         return Orientation{*angle * kDeg, turned(*bearing + 90) * kDeg};
     }

@@ -195,6 +195,30 @@ TEST_CASE("kinematics: pictures are whole files with what they show") {
     CHECK(contentOf(poles).find("per 1 % of the area") == std::string::npos);
 }
 
+TEST_CASE("kinematics: pictures at the ends of all ranges have places for everything") {
+    const TemporaryFolder folder;
+    const std::string one = folder.write("one.csv", "dip,dd\n0,0\n"), net = folder / "net.svg";
+    for (const std::string& file : {folder.write("poles.csv", kByDip), one}) {
+        for (const char* slope : {"90/0", "0.1/360", "45/-90"}) {
+            for (const char* friction : {"0", "90"}) {
+                for (const char* view : {"poles", "intersections"}) {
+                    const Outcome outcome =
+                        runTalus({"kinematics", file, "--slope", slope, "--friction", friction, "--lateral",
+                                  friction, "--stereonet", net, "--view", view, "--quiet"});
+                    CHECK_MESSAGE(outcome.exit_code == 0, outcome.err);
+                    CHECK(contentOf(net).find("nan") == std::string::npos);
+                    CHECK(contentOf(net).find("inf") == std::string::npos);
+                }
+            }
+        }
+    }
+    const Json result = jsonOf(one);
+    CHECK(result.at("wedge").at("total") == 0);
+    CHECK(result.at("wedge").at("percent") == 0);
+    CHECK(result.at("sets")[0].at("fisher_k").is_null());
+    CHECK(result.at("sets")[0].at("cone_95_deg").is_null());
+}
+
 TEST_CASE("kinematics: bad input is told, with its place") {
     const TemporaryFolder folder;
     const std::string file = folder.write("poles.csv", kByDip);
@@ -209,6 +233,8 @@ TEST_CASE("kinematics: bad input is told, with its place") {
     refused({file, "--slope", "95/180", "--friction", "30"},
             "found a dip of 95, allowed: greater than 0 and at most 90");
     refused({file, "--slope", "0/180", "--friction", "30"}, "found a dip of 0");
+    refused({file, "--slope", "1e-9/180", "--friction", "30"},
+            "found a dip of 1e-09, allowed: greater than 0");
     refused({file, "--slope", "70/nan", "--friction", "30"}, "--slope: found \"70/nan\"");
     refused({file, "--slope", "70/180", "--friction", "91"}, "--friction");
     refused({file, "--slope", "70/180", "--friction", "30", "--lateral", "-1"}, "--lateral");
