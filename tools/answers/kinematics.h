@@ -34,7 +34,8 @@ std::pair<double, double> anglesOf(const std::string& option, const std::string&
 /// The unit vector of a trend and a plunge [deg]; throws BadInput where the plunge is beyond -90 and 90.
 Vec3 scanlineOf(double trend, double plunge);
 
-/// Whether a file is a table of poles by the ending of its name: .csv, .tsv, .txt, .dat. All else is a scenario.
+/// Whether a file is a table of poles by the ending of its name: .csv, .tsv, .txt, .dat. All else is a
+/// scenario.
 bool isPoleTable(std::string path);
 
 /// Planes, by set.
@@ -69,8 +70,8 @@ std::string kinematicsText(const KinematicsAnswer& answer);
 /// What a picture shows.
 struct NetPicture {
     Projection projection = Projection::equal_area;
-    bool intersections =
-        false;  ///< lines with wedge sliding and direct toppling, else poles with planar sliding and flexural toppling
+    /// Lines with wedge sliding and direct toppling, else poles with planar sliding and flexural toppling.
+    bool intersections = false;
     kinematics::Counting counting{};
     bool contours = true;
 };
@@ -79,7 +80,8 @@ struct NetPicture {
 inline constexpr std::array kNetViews{"poles", "intersections"};
 inline constexpr std::array kNetProjections{"equal-area", "equal-angle"};
 inline constexpr std::array kNetContours{"fisher", "circle", "none"};
-/// Throws BadInput for other words, and for an area that is not 0.1 to 20. \param counting_area  of the hemisphere [%]
+/// Throws BadInput for other words, and for an area that is not 0.1 to 20. \param counting_area  of the
+/// hemisphere [%]
 NetPicture netPicture(const std::string& view, const std::string& projection, const std::string& contours,
                       double counting_area);
 std::string kinematicsSvg(const KinematicsAnswer& answer, const NetPicture& picture,

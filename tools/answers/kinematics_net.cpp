@@ -18,7 +18,8 @@ using namespace kinematics;
 constexpr double kReach = 1.04;  ///< of sampled fields, in radii of the net, over whose edge they are cut off
 constexpr std::size_t kZoneSide =
     261;  ///< points along a side of a zone's field: 2 px apart, as wide as a line
-/// Points along a side of the contours' field: as many as `kMostDensities` poles or lines times points allow, half a second.
+/// Points along a side of the contours' field: as many as `kMostDensities` poles or lines times points allow,
+/// half a second.
 constexpr double kMostDensities = 2e7, kLeastSide = 41, kMostSide = 161;
 
 Field fieldOf(const Net& net, std::size_t side, const std::function<double(const Vec3&)>& value) {
@@ -40,7 +41,8 @@ double levelStep(double most) {
     return step;
 }
 
-/// Poles of planes whose dip vectors lie in the face: tan(dip) = tan(dip of the face) cos(off its dip direction).
+/// Poles of planes whose dip vectors lie in the face: tan(dip) = tan(dip of the face) cos(off its dip
+/// direction).
 std::vector<Spot> daylightEnvelope(const Net& net, const Face& face) {
     std::vector<Spot> spots;
     for (int k = -90; k <= 90; ++k) {
@@ -67,10 +69,13 @@ const std::string_view kNetStyle = R"css(
 .linecritical{fill:#b00020}
 )css"
                                    R"css(
-.set0{fill:#0072b2}.set1{fill:#d55e00}.set2{fill:#009e73}.set3{fill:#cc79a7}.set4{fill:#7a2f6b}.set5{fill:#b38600}.set6{fill:#1a1a1a}
+.set0{fill:#0072b2}.set1{fill:#d55e00}.set2{fill:#009e73}.set3{fill:#cc79a7}.set4{fill:#7a2f6b}
+.set5{fill:#b38600}.set6{fill:#1a1a1a}
 .mean{stroke-width:1.8;fill:none}
-.mean0{stroke:#0072b2}.mean1{stroke:#d55e00}.mean2{stroke:#009e73}.mean3{stroke:#cc79a7}.mean4{stroke:#7a2f6b}.mean5{stroke:#b38600}.mean6{stroke:#1a1a1a}
-.level0{fill:#eef3f7}.level1{fill:#dfe9f1}.level2{fill:#cddde9}.level3{fill:#b8cee0}.level4{fill:#a1bdd5}.level5{fill:#88abc9}.level6{fill:#6e98bc}
+.mean0{stroke:#0072b2}.mean1{stroke:#d55e00}.mean2{stroke:#009e73}.mean3{stroke:#cc79a7}
+.mean4{stroke:#7a2f6b}.mean5{stroke:#b38600}.mean6{stroke:#1a1a1a}
+.level0{fill:#eef3f7}.level1{fill:#dfe9f1}.level2{fill:#cddde9}.level3{fill:#b8cee0}.level4{fill:#a1bdd5}
+.level5{fill:#88abc9}.level6{fill:#6e98bc}
 )css"
                                    R"css(
 .face{stroke:#1a1a1a;stroke-width:3;fill:none}

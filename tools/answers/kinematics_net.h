@@ -1,5 +1,6 @@
 #pragma once
-// What lies under the poles of a kinematic analysis' stereonet: contours, critical zones, and the curves that bound them.
+// What lies under the poles of a kinematic analysis' stereonet: contours, critical zones, and the curves that
+// bound them.
 
 #include <string_view>
 
@@ -24,8 +25,8 @@ struct NetLevels {
 NetLevels drawContours(SvgWriter& svg, const Net& net, const std::vector<Vec3>& axes,
                        const std::vector<double>& weights, const kinematics::Counting& counting);
 
-/// The critical zones of poles or of lines, shaded by the margins of the tests themselves (talus/kinematics.h): what is shaded is what
-/// is counted.
+/// The critical zones of poles or of lines, shaded by the margins of the tests themselves
+/// (talus/kinematics.h): what is shaded is what is counted.
 void drawZones(SvgWriter& svg, const Net& net, const KinematicsQuestion& question, bool intersections);
 
 /// Face, friction, lateral limits, and what else bounds the zones.

@@ -147,7 +147,8 @@ class Picture {
         if (every > 1 || stride_ > 1) note_ = "drawn: a sample of the lines, critical ones red";
     }
 
-    // --- legend -------------------------------------------------------------------------------------------------
+    // --- legend
+    // -------------------------------------------------------------------------------------------------
 
     template <class Draw>
     void entry(const std::string& words, const Draw& draw) {

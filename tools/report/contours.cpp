@@ -36,7 +36,8 @@ class Tracer {
         return is_inner && field_.at(i, j) > level_;
     }
 
-    /// Counter-clockwise around a cell, a ring begins where one passes from above to below, and ends where one comes back.
+    /// Counter-clockwise around a cell, a ring begins where one passes from above to below, and ends where
+    /// one comes back.
     void addCell(std::size_t i, std::size_t j) {
         const std::array<bool, 4> above{isAbove(i, j), isAbove(i + 1, j), isAbove(i + 1, j + 1),
                                         isAbove(i, j + 1)};

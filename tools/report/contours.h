@@ -21,8 +21,9 @@ struct Field {
 
 Field sampled(std::size_t side, double reach, const std::function<double(Spot)>& value);
 
-/// Closed rings around where the field, linear along the grid's lines, is above the level (marching squares; W. E. Lorensen and
-/// H. E. Cline 1987 in the plane). What is above is on the left of each ring. The outermost points count as below the level.
+/// Closed rings around where the field, linear along the grid's lines, is above the level (marching squares;
+/// W. E. Lorensen and H. E. Cline 1987 in the plane). What is above is on the left of each ring. The
+/// outermost points count as below the level.
 std::vector<std::vector<Spot>> ringsAbove(const Field& field, double level);
 
 }  // namespace talus::tools

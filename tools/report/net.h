@@ -16,7 +16,8 @@ enum class Projection : std::uint8_t {
 };
 const char* nameOf(Projection projection);  ///< "equal-area"
 
-/// A net on the page, north upwards. Lines are unit vectors that point downwards; a plane's pole is minus its upward normal.
+/// A net on the page, north upwards. Lines are unit vectors that point downwards; a plane's pole is minus its
+/// upward normal.
 class Net {
  public:
     Net(Spot middle, double radius, Projection projection)

@@ -17,7 +17,8 @@ constexpr double kLeastScatter = 1e-9;
 /// A mean this little below horizontal is that of vertical planes, and keeps its side.
 constexpr double kUpright = 1e-12;
 
-/// P(chi-squared of 2 m degrees of freedom <= x) = 1 - exp(-x/2) sum over j < m of (x/2)^j / j!, exact for an even number.
+/// P(chi-squared of 2 m degrees of freedom <= x) = 1 - exp(-x/2) sum over j < m of (x/2)^j / j!, exact for an
+/// even number.
 double chiSquared(double x, std::size_t m) {
     double above = 0;
     for (std::size_t j = 0; j < m; ++j) {
@@ -27,7 +28,8 @@ double chiSquared(double x, std::size_t m) {
     return 1 - above;
 }
 
-/// The x that is not exceeded with probability p. Its mean is 2 m and its deviation 2 sqrt(m), so it lies in the first bracket.
+/// The x that is not exceeded with probability p. Its mean is 2 m and its deviation 2 sqrt(m), so it lies in
+/// the first bracket.
 double chiSquaredQuantile(double p, std::size_t m) {
     const auto mean = 2 * static_cast<double>(m);
     double low = 0, high = mean + 10 * std::sqrt(2 * mean) + 20;

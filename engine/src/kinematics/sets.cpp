@@ -11,7 +11,8 @@ namespace talus::kinematics {
 
 namespace {
 
-/// Planes within this angle count for how densely planes lie about one: cos 20 degrees, as wide as scattered sets are.
+/// Planes within this angle count for how densely planes lie about one: cos 20 degrees, as wide as scattered
+/// sets are.
 constexpr double kNearCosine = 0.93969262078590838;
 constexpr int kMostRounds = 200;
 
@@ -57,7 +58,8 @@ std::vector<std::size_t> assigned(const Normals& normals, const Normals& centres
     return set;
 }
 
-/// The mean axis of each set; a set that has lost all its planes begins anew at the plane farthest from its own centre.
+/// The mean axis of each set; a set that has lost all its planes begins anew at the plane farthest from its
+/// own centre.
 void moveCentres(const Normals& normals, const Weights& weights, const std::vector<std::size_t>& set,
                  Normals& centres) {
     const Normals before = centres;

@@ -7,8 +7,8 @@
 
 namespace talus::formats {
 
-/// A column's title as one word of small letters and digits, without its unit: "Dip Direction (deg)" -> "dipdirection". What
-/// else stands in brackets stays: "strike (left)" -> "strikeleft".
+/// A column's title as one word of small letters and digits, without its unit: "Dip Direction (deg)" ->
+/// "dipdirection". What else stands in brackets stays: "strike (left)" -> "strikeleft".
 std::string titleWord(std::string_view title);
 
 /// "N45E" -> 45, "S 30 W" -> 210 [degrees from north]; nothing for other texts.
@@ -21,8 +21,8 @@ struct QuadrantDip {
 };
 std::optional<QuadrantDip> quadrantDip(std::string_view text);
 
-/// The dip direction, at a right angle to the strike, that is nearer to `towards`; nothing where that is within some 11 degrees of the
-/// strike, so that it tells nothing. [degrees from north]
+/// The dip direction, at a right angle to the strike, that is nearer to `towards`; nothing where that is
+/// within some 11 degrees of the strike, so that it tells nothing. [degrees from north]
 std::optional<double> dipDirectionTowards(double strike, double towards);
 
 /// Without degree signs.

@@ -180,7 +180,8 @@ std::optional<Orientation> PlaneTable::byDipDirection() {
     return Orientation{*angle * kDeg, *towards * kDeg};
 }
 
-/// By the right-hand rule, the dip direction 90 degrees clockwise of the strike; or with the quadrant towards which the plane dips.
+/// By the right-hand rule, the dip direction 90 degrees clockwise of the strike; or with the quadrant towards
+/// which the plane dips.
 std::optional<Orientation> PlaneTable::byStrike() {
     const auto quadrant = quadrantAzimuth(text(strike));
     const auto bearing = quadrant ? quadrant : number(strike);

@@ -1,6 +1,6 @@
 #pragma once
-// Tables of planes that people make with spreadsheets: which column is what, whatever it is called, and what a row says.
-// Fractures and poles are read with it.
+// Tables of planes that people make with spreadsheets: which column is what, whatever it is called, and what
+// a row says. Fractures and poles are read with it.
 
 #include <array>
 #include <cstdint>
@@ -49,7 +49,8 @@ class PlaneTable {
     /// \param others  columns that are read besides the orientation; the rest are passed over
     PlaneTable(const std::string& path, std::string_view text, std::vector<PlaneColumn> others);
 
-    /// Reads the header. False: a fault, no way to read on. \param required  columns without which the table means nothing
+    /// Reads the header. False: a fault, no way to read on. \param required  columns without which the table
+    /// means nothing
     bool readHeader(const std::vector<PlaneColumn>& required);
     /// Goes to the next row of the right length; false at the end, or when there are too many faults.
     bool next();

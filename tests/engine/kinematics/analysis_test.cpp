@@ -109,9 +109,9 @@ bool same(const Share& a, const Share& b) { return a.critical == b.critical && a
 }  // namespace
 
 TEST_CASE("two sets and a face, counted by hand") {
-    // Face 70/180, friction 30, lateral limits 20.
-    // Set 0: 45/180 slides; 50/195 slides (within 20); 25/180 is flatter than friction; 45/210 lies outside the limits.
-    // Set 1: 80/000 topples ((90 - 80) + 30 < 70); 75/355 topples; 55/010 topples; 45/000 does not ((90 - 45) + 30 > 70).
+    // Face 70/180, friction 30, lateral limits 20. Set 0: 45/180 slides; 50/195 slides (within 20); 25/180 is
+    // flatter than friction; 45/210 lies outside the limits. Set 1: 80/000 topples ((90 - 80) + 30 < 70);
+    // 75/355 topples; 55/010 topples; 45/000 does not ((90 - 45) + 30 > 70).
     const std::vector<Pole> poles{pole(45, 180, 0), pole(50, 195, 0), pole(25, 180, 0), pole(45, 210, 0),
                                   pole(80, 0, 1),   pole(75, 355, 1), pole(55, 10, 1),  pole(45, 0, 1)};
     const auto analysis = analyse(poles, 2, {70 * kDeg, 180 * kDeg}, {30 * kDeg, 20 * kDeg});
@@ -123,12 +123,12 @@ TEST_CASE("two sets and a face, counted by hand") {
     CHECK(same(analysis->sets[0].planar, {2, 4, 0, 0}));
     CHECK(same(analysis->sets[1].planar, {0, 4, 0, 0}));
     CHECK(same(analysis->sets[1].flexural, {3, 4, 0, 0}));
-    // Base planes dip out of the face by less than 70 within the limits: 45/180, 50/195, 25/180; outside them 45/210 is steeper than
-    // friction. Two of them are steeper than friction.
+    // Base planes dip out of the face by less than 70 within the limits: 45/180, 50/195, 25/180; outside them
+    // 45/210 is steeper than friction. Two of them are steeper than friction.
     CHECK(same(analysis->planes.base, {3, 8, 0, 0}));
     CHECK(analysis->planes.sliding_base == 2);
-    // 28 pairs. 45/180 with 25/180, with 80/000 and with 45/000 meet along the strike, and so do the pairs of those four:
-    // horizontal lines, none critical; no two planes are parallel.
+    // 28 pairs. 45/180 with 25/180, with 80/000 and with 45/000 meet along the strike, and so do the pairs of
+    // those four: horizontal lines, none critical; no two planes are parallel.
     CHECK(analysis->lines.wedge.total == 28);
     CHECK(analysis->lines.parallel == 0);
     std::size_t total = 0;
@@ -147,14 +147,16 @@ TEST_CASE("one wedge by hand: both zones, one plane or both, and what friction h
     CHECK(lines.primary == 1);
     CHECK(lines.on_one_plane == 0);
     CHECK(pair(pole(50, 135), pole(50, 225), 41).wedge.critical == 0);
-    // 45/190 and 80/250: tan 80 cos 60 > tan 45, so the first alone; the line's trend is that at which both have one apparent dip.
+    // 45/190 and 80/250: tan 80 cos 60 > tan 45, so the first alone; the line's trend is that at which both
+    // have one apparent dip.
     lines = pair(pole(45, 190), pole(80, 250));
     CHECK(lines.wedge.critical == 1);
     CHECK(lines.on_one_plane == 1);
     CHECK(lines.held_by_friction == 0);
     // 40/200 and a vertical plane that strikes 060: the line trends 240, where 40/200 has the apparent dip
-    // atan(tan 40 cos 40) = 32.7. That is flatter than a friction of 35, steeper than the friction plane's 19.3 there, and flatter
-    // than the face's 53.9. The wedge slides on 40/200, which is steeper than 35 but not than 41.
+    // atan(tan 40 cos 40) = 32.7. That is flatter than a friction of 35, steeper than the friction plane's
+    // 19.3 there, and flatter than the face's 53.9. The wedge slides on 40/200, which is steeper than 35 but
+    // not than 41.
     lines = pair(pole(40, 200), pole(90, 330), 35);
     CHECK(lines.secondary == 1);
     CHECK(lines.on_one_plane == 1);

@@ -46,7 +46,8 @@ TEST_CASE("lines: dip vector, plunge and trend, intersection") {
     CHECK(dipOfPlane(plane(89.999999, 7)) == doctest::Approx(89.999999 * kDeg).epsilon(1e-14));
     CHECK(plungeOf(line(89.999999, 7)) == doctest::Approx(89.999999 * kDeg).epsilon(1e-14));
     CHECK(trendOf(line(20, 355)) == doctest::Approx(355 * kDeg).epsilon(1e-14));
-    // Two planes that dip 45 to the south-east and the south-west meet in a line to the south: tan(plunge) = cos 45.
+    // Two planes that dip 45 to the south-east and the south-west meet in a line to the south: tan(plunge) =
+    // cos 45.
     const auto met = intersection(plane(45, 135), plane(45, 225));
     REQUIRE(met);
     CHECK((*met - line(std::atan(std::sqrt(0.5)) / kDeg, 180)).norm() < 1e-15);
@@ -121,14 +122,16 @@ TEST_CASE("wedges: friction of 0 and of 90 degrees") {
 }
 
 TEST_CASE("wedges: they slide on one plane where its dip vector leads away from the other") {
-    // Symmetrical planes: along the line. With 45/180 and 60/250 the first dips between the line and ... by the rule below.
+    // Symmetrical planes: along the line. With 45/180 and 60/250 the first dips between the line and ... by
+    // the rule below.
     CHECK(slidesOn(plane(45, 135), plane(45, 225)) == SlidesOn::both);
     rock_mass::Random random(7);
     int one = 0, both = 0;
     for (int k = 0; k < 2000; ++k) {
         const double dip_a = 5 + 80 * random.uniform(), dip_b = 5 + 80 * random.uniform();
         const double to_a = 360 * random.uniform(), to_b = 360 * random.uniform();
-        // Hocking: on A where tan(dip B) cos(to_b - to_a), the apparent dip of B along A's dip direction, exceeds tan(dip A).
+        // Hocking: on A where tan(dip B) cos(to_b - to_a), the apparent dip of B along A's dip direction,
+        // exceeds tan(dip A).
         const double off = std::cos((to_b - to_a) * kDeg);
         const bool on_a = std::tan(dip_b * kDeg) * off > std::tan(dip_a * kDeg);
         const bool on_b = std::tan(dip_a * kDeg) * off > std::tan(dip_b * kDeg);

@@ -16,7 +16,8 @@ using namespace talus::tools::testing;
 namespace {
 
 constexpr double kDeg = std::numbers::pi / 180;
-/// By dip and dip direction: of the first set three slide out of 70/180 at 30 degrees, of the second two topple.
+/// By dip and dip direction: of the first set three slide out of 70/180 at 30 degrees, of the second two
+/// topple.
 constexpr std::pair<double, double> kPlanes[] = {{44, 178}, {48, 186}, {39, 172}, {25, 181},
                                                  {81, 352}, {76, 4},   {40, 5}};
 
@@ -132,7 +133,8 @@ TEST_CASE("kinematics: sets that are found, weights beside the counts") {
     CHECK(weighed.at("planar").at("critical") == plain.at("planar").at("critical"));
     CHECK(weighed.at("weights").at("by") == "terzaghi");
     CHECK(weighed.at("weights").at("bias_limit_deg").get<double>() == doctest::Approx(10));
-    // A line to the south meets the steep planes of J2 at large angles, those of J1 at smaller ones, so J1 weighs more.
+    // A line to the south meets the steep planes of J2 at large angles, those of J1 at smaller ones, so J1
+    // weighs more.
     CHECK(weighed.at("planar").at("weighted_percent").get<double>() >
           plain.at("planar").at("percent").get<double>());
     double sum = 0;
