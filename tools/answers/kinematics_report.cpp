@@ -18,6 +18,9 @@ using kinematics::LineShares;
 using kinematics::PlaneShares;
 using kinematics::Share;
 
+/// An angle as it was given: degrees, without the rounding of the way to radians and back.
+Json given(double angle) { return number(std::round(degrees(angle) * 1e9) / 1e9); }
+
 /// critical, total, percent; by weight, too, where planes have weights.
 Json shareJson(const Share& share, bool is_weighted) {
     Json json{{"critical", share.critical}, {"total", share.total}, {"percent", number(share.percent())}};
@@ -122,10 +125,10 @@ Json weightsJson(const KinematicsAnswer& answer) {
     if (answer.source.weighted_by.empty()) return nullptr;
     Json json{{"by", answer.source.weighted_by}};
     if (answer.source.weighted_by == "terzaghi")
-        json["bias_limit_deg"] = number(degrees(answer.question.bias_limit.value_or(radians(kBiasLimitDeg))));
+        json["bias_limit_deg"] = given(answer.question.bias_limit.value_or(radians(kBiasLimitDeg)));
     if (answer.question.scanline) {
-        json["scanline"] = {{"trend_deg", number(degrees(kinematics::trendOf(*answer.question.scanline)))},
-                            {"plunge_deg", number(degrees(kinematics::plungeOf(*answer.question.scanline)))}};
+        json["scanline"] = {{"trend_deg", given(kinematics::trendOf(*answer.question.scanline))},
+                            {"plunge_deg", given(kinematics::plungeOf(*answer.question.scanline))}};
     }
     return json;
 }
@@ -212,26 +215,26 @@ Json kinematicsJson(const KinematicsAnswer& answer, const Common& common, const 
     for (std::size_t s = 0; s < answer.sets.size(); ++s) sets.push_back(setJson(answer, s));
     for (const kinematics::SetPair& pair : analysis.pairs) pairs.push_back(pairJson(answer, pair));
     const KinematicsQuestion& question = answer.question;
-    return {{"poles", answer.source.poles.size()},
-            {"slope",
-             {{"dip_deg", number(degrees(question.face.dip))},
-              {"dip_direction_deg", number(degrees(question.face.dip_direction))}}},
-            {"friction_deg", number(degrees(question.limits.friction))},
-            {"lateral_deg", number(degrees(question.limits.lateral))},
-            {"planar", planarJson(analysis.planes, is_weighted)},
-            {"wedge", wedgeJson(analysis.lines, is_weighted)},
-            {"direct_toppling", direct},
-            {"flexural_toppling", shareJson(analysis.planes.flexural, is_weighted)},
-            {"parallel_pairs", analysis.lines.parallel},
-            {"sets", sets},
-            {"set_pairs", pairs},
-            {"sets_found", question.find_sets > 0},
-            {"weights", weightsJson(answer)},
-            {"notation", answer.source.notation.empty() ? Json(nullptr) : Json(answer.source.notation)},
-            {"columns_passed_over", answer.source.passed_over},
-            {"turned_upright", answer.source.is_tilted},
-            {"warnings", answer.source.warnings},
-            {"provenance", provenance(common, file)}};
+    return {
+        {"poles", answer.source.poles.size()},
+        {"slope",
+         {{"dip_deg", given(question.face.dip)}, {"dip_direction_deg", given(question.face.dip_direction)}}},
+        {"friction_deg", given(question.limits.friction)},
+        {"lateral_deg", given(question.limits.lateral)},
+        {"planar", planarJson(analysis.planes, is_weighted)},
+        {"wedge", wedgeJson(analysis.lines, is_weighted)},
+        {"direct_toppling", direct},
+        {"flexural_toppling", shareJson(analysis.planes.flexural, is_weighted)},
+        {"parallel_pairs", analysis.lines.parallel},
+        {"sets", sets},
+        {"set_pairs", pairs},
+        {"sets_found", question.find_sets > 0},
+        {"weights", weightsJson(answer)},
+        {"notation", answer.source.notation.empty() ? Json(nullptr) : Json(answer.source.notation)},
+        {"columns_passed_over", answer.source.passed_over},
+        {"turned_upright", answer.source.is_tilted},
+        {"warnings", answer.source.warnings},
+        {"provenance", provenance(common, file)}};
 }
 
 std::string kinematicsText(const KinematicsAnswer& answer) {

@@ -66,6 +66,8 @@ TEST_CASE("kinematics: the keys, with counts done by hand") {
     const TemporaryFolder folder;
     const Json result = jsonOf(folder.write("poles.csv", kByDip));
     CHECK(result.at("poles") == 7);
+    CHECK(result.at("slope").dump() == R"({"dip_deg":70.0,"dip_direction_deg":180.0})");
+    CHECK(result.at("friction_deg").dump() == "30.0");  // as it was given
     CHECK(result.at("planar").at("critical") == 3);
     CHECK(result.at("planar").at("total") == 7);
     CHECK(result.at("planar").at("percent").get<double>() == doctest::Approx(300.0 / 7));
