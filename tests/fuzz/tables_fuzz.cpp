@@ -1,8 +1,12 @@
-// libFuzzer: any bytes as a table. The first one says which: cases of a sweep (c), fractures (f), a ground motion (g).
+// libFuzzer: any bytes as a table. The first one says which: cases of a sweep (c), fractures (f), a ground motion (g),
+// poles (p).
+
+#include <cmath>
 
 #include "scenario/ground_motion.h"
 #include "sweep/case_table.h"
 #include "talus/formats/fractures.h"
+#include "talus/formats/poles.h"
 
 using namespace talus;
 using namespace talus::formats;
@@ -29,6 +33,15 @@ void readDiscs(const std::string& text) {
             __builtin_trap();
 }
 
+/// What is read are planes.
+void readPlanes(const std::string& text) {
+    const auto table = parsePoles(text, "fuzz.csv");
+    if (!table.ok() && table.errors().empty()) __builtin_trap();
+    if (!table) return;
+    for (const MeasuredPole& pole : table->poles)
+        if (!(std::abs(pole.normal.norm() - 1) < 1e-9) || !(pole.weight > 0)) __builtin_trap();
+}
+
 void readRecord(const std::string& text) {
     for (const auto baseline : {scenario::Baseline::none, scenario::Baseline::line}) {
         std::string fault;
@@ -46,5 +59,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (data[0] == 'c') readCases(text);
     if (data[0] == 'f') readDiscs(text);
     if (data[0] == 'g') readRecord(text);
+    if (data[0] == 'p') readPlanes(text);
     return 0;
 }

@@ -21,6 +21,7 @@ Command addLimitAnalysis(CLI::App& root);
 Command addSupport(CLI::App& root);
 Command addVerification(CLI::App& root);
 Command addSchema(CLI::App& root);
+Command addKinematics(CLI::App& root);
 
 /// critical-angle, safety-factor, ...: one command per search of the engine.
 Command addSearch(CLI::App& root, const LoadSearch& search);

@@ -18,8 +18,13 @@ _talus() {
         return
     fi
     case $previous in
-        -o | --output | --out) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
+        -o | --output | --out | --stereonet) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
         --points) mapfile -t COMPREPLY < <(compgen -W "vertex quarter corner" -- "$current"); return ;;
+        --net) mapfile -t COMPREPLY < <(compgen -W "equal-area equal-angle" -- "$current"); return ;;
+        --contours) mapfile -t COMPREPLY < <(compgen -W "fisher circle none" -- "$current"); return ;;
+        --view)
+            [ "${COMP_WORDS[1]}" = kinematics ] && mapfile -t COMPREPLY < <(compgen -W "poles intersections" -- "$current")
+            return ;;
     esac
     if [[ $current == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$(_talus_words "$program" "${COMP_WORDS[1]}")" -- "$current")

@@ -49,6 +49,7 @@ PYBIND11_MODULE(_core, module) {
     py::register_exception_translator(translate);
     addScenarios(module);
     addAnalyses(module);
+    addKinematics(module);
     addSimulation(module);
     addSnapshots(module);
 }

@@ -7,7 +7,9 @@
 #include <set>
 
 #include "cli/text.h"
+#include "report/net.h"
 #include "report/svg_writer.h"
+#include "talus/pole_statistics.h"
 
 namespace talus::tools {
 
@@ -52,60 +54,18 @@ std::vector<Poles> bySet(const std::vector<formats::RockJoint>& joints) {
     return sets;
 }
 
-/// Of a pole, from the middle of the net, in its radius; the plane's normal points up.
-Spot onNet(const Vec3& normal) {
-    const double across = normal.head<2>().norm();
-    if (across == 0) return {0, 0};
-    const double r = std::sqrt(2.0) * std::sin(0.5 * std::atan2(across, normal.z()));
-    return {-r * normal.x() / across, -r * normal.y() / across};
-}
-
-/// The axis about which poles lie most densely (largest eigenvalue of their orientation tensor), upwards.
-Vec3 meanPole(const std::vector<Vec3>& normals) {
-    Mat3 tensor = Mat3::Zero();
-    for (const Vec3& n : normals) tensor += n * n.transpose();
-    Vec3 axis = normals[0];
-    for (int k = 0; k < 200; ++k) axis = (tensor * axis).normalized();
-    return axis.z() < 0 ? Vec3(-axis) : axis;
-}
-
 /// "F1: 312 poles, mean 40/265, K 18"
 std::string words(const Poles& poles) {
-    const Vec3 mean = meanPole(poles.normals);
-    const auto [dip, direction] = dipOf(mean);
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& n : poles.normals) sum += n.dot(mean) < 0 ? Vec3(-n) : n;
-    const auto count = static_cast<double>(poles.normals.size());
+    const kinematics::FisherStatistics statistics = kinematics::fisherStatistics(poles.normals);
+    const auto [dip, direction] = dipOf(statistics.mean);
     std::string line = poles.set + ": " + std::to_string(poles.normals.size()) +
                        (poles.normals.size() == 1 ? " pole, " : " poles, mean ") + text(dip * kDeg, 0) + "/" +
                        text(direction * kDeg, 0);
-    // K = (N - 1) / (N - R) (R. Fisher, 1953); of parallel planes there is none.
-    if (count > 2 && count - sum.norm() > 1e-9 * count)
-        line += ", K " + text((count - 1) / (count - sum.norm()), 1);
+    if (statistics.k) line += ", K " + text(*statistics.k, 1);
     return line;
 }
 
 std::string number(const char* kind, std::size_t set) { return kind + std::to_string(set % kColours); }
-
-void drawNet(SvgWriter& svg, Spot middle) {
-    const auto ring = [&](double share, const char* role) {
-        std::vector<Spot> spots;
-        for (int k = 0; k <= 180; ++k)
-            spots.push_back({middle.x + share * kNet * std::cos(2 * k / kDeg),
-                             middle.y + share * kNet * std::sin(2 * k / kDeg)});
-        svg.shape(spots, true, role);
-    };
-    for (const double dip : {30.0, 60.0}) ring(std::sqrt(2.0) * std::sin(0.5 * dip / kDeg), "grid");
-    for (int k = 0; k < 4; ++k) {
-        const double a = 45.0 * k / kDeg;
-        svg.line({middle.x - kNet * std::cos(a), middle.y - kNet * std::sin(a)},
-                 {middle.x + kNet * std::cos(a), middle.y + kNet * std::sin(a)}, "grid");
-    }
-    ring(1, "frame");
-    svg.label({middle.x, middle.y - kNet - 8}, "N", "middle", "caption");
-    svg.label({middle.x, middle.y + kNet + 20},
-              "equal-area, lower hemisphere; rings: poles of planes dipping 30 and 60", "middle", "small");
-}
 
 /// Decades that hold all values; a decade at least.
 std::pair<double, double> decades(const std::vector<std::vector<double>>& curves) {
@@ -164,19 +124,17 @@ void drawShares(SvgWriter& svg, Spot corner, const std::string& caption, const s
 
 std::string stereonetSvg(const std::vector<formats::RockJoint>& joints, std::string_view title) {
     SvgWriter svg;
-    const Spot middle{kMargin + kNet, kMargin + kNet};
-    drawNet(svg, middle);
+    const Net net({kMargin + kNet, kMargin + kNet}, kNet, Projection::equal_area);
+    net.draw(svg, "equal-area, lower hemisphere; rings: poles of planes dipping 30 and 60");
     const std::vector<Poles> sets = bySet(joints);
     double line = kMargin + 20;
     for (std::size_t s = 0; s < sets.size(); ++s) {
         std::set<std::pair<long, long>> drawn;  // many of one place are one
         for (const Vec3& normal : sets[s].normals) {
-            const Spot at = onNet(normal);
-            if (!drawn.emplace(std::lround(100 * kNet * at.x), std::lround(100 * kNet * at.y)).second)
-                continue;
+            const Spot at = net.onPage(Vec3(-normal));
+            if (!drawn.emplace(std::lround(100 * at.x), std::lround(100 * at.y)).second) continue;
             const auto [dip, direction] = dipOf(normal);
-            svg.symbol("circle", {middle.x + kNet * at.x, middle.y - kNet * at.y}, 4,
-                       "pole " + number("set", s),
+            svg.symbol("circle", at, 4, "pole " + number("set", s),
                        sets[s].set + " " + text(dip * kDeg, 1) + "/" + text(direction * kDeg, 1));
         }
         const double left = 2 * (kMargin + kNet) + 20;

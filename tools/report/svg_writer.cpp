@@ -1,5 +1,7 @@
 #include "report/svg_writer.h"
 
+#include <utility>
+
 #include "cli/json.h"
 #include "cli/text.h"
 
@@ -56,6 +58,21 @@ void SvgWriter::shape(const std::vector<Spot>& spots, bool open, const std::stri
             (fill.empty() ? "" : "fill=\"" + fill + "\" ") + (outlined ? "stroke=\"" + fill + "\" " : "") +
                 "points=\"" + list + '"',
             role, tip);
+}
+
+void SvgWriter::area(const std::vector<std::vector<Spot>>& rings, const std::string& role) {
+    std::string path;
+    for (const std::vector<Spot>& ring : rings) {
+        char command = 'M';
+        for (const Spot& spot : ring) path += std::exchange(command, 'L') + px(spot.x) + "," + px(spot.y);
+        path += 'Z';
+    }
+    if (!path.empty()) element("path", "fill-rule=\"evenodd\" d=\"" + path + '"', role, "");
+}
+
+void SvgWriter::beginClip(Spot middle, double r) {
+    body_ += "<clipPath id=\"clip\"><circle cx=\"" + px(middle.x) + "\" cy=\"" + px(middle.y) + "\" r=\"" +
+             px(r) + "\"/></clipPath>\n<g clip-path=\"url(#clip)\">\n";
 }
 
 void SvgWriter::symbol(const std::string& kind, Spot at, double r, const std::string& role,

@@ -15,6 +15,11 @@ class SvgWriter {
     /// A polygon, or a line. \param role its class; \param fill a colour of its own; `outlined`: also around it; \param tip shown over it
     void shape(const std::vector<Spot>& spots, bool open, const std::string& role,
                const std::string& tip = "", const std::string& fill = "", bool outlined = false);
+    /// An area with holes: what an odd number of rings goes around.
+    void area(const std::vector<std::vector<Spot>>& rings, const std::string& role);
+    /// What is drawn until `endClip` shows inside a circle only. One circle a file.
+    void beginClip(Spot middle, double r);
+    void endClip() { body_ += "</g>\n"; }
     void line(Spot from, Spot to, const std::string& role) { shape({from, to}, true, role); }
     void box(Spot a, Spot b, const std::string& role, const std::string& tip = "") {
         shape({a, {b.x, a.y}, b, {a.x, b.y}}, false, role, tip);

@@ -14,17 +14,16 @@ Mat3 turnBy(double tilt) {
     return turn;
 }
 
-/// East, north and up under gravity: x, y, z by the shortest turn that takes -z to gravity's direction.
+/// Multiples of a right angle have no rounding, so that a push across a section stays in it.
+double rounded(double component) { return std::abs(component) < 1e-15 ? 0.0 : component; }
+
+}  // namespace
+
 Mat3 compass(const Gravity& gravity, double tilt) {
     if (!gravity.direction) return turnBy(tilt);
     const Vec3 down = gravity.direction->normalized(), before = -Vec3::UnitZ();
     return turnBy(tilt) * Eigen::Quaterniond::FromTwoVectors(before, down).toRotationMatrix();
 }
-
-/// Multiples of a right angle have no rounding, so that a push across a section stays in it.
-double rounded(double component) { return std::abs(component) < 1e-15 ? 0.0 : component; }
-
-}  // namespace
 
 Vec3 downward(const Gravity& gravity, double tilt) {
     if (gravity.direction) return turnBy(tilt) * gravity.direction->normalized();

@@ -67,10 +67,12 @@ std::vector<CsvCell> cellsOf(std::string_view line, char separator) {
     return cells;
 }
 
-std::string rowFault(const std::vector<CsvCell>& cells, std::size_t columns, char separator) {
+std::string rowFault(const std::vector<CsvCell>& cells, std::size_t columns, char separator,
+                     bool decimal_comma) {
     for (const CsvCell& cell : cells) {
         if (!cell.closed) return "found a quote that does not end on its line";
-        if (std::string wrong = cell.quoted ? "" : cellFault(cell.text, separator); !wrong.empty())
+        if (std::string wrong = cell.quoted ? "" : cellFault(cell.text, separator, decimal_comma);
+            !wrong.empty())
             return wrong;
     }
     if (cells.size() == columns) return "";
@@ -96,8 +98,8 @@ char separatorOf(std::string_view header) {
     return ',';
 }
 
-std::string cellFault(std::string_view cell, char separator) {
-    if (separator != ',' && hasDecimalComma(cell))
+std::string cellFault(std::string_view cell, char separator, bool decimal_comma) {
+    if (!decimal_comma && separator != ',' && hasDecimalComma(cell))
         return "found \"" + std::string(cell) + "\", allowed: numbers with a decimal point";
     for (const char other : {'\t', ';'})
         if (other != separator && cell.find(other) != std::string_view::npos)

@@ -1,0 +1,31 @@
+#pragma once
+// Names of columns and directions as field books have them.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace talus::formats {
+
+/// A column's title as one word of small letters and digits, without its unit: "Dip Direction (deg)" ->
+/// "dipdirection". What else stands in brackets stays: "strike (left)" -> "strikeleft".
+std::string titleWord(std::string_view title);
+
+/// "N45E" -> 45, "S 30 W" -> 210 [degrees from north]; nothing for other texts.
+std::optional<double> quadrantAzimuth(std::string_view text);
+
+/// "45NE": the number and which way it is, 45 degrees from north.
+struct QuadrantDip {
+    std::string number;
+    double towards = 0;  ///< [degrees from north]
+};
+std::optional<QuadrantDip> quadrantDip(std::string_view text);
+
+/// The dip direction, at a right angle to the strike, that is nearer to `towards`; nothing where that is
+/// within some 11 degrees of the strike, so that it tells nothing. [degrees from north]
+std::optional<double> dipDirectionTowards(double strike, double towards);
+
+/// Without degree signs.
+std::string withoutDegreeSigns(std::string_view text);
+
+}  // namespace talus::formats
