@@ -1,0 +1,59 @@
+#include "block_theory/body_maker.h"
+
+namespace talus::keyblocks {
+namespace {
+
+/// A well mixed number of a block (splitmix64: G. Steele, D. Lea and C. Flood, OOPSLA 2014).
+std::uint64_t mixed(std::uint64_t block) {
+    std::uint64_t z = (block + 1) * 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31U);
+}
+
+}  // namespace
+
+std::uint64_t BodyMaker::identityOf(const std::vector<std::size_t>& members) {
+    std::uint64_t sum = 0;
+    for (const std::size_t block : members) sum += mixed(block);
+    return sum;
+}
+
+Body BodyMaker::bodyOf(const std::vector<std::size_t>& members) {
+    inside_.clear();
+    for (const std::size_t block : members) inside_.mark(block);
+    outer_.clear();
+    Body body;
+    for (const std::size_t block : members) {
+        body.force += slope_.force[block];
+        for (const Contact& contact : slope_.contactsOf(block))
+            if (!inside_.has(static_cast<std::size_t>(contact.other))) outer_.push_back(contact);
+    }
+    body.contacts = outer_;
+    return body;
+}
+
+Group BodyMaker::groupOf(const std::vector<std::size_t>& members) {
+    Group group;
+    group.sliding = judgeBriefly(bodyOf(members), joints_);
+    group.identity = identityOf(members);
+    for (const std::size_t block : members) group.mass += slope_.mass[block];
+    if (group.sliding.mode != SlidingMode::none) group.members = members;
+    return group;
+}
+
+Sliding BodyMaker::detailsOf(const std::vector<std::size_t>& members) {
+    return judge(bodyOf(members), joints_);
+}
+
+std::vector<std::size_t> BodyMaker::neighboursOf(const std::vector<std::size_t>& members) {
+    std::vector<std::size_t> found;
+    for (const std::size_t block : members)
+        for (const Contact& contact : slope_.contactsOf(block)) {
+            const auto other = static_cast<std::size_t>(contact.other);
+            if (slope_.free[other] && inside_.mark(other)) found.push_back(other);
+        }
+    return found;
+}
+
+}  // namespace talus::keyblocks

@@ -1,0 +1,42 @@
+#pragma once
+// The groups of blocks with the least factors of safety.
+
+#include <cstdint>
+#include <vector>
+
+#include "block_theory/judge.h"
+#include "block_theory/slope.h"
+#include "talus/analysis.h"
+
+namespace talus::keyblocks {
+
+/// Free blocks that move as one.
+struct Group {
+    std::vector<std::size_t> members;
+    Sliding sliding;             ///< without planes and joints
+    double mass = 0;             ///< [kg]
+    std::uint64_t identity = 0;  ///< a hash of the members, whatever their order
+};
+
+/// Less factor first; of equal ones (but for rounding) the heavier first, so that an answer names all that goes at it.
+bool isBefore(const Group& a, const Group& b);
+
+struct GroupSearch {
+    std::vector<Group> groups;   ///< in that order, no two the same
+    std::size_t directions = 0;  ///< tried for every block
+    std::size_t judged = 0;      ///< bodies, each once a direction
+    std::size_t left_out = 0;    ///< closures not looked at, for want of time
+    bool interrupted = false;
+};
+
+/// Groups that are judged:
+///  1. each block alone;
+///  2. what has to move with each block along each direction of `directionsOf`, as far as kMostVisits goes, small ones first;
+///  3. along each direction all that can move, connected piece by connected piece;
+///  4. from the weakest of these on, groups that grow by neighbours, and by what has to move with them, as long as that makes
+///     them no stronger: halves of a wedge, or of a slab that cohesion holds together, are stronger than the whole.
+/// The factor of each is exact for its body. That no weaker group exists is not proved: their number grows exponentially.
+GroupSearch leastGroups(const Slope& slope, const std::vector<Joint>& joints, std::size_t most, bool parallel,
+                        const Control& control);
+
+}  // namespace talus::keyblocks
