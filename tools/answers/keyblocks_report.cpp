@@ -142,7 +142,8 @@ std::string keyBlocksText(const KeyBlockResult& result, const std::string& scena
         row("scenario", scenario) +
         row("blocks", std::to_string(result.blocks.size()) + " free, alone " +
                           count([](const KeyBlock& block) { return block.removable; }) + " removable, " +
-                          count(moves) + " with a mode, " + count(unstable) + " with a factor below 1") +
+                          count(moves) + " driven out of their place, " + count(unstable) +
+                          " with a factor below 1") +
         row("groups", std::to_string(result.groups_judged) + " judged along " +
                           std::to_string(result.directions) + " directions" +
                           (result.interrupted ? ", interrupted" : "") + "; those with the least factors:");

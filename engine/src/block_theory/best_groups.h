@@ -9,17 +9,17 @@
 
 namespace talus::keyblocks {
 
-/// Keeps up to `most` groups, no two of the same blocks.
+/// Keeps up to `most` groups, no two of the same blocks. Of equal factors one that lies within another says nothing: all of the
+/// larger one goes at it. So it is left out, or a slope on one bed would fill the list with its parts.
 class BestGroups {
  public:
     explicit BestGroups(std::size_t most) : most_(most) {}
 
     void add(Group&& group) {
         if (group.sliding.mode == SlidingMode::none) return;
-        if (groups_.size() >= 2 * most_) {
-            cut();
-            if (isBefore(groups_.back(), group)) return;
-        }
+        if (groups_.size() >= 2 * most_) cut();
+        if (is_full_ && isBefore(groups_[most_ - 1], group)) return;
+        std::sort(group.members.begin(), group.members.end());
         groups_.push_back(std::move(group));
     }
     void add(BestGroups&& others) {
@@ -40,11 +40,28 @@ class BestGroups {
     void cut() {
         std::stable_sort(groups_.begin(), groups_.end(), isBefore);
         std::unordered_set<std::uint64_t> known;
-        std::erase_if(groups_, [&](const Group& group) { return !known.insert(group.identity).second; });
-        if (groups_.size() > most_) groups_.resize(most_);
+        std::vector<Group> kept;
+        std::size_t first_equal = 0;
+        for (Group& group : groups_) {
+            if (!known.insert(group.identity).second) continue;
+            if (!kept.empty() && !haveEqualFactors(kept.back(), group)) first_equal = kept.size();
+            const bool is_part =
+                std::any_of(kept.begin() + static_cast<std::ptrdiff_t>(first_equal), kept.end(),
+                            [&](const Group& larger) {
+                                return std::includes(larger.members.begin(), larger.members.end(),
+                                                     group.members.begin(), group.members.end());
+                            });
+            if (is_part) continue;
+            if (kept.size() == most_) break;
+            kept.push_back(std::move(group));
+        }
+        groups_ = std::move(kept);
+        is_full_ = groups_.size() == most_;
     }
 
     std::size_t most_;
+    bool is_full_ =
+        false;  ///< the first `most` of groups_ are in order, and others have to be better than the last of them
     std::vector<Group> groups_;
 };
 

@@ -2,14 +2,8 @@
 
 #include <algorithm>
 
-#include "block_theory/tolerances.h"
-
 namespace talus::keyblocks {
 namespace {
-
-bool stops(const Contact& contact, const Vec3& direction) {
-    return contact.normal.dot(direction) < -kInTheWay;
-}
 
 /// From held blocks backwards: whom they stop, and whom those stop.
 std::vector<char> movableBlocks(const Slope& slope, const Vec3& direction) {
@@ -22,8 +16,7 @@ std::vector<char> movableBlocks(const Slope& slope, const Vec3& direction) {
         stopped.pop_back();
         for (const Contact& contact : slope.contactsOf(b)) {
             const auto other = static_cast<std::size_t>(contact.other);
-            // The other sees this contact with the opposite normal.
-            if (!can_move[other] || contact.normal.dot(direction) <= kInTheWay) continue;
+            if (!can_move[other] || !isStoppedBeyond(contact, direction)) continue;
             can_move[other] = 0;
             stopped.push_back(other);
         }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "block_theory/slope.h"
+#include "block_theory/tolerances.h"
 
 namespace talus::keyblocks {
 
@@ -23,11 +24,26 @@ class Marks {
         at_[block] = now_;
         return true;
     }
+    /// \return whether it had a mark
+    bool unmark(std::size_t block) {
+        if (!has(block)) return false;
+        at_[block] = 0;
+        return true;
+    }
 
  private:
     std::vector<std::uint32_t> at_;
     std::uint32_t now_ = 1;
 };
+
+/// Whether, along a direction, the block beyond a contact stops the one that sees it; and the other way round (the other sees it
+/// with the opposite normal).
+inline bool stops(const Contact& contact, const Vec3& direction) {
+    return contact.normal.dot(direction) < -kInTheWay;
+}
+inline bool isStoppedBeyond(const Contact& contact, const Vec3& direction) {
+    return contact.normal.dot(direction) > kInTheWay;
+}
 
 /// Adds to `members`, and marks, what has to move with the blocks that are among them from `first` on.
 /// \return false, and members are not complete: a held block stops them, or they are more than `most`

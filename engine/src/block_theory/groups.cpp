@@ -43,6 +43,9 @@ std::vector<std::vector<std::size_t>> piecesOf(const Slope& slope, const std::ve
     return pieces;
 }
 
+/// So that what differs by rounding alone is equal to all.
+double rounded(const Group& group) { return std::round(group.sliding.factor * 1e9); }
+
 /// What one direction, or one share of the own ones, gives.
 struct Part {
     explicit Part(std::size_t most) : best(most) {}
@@ -177,10 +180,10 @@ class Search {
 
 }  // namespace
 
+bool haveEqualFactors(const Group& a, const Group& b) { return rounded(a) == rounded(b); }
+
 bool isBefore(const Group& a, const Group& b) {
-    // Rounded, so that what differs by rounding alone is equal to all.
-    const double unit_a = std::round(a.sliding.factor * 1e9), unit_b = std::round(b.sliding.factor * 1e9);
-    if (unit_a != unit_b) return unit_a < unit_b;
+    if (!haveEqualFactors(a, b)) return rounded(a) < rounded(b);
     const auto mass_a = static_cast<float>(a.mass), mass_b = static_cast<float>(b.mass);
     if (mass_a != mass_b) return mass_a > mass_b;
     return *std::min_element(a.members.begin(), a.members.end()) <

@@ -14,11 +14,20 @@ class Growth {
 
     /// Nothing where none is weaker, or as weak and heavier, or visits are used up.
     std::optional<Group> next(const Group& group) {
+        Group best = larger(group);
+        if (best.identity == group.identity) best = smaller(group);
+        if (best.identity == group.identity) return std::nullopt;
+        return best;
+    }
+
+ private:
+    /// The best of the groups with more blocks, or the group itself.
+    Group larger(const Group& group) {
         Group best = group;
         const auto look = [&](const Blocks& more) {
-            std::optional<Group> larger = with(group, more);
-            const bool no_stronger = larger && isBefore(*larger, group);
-            if (larger && isBefore(*larger, best)) best = std::move(*larger);
+            std::optional<Group> with = joined(group, more);
+            const bool no_stronger = with && isBefore(*with, group);
+            if (with && isBefore(*with, best)) best = std::move(*with);
             return no_stronger;
         };
         maker_.groupOf(group.members);
@@ -28,25 +37,66 @@ class Growth {
         for (const std::size_t neighbour : neighbours)
             if (look({neighbour})) weakening.push_back(neighbour);
         if (weakening.size() > 1 && weakening.size() < neighbours.size()) look(weakening);
-        if (best.identity == group.identity) return std::nullopt;
         return best;
     }
 
- private:
+    /// The best of the groups with fewer blocks, or the group itself.
+    Group smaller(const Group& group) {
+        Group best = group;
+        for (const std::size_t member : group.members) {
+            if (!affords(2 * group.members.size())) break;
+            for (const Blocks& piece : piecesWithout(group, member)) {
+                Group left = maker_.groupOf(piece);
+                if (left.sliding.mode != SlidingMode::none && isBefore(left, best)) best = std::move(left);
+            }
+        }
+        return best;
+    }
+
+    /// Whether so many blocks may still be looked at; they count as looked at then.
+    bool affords(std::size_t blocks) {
+        if (blocks > visits_) return false;
+        visits_ -= blocks;
+        return true;
+    }
+
     /// The group with these blocks, and what has to move with them; nothing where that cannot move.
-    std::optional<Group> with(const Group& group, const Blocks& more) {
-        if (more.empty() || 2 * group.members.size() + more.size() > visits_) return std::nullopt;
+    std::optional<Group> joined(const Group& group, const Blocks& more) {
+        if (more.empty() || !affords(2 * group.members.size() + more.size())) return std::nullopt;
         marks_.clear();
         Blocks members = group.members;
         for (const std::size_t block : members) marks_.mark(block);
         for (const std::size_t block : more)
             if (marks_.mark(block)) members.push_back(block);
-        const bool moves =
-            closeOver(slope_, group.sliding.direction, group.members.size(), slope_.size(), marks_, members);
-        visits_ -= std::min(visits_, 2 * members.size());
-        if (!moves) return std::nullopt;
-        Group larger = maker_.groupOf(members);
-        return larger.sliding.mode == SlidingMode::none ? std::nullopt : std::optional(std::move(larger));
+        if (!closeOver(slope_, group.sliding.direction, group.members.size(), slope_.size(), marks_, members))
+            return std::nullopt;
+        Group with = maker_.groupOf(members);
+        return with.sliding.mode == SlidingMode::none ? std::nullopt : std::optional(std::move(with));
+    }
+
+    /// What is left of a group once a member is held, in pieces that hang together.
+    std::vector<Blocks> piecesWithout(const Group& group, std::size_t member) {
+        Marks& inside = marks_;
+        inside.clear();
+        for (const std::size_t block : group.members) inside.mark(block);
+        Blocks held{member};
+        inside.unmark(member);
+        for (std::size_t k = 0; k < held.size(); ++k)
+            for (const Contact& contact : slope_.contactsOf(held[k]))
+                if (isStoppedBeyond(contact, group.sliding.direction) &&
+                    inside.unmark(static_cast<std::size_t>(contact.other)))
+                    held.push_back(static_cast<std::size_t>(contact.other));
+        std::vector<Blocks> pieces;
+        for (const std::size_t first : group.members) {
+            if (!inside.unmark(first)) continue;
+            Blocks piece{first};
+            for (std::size_t k = 0; k < piece.size(); ++k)
+                for (const Contact& contact : slope_.contactsOf(piece[k]))
+                    if (inside.unmark(static_cast<std::size_t>(contact.other)))
+                        piece.push_back(static_cast<std::size_t>(contact.other));
+            pieces.push_back(std::move(piece));
+        }
+        return pieces;
     }
 
     const Slope& slope_;
