@@ -1,4 +1,5 @@
-// Block theory on models: closed forms, what no turn, scale or order may change, and all groups of small slopes.
+// Block theory on models: closed forms, what no turn, scale or order may change, and all groups of small
+// slopes.
 
 #include "talus/block_theory.h"
 

@@ -1,14 +1,16 @@
 #pragma once
 // Block theory: which blocks of a slope can move at all, and at which factor of safety, by limit equilibrium.
 //
-// A block is removable when a direction exists along which no neighbour is in its way (R. E. Goodman and G.-H. Shi, Block
-// Theory and Its Application to Rock Engineering, 1985). Which way it moves follows from the resultant of the forces on it
-// by vector algebra (P. M. Warburton, Int. J. Rock Mech. Min. Sci. 18: 415-427, 1981). Blocks that stand in each other's
-// way along a direction move as one body.
+// A block is removable when a direction exists along which no neighbour is in its way (R. E. Goodman and
+// G.-H. Shi, Block Theory and Its Application to Rock Engineering, 1985). Which way it moves follows from the
+// resultant of the forces on it by vector algebra (P. M. Warburton, Int. J. Rock Mech. Min. Sci. 18: 415-427,
+// 1981). Blocks that stand in each other's way along a direction move as one body.
 //
-// Translation only: toppling is not covered. Contacts are those of the model as built; block theory asks for no stiffness.
+// Translation only: toppling is not covered. Contacts are those of the model as built; block theory asks for
+// no stiffness.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,8 +54,8 @@ struct Sliding {
 struct KeyBlock {
     std::string name;
     bool removable = false;
-    /// Where it is removable: a direction along which no neighbour is in its way. That of sliding, if it has one; else
-    /// the one nearest to where its free faces look.
+    /// Where it is removable: a direction along which no neighbour is in its way. That of sliding, if it has
+    /// one; else the one nearest to where its free faces look.
     Vec3 free_direction = Vec3::Zero();
     Sliding sliding;
     double volume = 0;  ///< [m^3]
@@ -94,7 +96,8 @@ struct LeastGroup {
     std::vector<std::string> blocks;  ///< sorted
 };
 
-/// Nothing where no group can move. Errors: as of `keyBlocks`, and that it was asked to stop.
+/// Of groups of one factor the heaviest. Blocks that fall have factor 0 and come first: `withoutBlocks` takes
+/// them out. Nothing where no group can move. Errors: as of `keyBlocks`, and that it was asked to stop.
 Result<std::optional<LeastGroup>> leastGroup(const Model& model, const Control& control = {});
 
 }  // namespace talus

@@ -9,8 +9,9 @@
 
 namespace talus::keyblocks {
 
-/// Keeps up to `most` groups, no two of the same blocks. Of equal factors one that lies within another says nothing: all of the
-/// larger one goes at it. So it is left out, or a slope on one bed would fill the list with its parts.
+/// Keeps up to `most` groups, no two of the same blocks. Of equal factors one that lies within another says
+/// nothing: all of the larger one goes at it. So it is left out, or a slope on one bed would fill the list
+/// with its parts.
 class BestGroups {
  public:
     explicit BestGroups(std::size_t most) : most_(most) {}
@@ -60,8 +61,8 @@ class BestGroups {
     }
 
     std::size_t most_;
-    bool is_full_ =
-        false;  ///< the first `most` of groups_ are in order, and others have to be better than the last of them
+    /// The first `most` of groups_ are in order, and others have to be better than the last of them.
+    bool is_full_ = false;
     std::vector<Group> groups_;
 };
 

@@ -9,8 +9,8 @@
 namespace talus::keyblocks {
 namespace {
 
-/// Two planes less than this from parallel have no line of intersection to speak of; half the angle at which a neighbour is in
-/// the way, so that of two such planes one is enough.
+/// Two planes less than this from parallel have no line of intersection to speak of; half the angle at which
+/// a neighbour is in the way, so that of two such planes one is enough.
 constexpr double kParallel = 0.5 * kInTheWay;
 
 /// The least of s.n over |s|, and whose it is.
@@ -95,9 +95,9 @@ class SmallCone {
 }  // namespace
 
 Projection project(const Vec3& force, std::span<const Contact> contacts) {
-    // The contact most in the way joins those that are pressed, until none is: a dual active-set method (D. Goldfarb and A.
-    // Idnani, Math. Program. 27: 1-33, 1983) in three dimensions. `along` gets shorter each time, so it ends; the bound
-    // is for planes that differ by rounding.
+    // The contact most in the way joins those that are pressed, until none is: a dual active-set method (D.
+    // Goldfarb and A. Idnani, Math. Program. 27: 1-33, 1983) in three dimensions. `along` gets shorter each
+    // time, so it ends; the bound is for planes that differ by rounding.
     constexpr int kMostTurns = 100;
     Projection found{force, {-1, -1}};
     for (int turn = 0; turn < kMostTurns && found.along.norm() > kNoForce * force.norm(); ++turn) {
@@ -110,7 +110,8 @@ Projection project(const Vec3& force, std::span<const Contact> contacts) {
 
 Vec3 freeDirection(std::span<const Contact> contacts) {
     if (contacts.empty()) return -Vec3::UnitZ();
-    // The faces of a body add up to nothing, so its contacts' normals point, on the whole, to where it has none.
+    // The faces of a body add up to nothing, so its contacts' normals point, on the whole, to where it has
+    // none.
     Vec3 outwards = Vec3::Zero();
     for (const Contact& contact : contacts) outwards += contact.area * contact.normal;
     std::vector<Vec3> tried{outwards};

@@ -114,7 +114,8 @@ void distinctNormals(std::span<const Contact> contacts, std::vector<Vec3>& norma
     }
 }
 
-/// What a block may slide along under a force: as it falls, on the planes it presses, along lines of two of them.
+/// What a block may slide along under a force: as it falls, on the planes it presses, along lines of two of
+/// them.
 template <class Add>
 void addDirectionsUnder(const Vec3& force, const std::vector<Vec3>& normals, const Add& add) {
     addUnit(force, 0, add);

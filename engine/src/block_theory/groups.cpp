@@ -22,8 +22,8 @@ constexpr std::size_t kLeastVisits = 4;  ///< of a direction, for every block
 constexpr std::size_t kMostOwn = 1000, kLeastOwn = 20;
 /// Groups that are grown, and blocks that this may look at: half a second.
 constexpr std::size_t kMostGrown = 32, kGrowthVisits = 2'000'000;
-/// Directions between two looks at whether to stop, and own directions likewise; not the number of threads, so that the
-/// answer does not depend on it.
+/// Directions between two looks at whether to stop, and own directions likewise; not the number of threads,
+/// so that the answer does not depend on it.
 constexpr std::size_t kDirectionsAtOnce = 8, kOwnAtOnce = 4096;
 
 /// Connected pieces of the blocks that can move.
@@ -66,13 +66,17 @@ class Search {
           directions_(directionsOf(slope)) {}
 
     GroupSearch run(std::size_t most) {
+        stage_ = {0, 0.05};
         lookAt(1, 1, [&](std::size_t, Part& part) { alone(part); });
+        stage_ = {0.05, 0.6};
         const std::size_t share = kMostVisits / std::max<std::size_t>(directions_.everywhere.size(), 1);
         const std::size_t visits = std::max(share, kLeastVisits * slope_.size());
         lookAt(directions_.everywhere.size(), kDirectionsAtOnce,
                [&](std::size_t k, Part& part) { along(directions_.everywhere[k], visits, part); });
+        stage_ = {0.6, 0.9};
         const std::size_t shares = (directions_.own.size() + kOwnAtOnce - 1) / kOwnAtOnce;
         lookAt(shares, kDirectionsAtOnce, [&](std::size_t k, Part& part) { ofBlocks(k, part); });
+        stage_ = {0.9, 1};
         grown();
         found_.directions = directions_.everywhere.size();
         found_.groups = best_.take();
@@ -96,13 +100,13 @@ class Search {
                 found_.left_out += part.left_out;
             }
             found_.interrupted = isStopped(control_);
-            report(first + n, count);
+            report(static_cast<double>(first + n) / static_cast<double>(count));
         }
     }
 
-    void report(std::size_t done, std::size_t of) const {
+    void report(double done) const {
         if (control_.progress)
-            control_.progress({"groups of blocks", static_cast<double>(done) / static_cast<double>(of),
+            control_.progress({"groups of blocks", stage_.from + done * (stage_.to - stage_.from),
                                std::to_string(found_.judged) + " groups"});
     }
 
@@ -176,6 +180,10 @@ class Search {
     BestGroups best_;
     Directions directions_;
     GroupSearch found_{};
+    /// Of the progress, 0..1, as it was on a slope of 100,000 blocks.
+    struct {
+        double from = 0, to = 1;
+    } stage_;
 };
 
 }  // namespace

@@ -18,7 +18,8 @@ struct Group {
     std::uint64_t identity = 0;  ///< a hash of the members, whatever their order
 };
 
-/// Less factor first; of equal ones (but for rounding) the heavier first, so that an answer names all that goes at it.
+/// Less factor first; of equal ones (but for rounding) the heavier first, so that an answer names all that
+/// goes at it.
 bool isBefore(const Group& a, const Group& b);
 bool haveEqualFactors(const Group& a, const Group& b);
 
@@ -32,11 +33,14 @@ struct GroupSearch {
 
 /// Groups that are judged:
 ///  1. each block alone;
-///  2. what has to move with each block along each direction of `directionsOf`, as far as kMostVisits goes, small ones first;
+///  2. what has to move with each block along each direction of `directionsOf`, as far as kMostVisits goes,
+///     small ones first;
 ///  3. along each direction all that can move, connected piece by connected piece;
-///  4. from the weakest of these on, groups with neighbours more and members less, as long as that makes them weaker (growth.h):
-///     halves of a wedge, or of a slab that cohesion holds together, are stronger than the whole.
-/// The factor of each is exact for its body. That no weaker group exists is not proved: their number grows exponentially.
+///  4. from the weakest of these on, groups with neighbours more and members less, as long as that makes them
+///     weaker (growth.h): halves of a wedge, or of a slab that cohesion holds together, are stronger than the
+///     whole.
+/// The factor of each is exact for its body. That no weaker group exists is not proved: their number grows
+/// exponentially.
 GroupSearch leastGroups(const Slope& slope, const std::vector<Joint>& joints, std::size_t most, bool parallel,
                         const Control& control);
 

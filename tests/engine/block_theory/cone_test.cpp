@@ -21,8 +21,8 @@ double clearance(const Vec3& s, const std::vector<Contact>& contacts) {
     return least;
 }
 
-/// The nearest point of the cone by its definition: of all faces, edges and the corner the one whose projection lies in the
-/// cone and is nearest to the force.
+/// The nearest point of the cone by its definition: of all faces, edges and the corner the one whose
+/// projection lies in the cone and is nearest to the force.
 Vec3 nearestByEnumeration(const Vec3& force, const std::vector<Contact>& contacts) {
     Vec3 best = Vec3::Zero();
     const auto look = [&](const Vec3& s) {
@@ -102,8 +102,8 @@ TEST_CASE("a block is removable exactly where a direction of the sphere has no n
 }
 
 TEST_CASE("of the eight joint pyramids of three joints one has no direction into the rock below a face") {
-    // Goodman and Shi: the block of a joint pyramid is finite where pyramid and excavation pyramid meet in the origin only, and
-    // removable where the joint pyramid itself is not empty.
+    // Goodman and Shi: the block of a joint pyramid is finite where pyramid and excavation pyramid meet in
+    // the origin only, and removable where the joint pyramid itself is not empty.
     const std::vector<Vec3> joints{poleOf(71, 163), poleOf(68, 243), poleOf(45, 280)};
     for (const Vec3& face : {poleOf(60, 90), poleOf(90, 0), poleOf(0, 0), poleOf(60, 300)}) {
         // Each edge of the pyramid that qualifies points out of the face.

@@ -29,6 +29,7 @@ __all__ = [
     "batch",
     "critical_acceleration",
     "critical_angle",
+    "keyblocks",
     "limit_analysis",
     "load",
     "open",
@@ -108,6 +109,14 @@ def limit_analysis(model, load="factor", *, max_points=_core.max_contact_points,
     return Result.of_json(
         _core.limit_analysis(_model(model), load=load, max_points=max_points, threads=threads, progress=progress)
     )
+
+
+def keyblocks(model, *, most=_core.most_groups, threads=0, progress=None):
+    """Block theory: removable ``blocks`` and ``moving_groups`` with their factors, by limit equilibrium (translation only).
+
+    most: how many groups to list, those with the least factors of safety.
+    """
+    return Result.of_json(_core.keyblocks(_model(model), most=most, threads=threads, progress=progress))
 
 
 def run(model=None, output=None, *, resume=None, full_every=10, force=False, threads=0, progress=None):

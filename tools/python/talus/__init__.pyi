@@ -218,6 +218,9 @@ def limit_analysis(
     threads: int = 0,
     progress: _Progress | None = None,
 ) -> Result: ...
+def keyblocks(
+    model: Model | _Path, *, most: int = ..., threads: int = 0, progress: _Progress | None = None
+) -> Result: ...
 def run(
     model: Model | _Path | None = None,
     output: _Path | None = None,
