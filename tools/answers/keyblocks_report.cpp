@@ -81,7 +81,7 @@ std::string row(std::string label, const std::string& content) {
 std::string modeText(const Sliding& sliding) {
     std::string joints;
     for (const std::string& joint : sliding.joints) joints += (joints.empty() ? "" : " and ") + joint;
-    if (sliding.mode == SlidingMode::falls) return "falls";
+    if (sliding.mode == SlidingMode::falls) return sliding.direction.z() > 0 ? "is lifted" : "falls";
     return (sliding.mode == SlidingMode::wedge ? "wedge on " : "slides on ") + joints;
 }
 

@@ -16,7 +16,7 @@ namespace talus::keyblocks {
 namespace {
 
 /// Blocks that closures may look at, over all directions: some seconds. What is beyond is left out, and said.
-constexpr std::size_t kMostVisits = 20'000'000;
+constexpr std::size_t kMostVisits = 40'000'000;
 constexpr std::size_t kLeastVisits = 4;  ///< of a direction, for every block
 /// Blocks in a closure that a direction is tried on for one block only.
 constexpr std::size_t kMostOwn = 1000, kLeastOwn = 20;
