@@ -68,7 +68,7 @@ Json blockJson(const KeyBlock& block) {
 }
 
 Json groupJson(const MovingGroup& group) {
-    Json json{{"blocks", group.blocks}};
+    Json json{{"blocks", group.blocks}, {"carries", group.carries}};
     addSliding(group.sliding, group.volume, group.mass, json);
     return json;
 }
@@ -99,7 +99,8 @@ std::string groupTable(const KeyBlockResult& result, std::size_t rows) {
         const Line line = lineOf(group.sliding.direction);
         lines.push_back({text(group.sliding.factor, 4), modeText(group.sliding),
                          text(line.trend, 1) + "/" + text(line.plunge, 1), text(group.volume, 3),
-                         text(group.mass / 1000, 2), compactNames(group.blocks, kNames)});
+                         text(group.mass / 1000, 2),
+                         (group.carries.empty() ? "" : "* ") + compactNames(group.blocks, kNames)});
     }
     constexpr std::array<bool, 6> kLeft{false, true, false, false, false, true};
     std::array<std::size_t, 6> width{};
@@ -148,6 +149,10 @@ std::string keyBlocksText(const KeyBlockResult& result, const std::string& scena
                           std::to_string(result.directions) + " directions" +
                           (result.interrupted ? ", interrupted" : "") + "; those with the least factors:");
     out += result.groups.empty() ? row("", "none can move") : "\n" + groupTable(result, rows) + "\n";
+    const bool any_carries = std::any_of(result.groups.begin(), result.groups.end(),
+                                         [](const MovingGroup& group) { return !group.carries.empty(); });
+    if (any_carries)
+        out += row("*", "blocks lean on it that cannot move with it; what they press with is not counted");
     return out + row("covers", "limit equilibrium, translation only: toppling is not covered") +
            row("cost", text(result.wall_seconds, 2) + " s");
 }

@@ -16,10 +16,13 @@ class BestGroups {
  public:
     explicit BestGroups(std::size_t most) : most_(most) {}
 
+    /// Whether it may be among the best.
+    bool wants(const Group& group) const {
+        return group.sliding.mode != SlidingMode::none && !(is_full_ && isBefore(groups_[most_ - 1], group));
+    }
     void add(Group&& group) {
-        if (group.sliding.mode == SlidingMode::none) return;
         if (groups_.size() >= 2 * most_) cut();
-        if (is_full_ && isBefore(groups_[most_ - 1], group)) return;
+        if (!wants(group)) return;
         std::sort(group.members.begin(), group.members.end());
         groups_.push_back(std::move(group));
     }
@@ -49,7 +52,8 @@ class BestGroups {
             const bool is_part =
                 std::any_of(kept.begin() + static_cast<std::ptrdiff_t>(first_equal), kept.end(),
                             [&](const Group& larger) {
-                                return std::includes(larger.members.begin(), larger.members.end(),
+                                return larger.carried.empty() == group.carried.empty() &&
+                                       std::includes(larger.members.begin(), larger.members.end(),
                                                      group.members.begin(), group.members.end());
                             });
             if (is_part) continue;

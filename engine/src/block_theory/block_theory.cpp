@@ -57,6 +57,7 @@ std::vector<MovingGroup> movingGroups(const Slope& slope, const Model& model, co
     std::vector<MovingGroup> groups;
     for (const Group& group : search.groups) {
         MovingGroup moving{.blocks = namesOf(model, group.members),
+                           .carries = namesOf(model, group.carried),
                            .sliding = maker.detailsOf(group.members),
                            .mass = group.mass};
         for (const std::size_t block : group.members) moving.volume += slope.volume[block];
@@ -129,13 +130,14 @@ Result<KeyBlockResult> keyBlocks(const Model& model, const Control& control,
 }
 
 Result<std::optional<LeastGroup>> leastGroup(const Model& model, const Control& control) {
-    auto found = keyBlocks(model, control, {.most_groups = 1});
+    auto found = keyBlocks(model, control);
     if (!found) return found.errors();
     if (found->interrupted) return Error{"", "interrupted while groups of blocks were sought"};
-    if (found->groups.empty()) return std::optional<LeastGroup>{};
-    MovingGroup& group = found->groups.front();
-    return std::optional<LeastGroup>{
-        LeastGroup{group.sliding.factor, kindOf(group.sliding.mode), std::move(group.blocks)}};
+    for (MovingGroup& group : found->groups)
+        if (group.carries.empty())
+            return std::optional<LeastGroup>{
+                LeastGroup{group.sliding.factor, kindOf(group.sliding.mode), std::move(group.blocks)}};
+    return std::optional<LeastGroup>{};
 }
 
 }  // namespace talus

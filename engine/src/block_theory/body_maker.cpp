@@ -1,5 +1,9 @@
 #include "block_theory/body_maker.h"
 
+#include <algorithm>
+
+#include "block_theory/tolerances.h"
+
 namespace talus::keyblocks {
 namespace {
 
@@ -54,6 +58,58 @@ std::vector<std::size_t> BodyMaker::neighboursOf(const std::vector<std::size_t>&
             if (slope_.free[other] && inside_.mark(other)) found.push_back(other);
         }
     return found;
+}
+
+bool BodyMaker::leansOnInside(std::size_t block) const {
+    const Vec3& force = slope_.force[block];
+    const auto contacts = slope_.contactsOf(block);
+    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+        return inside_.has(static_cast<std::size_t>(contact.other)) &&
+               force.dot(contact.normal) < -kNoForce * force.norm();
+    });
+}
+
+double BodyMaker::factorWithoutInside(std::size_t block) {
+    outer_.clear();
+    for (const Contact& contact : slope_.contactsOf(block))
+        if (!inside_.has(static_cast<std::size_t>(contact.other))) outer_.push_back(contact);
+    return judgeBriefly({slope_.force[block], outer_}, joints_).factor;
+}
+
+std::vector<std::size_t> BodyMaker::carriedBy(const Group& group) {
+    constexpr double kRounding = 1e-9;
+    bodyOf(group.members);
+    seen_.clear();
+    std::vector<std::size_t> carried;
+    for (const std::size_t member : group.members)
+        for (const Contact& contact : slope_.contactsOf(member)) {
+            const auto other = static_cast<std::size_t>(contact.other);
+            if (!slope_.free[other] || inside_.has(other) || !seen_.mark(other)) continue;
+            if (leansOnInside(other) && factorWithoutInside(other) < group.sliding.factor * (1 - kRounding))
+                carried.push_back(other);
+        }
+    return carried;
+}
+
+Group BodyMaker::settled(Group group) {
+    while (group.sliding.mode != SlidingMode::none) {
+        std::vector<std::size_t> carried = carriedBy(group);
+        if (carried.empty()) return group;
+        std::vector<std::size_t> members = group.members;
+        seen_.clear();
+        for (const std::size_t block : members) seen_.mark(block);
+        for (const std::size_t block : carried)
+            if (seen_.mark(block)) members.push_back(block);
+        const bool moves =
+            closeOver(slope_, group.sliding.direction, group.members.size(), slope_.size(), seen_, members);
+        Group larger = moves ? groupOf(members) : Group{};
+        if (larger.sliding.mode == SlidingMode::none) {
+            group.carried = std::move(carried);
+            return group;
+        }
+        group = std::move(larger);
+    }
+    return group;
 }
 
 }  // namespace talus::keyblocks

@@ -117,8 +117,9 @@ class Search {
     }
 
     static void judge(const std::vector<std::size_t>& members, BodyMaker& maker, Part& part) {
-        part.best.add(maker.groupOf(members));
+        Group group = maker.groupOf(members);
         ++part.judged;
+        if (part.best.wants(group)) part.best.add(maker.settled(std::move(group)));
     }
 
     void along(const Vec3& direction, std::size_t visits, Part& part) const {
@@ -164,7 +165,8 @@ class Search {
 
     void grown() {
         std::vector<Group> from = best_.sorted();
-        std::erase_if(from, [](const Group& group) { return !(group.sliding.factor > 0); });
+        std::erase_if(
+            from, [](const Group& group) { return !(group.sliding.factor > 0) || !group.carried.empty(); });
         if (from.size() > kMostGrown) from.resize(kMostGrown);
         lookAt(from.size(), kMostGrown, [&](std::size_t k, Part& part) {
             BodyMaker maker(slope_, joints_);

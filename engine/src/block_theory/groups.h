@@ -16,6 +16,8 @@ struct Group {
     Sliding sliding;             ///< without planes and joints
     double mass = 0;             ///< [kg]
     std::uint64_t identity = 0;  ///< a hash of the members, whatever their order
+    /// Blocks that it carries (BodyMaker::settled) and that cannot move with it.
+    std::vector<std::size_t> carried{};
 };
 
 /// Less factor first; of equal ones (but for rounding) the heavier first, so that an answer names all that
@@ -39,6 +41,7 @@ struct GroupSearch {
 ///  4. from the weakest of these on, groups with neighbours more and members less, as long as that makes them
 ///     weaker (growth.h): halves of a wedge, or of a slab that cohesion holds together, are stronger than the
 ///     whole.
+/// Those that may be listed take along what they carry (BodyMaker::settled).
 /// The factor of each is exact for its body. That no weaker group exists is not proved: their number grows
 /// exponentially.
 GroupSearch leastGroups(const Slope& slope, const std::vector<Joint>& joints, std::size_t most, bool parallel,

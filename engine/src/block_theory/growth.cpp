@@ -26,9 +26,10 @@ class Growth {
         Group best = group;
         const auto look = [&](const Blocks& more) {
             std::optional<Group> with = joined(group, more);
-            const bool no_stronger = with && isBefore(*with, group);
-            if (with && isBefore(*with, best)) best = std::move(*with);
-            return no_stronger;
+            if (with) with = better(std::move(*with), group);
+            if (!with) return false;
+            if (isBefore(*with, best)) best = std::move(*with);
+            return true;
         };
         maker_.groupOf(group.members);
         const Blocks neighbours = maker_.neighboursOf(group.members);
@@ -45,12 +46,19 @@ class Growth {
         Group best = group;
         for (const std::size_t member : group.members) {
             if (!affords(2 * group.members.size())) break;
-            for (const Blocks& piece : piecesWithout(group, member)) {
-                Group left = maker_.groupOf(piece);
-                if (left.sliding.mode != SlidingMode::none && isBefore(left, best)) best = std::move(left);
-            }
+            for (const Blocks& piece : piecesWithout(group, member))
+                if (auto left = better(maker_.groupOf(piece), best)) best = std::move(*left);
         }
         return best;
+    }
+
+    /// A group with all that it carries, if that is better than another group.
+    std::optional<Group> better(Group group, const Group& than) {
+        if (group.sliding.mode == SlidingMode::none || !isBefore(group, than)) return std::nullopt;
+        if (!affords(2 * group.members.size())) return std::nullopt;
+        group = maker_.settled(std::move(group));
+        if (!group.carried.empty() || !isBefore(group, than)) return std::nullopt;
+        return group;
     }
 
     /// Whether so many blocks may still be looked at; they count as looked at then.
