@@ -365,7 +365,7 @@ TEST_SUITE("physics") {
     TEST_CASE("key blocks: no set of a small slope's blocks is weaker than the group that is found") {
         std::mt19937 random(6);
         int exact = 0, finite = 0;
-        constexpr int kSlopes = 300;  // of 3,000 one has a group that is 1 % weaker
+        constexpr int kSlopes = 300;
         for (int k = 0; k < kSlopes; ++k) {
             const Model model = drawnSlope(random);
             const double least = leastOfAllSets(model), answer = leastFactor(model);

@@ -15,6 +15,11 @@ std::uint64_t mixed(std::uint64_t block) {
     return z ^ (z >> 31U);
 }
 
+constexpr double kRounding = 1e-9;  ///< of factors
+/// Turns in which a group takes along only those that it carries and that need it most; then all at once, for
+/// time.
+constexpr int kOneByOne = 30;
+
 }  // namespace
 
 std::uint64_t BodyMaker::identityOf(const std::vector<std::size_t>& members) {
@@ -76,35 +81,39 @@ double BodyMaker::factorWithoutInside(std::size_t block) {
     return judgeBriefly({slope_.force[block], outer_}, joints_).factor;
 }
 
-std::vector<std::size_t> BodyMaker::carriedBy(const Group& group) {
-    constexpr double kRounding = 1e-9;
+BodyMaker::Carried BodyMaker::carriedBy(const Group& group) {
     bodyOf(group.members);
     seen_.clear();
-    std::vector<std::size_t> carried;
+    Carried carried;
     for (const std::size_t member : group.members)
         for (const Contact& contact : slope_.contactsOf(member)) {
             const auto other = static_cast<std::size_t>(contact.other);
             if (!slope_.free[other] || inside_.has(other) || !seen_.mark(other)) continue;
-            if (leansOnInside(other) && factorWithoutInside(other) < group.sliding.factor * (1 - kRounding))
-                carried.push_back(other);
+            if (!leansOnInside(other)) continue;
+            const double factor = factorWithoutInside(other);
+            if (factor < group.sliding.factor * (1 - kRounding)) carried.emplace_back(other, factor);
         }
     return carried;
 }
 
 Group BodyMaker::settled(Group group) {
-    while (group.sliding.mode != SlidingMode::none) {
-        std::vector<std::size_t> carried = carriedBy(group);
+    for (int turn = 0; group.sliding.mode != SlidingMode::none; ++turn) {
+        const Carried carried = carriedBy(group);
         if (carried.empty()) return group;
+        double least = kInfinity;
+        for (const auto& [block, factor] : carried) least = std::min(least, factor);
+        // With those that need it most the group may be so weak that it carries no others.
+        const double most = turn < kOneByOne ? least * (1 + kRounding) : kInfinity;
         std::vector<std::size_t> members = group.members;
         seen_.clear();
         for (const std::size_t block : members) seen_.mark(block);
-        for (const std::size_t block : carried)
-            if (seen_.mark(block)) members.push_back(block);
+        for (const auto& [block, factor] : carried)
+            if (factor <= most && seen_.mark(block)) members.push_back(block);
         const bool moves =
             closeOver(slope_, group.sliding.direction, group.members.size(), slope_.size(), seen_, members);
         Group larger = moves ? groupOf(members) : Group{};
         if (larger.sliding.mode == SlidingMode::none) {
-            group.carried = std::move(carried);
+            for (const auto& [block, factor] : carried) group.carried.push_back(block);
             return group;
         }
         group = std::move(larger);

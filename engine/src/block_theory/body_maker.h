@@ -1,6 +1,7 @@
 #pragma once
 // Blocks put together to one body.
 
+#include <utility>
 #include <vector>
 
 #include "block_theory/closures.h"
@@ -21,18 +22,21 @@ class BodyMaker {
     /// Free blocks that touch it, each once. \param members  as of the last call of one of the two above
     std::vector<std::size_t> neighboursOf(const std::vector<std::size_t>& members);
 
-    /// A group's factor takes it that the rest presses on it nowhere. That is so only if the rest stands without
-    /// it, at strengths divided by that factor. A neighbour that leans on the group and does not stand so (its own
-    /// factor without the group is less) is carried: it goes with the group, with what has to move with it,
-    /// until nothing more is carried. Else the lowest row of a stack would slide from under the others as if
-    /// they had no weight. Where what is carried cannot move the group keeps it as `carried`.
+    /// A group's factor takes it that the rest presses on it nowhere. That is so only if the rest stands
+    /// without it, at strengths divided by that factor. A neighbour that leans on the group and does not
+    /// stand so (its own factor without the group is less) is carried: it goes with the group, with what has
+    /// to move with it, the one with the least factor first, until nothing more is carried. Else the lowest
+    /// row of a stack would slide from under the others as if they had no weight. Where what is carried
+    /// cannot move the group keeps it as `carried`.
     Group settled(Group group);
 
     static std::uint64_t identityOf(const std::vector<std::size_t>& members);
 
  private:
     Body bodyOf(const std::vector<std::size_t>& members);
-    std::vector<std::size_t> carriedBy(const Group& group);
+    /// Block, and its factor without the group.
+    using Carried = std::vector<std::pair<std::size_t, double>>;
+    Carried carriedBy(const Group& group);
     bool leansOnInside(std::size_t block) const;
     /// Against all that is not in the body of the last `bodyOf`.
     double factorWithoutInside(std::size_t block);
