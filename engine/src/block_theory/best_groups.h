@@ -5,7 +5,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "block_theory/groups.h"
+#include "block_theory/group.h"
 
 namespace talus::keyblocks {
 

@@ -82,6 +82,8 @@ double BodyMaker::factorWithoutInside(std::size_t block) {
 }
 
 BodyMaker::Carried BodyMaker::carriedBy(const Group& group) {
+    constexpr std::size_t kMembersPerNeighbour = 8;  // marked in the time that a neighbour is judged
+    work_left_ -= std::min(work_left_, group.members.size() / kMembersPerNeighbour);
     bodyOf(group.members);
     seen_.clear();
     Carried carried;
@@ -90,15 +92,18 @@ BodyMaker::Carried BodyMaker::carriedBy(const Group& group) {
             const auto other = static_cast<std::size_t>(contact.other);
             if (!slope_.free[other] || inside_.has(other) || !seen_.mark(other)) continue;
             if (!leansOnInside(other)) continue;
+            work_left_ -= std::min<std::size_t>(work_left_, 1);
             const double factor = factorWithoutInside(other);
             if (factor < group.sliding.factor * (1 - kRounding)) carried.emplace_back(other, factor);
         }
     return carried;
 }
 
-Group BodyMaker::settled(Group group) {
+Group BodyMaker::settled(Group group, std::unordered_set<std::uint64_t>* known) {
     for (int turn = 0; group.sliding.mode != SlidingMode::none; ++turn) {
+        if (known != nullptr && !known->insert(group.identity).second) return Group{};
         const Carried carried = carriedBy(group);
+        if (isUsedUp()) return Group{};
         if (carried.empty()) return group;
         double least = kInfinity;
         for (const auto& [block, factor] : carried) least = std::min(least, factor);

@@ -1,11 +1,14 @@
 #pragma once
 // Blocks put together to one body.
 
+#include <cstdint>
+#include <limits>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "block_theory/closures.h"
-#include "block_theory/groups.h"
+#include "block_theory/group.h"
 
 namespace talus::keyblocks {
 
@@ -27,8 +30,13 @@ class BodyMaker {
     /// stand so (its own factor without the group is less) is carried: it goes with the group, with what has
     /// to move with it, the one with the least factor first, until nothing more is carried. Else the lowest
     /// row of a stack would slide from under the others as if they had no weight. Where what is carried
-    /// cannot move the group keeps it as `carried`.
-    Group settled(Group group);
+    /// cannot move the group keeps it as `carried`. Nothing moves in what it gives where the work that is
+    /// allowed is used up, or where it comes to a group that `known` has (it adds those on its way): that one
+    /// was settled before.
+    Group settled(Group group, std::unordered_set<std::uint64_t>* known = nullptr);
+    /// Neighbours and members that `settled` may look at from now on.
+    void allow(std::size_t work) { work_left_ = work; }
+    bool isUsedUp() const { return work_left_ == 0; }
 
     static std::uint64_t identityOf(const std::vector<std::size_t>& members);
 
@@ -45,6 +53,7 @@ class BodyMaker {
     const std::vector<Joint>& joints_;
     Marks inside_, seen_;
     std::vector<Contact> outer_{};
+    std::size_t work_left_ = std::numeric_limits<std::size_t>::max();
 };
 
 }  // namespace talus::keyblocks

@@ -20,6 +20,9 @@ constexpr std::size_t kMostVisits = 40'000'000;
 constexpr std::size_t kLeastVisits = 4;  ///< of a direction, for every block
 /// Blocks in a closure that a direction is tried on for one block only.
 constexpr std::size_t kMostOwn = 1000, kLeastOwn = 20;
+/// Of each direction so many groups are looked at for what they carry, the weakest; and in all so many of
+/// their neighbours are judged: a second.
+constexpr std::size_t kSettled = 64, kSettlingWork = 1'000'000, kLeastSettlingWork = 2000;
 /// Groups that are grown, and blocks that this may look at: half a second.
 constexpr std::size_t kMostGrown = 32, kGrowthVisits = 2'000'000;
 /// Directions between two looks at whether to stop, and own directions likewise; not the number of threads,
@@ -43,13 +46,11 @@ std::vector<std::vector<std::size_t>> piecesOf(const Slope& slope, const std::ve
     return pieces;
 }
 
-/// So that what differs by rounding alone is equal to all.
-double rounded(const Group& group) { return std::round(group.sliding.factor * 1e9); }
-
 /// What one direction, or one share of the own ones, gives.
 struct Part {
-    explicit Part(std::size_t most) : best(most) {}
-    BestGroups best;
+    explicit Part(std::size_t most) : raw(kSettled), best(most) {}
+    BestGroups raw;   ///< as judged
+    BestGroups best;  ///< with all that they carry
     std::size_t judged = 0, left_out = 0;
 };
 
@@ -92,7 +93,10 @@ class Search {
             const std::size_t n = std::min(at_once, count - first);
             std::vector<Part> parts(n, Part(most_));
             forRange(n, 1, parallel_, [&](Range range) {
-                for (std::size_t k = range.begin; k < range.end; ++k) body(first + k, parts[k]);
+                for (std::size_t k = range.begin; k < range.end; ++k) {
+                    body(first + k, parts[k]);
+                    settle(parts[k], std::max(kSettlingWork / count, kLeastSettlingWork));
+                }
             });
             for (Part& part : parts) {
                 best_.add(std::move(part.best));
@@ -117,9 +121,21 @@ class Search {
     }
 
     static void judge(const std::vector<std::size_t>& members, BodyMaker& maker, Part& part) {
-        Group group = maker.groupOf(members);
+        part.raw.add(maker.groupOf(members));
         ++part.judged;
-        if (part.best.wants(group)) part.best.add(maker.settled(std::move(group)));
+    }
+
+    /// The weakest first, so that what is left out for want of work is stronger.
+    void settle(Part& part, std::size_t work) const {
+        BodyMaker maker(slope_, joints_);
+        maker.allow(work);
+        std::unordered_set<std::uint64_t> known;
+        for (Group& group : part.raw.take()) {
+            if (maker.isUsedUp())
+                ++part.left_out;
+            else
+                part.best.add(maker.settled(std::move(group), &known));
+        }
     }
 
     void along(const Vec3& direction, std::size_t visits, Part& part) const {
@@ -170,6 +186,7 @@ class Search {
         if (from.size() > kMostGrown) from.resize(kMostGrown);
         lookAt(from.size(), kMostGrown, [&](std::size_t k, Part& part) {
             BodyMaker maker(slope_, joints_);
+            maker.allow(kGrowthVisits / from.size() / 4);
             grow(slope_, from[k], kGrowthVisits / from.size(), maker, part.best);
         });
     }
@@ -189,16 +206,6 @@ class Search {
 };
 
 }  // namespace
-
-bool haveEqualFactors(const Group& a, const Group& b) { return rounded(a) == rounded(b); }
-
-bool isBefore(const Group& a, const Group& b) {
-    if (!haveEqualFactors(a, b)) return rounded(a) < rounded(b);
-    const auto mass_a = static_cast<float>(a.mass), mass_b = static_cast<float>(b.mass);
-    if (mass_a != mass_b) return mass_a > mass_b;
-    return *std::min_element(a.members.begin(), a.members.end()) <
-           *std::min_element(b.members.begin(), b.members.end());
-}
 
 GroupSearch leastGroups(const Slope& slope, const std::vector<Joint>& joints, std::size_t most, bool parallel,
                         const Control& control) {

@@ -57,6 +57,7 @@ class Growth {
         if (group.sliding.mode == SlidingMode::none || !isBefore(group, than)) return std::nullopt;
         if (!affords(2 * group.members.size())) return std::nullopt;
         group = maker_.settled(std::move(group));
+        if (group.sliding.mode == SlidingMode::none) return std::nullopt;
         if (!group.carried.empty() || !isBefore(group, than)) return std::nullopt;
         return group;
     }
