@@ -78,6 +78,17 @@ class Answers(unittest.TestCase):
         self.assertEqual(alone.answer_interval, [alone.critical_angle_deg] * 2)
         self.assertIsNone(alone.ceiling)
 
+    def test_key_blocks_are_those_of_the_command_line(self):
+        result = talus.keyblocks(self.file, threads=1)
+        self.assertEqual(of_the_slope(result.to_dict()), of_the_slope(program("keyblocks", self.file)))
+        self.assertEqual([block.name for block in result.blocks], ["c1r1s1", "c1r2s1", "c2r1s1", "c2r2s1"])
+        first = result.moving_groups[0]
+        self.assertEqual(first.mode, "slides")
+        self.assertAlmostEqual(first.mass_kg, 2700 * first.volume_m3)
+        self.assertEqual(len(talus.keyblocks(self.file, most=1).moving_groups), 1)
+        with self.assertRaisesRegex(talus.ScenarioError, "most"):
+            talus.keyblocks(self.file, most=0)
+
     def test_threads_do_not_matter(self):
         answers = {talus.critical_angle(self.file, threads=threads).state_hash for threads in (0, 1, 2)}
         self.assertEqual(len(answers), 1)

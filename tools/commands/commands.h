@@ -18,6 +18,7 @@ Command addSample(CLI::App& root);
 Command addMerge(CLI::App& root);
 Command addReplay(CLI::App& root);
 Command addLimitAnalysis(CLI::App& root);
+Command addKeyBlocks(CLI::App& root);
 Command addSupport(CLI::App& root);
 Command addVerification(CLI::App& root);
 Command addSchema(CLI::App& root);

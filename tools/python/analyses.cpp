@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "answers/keyblocks_report.h"
 #include "answers/limit_report.h"
 #include "answers/run_report.h"
 #include "answers/search.h"
@@ -105,6 +106,18 @@ std::string limit(const formats::Scenario& scenario, const std::string& load, st
     return json;
 }
 
+std::string blockTheory(const formats::Scenario& scenario, std::size_t most, const Manner& manner) {
+    if (most < 1) throw BadInput(Error{"most", "found 0, allowed: 1 or more groups"});
+    requireFreeBlock(scenario);
+    std::string json;
+    compute(manner, [&](Computing& computing) {
+        const KeyBlockResult result =
+            tools::valueOf(keyBlocks(scenario.model, computing.control(), {.most_groups = most}), scenario);
+        json = jsonText(keyBlocksJson(result, commonOf(manner), scenario));
+    });
+    return json;
+}
+
 std::string timeHistory(const formats::Scenario* scenario, const std::string& output,
                         const std::string& resume, int full_every, bool force, const Manner& manner) {
     std::string json;
@@ -171,6 +184,13 @@ void addAnalyses(py::module_& module) {
         py::arg("scenario"), py::kw_only(), py::arg("load"), py::arg("max_points"), py::arg("threads"),
         py::arg("progress"));
     module.def(
+        "keyblocks",
+        [](const formats::Scenario& scenario, std::size_t most, const py::object& threads,
+           const py::object& progress) {
+            return blockTheory(scenario, most, {threadsOf(threads), progress});
+        },
+        py::arg("scenario"), py::kw_only(), py::arg("most"), py::arg("threads"), py::arg("progress"));
+    module.def(
         "run",
         [](const formats::Scenario* scenario, const std::string& output, const std::string& resume,
            int full_every, bool force, const py::object& threads, const py::object& progress) {
@@ -189,6 +209,7 @@ void addAnalyses(py::module_& module) {
     std::vector<std::string> searches;
     for (const LoadSearch& each : loadSearches()) searches.emplace_back(each.name);
     module.attr("searches") = py::cast(searches);
+    module.attr("most_groups") = KeyBlockSettings{}.most_groups;
     module.attr("max_contact_points") = LimitSettings{}.max_contact_points;
 }
 

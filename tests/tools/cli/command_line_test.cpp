@@ -39,6 +39,7 @@ TEST_CASE("help of every command fits the terminal") {
                                             "theory",
                                             "paper",
                                             "limit-analysis",
+                                            "keyblocks",
                                             "verification",
                                             "schema"};
     for (const std::size_t columns : {50, 80, 120}) {

@@ -1,0 +1,34 @@
+#pragma once
+// The groups of blocks with the least factors of safety.
+
+#include <vector>
+
+#include "block_theory/group.h"
+#include "block_theory/slope.h"
+#include "talus/analysis.h"
+
+namespace talus::keyblocks {
+
+struct GroupSearch {
+    std::vector<Group> groups;   ///< in that order, as BestGroups keeps them
+    std::size_t directions = 0;  ///< tried for every block
+    std::size_t judged = 0;      ///< bodies, each once a direction
+    std::size_t left_out = 0;    ///< closures not looked at, for want of time
+    bool interrupted = false;
+};
+
+/// Groups that are judged:
+///  1. each block alone;
+///  2. what has to move with each block along each direction of `directionsOf`, as far as kMostVisits goes,
+///     small ones first;
+///  3. along each direction all that can move, connected piece by connected piece;
+///  4. from the weakest of these on, groups with neighbours more and members less, as long as that makes them
+///     weaker (growth.h): halves of a wedge, or of a slab that cohesion holds together, are stronger than the
+///     whole.
+/// Those that may be listed take along what they carry (BodyMaker::settled).
+/// The factor of each is exact for its body. That no weaker group exists is not proved: their number grows
+/// exponentially.
+GroupSearch leastGroups(const Slope& slope, const std::vector<Joint>& joints, std::size_t most, bool parallel,
+                        const Control& control);
+
+}  // namespace talus::keyblocks

@@ -1,0 +1,15 @@
+#pragma once
+// What of a model block theory leaves out.
+
+#include <string>
+#include <vector>
+
+#include "block_theory/groups.h"
+#include "block_theory/slope.h"
+#include "state/arrays.h"
+
+namespace talus::keyblocks {
+
+std::vector<std::string> warningsOf(const State& state, const Slope& slope, const GroupSearch& search);
+
+}  // namespace talus::keyblocks

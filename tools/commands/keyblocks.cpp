@@ -1,0 +1,63 @@
+// talus keyblocks: removable blocks and groups that move together, by block theory.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "answers/keyblocks_report.h"
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
+#include "commands/commands.h"
+#include "talus/block_theory.h"
+
+namespace talus::tools {
+
+namespace {
+
+struct KeyBlockOptions {
+    Common common;
+    ScenarioInput scenario;
+    KeyBlockSettings settings;
+};
+
+int analyse(const KeyBlockOptions& options) {
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    requireFreeBlock(scenario);
+    ProgressPrinter progress(options.common);
+    const KeyBlockResult result =
+        valueOf(keyBlocks(scenario.model, controlOf(options.common, progress), options.settings), scenario);
+    progress.finish();
+    for (const std::string& warning : result.warnings) note(options.common, "warning: " + warning);
+    if (options.common.json)
+        printJson(keyBlocksJson(result, options.common, scenario));
+    else
+        printResult(keyBlocksText(result, options.scenario.name(), options.settings.most_groups));
+    return result.interrupted ? kInterrupted : kDone;
+}
+
+}  // namespace
+
+Command addKeyBlocks(CLI::App& root) {
+    constexpr std::size_t kMostGroups = 100'000;
+    auto options = std::make_shared<KeyBlockOptions>();
+    CLI::App* app = root.add_subcommand(
+        "keyblocks", "Removable blocks and groups that move together, by limit equilibrium");
+    addScenario(*app, options->scenario);
+    app->add_option("--most", options->settings.most_groups,
+                    "List so many groups, those with the least factors of safety")
+        ->check(CLI::Range(std::size_t{1}, kMostGroups))
+        ->capture_default_str();
+    addCommon(*app, options->common);
+    app->footer(
+        "Example:\n  talus keyblocks slope.toml\n  talus keyblocks slope.toml --most 10 --json | jq "
+        "'.moving_groups[0]'\n\nBlock theory (Goodman and Shi) on the blocks as they stand: contacts between "
+        "them, water, loads,\nbolts with their pretension, the seismic coefficient, friction and cohesion. "
+        "Each block is judged\nwith its neighbours held still; then blocks that stand in each other's way "
+        "are "
+        "judged as one body.\nA body that nothing presses falls, with factor 0; one that cannot move has no "
+        "factor. Limit equilibrium,\ntranslation only: toppling is not covered.");
+    return {app, [options] { return analyse(*options); }};
+}
+
+}  // namespace talus::tools
