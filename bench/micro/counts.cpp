@@ -79,8 +79,8 @@ namespace {
 
 using bench::Counting;
 
-/// Members of a group as the kernel sees them. Blocks and laws are shared by many interfaces: their bytes count
-/// elsewhere.
+/// Members of a group as the kernel sees them. Blocks and laws are shared by many interfaces: their bytes
+/// count elsewhere.
 template <>
 struct Members<Counting> {
     static constexpr int kWidth = 1;
@@ -162,6 +162,20 @@ struct OneInterface {
     contact::JointLaw law = frictional();
     InterfaceGroup group;
 
+    static PointPlaces placesOf(PointRule rule) {
+        switch (rule.kind) {
+            case PointRule::Kind::vertex:
+            case PointRule::Kind::distributed:
+                return PointPlaces::vertex;
+            case PointRule::Kind::corner:
+                return PointPlaces::corner;
+            case PointRule::Kind::quarter:
+            case PointRule::Kind::grid:
+                break;
+        }
+        return PointPlaces::stored;
+    }
+
     ContactView view(PointRule rule, bool slips) {
         constexpr double kDepth = -1e-6, kSlide = 1e-3;
         constexpr std::array<double, 4> kXi{-1, 1, 1, -1}, kEta{-1, -1, 1, 1};
@@ -201,9 +215,8 @@ struct OneInterface {
                 .release = 1,
                 .contact_damping = 0,
                 .restitution = false,
-                .places = rule.kind == PointRule::Kind::vertex   ? PointPlaces::vertex
-                          : rule.kind == PointRule::Kind::corner ? PointPlaces::corner
-                                                                 : PointPlaces::stored};
+                .places = placesOf(rule),
+                .distributed = rule.kind == PointRule::Kind::distributed};
     }
 };
 
@@ -212,6 +225,7 @@ struct OneInterface {
 int pointsPerRectangle(PointRule rule) {
     switch (rule.kind) {
         case PointRule::Kind::vertex:
+        case PointRule::Kind::distributed:
             return 9;
         case PointRule::Kind::corner:
         case PointRule::Kind::quarter:
@@ -226,6 +240,8 @@ std::string nameOf(PointRule rule) {
     switch (rule.kind) {
         case PointRule::Kind::vertex:
             return "vertex";
+        case PointRule::Kind::distributed:
+            return "distributed";
         case PointRule::Kind::corner:
             return "corner";
         case PointRule::Kind::quarter:
@@ -236,9 +252,9 @@ std::string nameOf(PointRule rule) {
     return {};
 }
 
-// A rectangle with `vertex`, all stick: 659 flops, 63 choices; read 408 bytes, written 216. engine/README.md has the
-// table. Beside what the kernel loads member by member: two blocks and a joint (3 x 4 bytes), and the interface's
-// eighth of its group (32 bytes).
+// A rectangle with `vertex`, all stick: 659 flops, 63 choices; read 408 bytes, written 216.
+// bench/studies/contact-kernel.md has the table. Beside what the kernel loads member by member: two blocks
+// and a joint (3 x 4 bytes), and the interface's eighth of its group (32 bytes).
 Counts countInterface(PointRule rule, bool slips) {
     OneInterface data;
     data.group = {.begin = 0, .size = 1, .corners = 4, .points = pointsPerRectangle(rule)};
@@ -281,10 +297,10 @@ Counts countMotion() {
     return tally;
 }
 
-/// motion.cpp's sum of wrenches, by hand, and a kernel on the blocks. Per side of an interface: place of its wrench
-/// 4; force and moment are three additions each. Per interface: force, moment_a, moment_b, 9 doubles. Per block: its
-/// row in the incidence list 2 x 8, and what the kernel reads and writes, where nothing that is still in the cache
-/// counts.
+/// motion.cpp's sum of wrenches, by hand, and a kernel on the blocks. Per side of an interface: place of its
+/// wrench 4; force and moment are three additions each. Per interface: force, moment_a, moment_b, 9 doubles.
+/// Per block: its row in the incidence list 2 x 8, and what the kernel reads and writes, where nothing that
+/// is still in the cache counts.
 template <class Kernel>
 Counts countGatherWith(double doubles_read, double doubles_written) {
     constexpr double kSides = 6, kInterfaces = 3;
@@ -299,7 +315,8 @@ Counts countGatherWith(double doubles_read, double doubles_written) {
 
 Counts countDrift() { return countMotion<Drift>(); }
 
-// Read: mass, inverse mass, velocity, angular momentum, angular velocity. Written: force, torque, velocity, momentum.
+// Read: mass, inverse mass, velocity, angular momentum, angular velocity. Written: force, torque, velocity,
+// momentum.
 Counts countGather() { return countGatherWith<Kick>(11, 12); }
 
 // Read: the same, inverse inertia, pose of eight. Written: the same, angular velocity, pose.

@@ -92,8 +92,8 @@ void contactBenchmark(benchmark::State& run, const SlopeKind& kind, int threads,
     tellContacts(run, state);
 }
 
-/// Every other row of the paper's slope moves to and fro, so far that every closed contact point of the beds and the
-/// joints between columns slips each time (those between slices open and close).
+/// Every other row of the paper's slope moves to and fro, so far that every closed contact point of the beds
+/// and the joints between columns slips each time (those between slices open and close).
 void slippingBenchmark(benchmark::State& run, const SlopeKind& kind) {
     constexpr double kShift = 1e-6;  // [m] ten times what the weight presses a joint together
     constexpr std::size_t kRows = 5, kSlices = 3;
@@ -138,8 +138,8 @@ void gatherAndDriftBenchmark(benchmark::State& run, const SlopeKind& kind, int t
     tell(run, blockFacts(slope, countGatherAndDrift()));
 }
 
-/// The same number of steps from the same state each time, so that the hash at the end is the same for any number of
-/// threads.
+/// The same number of steps from the same state each time, so that the hash at the end is the same for any
+/// number of threads.
 void stepBenchmark(benchmark::State& run, const SlopeKind& kind, int threads) {
     Slope& slope = slopeFor(kind);
     onThreads(threads, [&] {
@@ -245,11 +245,11 @@ void addSlope(const Extent& extent, const SlopeKind& kind) {
 }  // namespace
 
 void addSlopes(const Extent& extent) {
-    constexpr PointRule kVertex{PointRule::Kind::vertex, 0}, kCorner{PointRule::Kind::corner, 0},
-        kGrid{PointRule::Kind::grid, 4};
+    constexpr PointRule kVertex{PointRule::Kind::vertex, 0}, kDistributed{PointRule::Kind::distributed, 0},
+        kCorner{PointRule::Kind::corner, 0}, kGrid{PointRule::Kind::grid, 4};
     for (const int blocks : kSizes) {
         if (blocks > extent.largest) break;
-        for (const PointRule rule : {kCorner, kVertex, kGrid})
+        for (const PointRule rule : {kCorner, kVertex, kDistributed, kGrid})
             addSlope(extent, {blocks, rule, Filling::plain});
         if (blocks != 105 && blocks != 10000) continue;
         for (const Filling filling : {Filling::water, Filling::cohesion, Filling::mixed, Filling::rough})

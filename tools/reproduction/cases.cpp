@@ -131,6 +131,7 @@ void checkPoints(const std::string& points) {
 double pointsPerInterface(const PointRule& rule) {
     switch (rule.kind) {
         case PointRule::Kind::vertex:
+        case PointRule::Kind::distributed:
             return 9;
         case PointRule::Kind::quarter:
         case PointRule::Kind::corner:

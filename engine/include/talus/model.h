@@ -1,6 +1,6 @@
 #pragma once
-// The description of a slope: what a scenario file says, in SI units and radians, before anything is computed.
-// The analyses (analysis.h) and time histories (simulation.h) build the state that moves out of it.
+// The description of a slope: what a scenario file says, in SI units and radians, before anything is
+// computed. The analyses (analysis.h) and time histories (simulation.h) build the state that moves out of it.
 
 #include <array>
 #include <cstdint>
@@ -32,8 +32,8 @@ struct Block {
     std::string field{};  ///< where the scenario speaks of it ("stack[0]", "block[2]"), for messages
 };
 
-/// Joint of one pair of blocks, in place of the rule (of the two faces' joints the one with less friction, the one
-/// declared first on ties).
+/// Joint of one pair of blocks, in place of the rule (of the two faces' joints the one with less friction,
+/// the one declared first on ties).
 struct PairJoint {
     std::int32_t block_a = 0;
     std::int32_t block_b = 0;
@@ -56,7 +56,8 @@ struct LevelPoint {
     double value = 0;  ///< depth or elevation [m], or a load's factor
 };
 
-/// Water in one fissure. Hydrostatic below a horizontal table: p = rho_w g * (depth below the table along gravity).
+/// Water in one fissure. Hydrostatic below a horizontal table: p = rho_w g * (depth below the table along
+/// gravity).
 struct Water {
     enum class Level : std::uint8_t {
         depth,      ///< up along the joint plane's steepest line from its lowest wet point
@@ -74,23 +75,30 @@ struct Water {
     /// What the pressure falls to where the joint's lowest end lies open, after E. Hoek and J. W. Bray.
     enum class Daylight : std::uint8_t {
         closed,  ///< nothing: hydrostatic to the lowest end
-        straight,  ///< from what it is at the joint's upper end in a straight line to nothing (below a crack full of water)
+        /// from what it is at the joint's upper end in a straight line to nothing (below a crack full of
+        /// water)
+        straight,
         half_height,  ///< hydrostatic down to half the wet height, from there in a straight line to nothing
     };
     Daylight daylight = Daylight::closed;
     double base = -kInfinity;    ///< no water below this z of the model at the start (perched water) [m]
     std::vector<WetFace> walls;  ///< the faces it pushes on; empty when `pair` is given
-    /// of a fissure that ends in its plane: the corners of a convex polygon in order, as the model stands [m]; walls are dry
-    /// beyond it. Empty: the fissure reaches as far as its walls.
+    /// of a fissure that ends in its plane: the corners of a convex polygon in order, as the model stands
+    /// [m]; walls are dry beyond it. Empty: the fissure reaches as far as its walls.
     std::vector<Vec3> outline{};
+    /// In a joint of a rock mass: its ends, from which depths, heads and falling pressures count, are those
+    /// of the part that bounds blocks which are not fixed. How deep a model is cut into fixed rock changes
+    /// nothing.
+    bool ends_at_free_blocks = false;
     /// instead: the interface of two blocks, both walls
     std::optional<std::pair<std::int32_t, std::int32_t>> pair;
     std::string field{};  ///< "water[0]", for messages
 };
 
-/// The water table of a slope: a line over x, extruded along y, or an open surface. Every face below it, of joints and free ones
-/// (ponded water), feels the pressure of the depth below it along gravity, times `factor`. It stays where it is. Where another
-/// water of the model stands, that one's pressure is felt instead.
+/// The water table of a slope: a line over x, extruded along y, or an open surface. Every face below it, of
+/// joints and free ones (ponded water), feels the pressure of the depth below it along gravity, times
+/// `factor`. It stays where it is. Where another water of the model stands, that one's pressure is felt
+/// instead.
 struct PhreaticSurface {
     struct Point {
         double x = 0, z = 0;  ///< [m]
@@ -104,9 +112,11 @@ struct PhreaticSurface {
     std::string field{};  ///< "water[0]", for messages
 };
 
-/// Where contact points (contact points) lie on a patch and which area each stands for.
+/// Where contact points lie on a patch, and which area each stands for.
 struct PointRule {
-    enum class Kind : std::uint8_t { vertex, quarter, corner, grid };
+    /// distributed: as vertex, but each point carries the pressure of its share of the closed part of the
+    /// patch
+    enum class Kind : std::uint8_t { vertex, distributed, quarter, corner, grid };
     Kind kind = Kind::vertex;
     int grid = 0;  ///< N of `grid N`
 };
@@ -125,8 +135,8 @@ struct Seismic {
     double vertical = 0;                  ///< k_v, against gravity
 };
 
-/// A force at a point of a block, a pressure on a face of one, or on whatever is free inside a box of faces that look a
-/// way within 60 degrees. It keeps the direction it has at the start and follows its point.
+/// A force at a point of a block, a pressure on a face of one, or on whatever is free inside a box of faces
+/// that look a way within 60 degrees. It keeps the direction it has at the start and follows its point.
 struct AppliedLoad {
     enum class Kind : std::uint8_t { force, face, box };
     Kind kind = Kind::force;
@@ -140,8 +150,8 @@ struct AppliedLoad {
     std::string field{};                                  ///< "load[0]", for messages
 };
 
-/// A bar between two places: bonded over its length, or free between head and end. It pulls at the blocks those lie in, or at
-/// all it goes through.
+/// A bar between two places: bonded over its length, or free between head and end. It pulls at the blocks
+/// those lie in, or at all it goes through.
 struct Bolt {
     std::string name;
     Vec3 head = Vec3::Zero(), end = Vec3::Zero();  ///< at the start [m]
@@ -169,7 +179,8 @@ struct BoltPattern {
     double plunge = 0, trend = 0;  ///< of the bolts: below the horizontal; clockwise from +y [rad]
 };
 
-/// A recorded motion of all fixed blocks. Motion is computed against them: free blocks feel the opposite of its acceleration.
+/// A recorded motion of all fixed blocks. Motion is computed against them: free blocks feel the opposite of
+/// its acceleration.
 struct GroundMotion {
     std::vector<double> time;        ///< [s]; where two are equal the acceleration jumps
     std::vector<Vec3> acceleration;  ///< linear between, none outside [m/s^2]
@@ -183,7 +194,8 @@ struct Damping {
     double rotation = 0;  ///< c_I = rotation * I [1/s]
     double contact = 0;   ///< c_k = contact * k of the contact point [s]
     double local = 0;     ///< share of the out-of-balance force that opposes the motion, 0..1
-    /// contact points have the restitution of their joints; a state that is built does where a joint has one below 1
+    /// contact points have the restitution of their joints; a state that is built does where a joint has one
+    /// below 1
     bool restitution = false;
 };
 
@@ -193,7 +205,8 @@ struct AnalysisSettings {
     double tolerance = 1.7453292519943296e-4;  ///< width of the bracket [rad]
     double factor_tolerance = 0.001;           ///< width of the bracket of a factor of safety
     double acceleration_tolerance = 1e-4;      ///< width of the bracket of a seismic coefficient
-    /// of the free blocks' mass: what fails and has less is let go, and the search goes on with the rest; 0: is the answer
+    /// of the free blocks' mass: what fails and has less is let go, and the search goes on with the rest; 0:
+    /// is the answer
     double least_mass_share = 0;
     /// Neighbours that part by more have failed: share of the median block size.
     double failure_displacement = 3e-4;
@@ -213,7 +226,8 @@ struct RunSettings {
     std::vector<std::string> watch;  ///< names of blocks to report
 };
 
-/// What the closed formulas need to know of a regular stack (theory.h); present when the model is one stack only.
+/// What the closed formulas need to know of a regular stack (theory.h); present when the model is one stack
+/// only.
 struct StackShape {
     int columns = 0, rows = 0, slices = 0;
     Vec3 block = Vec3::Zero();   ///< [m]

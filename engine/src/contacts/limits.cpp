@@ -23,6 +23,7 @@ double vertexEdgeArea(const Geometry& geometry, std::size_t block_1, std::size_t
     const PointRule& rule = geometry.model.points;
     switch (rule.kind) {
         case PointRule::Kind::vertex:
+        case PointRule::Kind::distributed:
             break;
         case PointRule::Kind::corner:
         case PointRule::Kind::quarter:

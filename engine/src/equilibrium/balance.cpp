@@ -83,7 +83,8 @@ void makeStructure(Balance& balance) {
     for (ActiveTie& tie : balance.ties) find(tie);
 }
 
-/// A drag of the size of what holds a block; what touches nothing has that of its largest face on the stiffest joint.
+/// A drag of the size of what holds a block; what touches nothing has that of its largest face on the
+/// stiffest joint.
 void findDrag(const State& state, Balance& balance) {
     balance.drag.assign(balance.block.size(), 0.0);
     double stiffest = 0;
@@ -113,7 +114,8 @@ void addStiffness(Balance& balance, const ActiveInterface& i, const double* k) {
     (i.a_first ? balance.matrix.lower : balance.matrix.upper)[edge] += block(2);
 }
 
-/// Of a wrench by a motion, with rotations times the radius of what moves, torques over that of what is pushed.
+/// Of a wrench by a motion, with rotations times the radius of what moves, torques over that of what is
+/// pushed.
 Mat6 scaled(const Eigen::Ref<const Mat6>& k, double pushed, double moving) {
     Mat6 result = k;
     result.bottomRows<3>() /= pushed;
@@ -186,7 +188,8 @@ void addTies(const State& state, Balance& balance, const Poses& poses, bool stif
     }
 }
 
-/// Groups of interfaces whose stiffness is wanted at a time: as much as stays in the cache until it is added up.
+/// Groups of interfaces whose stiffness is wanted at a time: as much as stays in the cache until it is added
+/// up.
 constexpr std::size_t kGroupsAtOnce = 4;
 
 ResponseView responseView(const State& state, Balance& balance, const Poses& poses) {
@@ -209,7 +212,8 @@ ResponseView responseView(const State& state, Balance& balance, const Poses& pos
             .stiffness = nullptr,
             .remembers = state.points.remembers(),
             .curved = hasCurves(state),
-            .places = pointPlaces(state)};
+            .places = pointPlaces(state),
+            .distributed = isDistributed(state)};
 }
 
 void addWrench(Balance& balance, const ActiveInterface& i, Vec6s& force) {

@@ -1,6 +1,6 @@
 #pragma once
-// Force, moment and their derivative at interfaces, with the law, lever arms and turning frames in it: one source, a build per
-// instruction set (response_kernel*.cpp), the same bits.
+// Force, moment and their derivative at interfaces, with the law, lever arms and turning frames in it: one
+// source, a build per instruction set (response_kernel*.cpp), the same bits.
 
 #include "equilibrium/point_response.h"
 #include "equilibrium/response_view.h"
@@ -50,8 +50,8 @@ TALUS_KERNEL Square<V> inModel(const RelativePoseOf<V>& pose, const Square<V>& m
              pose.e1.z * half.c[0] + pose.e2.z * half.c[1] + pose.e3.z * half.c[2]}};
 }
 
-/// Of a relative motion of b against a, displacement at the interface's origin and turn, both along e1, e2, e3: force and
-/// moment about the origin, summed over the contact points, and their derivatives.
+/// Of a relative motion of b against a, displacement at the interface's origin and turn, both along e1, e2,
+/// e3: force and moment about the origin, summed over the contact points, and their derivatives.
 template <class V>
 struct ResponseSum {
     Triple<V> force{}, moment{};
@@ -68,7 +68,9 @@ struct ResponseSum {
     }
 
     /// The material point, at (x, y, z) from the origin, goes with the motion by displacement + turn x it.
-    TALUS_KERNEL void addRates(const PointResponse<V>& point, V x, V y, V z) {
+    /// \param gap_by  how its gap grows with the displacement along e3 at the origin, and at places: sums of
+    /// x and y
+    TALUS_KERNEL void addRates(const PointResponse<V>& point, V x, V y, V z, const Triple<V>& gap_by) {
         const V zero{};
         // By its displacement along e1, e2, e3.
         const Triple<V> force_by[3]{{point.by_1_1, point.by_1_2, zero},
@@ -78,21 +80,24 @@ struct ResponseSum {
             {zero, -point.normal, x * point.by_1_2 - y * point.by_1_1 + point.shear_2},
             {point.normal, zero, x * point.by_2_2 - y * point.by_1_2 - point.shear_1},
             {y * point.by_gap_n, -(x * point.by_gap_n), x * point.by_gap_2 - y * point.by_gap_1}};
-        addRates(force_by, x, y, z, force_by_shift, force_by_turn);
-        addRates(moment_by, x, y, z, moment_by_shift, moment_by_turn);
+        addRates(force_by, x, y, z, gap_by, force_by_shift, force_by_turn);
+        addRates(moment_by, x, y, z, gap_by, moment_by_shift, moment_by_turn);
     }
 
  private:
-    TALUS_KERNEL static void addRates(const Triple<V> (&by)[3], V x, V y, V z, Square<V>& by_shift,
-                                      Square<V>& by_turn) {
-        for (int k = 0; k < 3; ++k) by_shift.c[k] = by_shift.c[k] + by[k];
-        by_turn.c[0] = by_turn.c[0] + (y * by[2] - z * by[1]);
-        by_turn.c[1] = by_turn.c[1] + (z * by[0] - x * by[2]);
+    TALUS_KERNEL static void addRates(const Triple<V> (&by)[3], V x, V y, V z, const Triple<V>& gap_by,
+                                      Square<V>& by_shift, Square<V>& by_turn) {
+        by_shift.c[0] = by_shift.c[0] + by[0];
+        by_shift.c[1] = by_shift.c[1] + by[1];
+        by_shift.c[2] = by_shift.c[2] + gap_by.x * by[2];
+        by_turn.c[0] = by_turn.c[0] + (gap_by.z * by[2] - z * by[1]);
+        by_turn.c[1] = by_turn.c[1] + (z * by[0] - gap_by.y * by[2]);
         by_turn.c[2] = by_turn.c[2] + (x * by[1] - y * by[0]);
     }
 };
 
-/// The derivatives of force and moment about the origin by the displacement and turn of one block (of a: negated).
+/// The derivatives of force and moment about the origin by the displacement and turn of one block (of a:
+/// negated).
 template <class V>
 struct ByBlock {
     Square<V> force_by_shift, force_by_turn, moment_by_shift, moment_by_turn;
@@ -179,6 +184,38 @@ struct ResponseLoop {
     ResponseSum<V> sum{};
 
     TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot) {
+        respond(
+            xi, eta, area, slot, [](V gap, V) { return gap; },
+            [](V x, V y, V) {
+                return Triple<V>{V{} + 1.0, x, y};
+            });
+    }
+    TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot, const ShareOf<V>& share) {
+        using simd::select;
+        respond(
+            xi, eta, area, slot,
+            [&](V gap, V bond) {
+                return select(share.counts, contact::gapOfShare(law, bond, gap, share.overlap), gap);
+            },
+            [&](V x, V y, V bond) {
+                const V follows = select(share.counts, contact::followsShare(law, bond), V{});
+                // Where the share's overlap is measured its material points have slid.
+                const Triple<V>& by = share.by_overlap;
+                const V sum_x =
+                    by.y + (by.x * pose.slide_1.x + by.y * pose.slide_1.y + by.z * pose.slide_1.z);
+                const V sum_y =
+                    by.z + (by.x * pose.slide_2.x + by.y * pose.slide_2.y + by.z * pose.slide_2.z);
+                const V one = V{} + 1.0;
+                return Triple<V>{one + follows * (by.x - one), x + follows * (sum_x - x),
+                                 y + follows * (sum_y - y)};
+            });
+    }
+
+    /// \param gap_of  what the law takes for the gap at its place and the bond that is left
+    /// \param gap_by  how that grows with the motion (ResponseSum::addRates)
+    template <class GapOf, class GapBy>
+    TALUS_KERNEL void respond(V xi, V eta, V area, std::size_t slot, const GapOf& gap_of,
+                              const GapBy& gap_by) {
         using simd::any;
         const double* row = view.memory + slot * (view.remembers ? kMemoryQuantities : kSlideQuantities);
         contact::MemoryOf<V> memory;
@@ -189,12 +226,13 @@ struct ResponseLoop {
             memory.dilation = members.load(row + 3 * kRow);
         }
         const V slide_1 = affine(pose.slide_1, xi, eta), slide_2 = affine(pose.slide_2, xi, eta);
-        const PointResponse<V> point =
-            pointResponse<Curved>(law, area, slide_1, slide_2, affine(pose.gap, xi, eta), memory);
+        const PointResponse<V> point = pointResponse<Curved>(
+            law, area, slide_1, slide_2, gap_of(affine(pose.gap, xi, eta), memory.bond), memory);
         if (!any(!point.open)) return;
         const V x = xi + slide_1, y = eta + slide_2;
         sum.add(point, x, y);
-        if constexpr (Stiffness) sum.addRates(point, x, y, affine(height, xi, eta));
+        if constexpr (Stiffness)
+            sum.addRates(point, x, y, affine(height, xi, eta), gap_by(x, y, memory.bond));
     }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// What the response kernel reads and writes: the wrenches of interfaces at trial poses and their exact derivative by the poses of
-// both blocks, while nothing is committed.
+// What the response kernel reads and writes: the wrenches of interfaces at trial poses and their exact
+// derivative by the poses of both blocks, while nothing is committed.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,9 +9,10 @@
 
 namespace talus::equilibrium {
 
-/// An interface's stiffness: four 6 x 6 blocks, one after the other, 36 numbers column by column each: of the wrench on a by the
-/// motion of a and of b, then of that on b, those of a wrench by the other block's motion negated. Wrenches are force and moment about the centroid over the block's radius; motions
-/// displacement and small turn times it. Model frame.
+/// An interface's stiffness: four 6 x 6 blocks, one after the other, 36 numbers column by column each: of the
+/// wrench on a by the motion of a and of b, then of that on b, those of a wrench by the other block's motion
+/// negated. Wrenches are force and moment about the centroid over the block's radius; motions displacement
+/// and small turn times it. Model frame.
 inline constexpr std::size_t kStiffnessBlock = 36;
 inline constexpr std::size_t kStiffnessQuantities = 4 * kStiffnessBlock;
 
@@ -36,6 +37,7 @@ struct ResponseView {
     bool remembers;  ///< as in ContactView
     bool curved;     ///< likewise
     PointPlaces places;
+    bool distributed;  ///< likewise
 };
 
 /// Groups [begin, end). Same bits from each.

@@ -10,20 +10,24 @@
 
 namespace talus {
 
-/// \pre  groups of the state; interfaces, points and block poses are those of one instant; with contact damping
+/// \pre  groups of the state; interfaces, points and block poses are those of one instant; with contact
+/// damping
 ///       angular_velocity too
-/// Reads:  blocks.position, orientation (and velocity, angular_velocity with contact damping); interfaces' frames and
+/// Reads:  blocks.position, orientation (and velocity, angular_velocity with contact damping); interfaces'
+///         frames and
 ///         patches; laws; release
 /// Writes: points' memory; interfaces.force, moment_a, moment_b
 /// Each group of interfaces writes its own slots only.
 void updateContacts(State& state, Range groups);
 
-/// How kernels find the contact points, and whether the strength of some joint is a curve.
+/// How kernels find the contact points, whether those share the closed part of a patch that is partly open,
+/// and whether the strength of some joint is a curve.
 PointPlaces pointPlaces(const State& state);
+bool isDistributed(const State& state);
 bool hasCurves(const State& state);
 
-/// Gap at the interface's origin and its slopes along e1 and e2, less the reference gap [m, -, -], and the slide of b
-/// over a there along e1, e2 [m] with its gradients.
+/// Gap at the interface's origin and its slopes along e1 and e2, less the reference gap [m, -, -], and the
+/// slide of b over a there along e1, e2 [m] with its gradients.
 struct RelativePose {
     Vec3 gap;               ///< gap, d gap/d xi, d gap/d eta
     Vec3 slide_1, slide_2;  ///< likewise
@@ -39,12 +43,13 @@ RelativePose relativePose(const State& state, std::size_t interface);
 struct ContactPoint {
     Eigen::Vector2d position;   ///< along e1, e2 from the interface's origin [m]
     double area;                ///< A_s [m^2]
+    double gap;                 ///< that the law takes; with the rule "distributed" that of its share [m]
     contact::PointForce force;  ///< of the springs, on b
     contact::PointMemory memory;
 };
 
-/// What the forces at contact points follow from: interfaces and contact points of a state, or those it had before a
-/// search.
+/// What the forces at contact points follow from: interfaces and contact points of a state, or those it had
+/// before a search.
 struct Contacts {
     const Blocks& blocks;
     const Interfaces& interfaces;
@@ -54,8 +59,8 @@ struct Contacts {
 };
 Contacts contactsOf(const State& state);
 
-/// All contact points of an interface, in the order of contact::patchPoints. The law gives the same forces when it is
-/// asked once more at the same place (but for slip that dilates, which the next step feels).
+/// All contact points of an interface, in the order of contact::patchPoints. The law gives the same forces
+/// when it is asked once more at the same place (but for slip that dilates, which the next step feels).
 std::vector<ContactPoint> contactPoints(const Contacts& contacts, std::size_t interface);
 std::vector<ContactPoint> contactPoints(const State& state, std::size_t interface);
 

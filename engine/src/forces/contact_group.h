@@ -1,13 +1,15 @@
 #pragma once
-// What kernels over interfaces read of a group: frames, poses, laws, and the contact points one after the other, for one interface
-// (V = double) or several in a register (V = Lanes, contact_members.h).
+// What kernels over interfaces read of a group: frames, poses, laws, and the contact points one after the
+// other, for one interface (V = double) or several in a register (V = Lanes, contact_members.h).
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 #include "forces/contact_view.h"
 #include "forces/relative_pose.h"
+#include "law/closed_part.h"
 #include "law/law.h"
 #include "state/slot_sizes.h"
 
@@ -113,8 +115,138 @@ TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, co
     return law;
 }
 
-/// Calls each(xi, eta, area, slot) for every contact point, in the order of contact::patchPoints. The origin is the
-/// patch's centroid, so that of the fan triangles follows from two corners.
+/// The same for several lanes, one after the other: what is partly open is little of a model.
+template <class V>
+struct TriangleSharesOf {
+    V overlap[4]{};
+    V rate[4][3]{};
+};
+template <class V>
+TALUS_KERNEL TriangleSharesOf<V> sharesOf(const V (&overlap)[3]) {
+    constexpr std::size_t kCount = sizeof(V) / sizeof(double);
+    double given[3][kCount], found[4][kCount], rate[4][3][kCount];
+    std::memcpy(given, overlap, sizeof given);
+    for (std::size_t l = 0; l < kCount; ++l) {
+        const contact::TriangleShares shares = contact::sharesOf({given[0][l], given[1][l], given[2][l]});
+        for (int i = 0; i < 4; ++i) {
+            found[i][l] = shares.overlap[i];
+            for (int j = 0; j < 3; ++j) rate[i][j][l] = shares.rate[i][j];
+        }
+    }
+    TriangleSharesOf<V> result;
+    std::memcpy(result.overlap, found, sizeof found);
+    std::memcpy(result.rate, rate, sizeof rate);
+    return result;
+}
+
+/// What the rule "distributed" gives a contact point of a patch that is partly open.
+template <class V>
+struct ShareOf {
+    simd::MaskOf<V> counts{};  ///< whether the patch is partly open; else the point has the gap at its place
+    V overlap{};               ///< mean over its share [m]
+    /// How that grows with the overlap, which is affine over the patch, at its origin and with its slopes [1,
+    /// m, m].
+    Triple<V> by_overlap{};
+
+    TALUS_KERNEL void add(V weight, const V (&rate)[3], const V (&xi)[3], const V (&eta)[3]) {
+        by_overlap.x = by_overlap.x + weight * (rate[0] + rate[1] + rate[2]);
+        by_overlap.y = by_overlap.y + weight * (rate[0] * xi[0] + rate[1] * xi[1] + rate[2] * xi[2]);
+        by_overlap.z = by_overlap.z + weight * (rate[0] * eta[0] + rate[1] * eta[1] + rate[2] * eta[2]);
+    }
+    /// From a sum over triangles with twice their area as weight; what has no area has no share.
+    TALUS_KERNEL void divideBy(V twice_area) {
+        using simd::select;
+        const V inverse = select(twice_area > 0.0, (V{} + 1.0) / twice_area, V{});
+        overlap = inverse * overlap;
+        by_overlap = inverse * by_overlap;
+    }
+};
+
+/// Calls each(xi, eta, area, slot, share) for every contact point of a patch that some lane has partly open:
+/// places, areas and order are those of the rule "vertex".
+template <class View, class V, class Each>
+TALUS_KERNEL void forEachShare(const View& view, const InterfaceGroup& group, const Members<V>& members,
+                               simd::MaskOf<V> counts, Each& each) {
+    const auto twice = [](V ax, V ay, V bx, V by) { return ax * by - ay * bx; };
+    const auto corners = static_cast<std::size_t>(group.corners);
+    const auto first = static_cast<std::size_t>(group.first_point);
+    constexpr std::size_t step = kCornerQuantities * kRow;
+    const double* patch_xi = view.corners + static_cast<std::size_t>(group.first_corner) * kCornerQuantities;
+    const double* patch_eta = patch_xi + kRow;
+    /// A triangle of the fan: two corners of the patch and its centroid.
+    struct Triangle {
+        V twice_area;
+        TriangleSharesOf<V> shares;
+        V xi[3], eta[3];
+    };
+    const auto triangleAt = [&](std::size_t k) {
+        const std::size_t here = k * step, next = (k + 1 == corners ? 0 : k + 1) * step;
+        const V xi = members.load(patch_xi + here), eta = members.load(patch_eta + here);
+        const V next_xi = members.load(patch_xi + next), next_eta = members.load(patch_eta + next);
+        const Triple<V>& gap = each.pose.gap;
+        const V overlap[3]{-affine(gap, xi, eta), -affine(gap, next_xi, next_eta), -gap.x};
+        return Triangle{twice(xi, eta, next_xi, next_eta),
+                        sharesOf<V>(overlap),
+                        {xi, next_xi, V{}},
+                        {eta, next_eta, V{}}};
+    };
+    const auto addTo = [](ShareOf<V>& share, const Triangle& of, int point) {
+        share.overlap = share.overlap + of.twice_area * of.shares.overlap[point];
+        share.add(of.twice_area, of.shares.rate[point], of.xi, of.eta);
+    };
+    ShareOf<V> centroid{counts};
+    V whole{};
+    Triangle before = triangleAt(corners - 1), now = before;
+    for (std::size_t item = 0; item <= 2 * corners; ++item) {
+        const std::size_t k = item / 2;
+        V xi{}, eta{}, area{};
+        std::size_t slot = 0;
+        ShareOf<V> share{counts};
+        if (k == corners) {
+            area = (1.0 / 24) * whole;
+            slot = first + corners * kRow;
+            share = centroid;
+            share.divideBy((1.0 / 12) * whole);
+        } else if (item % 2 == 0) {
+            now = triangleAt(k);
+            xi = now.xi[0], eta = now.eta[0];
+            area = (1.0 / 24) * (before.twice_area + now.twice_area);
+            slot = first + k * kRow;
+            addTo(share, before, 1);
+            addTo(share, now, 0);
+            share.divideBy((1.0 / 12) * (before.twice_area + now.twice_area));
+        } else {
+            xi = (1.0 / 3) * (now.xi[0] + now.xi[1]), eta = (1.0 / 3) * (now.eta[0] + now.eta[1]);
+            area = 0.375 * now.twice_area;
+            slot = first + (corners + 1 + k) * kRow;
+            addTo(share, now, 3);
+            share.divideBy(0.75 * now.twice_area);
+            addTo(centroid, now, 2);
+            whole = whole + now.twice_area;
+            before = now;
+        }
+        each(xi, eta, area, slot, share);
+    }
+}
+
+/// Lanes whose patch is closed in one part and open in another.
+template <class View, class V>
+TALUS_KERNEL simd::MaskOf<V> partlyOpen(const View& view, const InterfaceGroup& group,
+                                        const Members<V>& members, const Triple<V>& gap) {
+    using simd::both, simd::larger, simd::smaller;
+    constexpr std::size_t step = kCornerQuantities * kRow;
+    const double* row = view.corners + static_cast<std::size_t>(group.first_corner) * kCornerQuantities;
+    V least = affine(gap, members.load(row), members.load(row + kRow)), most = least;
+    for (std::int32_t k = 1; k < group.corners; ++k) {
+        row += step;
+        const V here = affine(gap, members.load(row), members.load(row + kRow));
+        least = smaller(least, here), most = larger(most, here);
+    }
+    return both(least<0.0, most> 0.0);
+}
+
+/// Calls each(xi, eta, area, slot) for every contact point, in the order of contact::patchPoints. The origin
+/// is the patch's centroid, so that of the fan triangles follows from two corners.
 template <PointPlaces Places, class View, class V, class Each>
 TALUS_KERNEL void forEachPoint(const View& view, const InterfaceGroup& group, const Members<V>& members,
                                Each& each) {
@@ -136,6 +268,11 @@ TALUS_KERNEL void forEachPoint(const View& view, const InterfaceGroup& group, co
                 each(members.load(patch_xi + k * step), members.load(patch_eta + k * step), share,
                      first + k * kRow);
         } else {
+            if (view.distributed) {
+                const simd::MaskOf<V> partly_open = partlyOpen(view, group, members, each.pose.gap);
+                using simd::any;
+                if (any(partly_open)) return forEachShare(view, group, members, partly_open, each);
+            }
             // Twice the areas of the fan's triangles.
             const auto twice = [](V ax, V ay, V bx, V by) { return ax * by - ay * bx; };
             const std::size_t last = (corners - 1) * step;

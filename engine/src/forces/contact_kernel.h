@@ -1,6 +1,6 @@
 #pragma once
-// The hot kernel: gap, slide, law and sums for one interface (V = double) or several in a register (V = Lanes). One
-// source, a build per instruction set (contact_kernel*.cpp), the same bits.
+// The hot kernel: gap, slide, law and sums for one interface (V = double) or several in a register (V =
+// Lanes). One source, a build per instruction set (contact_kernel*.cpp), the same bits.
 
 #include <cstddef>
 #include <utility>
@@ -10,8 +10,8 @@
 namespace talus {
 namespace {
 
-/// What an interface's contact points add up to: force on b and moment about the interface's origin, in the frame e1,
-/// e2, e3.
+/// What an interface's contact points add up to: force on b and moment about the interface's origin, in the
+/// frame e1, e2, e3.
 template <class V>
 struct PatchSum {
     Triple<V> force{}, moment{};
@@ -54,9 +54,10 @@ TALUS_KERNEL RelativeVelocity<V> relativeVelocity(const RelativePoseOf<V>& pose,
             V{} - dot(spin, pose.e1)};
 }
 
-/// One group's contact points, one after the other. Gap and slides are those of b's material point, which lies pressed below
-/// a's plane; only there does the shear force do the work that its spring holds, and there it acts when `Arms`. Else it acts
-/// where that point is projected to, which is as good where nothing turns while it is pressed.
+/// One group's contact points, one after the other. Gap and slides are those of b's material point, which
+/// lies pressed below a's plane; only there does the shear force do the work that its spring holds, and there
+/// it acts when `Arms`. Else it acts where that point is projected to, which is as good where nothing turns
+/// while it is pressed.
 template <class V, bool Damped, bool Remembers, bool Curved, bool Arms>
 struct PointLoop {
     const ContactView& view;
@@ -68,8 +69,9 @@ struct PointLoop {
     Triple<V> height;  ///< of b's material points over a's plane [m]
     PatchSum<V> sum{};
 
-    /// The viscous term c_k of eqs (3)-(4) beside the spring: acts while the contact point is closed, along the
-    /// surface only while it sticks, and never turns the normal force into tension beyond the joint's strength.
+    /// The viscous term c_k of eqs (3)-(4) beside the spring: acts while the contact point is closed, along
+    /// the surface only while it sticks, and never turns the normal force into tension beyond the joint's
+    /// strength.
     TALUS_KERNEL void addDashpot(V xi, V eta, V z, V area, V bond, contact::ForceOf<V>& total) const {
         using simd::either, simd::larger, simd::select;
         const V damped = total.normal - damping_normal * area * affine(velocity.normal, xi, eta);
@@ -85,10 +87,11 @@ struct PointLoop {
         total.shear_2 = total.shear_2 - c * along_2;
     }
 
-    /// Restitution e: a contact point that parts pushes back e^2 of its spring's force, so that an impact gives back e^2 of the
-    /// energy that it stored, whatever mass, speed, stiffness and shape (O. R. Walton and R. L. Braun, 1986, have it in the
-    /// stiffness of unloading). Up to kPartingSpeed the loss grows with the speed, so that what lies still feels none. The
-    /// friction of one that slips falls with the normal force.
+    /// Restitution e: a contact point that parts pushes back e^2 of its spring's force, so that an impact
+    /// gives back e^2 of the energy that it stored, whatever mass, speed, stiffness and shape (O. R. Walton
+    /// and R. L. Braun, 1986, have it in the stiffness of unloading). Up to kPartingSpeed the loss grows with
+    /// the speed, so that what lies still feels none. The friction of one that slips falls with the normal
+    /// force.
     TALUS_KERNEL void unload(V xi, V eta, contact::ForceOf<V>& total) const {
         using simd::larger, simd::select, simd::smaller;
         constexpr double kPartingSpeed = 1e-3;  // [m/s]
@@ -100,6 +103,18 @@ struct PointLoop {
     }
 
     TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot) {
+        update(xi, eta, area, slot, [](V gap, V) { return gap; });
+    }
+    TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot, const ShareOf<V>& share) {
+        update(xi, eta, area, slot, [&](V gap, V bond) {
+            using simd::select;
+            return select(share.counts, contact::gapOfShare(law, bond, gap, share.overlap), gap);
+        });
+    }
+
+    /// \param gap_of  what the law takes for the gap at its place and the bond that is left
+    template <class GapOf>
+    TALUS_KERNEL void update(V xi, V eta, V area, std::size_t slot, const GapOf& gap_of) {
         double* row = view.memory + slot * (Remembers ? kMemoryQuantities : kSlideQuantities);
         contact::MemoryOf<V> memory;
         memory.offset_1 = members.load(row);
@@ -110,7 +125,7 @@ struct PointLoop {
         }
         const V slide_1 = affine(pose.slide_1, xi, eta), slide_2 = affine(pose.slide_2, xi, eta);
         contact::ForceOf<V> force = contact::contactLaw<Remembers, Curved>(
-            law, area, affine(pose.gap, xi, eta), slide_1, slide_2, release, memory);
+            law, area, gap_of(affine(pose.gap, xi, eta), memory.bond), slide_1, slide_2, release, memory);
         members.store(row, memory.offset_1);
         members.store(row + kRow, memory.offset_2);
         if constexpr (Remembers) {
@@ -176,8 +191,8 @@ TALUS_KERNEL void fetchRows(const double* row, std::size_t rows) {
     for (; rows > 0; --rows, row += kRow) __builtin_prefetch(row, Written ? 1 : 0);
 }
 
-/// Asks for what a group needs. The processor's own prefetchers lose the thread, because the streams come in short
-/// pieces in turn (engine/README.md has what that costs).
+/// Asks for what a group needs. The processor's own prefetchers lose the thread, because the streams come in
+/// short pieces in turn (bench/studies/contact-kernel.md).
 template <PointPlaces Places, bool Remembers>
 TALUS_KERNEL void fetch(const ContactView& view, std::size_t group_index) {
     constexpr std::size_t memory = Remembers ? kMemoryQuantities : kSlideQuantities;

@@ -43,6 +43,8 @@ struct ContactView {
     double contact_damping;
     bool restitution;  ///< whether contact points lose force as they part
     PointPlaces places;
+    /// Whether points share the closed part of a patch that is partly open (law/closed_part.h).
+    bool distributed;
 };
 
 /// Groups [begin, end). Same bits from each.

@@ -1,7 +1,7 @@
 #pragma once
-// Barton and Bandis' law: tau = sigma_n tan(phi_r + JRC log10(JCS / sigma_n)), Barton and Choubey (1977), Rock
-// Mechanics 10, 1-54. JRC counts degrees. The angle is at most max_friction, since log10 grows without end towards
-// small stresses, and at least phi_r: above JCS the roughness is sheared off.
+// Barton and Bandis' law: tau = sigma_n tan(phi_r + JRC log10(JCS / sigma_n)), Barton and Choubey (1977),
+// Rock Mechanics 10, 1-54. JRC counts degrees. The angle is at most max_friction, since log10 grows without
+// end towards small stresses, and at least phi_r: above JCS the roughness is sheared off.
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
-// From joints as people describe them to the law's parameters. Apart from law.h, which is compiled for several instruction
-// sets and must not bring strings along.
+// From joints as people describe them to the law's parameters. Apart from law.h, which is compiled for
+// several instruction sets and must not bring strings along.
 
 #include <vector>
 
@@ -9,7 +9,8 @@
 
 namespace talus {
 
-/// What frames do not keep: its restitution and residual factor, and the curve of its strength for the strength_factor that the law has.
+/// What frames do not keep: its restitution and residual factor, and the curve of its strength for the
+/// strength_factor that the law has.
 void setRest(const Joint& joint, contact::JointLaw& law);
 
 /// The joints' laws with their strengths over `factor`.

@@ -1,12 +1,12 @@
 #pragma once
-// The contact law at one contact point (eqs 5-9 of the paper), as pure functions: forces, strength, stiffness,
-// energy, and what gap or slide belongs to a force or an energy. Every loop calls these; nothing else in the engine
-// knows what a joint does. V is a double, or several of them in a register (simd/lanes.h): both take the same steps
-// in the same order and give the same bits.
+// The contact law at one contact point (eqs 5-9 of the paper), as pure functions: forces, strength,
+// stiffness, energy, and what gap or slide belongs to a force or an energy. Every loop calls these; nothing
+// else in the engine knows what a joint does. V is a double, or several of them in a register (simd/lanes.h):
+// both take the same steps in the same order and give the same bits.
 //
-// Signs: gap is positive when open, forces act on the block that is not the reference one; the normal force is the
-// effective (spring) force, compression positive. Water acts beside it: eq 7's opening rule with F_n + P is the same
-// statement written with the paper's tension-positive total force.
+// Signs: gap is positive when open, forces act on the block that is not the reference one; the normal force
+// is the effective (spring) force, compression positive. Water acts beside it: eq 7's opening rule with F_n +
+// P is the same statement written with the paper's tension-positive total force.
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ inline bool falls(const JointLaw& joint) {
     return joint.residual_tan_friction != joint.tan_friction || joint.residual_cohesion != joint.cohesion;
 }
 
-/// Whether contact points of this joint have to remember more than their plastic slide: strength that is lost for
-/// good, dilation.
+/// Whether contact points of this joint have to remember more than their plastic slide: strength that is lost
+/// for good, dilation.
 inline bool hasMemory(const JointLaw& joint) {
     return joint.bonded || (joint.curved ? joint.residual_factor != 1 : falls(joint)) ||
            joint.tan_dilation != 0;
@@ -35,8 +35,8 @@ inline bool softens(const JointLaw& joint) { return joint.softening > 0; }
 /// Whether it has strength to lose that `held` can hold.
 inline bool isBrittle(const JointLaw& joint) { return !joint.curved && (joint.bonded || falls(joint)); }
 
-/// The same joint where nothing that is whole breaks, whatever the load: elastic in shear, and in tension where it is bonded.
-/// What is broken has its residual strength as before.
+/// The same joint where nothing that is whole breaks, whatever the load: elastic in shear, and in tension
+/// where it is bonded. What is broken has its residual strength as before.
 inline JointLaw held(JointLaw joint) {
     constexpr double kUnbroken = 1e30;  // [Pa]
     if (!isBrittle(joint)) return joint;
@@ -48,8 +48,8 @@ inline JointLaw held(JointLaw joint) {
 /// Whether it opens as it slips.
 inline bool dilates(const JointLaw& joint) { return joint.tan_dilation != 0; }
 
-/// What a contact point remembers. The shear force is -k_s A (slide - offset): a total form of eq 6 in the frame that
-/// turns with the reference block, so that nothing drifts however many steps are taken.
+/// What a contact point remembers. The shear force is -k_s A (slide - offset): a total form of eq 6 in the
+/// frame that turns with the reference block, so that nothing drifts however many steps are taken.
 template <class V>
 struct MemoryOf {
     V offset_1{};        ///< slide that is plastic, along the first tangent [m]
@@ -86,8 +86,8 @@ TALUS_KERNEL V tensileStrength(const JointParameters<V>& joint, V area, V bond) 
     return bond * joint.tensile_strength * area;
 }
 
-/// Stiffness in tension, with what is left of the bond [Pa/m]: what has opened beyond its strength and softens goes
-/// back to closed along a straight line.
+/// Stiffness in tension, with what is left of the bond [Pa/m]: what has opened beyond its strength and
+/// softens goes back to closed along a straight line.
 template <class V>
 TALUS_KERNEL V tensionStiffness(const JointParameters<V>& joint, V bond) {
     using simd::both, simd::select;
@@ -97,8 +97,9 @@ TALUS_KERNEL V tensionStiffness(const JointParameters<V>& joint, V bond) {
     return select(both(opened > 0.0, bond > 0.0), damaged, joint.normal_stiffness);
 }
 
-/// What is left of a bond that softens, at an opening [m]: all up to that of its strength, nothing after `softening`
-/// more. The strength falls along a straight line (A. Hillerborg, M. Modeer and P.-E. Petersson, Cem. Concr. Res. 6, 1976).
+/// What is left of a bond that softens, at an opening [m]: all up to that of its strength, nothing after
+/// `softening` more. The strength falls along a straight line (A. Hillerborg, M. Modeer and P.-E. Petersson,
+/// Cem. Concr. Res. 6, 1976).
 template <class V>
 TALUS_KERNEL V bondAtOpening(const JointParameters<V>& joint, V opening, V bond) {
     using simd::larger, simd::smaller;
@@ -133,7 +134,8 @@ TALUS_KERNEL V curveShare(const JointParameters<V>& joint, V bond) {
     return joint.residual_factor + bond * (V{} + 1.0 - joint.residual_factor);
 }
 
-/// Largest shear force the contact point carries; by a curve that of its stress. `Curved` may be false when no joint is.
+/// Largest shear force the contact point carries; by a curve that of its stress. `Curved` may be false when
+/// no joint is.
 template <bool Curved = true, class V>
 TALUS_KERNEL V shearStrength(const JointParameters<V>& joint, V area, V normal_force, V bond) {
     using simd::any, simd::larger, simd::select;
@@ -164,8 +166,9 @@ TALUS_KERNEL V strengthSlope(const JointParameters<V>& joint, V area, V normal_f
     return slope;
 }
 
-/// Whether a contact point without tensile strength carries no shear once it is open. A brittle bond that is being released
-/// holds its share of the cohesion until it is gone, or forces would jump where the normal force becomes none.
+/// Whether a contact point without tensile strength carries no shear once it is open. A brittle bond that is
+/// being released holds its share of the cohesion until it is gone, or forces would jump where the normal
+/// force becomes none.
 template <class V>
 TALUS_KERNEL simd::MaskOf<V> holdsNothing(const JointParameters<V>& joint, V bond) {
     using simd::either;
@@ -174,10 +177,11 @@ TALUS_KERNEL simd::MaskOf<V> holdsNothing(const JointParameters<V>& joint, V bon
 
 /// Forces at a contact point from its gap and slide; updates its memory.
 ///
-/// `release` is the share of the bond that goes per call once it breaks: 1 in a time history (brittle, eqs 7-9),
-/// less in quasi-static work, where a break is released slowly so that its energy does not break its neighbours. A joint
-/// that softens loses its bond with the way it goes instead: a second call at the same place changes nothing.
-/// `Remembers` may be false when no joint `hasMemory`, `Curved` when none is; the result is the same, to the bit.
+/// `release` is the share of the bond that goes per call once it breaks: 1 in a time history (brittle, eqs
+/// 7-9), less in quasi-static work, where a break is released slowly so that its energy does not break its
+/// neighbours. A joint that softens loses its bond with the way it goes instead: a second call at the same
+/// place changes nothing. `Remembers` may be false when no joint `hasMemory`, `Curved` when none is; the
+/// result is the same, to the bit.
 template <bool Remembers = true, bool Curved = true, class V>
 TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V gap, V slide_1, V slide_2,
                                    V release, MemoryOf<V>& memory) {
@@ -269,8 +273,8 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     return force;
 }
 
-// The inverses, for those who hand on what a contact carries. Springs are linear while a contact point is closed and
-// sticks.
+// The inverses, for those who hand on what a contact carries. Springs are linear while a contact point is
+// closed and sticks.
 
 /// Overlap at which a contact point carries a normal force [m].
 inline double overlapFor(const JointLaw& joint, double area, double normal_force) {
@@ -309,8 +313,8 @@ inline double largestStiffness(const JointLaw& joint) {
     return std::max(joint.normal_stiffness, joint.shear_stiffness);
 }
 
-/// The straight envelope of its strength, peak or residual, whichever is more, for limit analysis: |tau| <= cohesion +
-/// sigma_n tan_friction, and no more tension than tensile_strength [Pa].
+/// The straight envelope of its strength, peak or residual, whichever is more, for limit analysis: |tau| <=
+/// cohesion + sigma_n tan_friction, and no more tension than tensile_strength [Pa].
 struct StrengthLine {
     double tan_friction, cohesion, tensile_strength;
 };

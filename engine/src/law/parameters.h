@@ -1,7 +1,7 @@
 #pragma once
-// What the contact law takes of a joint, and the one list of it: kernels gather it, properties of joints (talus/joint.h)
-// become it, frames keep it, each by going through the list. A parameter is a member, a line of the list, and what
-// law.h makes of it.
+// What the contact law takes of a joint, and the one list of it: kernels gather it, properties of joints
+// (talus/joint.h) become it, frames keep it, each by going through the list. A parameter is a member, a line
+// of the list, and what law.h makes of it.
 
 #include <array>
 #include <cstddef>

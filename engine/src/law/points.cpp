@@ -22,8 +22,8 @@ Vec2 patchCentroid(std::span<const Vec2> patch) {
     return patch[0] + sum / area;
 }
 
-/// On each triangle of the centroid fan the rule "3/4 at the centroid, 1/12 at each vertex" integrates quadratics
-/// exactly (Strang and Fix 1973, ch. 4.3); neighbours share their vertices' parts.
+/// On each triangle of the centroid fan the rule "3/4 at the centroid, 1/12 at each vertex" integrates
+/// quadratics exactly (Strang and Fix 1973, ch. 4.3); neighbours share their vertices' parts.
 std::vector<PatchPoint> vertexPoints(std::span<const Vec2> patch) {
     const std::size_t m = patch.size();
     const Vec2 centre = patchCentroid(patch);
@@ -96,6 +96,7 @@ std::vector<PatchPoint> patchPoints(std::span<const Vec2> patch, const PointRule
             if (isRectangle(patch)) return gridPoints(patch, rule.grid);
             break;
         case PointRule::Kind::vertex:
+        case PointRule::Kind::distributed:
             break;
     }
     return vertexPoints(patch);
@@ -112,6 +113,7 @@ std::size_t pointCount(std::span<const Vec2> patch, const PointRule& rule) {
                 return static_cast<std::size_t>(rule.grid) * static_cast<std::size_t>(rule.grid);
             break;
         case PointRule::Kind::vertex:
+        case PointRule::Kind::distributed:
             break;
     }
     return 2 * patch.size() + 1;

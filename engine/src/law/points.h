@@ -1,5 +1,5 @@
 #pragma once
-// Where the contact points (contact points) of a patch lie, and which share of its area each stands for.
+// Where the contact points of a patch lie, and which share of its area each stands for.
 
 #include <Eigen/Core>
 #include <span>
@@ -14,12 +14,15 @@ struct PatchPoint {
     double area;               ///< A_s [m^2]
 };
 
-/// contact points of a convex patch given counter-clockwise. The areas add up to the patch's.
-///  - vertex: exact for polynomials of degree 2 (so the closed stiffness is exact), outermost points on the outline
-///    (so the overturning pivot is exact);
+/// Contact points of a convex patch given counter-clockwise. The areas add up to the patch's.
+///  - vertex: exact for polynomials of degree 2 (so the closed stiffness is exact), outermost points on the
+///    outline
+///    (so the overturning pivot of a rigid joint is exact);
+///  - distributed: the same points; what they carry while the patch is partly open is in closed_part.h;
 ///  - quarter: the paper's rule, one sub-area per vertex, its contact point at the sub-area's centroid;
 ///  - corner: the patch's vertices, equal shares;
-///  - grid N: centroids of N x N equal cells on a rectangle; on the other patches of a model in motion, `vertex`.
+///  - grid N: centroids of N x N equal cells on a rectangle; on the other patches of a model in motion,
+///    `vertex`.
 std::vector<PatchPoint> patchPoints(std::span<const Eigen::Vector2d> patch, const PointRule& rule);
 
 /// How many contact points patchPoints gives. A vertex or edge contact, of one corner, has one.

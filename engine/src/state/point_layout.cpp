@@ -91,7 +91,7 @@ void makePoints(State& state) {
     if (remembers)
         for (std::size_t slot = 0; slot < slots; ++slot) points.setBond(slot, 1.0);
     const PointRule& rule = state.geometry->model.points;
-    if (rule.kind == PointRule::Kind::vertex || rule.kind == PointRule::Kind::corner) return;
+    if (rule.kind != PointRule::Kind::quarter && rule.kind != PointRule::Kind::grid) return;
     points.places.grow(slots);
     for (std::size_t i = 0; i < f.size(); ++i) {
         std::size_t k = 0;

@@ -23,12 +23,12 @@ struct PointSum {
 
 double affineAt(const Vec3& f, const Eigen::Vector2d& at) { return f.x() + at.x() * f.y() + at.y() * f.z(); }
 
-/// What it takes to bring a closed contact point's springs to the lengths they have: not by way of their forces, which
-/// elasticEnergy takes. Where strength cuts a force, that tells the length.
+/// What it takes to bring a closed contact point's springs to the lengths they have: not by way of their
+/// forces, which elasticEnergy takes. Where strength cuts a force, that tells the length.
 double springEnergy(const contact::JointLaw& law, const RelativePose& pose, const ContactPoint& point) {
     const contact::PointForce& force = point.force;
     if (force.open) return 0;
-    const double overlap = point.memory.dilation - affineAt(pose.gap, point.position);
+    const double overlap = point.memory.dilation - point.gap;
     const double normal =
         force.normal < 0 ? contact::storedEnergy(law, point.area, point.memory.bond, {.normal = force.normal})
                          : contact::energyToPress(law, point.area, 0.0, overlap);

@@ -56,7 +56,8 @@ bool isOnSurface(const State& state, std::int32_t block, std::int32_t face, cons
     return std::abs(highest) <= kInPlane * state.geometry->radius[b];
 }
 
-/// Orthonormal tangents carried into a tilted plane along their normal: e + s n, e' + s' n, so s s' is their product.
+/// Orthonormal tangents carried into a tilted plane along their normal: e + s n, e' + s' n, so s s' is their
+/// product.
 bool areCarriedOver(const Vec3& e1, const Vec3& e2) {
     constexpr double kRounding = 1e-7;
     const auto rise = [](const Vec3& e) { return std::sqrt(std::max(0.0, e.squaredNorm() - 1.0)); };

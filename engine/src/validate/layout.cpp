@@ -55,7 +55,7 @@ void checkPointSlots(const State& state, Findings& findings) {
         count += static_cast<std::size_t>(group.points) * static_cast<std::size_t>(group.size);
     }
     const PointRule::Kind kind = state.geometry->model.points.kind;
-    const bool derived = kind == PointRule::Kind::vertex || kind == PointRule::Kind::corner;
+    const bool derived = kind != PointRule::Kind::quarter && kind != PointRule::Kind::grid;
     findings.expect(points.size() == count, "the count of contact points is not that of the interfaces'");
     findings.expect(points.memory.slots() == slots, "contact points' memory has not the groups' slots");
     findings.expect(points.places.slots() == (derived ? 0 : slots),

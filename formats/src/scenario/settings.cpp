@@ -129,6 +129,8 @@ void readContact(TableReader& root, Model& model) {
     if (!text) return;
     if (*text == "vertex") {
         model.points = {PointRule::Kind::vertex, 0};
+    } else if (*text == "distributed") {
+        model.points = {PointRule::Kind::distributed, 0};
     } else if (*text == "quarter") {
         model.points = {PointRule::Kind::quarter, 0};
     } else if (*text == "corner") {
@@ -136,10 +138,11 @@ void readContact(TableReader& root, Model& model) {
     } else if (const auto grid = gridSize(*text)) {
         model.points = {PointRule::Kind::grid, *grid};
     } else {
-        table->error("points",
-                     "found " + quoted(*text) +
-                         R"(, allowed: "vertex", "quarter", "corner", or "grid N" with N from 1 to )" +
-                         std::to_string(kMaxGrid));
+        table->error(
+            "points",
+            "found " + quoted(*text) +
+                R"(, allowed: "vertex", "distributed", "quarter", "corner", or "grid N" with N from 1 to )" +
+                std::to_string(kMaxGrid));
     }
 }
 

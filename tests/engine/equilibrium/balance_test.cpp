@@ -16,10 +16,12 @@ using namespace talus::equilibrium;
 
 namespace {
 
-/// Two boxes one on the other on a floor, pressed together and moved at random, so that some contact points stick,
-/// slip and open.
-State shaken(int seed, StrengthLaw law = StrengthLaw::coulomb) {
+/// Two boxes one on the other on a floor, pressed together and moved at random, so that some contact points
+/// stick, slip and open.
+State shaken(int seed, StrengthLaw law = StrengthLaw::coulomb,
+             PointRule::Kind rule = PointRule::Kind::vertex) {
     Model model = floorModel(30, 1e9);
+    model.points.kind = rule;
     model.joints[0].shear_stiffness = 4e8;
     model.joints[0].law = law;
     model.joints[0].jrc = 12;  // at some 1 to 4 kPa
@@ -44,6 +46,11 @@ State shaken(int seed, StrengthLaw law = StrengthLaw::coulomb) {
     return state;
 }
 
+/// Both rules with every law.
+PointRule::Kind ruleOf(int seed) {
+    return (seed / 4) % 2 == 0 ? PointRule::Kind::vertex : PointRule::Kind::distributed;
+}
+
 Vec6s forcesAt(const State& state, Balance& balance, const Poses& poses) {
     Vec6s force;
     sumForces(state, balance, poses, false, force);
@@ -64,7 +71,7 @@ std::pair<Vec6s, BlockMatrix> systemOf(State& state, simd::InstructionSet set) {
 TEST_SUITE("equilibrium") {
     TEST_CASE("forces are those of the engine's own kernel, with every law") {
         for (int seed = 0; seed < 80; ++seed) {
-            State state = shaken(seed, static_cast<StrengthLaw>(seed % 4));
+            State state = shaken(seed, static_cast<StrengthLaw>(seed % 4), ruleOf(seed));
             Balance balance = makeBalance(state);
             const Vec6s force = forcesAt(state, balance, posesOf(state));
             updateForces(state, false);
@@ -126,7 +133,7 @@ TEST_SUITE("equilibrium") {
         for (const simd::InstructionSet set : {simd::InstructionSet::avx2, simd::InstructionSet::avx512}) {
             if (!simd::isAvailable(set)) continue;
             for (int seed = 0; seed < 40; ++seed) {
-                State state = shaken(seed, static_cast<StrengthLaw>(seed % 4));
+                State state = shaken(seed, static_cast<StrengthLaw>(seed % 4), ruleOf(seed));
                 const auto [scalar_force, scalar_matrix] = systemOf(state, simd::InstructionSet::scalar);
                 const auto [force, matrix] = systemOf(state, set);
                 CHECK(force == scalar_force);
@@ -140,7 +147,7 @@ TEST_SUITE("equilibrium") {
     TEST_CASE("the matrix is minus the derivative of the forces, finite turns and lever arms included") {
         constexpr double kStep = 1e-10;
         for (int seed = 0; seed < 60; ++seed) {
-            const State state = shaken(seed, static_cast<StrengthLaw>(seed % 4));
+            const State state = shaken(seed, static_cast<StrengthLaw>(seed % 4), ruleOf(seed));
             Balance balance = makeBalance(state);
             const Poses poses = posesOf(state);
             Vec6s force;

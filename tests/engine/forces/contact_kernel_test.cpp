@@ -1,5 +1,5 @@
-// The builds of the contact kernel against each other, to the bit, and against a plain sum over contact points, to
-// rounding.
+// The builds of the contact kernel against each other, to the bit, and against a plain sum over contact
+// points, to rounding.
 
 #include <doctest/doctest.h>
 
@@ -115,7 +115,8 @@ void jolt(State& state, std::mt19937& random) {
     updateSpin(state, {0, state.blocks.size()});
 }
 
-/// The wrench of interface i on b by a plain sum over its contact points, from what they remembered before the step.
+/// The wrench of interface i on b by a plain sum over its contact points, from what they remembered before
+/// the step.
 Wrench plainSum(const State& before, std::size_t i) {
     const RelativePose pose = relativePose(before, i);
     const auto b = static_cast<std::size_t>(before.interfaces.block_b[i]);
@@ -127,7 +128,7 @@ Wrench plainSum(const State& before, std::size_t i) {
         };
         const double slide_1 = at(pose.slide_1), slide_2 = at(pose.slide_2);
         contact::PointMemory memory = p.memory;
-        const auto f = contact::contactLaw(law, p.area, at(pose.gap), slide_1, slide_2, 1.0, memory);
+        const auto f = contact::contactLaw(law, p.area, p.gap, slide_1, slide_2, 1.0, memory);
         const Vec3 force = f.shear_1 * pose.e1 + f.shear_2 * pose.e2 + f.normal * pose.e3;
         const Vec3 place =
             pose.origin + (p.position.x() + slide_1) * pose.e1 + (p.position.y() + slide_2) * pose.e2;
@@ -201,8 +202,9 @@ Seen compare(const PointRule& rule, const Joint& strength, double contact_dampin
     return seen;
 }
 
-constexpr PointRule kVertex{PointRule::Kind::vertex, 0}, kCorner{PointRule::Kind::corner, 0},
-    kQuarter{PointRule::Kind::quarter, 0}, kGrid{PointRule::Kind::grid, 3};
+constexpr PointRule kVertex{PointRule::Kind::vertex, 0}, kDistributed{PointRule::Kind::distributed, 0},
+    kCorner{PointRule::Kind::corner, 0}, kQuarter{PointRule::Kind::quarter, 0},
+    kGrid{PointRule::Kind::grid, 3};
 
 }  // namespace
 
@@ -215,7 +217,7 @@ TEST_SUITE("forces") {
                           << ", closed again " << seen.closed_again << ", broken " << seen.broken);
             CHECK(std::min({seen.stuck, seen.slipped, seen.open, seen.closed_again}) > 0);
         };
-        for (const PointRule& rule : {kVertex, kCorner, kQuarter, kGrid})
+        for (const PointRule& rule : {kVertex, kDistributed, kCorner, kQuarter, kGrid})
             for (const double damping : {0.0, 1e-5}) {
                 seenAll(compare(rule, frictional(), damping));
                 const Seen rich = compare(rule, brittle(), damping);

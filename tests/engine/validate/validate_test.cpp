@@ -21,7 +21,8 @@ using namespace talus::test;
 
 namespace {
 
-/// A wall that leans on its floor, with a cube that comes down on a vertex, water behind the first column, and bonds.
+/// A wall that leans on its floor, with a cube that comes down on a vertex, water behind the first column,
+/// and bonds.
 Model everyKind(PointRule rule = {}) {
     Model model = stackModel(3, 2, 1, 20, {0.2, 0.1, 0.1}, 1e9);
     addTurnedCube(model, "cube", turnAbout({1, 0.3, 0.2}, 40), 1.2, 0.05, 0.00005, 0.1);
@@ -89,8 +90,9 @@ void checkFound(const State& sound, const std::vector<Damage>& damages,
 }  // namespace
 
 TEST_CASE("validate: sound states of every rule of contact points pass, at the start and under way") {
-    for (const PointRule::Kind kind : {PointRule::Kind::vertex, PointRule::Kind::corner,
-                                       PointRule::Kind::quarter, PointRule::Kind::grid}) {
+    for (const PointRule::Kind kind :
+         {PointRule::Kind::vertex, PointRule::Kind::distributed, PointRule::Kind::corner,
+          PointRule::Kind::quarter, PointRule::Kind::grid}) {
         CAPTURE(static_cast<int>(kind));
         const State state = movedState(everyKind({kind, 3}), 400);
         checkValid(state, true);

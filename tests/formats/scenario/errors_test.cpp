@@ -73,7 +73,7 @@ TEST_CASE("scenario errors: [analysis], [run], [damping], [gravity], [contact], 
     fault("gravity", "tilt_deg", "-90", "found -90, allowed: greater than -90 and less than 90");
     fault("gravity", "tilt_deg", "1979-05-27", "found a date or time, allowed: a number");
     fault("contact", "points", "\"nine\"",
-          "found \"nine\", allowed: \"vertex\", \"quarter\", \"corner\", or \"grid N\"");
+          "found \"nine\", allowed: \"vertex\", \"distributed\", \"quarter\", \"corner\", or \"grid N\"");
     for (const char* grid : {"\"grid\"", "\"grid 0\"", "\"grid 65\"", "\"grid -1\"", "\"grid 4.0\"",
                              "\"grid 4 \"", "\"grid 99999999999\""})
         fault("contact", "points", grid, "with N from 1 to 64");

@@ -1,0 +1,119 @@
+#pragma once
+// A joint without tension on a patch that is partly open: pressure k_n (-gap) acts where the gap is negative
+// and nowhere else. The gap is affine, so the closed part of a triangle is a triangle or a quadrangle, and
+// its integrals are exact. The contact points are those of the rule "vertex" (law/points.h). Each carries the
+// pressure of its share of the patch; together they have the resultant and the moments of the pressure.
+
+#include "law/parameters.h"
+#include "simd/scalar.h"
+
+namespace talus::contact {
+
+/// Integrals over a triangle of unit area: of overlap times each of the three shape functions N_i (linear, 1
+/// at corner i).
+struct ClosedPart {
+    double by_corner[3] = {0, 0, 0};  ///< S_i = int N_i max(-gap, 0) dA [m]
+    /// How S_i grows with the overlap at corner j: int N_i N_j dA over the closed part. The boundary of the
+    /// closed part moves, too, but there the overlap is zero.
+    double rate[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+};
+
+/// Adds a triangle's part where an affine overlap is positive that has the value `at_tip` > 0 at corner `tip`
+/// and zero at the shares `s`, `t` of the way to the next two corners: a triangle of the area s t.
+/// \param sign  -1 takes the part away
+TALUS_KERNEL void addTip(int tip, double s, double t, double at_tip, double sign, ClosedPart& sum) {
+    const int next = (tip + 1) % 3, last = (tip + 2) % 3;
+    double shape[3][3];  // of corner i at the part's corner v: its tip, then on the two sides
+    shape[tip][0] = 1, shape[tip][1] = 1 - s, shape[tip][2] = 1 - t;
+    shape[next][0] = 0, shape[next][1] = s, shape[next][2] = 0;
+    shape[last][0] = 0, shape[last][1] = 0, shape[last][2] = t;
+    // int f g dA of two linear functions over a triangle of area A: A/12 (sum f_v g_v + sum f_v sum g_v).
+    const double twelfth = sign * s * t / 12;
+    double total[3];
+    for (int i = 0; i < 3; ++i) {
+        total[i] = shape[i][0] + shape[i][1] + shape[i][2];
+        sum.by_corner[i] += twelfth * at_tip * (shape[i][0] + total[i]);
+    }
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            sum.rate[i][j] += twelfth * (shape[i][0] * shape[j][0] + shape[i][1] * shape[j][1] +
+                                         shape[i][2] * shape[j][2] + total[i] * total[j]);
+}
+
+/// \param overlap  at the corners, negative where the triangle is open [m]
+TALUS_KERNEL ClosedPart closedPart(const double (&overlap)[3]) {
+    int closed = 0;
+    for (const double o : overlap) closed += o > 0 ? 1 : 0;
+    ClosedPart part;
+    if (closed == 0) return part;
+    if (closed >= 2) {  // the whole triangle, less the open tip
+        for (int i = 0; i < 3; ++i) {
+            part.by_corner[i] = (overlap[i] + overlap[0] + overlap[1] + overlap[2]) / 12;
+            for (int j = 0; j < 3; ++j) part.rate[i][j] = (i == j ? 2.0 : 1.0) / 12;
+        }
+        if (closed == 3) return part;
+    }
+    for (int tip = 0; tip < 3; ++tip) {
+        if ((overlap[tip] > 0) != (closed == 1)) continue;
+        const double here = overlap[tip];
+        const double s = here / (here - overlap[(tip + 1) % 3]), t = here / (here - overlap[(tip + 2) % 3]);
+        addTip(tip, s, t, here, closed == 1 ? 1.0 : -1.0, part);
+    }
+    return part;
+}
+
+/// What the four contact points of a triangle of the fan carry, over k_n and the triangle's area: its three
+/// corners, then its middle.
+struct TriangleShares {
+    double overlap[4] = {0, 0, 0, 0};  ///< [m]
+    double rate[4][3] = {};            ///< of each by the overlap at the corners
+};
+
+/// Forces F_i at the corners and F_m at the middle have the triangle's resultant and moments if F_i = S_i -
+/// F_m / 3, with any F_m. A closed triangle of the rule "vertex" has F_m = 3/4 sum S_i. No force is negative
+/// as long as F_m is at most 3 S_i; where the triangle is partly open that is less. The least S_i belongs to
+/// the corner that is most open.
+TALUS_KERNEL TriangleShares sharesOf(const double (&overlap)[3]) {
+    const ClosedPart part = closedPart(overlap);
+    const double(&s)[3] = part.by_corner;
+    const double sum = s[0] + s[1] + s[2];
+    int least = 0;
+    for (int i = 1; i < 3; ++i)
+        if (overlap[i] < overlap[least]) least = i;
+    const bool as_closed = 0.75 * sum <= 3 * s[least];
+    TriangleShares shares;
+    shares.overlap[3] = as_closed ? 0.75 * sum : 3 * s[least];
+    for (int j = 0; j < 3; ++j)
+        shares.rate[3][j] = as_closed ? 0.75 * (part.rate[0][j] + part.rate[1][j] + part.rate[2][j])
+                                      : 3 * part.rate[least][j];
+    for (int i = 0; i < 3; ++i) {
+        shares.overlap[i] = simd::larger(s[i] - shares.overlap[3] / 3, 0.0);
+        for (int j = 0; j < 3; ++j) shares.rate[i][j] = part.rate[i][j] - shares.rate[3][j] / 3;
+    }
+    if (!as_closed) {  // exactly nothing: rounding must not close a point
+        shares.overlap[least] = 0;
+        for (double& rate : shares.rate[least]) rate = 0;
+    }
+    return shares;
+}
+
+/// How far a contact point carries the pressure of its share, 0..1, and not that of the gap at its place: not
+/// while it has a bond or carries tension, which pulls where the joint is open, and not where slip has opened
+/// the joint by a way of the point's own.
+template <class V>
+TALUS_KERNEL V followsShare(const JointParameters<V>& joint, V bond) {
+    using simd::select;
+    const V one = V{} + 1.0;
+    const V unbonded = select(joint.bonded, one - bond, select(joint.tensile_strength == 0.0, one, V{}));
+    return select(joint.tan_dilation == 0.0, unbonded, V{});
+}
+
+/// The gap that the law takes [m]. \param share  mean overlap; none: the point's own place is open
+template <class V>
+TALUS_KERNEL V gapOfShare(const JointParameters<V>& joint, V bond, V gap, V overlap) {
+    using simd::larger, simd::select;
+    const V shared = select(overlap > 0.0, V{} - overlap, larger(gap, V{}));
+    return gap + followsShare(joint, bond) * (shared - gap);
+}
+
+}  // namespace talus::contact

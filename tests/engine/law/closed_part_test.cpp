@@ -1,0 +1,97 @@
+// Pressure over the closed part of a triangle against a sum over small triangles, and what its contact points
+// carry.
+
+#include "law/closed_part.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "law/points.h"
+
+using namespace talus;
+
+namespace {
+
+using Overlaps = std::array<double, 3>;
+
+contact::ClosedPart partOf(const Overlaps& o) { return contact::closedPart({o[0], o[1], o[2]}); }
+contact::TriangleShares sharesOf(const Overlaps& o) { return contact::sharesOf({o[0], o[1], o[2]}); }
+
+/// By sums over the middles of n^2 equal triangles.
+Overlaps summed(const Overlaps& overlap, int n) {
+    Overlaps sum{};
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n - i; ++j)
+            for (int flipped = 0; flipped < (j + 1 < n - i ? 2 : 1); ++flipped) {
+                const double third = (1 + flipped) / 3.0;
+                const Overlaps shape{(i + third) / n, (j + third) / n, 1 - (i + j + 2 * third) / n};
+                const double here = shape[0] * overlap[0] + shape[1] * overlap[1] + shape[2] * overlap[2];
+                for (std::size_t k = 0; k < 3; ++k) sum[k] += shape[k] * std::max(here, 0.0) / (n * n);
+            }
+    return sum;
+}
+
+Overlaps drawn(std::mt19937& random) {
+    std::uniform_real_distribution<double> both(-1, 1);
+    return {both(random), both(random), both(random)};
+}
+
+}  // namespace
+
+TEST_SUITE("law") {
+    TEST_CASE("closed part of a triangle: its integrals, wherever the zero line runs") {
+        std::mt19937 random(5);
+        for (int trial = 0; trial < 200; ++trial) {
+            Overlaps overlap = drawn(random);
+            if (trial % 5 == 0) overlap[0] = 0;
+            if (trial % 10 == 0) overlap[1] = 0;
+            const Overlaps exact = summed(overlap, 300);
+            const contact::ClosedPart part = partOf(overlap);
+            for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(part.by_corner[k] - exact[k]) < 2e-6);
+        }
+    }
+
+    TEST_CASE("what a triangle's points carry: no tension, the same force and moments, the rates of both") {
+        constexpr double kStep = 1e-6;
+        std::mt19937 random(6);
+        for (int trial = 0; trial < 500; ++trial) {
+            const Overlaps overlap = drawn(random);
+            const contact::ClosedPart part = partOf(overlap);
+            const contact::TriangleShares shares = sharesOf(overlap);
+            for (const double carried : shares.overlap) CHECK(carried >= 0);
+            for (std::size_t k = 0; k < 3; ++k)
+                CHECK(shares.overlap[k] + shares.overlap[3] / 3 ==
+                      doctest::Approx(part.by_corner[k]).epsilon(1e-12).scale(1));
+            for (std::size_t j = 0; j < 3; ++j) {
+                Overlaps more = overlap, less = overlap;
+                more[j] += kStep;
+                less[j] -= kStep;
+                const contact::TriangleShares up = sharesOf(more), down = sharesOf(less);
+                for (std::size_t k = 0; k < 4; ++k)
+                    CHECK(std::abs((up.overlap[k] - down.overlap[k]) / (2 * kStep) - shares.rate[k][j]) <
+                          1e-4);
+            }
+        }
+    }
+
+    TEST_CASE("a closed triangle has what the rule \"vertex\" gives it") {
+        std::mt19937 random(7);
+        for (int trial = 0; trial < 100; ++trial) {
+            Overlaps overlap = drawn(random);
+            for (double& o : overlap) o = std::abs(o);
+            const contact::TriangleShares shares = sharesOf(overlap);
+            for (std::size_t k = 0; k < 3; ++k)
+                CHECK(shares.overlap[k] == doctest::Approx(overlap[k] / 12).epsilon(1e-12));
+            CHECK(shares.overlap[3] ==
+                  doctest::Approx(0.75 * (overlap[0] + overlap[1] + overlap[2]) / 3).epsilon(1e-12));
+        }
+    }
+
+    TEST_CASE("an open triangle carries nothing") {
+        for (const double carried : sharesOf({-1, -0.5, -1e-9}).overlap) CHECK(carried == 0);
+    }
+}
