@@ -1,6 +1,7 @@
 #include "checks/water_warnings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "forces/phreatic.h"
@@ -103,6 +104,29 @@ bool isDry(const State& state, const PhreaticSurface& surface) {
     return true;
 }
 
+/// Where an answer is another than it was while a joint's ends were those of all its walls.
+std::optional<Error> otherEnds(const State& state, std::size_t index) {
+    constexpr double kSame = 1e-6;  // of the joint's height
+    const Water& water = state.geometry->model.waters[index];
+    const bool falls = water.daylight != Water::Daylight::closed || water.kind == Water::Level::head;
+    if (!falls && water.kind != Water::Level::depth) return std::nullopt;
+    const auto ends = movedEnds(state, index);
+    if (!ends) return std::nullopt;
+    const double same = kSame * (ends->high_with_fixed - ends->low_with_fixed);
+    const auto differ = [&](double now, double before) { return std::abs(now - before) > same; };
+    const auto text = [](double height) { return formatted("%.4g", height) + " m"; };
+    const std::string meant = "; earlier versions took that of the whole joint, fixed rock included, at ";
+    const std::string key =
+        water.field + (water.daylight != Water::Daylight::closed ? ".daylights" : levelKey(water));
+    if (differ(ends->low, ends->low_with_fixed))
+        return Error{key, "the joint's lower end is where it last bounds a free block, at " +
+                              text(ends->low) + meant + text(ends->low_with_fixed)};
+    if (falls && differ(ends->high, ends->high_with_fixed))
+        return Error{key, "the joint's upper end is where it last bounds a free block, at " +
+                              text(ends->high) + meant + text(ends->high_with_fixed)};
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Error> dryWaters(const State& state) {
@@ -113,6 +137,8 @@ std::vector<Error> dryWaters(const State& state) {
         if (isNothing(model.waters[w])) continue;
         if (const auto dry = whyDry(state, w)) doubts.push_back(doubtOf(model, model.waters[w], *dry));
     }
+    for (std::size_t w = 0; w < model.waters.size(); ++w)
+        if (auto other = otherEnds(state, w)) doubts.push_back(std::move(*other));
     if (model.phreatic && isDry(state, *model.phreatic)) {
         doubts.push_back({model.phreatic->field + (model.phreatic->line.empty() ? ".obj" : ".surface"),
                           std::string("found a water table below all free blocks: ") + kWetsNothing});

@@ -24,12 +24,14 @@ Vec3 initialPoint(const State& state, std::size_t w, const Vec2& v) {
     return state.geometry->initial_position.get(b) + state.geometry->initial_orientation.matrix(b) * own;
 }
 
-/// A point of the water table whose level is a depth up the joint plane's steepest line from its lowest wet point, as
-/// the joint lay at the start.
+/// A point of the water table whose level is a depth up the joint plane's steepest line from its lowest wet
+/// point, as the joint lay at the start.
 Vec3 tablePoint(const State& state, std::size_t water, double depth, const Vec3& down) {
     Vec3 lowest = Vec3::Zero(), normal = Vec3::Zero();
     double deepest = -kInfinity;
-    for (std::size_t w = state.wet.water_begin[water]; w < state.wet.water_begin[water + 1]; ++w)
+    const EndWalls ends(*state.geometry, state.geometry->model.waters[water]);
+    for (std::size_t w = state.wet.water_begin[water]; w < state.wet.water_begin[water + 1]; ++w) {
+        if (!ends.counts(state.wet.block[w])) continue;
         for (const Vec2& v : wetPolygon(state.wet, w)) {
             const Vec3 x = initialPoint(state, w, v);
             if (down.dot(x) <= deepest) continue;
@@ -39,6 +41,7 @@ Vec3 tablePoint(const State& state, std::size_t water, double depth, const Vec3&
                 state.geometry->initial_orientation.matrix(static_cast<std::size_t>(state.wet.block[w]));
             normal = turn * state.wet.e1.get(w).cross(state.wet.e2.get(w));
         }
+    }
     const Vec3 steepest = -down + down.dot(normal) * normal;
     const Vec3 up = steepest.norm() > 1e-9 ? Vec3(steepest.normalized()) : Vec3(-down);
     return lowest + depth * up;
@@ -70,17 +73,22 @@ struct JointEnds {
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
 };
 
-JointEnds endsOf(const State& state, std::size_t water, const Vec3& down) {
+JointEnds endsOf(const State& state, std::size_t water, const Vec3& down, const EndWalls& walls) {
     JointEnds ends;
     double deepest = -kInfinity, highest = kInfinity;
-    for (std::size_t w = state.wet.water_begin[water]; w < state.wet.water_begin[water + 1]; ++w)
+    for (std::size_t w = state.wet.water_begin[water]; w < state.wet.water_begin[water + 1]; ++w) {
+        if (!walls.counts(state.wet.block[w])) continue;
         for (const Vec2& v : wetPolygon(state.wet, w)) {
             const Vec3 x = initialPoint(state, w, v);
             const double depth = down.dot(x);
             if (depth > deepest) deepest = depth, ends.low = x;
             if (depth < highest) highest = depth, ends.high = x;
         }
+    }
     return ends;
+}
+JointEnds endsOf(const State& state, std::size_t water, const Vec3& down) {
+    return endsOf(state, water, down, {*state.geometry, state.geometry->model.waters[water]});
 }
 
 /// Of E. Hoek and J. W. Bray's distributions, the part that falls towards the lower end.
@@ -89,7 +97,8 @@ std::optional<PressureField::Bound> fallingTo(const JointEnds& ends, Water::Dayl
     const double height = down.dot(ends.low - ends.high);
     if (daylight == Water::Daylight::closed || !(height > 0)) return std::nullopt;
     const double at_top = std::max(0.0, field.p0 + field.gradient.dot(ends.high));
-    // Rising from nothing at the lower end: to what it is at the upper one, or as fast as the other half falls.
+    // Rising from nothing at the lower end: to what it is at the upper one, or as fast as the other half
+    // falls.
     const double rate = daylight == Water::Daylight::straight ? at_top / height : field.gradient.dot(down);
     return PressureField::Bound{rate * down.dot(ends.low), -rate * down};
 }
@@ -109,7 +118,8 @@ Thrust thrustOnWall(const WetPatches& wet, std::size_t w, const WallPressure& pr
     return pressure.most ? pressure.on(wetPolygon(wet, w)) : thrustOnWall(wet, w, pressure.hydrostatic);
 }
 
-/// Thrust against the outward normal, and its moment about the centroid: integral of r x (-e3 p) over the wet part.
+/// Thrust against the outward normal, and its moment about the centroid: integral of r x (-e3 p) over the wet
+/// part.
 void computeWrench(State& state, std::size_t w, const PressureField& field) {
     WetPatches& wet = state.wet;
     const Thrust thrust = thrustOnWall(wet, w, pressureNow(state, w, field));
@@ -179,8 +189,8 @@ std::vector<WetPart> wetPartsOf(const State& state, std::size_t block, int& axis
     return parts;
 }
 
-/// The first two walls of a block, in the order of their numbers, whose waters wet the same place. A wet part is compared with
-/// those alone that begin before it ends.
+/// The first two walls of a block, in the order of their numbers, whose waters wet the same place. A wet part
+/// is compared with those alone that begin before it ends.
 std::optional<std::pair<std::size_t, std::size_t>> sharedWet(const State& state, std::size_t block) {
     int axis = 0;
     const std::vector<WetPart> parts = wetPartsOf(state, block, axis);
@@ -225,7 +235,8 @@ Load atHighestLevel(const State& state, std::size_t water) {
     return load;
 }
 
-/// Waters that wet the same part of a face under the present load, each at the highest of its levels over time.
+/// Waters that wet the same part of a face under the present load, each at the highest of its levels over
+/// time.
 /// \post the pressures are those
 std::vector<Error> overlapErrors(State& state) {
     for (std::size_t water = 0; water < state.pressure.size(); ++water)
@@ -320,6 +331,19 @@ std::optional<DryWater> whyDry(const State& state, std::size_t water) {
     if (field.most && table <= upper_end && table > lowest)
         return DryWater{DryWater::Why::falls_from_nothing, table, upper_end};
     return DryWater{DryWater::Why::table_too_low, table, lowest};
+}
+
+std::optional<MovedEnds> movedEnds(const State& state, std::size_t water) {
+    const Model& model = state.geometry->model;
+    const Vec3 down = downward(model.gravity, state.load.tilt);
+    const EndWalls ends(*state.geometry, model.waters[water]);
+    if (!ends.leavesOut()) return std::nullopt;
+    Water all = model.waters[water];
+    all.ends_at_free_blocks = false;
+    const JointEnds now = endsOf(state, water, down, ends),
+                    with_fixed = endsOf(state, water, down, {*state.geometry, all});
+    const auto height = [&](const Vec3& x) { return -down.dot(x + state.geometry->origin); };
+    return MovedEnds{height(now.low), height(with_fixed.low), height(now.high), height(with_fixed.high)};
 }
 
 std::vector<Error> buildWater(State& state) {

@@ -1,9 +1,10 @@
 #pragma once
-// Stage "update water": the wrench of fissure water (eqs 1-2) on each wet wall, exact for partly wet polygons.
+// Stage "update water": the wrench of fissure water (eqs 1-2) on each wet wall, exact for partly wet
+// polygons.
 //
-// p = rho_w g (depth below a horizontal table, along gravity). For a joint at tilt beta and a distance s along it that
-// is rho_w g cos(beta) (H - s), the paper's eq 16. Walls are polygons fixed to their blocks: water keeps pushing when
-// the joint opens.
+// p = rho_w g (depth below a horizontal table, along gravity). For a joint at tilt beta and a distance s
+// along it that is rho_w g cos(beta) (H - s), the paper's eq 16. Walls are polygons fixed to their blocks:
+// water keeps pushing when the joint opens.
 
 #include <optional>
 #include <span>
@@ -23,7 +24,8 @@ std::vector<Error> buildWater(State& state);
 /// Makes the walls again after patches were clipped, for waters that stand on the patch of two blocks.
 void rebuildPairWater(State& state);
 
-/// Brings the wrenches up to date where the load, the level or the block's pose changed; nothing to do otherwise.
+/// Brings the wrenches up to date where the load, the level or the block's pose changed; nothing to do
+/// otherwise.
 /// Reads:  load, poses, drained
 /// Writes: wet.force, wet.moment
 void updateWater(State& state);
@@ -34,10 +36,19 @@ std::span<const std::int32_t> wetBlocks(const State& state);
 /// Of all water on a block, as last computed.
 Wrench waterOn(const State& state, std::size_t block);
 
+/// Heights of a joint's ends along gravity: where blocks that move bound it, and with what bounds it between
+/// fixed blocks [m].
+struct MovedEnds {
+    double low = 0, low_with_fixed = 0, high = 0, high_with_fixed = 0;
+};
+/// Nothing where every wall counts (Water::ends_at_free_blocks).
+std::optional<MovedEnds> movedEnds(const State& state, std::size_t water);
+
 /// Marks waters as drained whose interfaces have opened wider than they allow. Reads poses, writes drained.
 void drainWater(State& state);
 
-/// Pressure in the plane of a wall: hydrostatic, and no more than what falls to nothing where the joint daylights.
+/// Pressure in the plane of a wall: hydrostatic, and no more than what falls to nothing where the joint
+/// daylights.
 struct WallPressure {
     LinearPressure hydrostatic{};
     std::optional<LinearPressure> most{};
@@ -64,10 +75,12 @@ struct DryWater {
     double wall = 0;   ///< likewise: what it does not reach [m]
 };
 
-/// At the highest of its levels over time and under the state's tilt; nothing where it presses on a free block.
+/// At the highest of its levels over time and under the state's tilt; nothing where it presses on a free
+/// block.
 std::optional<DryWater> whyDry(const State& state, std::size_t water);
 
-/// What follows of pressures from the rest of them: a restart brings only that. \pre state.wet, state.water_load
+/// What follows of pressures from the rest of them: a restart brings only that. \pre state.wet,
+/// state.water_load
 void boundPressures(State& state);
 
 /// The pressure of a water, by its number, under a load.

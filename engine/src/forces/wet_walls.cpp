@@ -31,8 +31,8 @@ void addPatch(WetPatches& wet, std::size_t block, std::size_t water, std::int32_
     wet.vertex_begin.push_back(static_cast<std::int64_t>(wet.vertex_x.size()));
 }
 
-/// Two heads, linear over the height at the start between a joint's upper and lower end: where the lower one daylights with none,
-/// E. Hoek and J. W. Bray's distribution below a crack full of water.
+/// Two heads, linear over the height at the start between a joint's upper and lower end: where the lower one
+/// daylights with none, E. Hoek and J. W. Bray's distribution below a crack full of water.
 struct HeadOverHeight {
     double at_zero = 0, slope = 0;  ///< head at the height 0 of the state's z [m], and its rise with height
 
@@ -65,7 +65,9 @@ Polygon inOutline(const State& state, const Water& water, std::size_t b, const F
 HeadOverHeight headOverHeight(const State& state, const Water& water) {
     if (water.kind != Water::Level::head || water.pair) return {};
     double low = kInfinity, high = -kInfinity;
+    const EndWalls ends(*state.geometry, water);
     for (const WetFace& wall : water.walls) {
+        if (!ends.counts(wall.block)) continue;
         const auto b = static_cast<std::size_t>(wall.block);
         const Polyhedron& shape = state.geometry->shape[b];
         const auto face = static_cast<std::size_t>(wall.face);
@@ -99,7 +101,8 @@ void addWetPart(State& state, std::size_t water, std::size_t b, const FaceFrame&
     if (!polygon.empty()) addPatch(state.wet, b, water, -1, plane, polygon, head.on(state, b, plane));
 }
 
-/// A block face. What of it lies on another part of its block is no wall: the same polygons looking the other way take it off.
+/// A block face. What of it lies on another part of its block is no wall: the same polygons looking the other
+/// way take it off.
 void addWall(State& state, std::size_t water, const WetFace& wall, const HeadOverHeight& head) {
     const auto b = static_cast<std::size_t>(wall.block), face = static_cast<std::size_t>(wall.face);
     const Polyhedron& shape = state.geometry->shape[b];
@@ -113,8 +116,8 @@ void addWall(State& state, std::size_t water, const WetFace& wall, const HeadOve
     }
 }
 
-/// The faces of a pair of blocks that meet in the plane of the largest of their interfaces: only blocks of several parts have
-/// more than one.
+/// The faces of a pair of blocks that meet in the plane of the largest of their interfaces: only blocks of
+/// several parts have more than one.
 std::vector<std::size_t> interfacesOf(const State& state, const std::pair<std::int32_t, std::int32_t>& pair) {
     constexpr double kSamePlane = 1e-6;  // [rad], and of the length scale
     const Interfaces& f = state.interfaces;
@@ -141,8 +144,8 @@ std::vector<std::size_t> interfacesOf(const State& state, const std::pair<std::i
     return found;
 }
 
-/// Two heads, linear between the ends along x (along z for a patch normal to x) of all interfaces of a pair: value at one's
-/// origin and gradient along its e1, e2 [m].
+/// Two heads, linear between the ends along x (along z for a patch normal to x) of all interfaces of a pair:
+/// value at one's origin and gradient along its e1, e2 [m].
 Vec3 headField(const State& state, const std::vector<std::size_t>& all, std::size_t i,
                const std::array<double, 2>& head) {
     const RelativePose pose = relativePose(state, i);
@@ -161,8 +164,8 @@ Vec3 headField(const State& state, const std::vector<std::size_t>& all, std::siz
     return {head[1] - slope * low, slope * pose.e1[axis], slope * pose.e2[axis]};
 }
 
-/// Both walls of one interface: the same polygon and the same points, so that the two wrenches are opposite to
-/// rounding.
+/// Both walls of one interface: the same polygon and the same points, so that the two wrenches are opposite
+/// to rounding.
 void addInterfaceWalls(State& state, std::size_t water, const std::vector<std::size_t>& all, std::size_t i) {
     const Interfaces& f = state.interfaces;
     const RelativePose pose = relativePose(state, i);
@@ -192,6 +195,15 @@ void clearWet(State& state) {
 }
 
 }  // namespace
+
+EndWalls::EndWalls(const Geometry& geometry, const Water& water) : geometry_(geometry) {
+    only_moving_ = water.ends_at_free_blocks && std::any_of(water.walls.begin(), water.walls.end(),
+                                                            [&](const WetFace& w) { return moves(w.block); });
+}
+
+bool EndWalls::moves(std::int32_t block) const {
+    return geometry_.model.blocks[static_cast<std::size_t>(block)].motion != Motion::fixed;
+}
 
 Polygon wetPolygon(const WetPatches& wet, std::size_t w) {
     Polygon polygon;

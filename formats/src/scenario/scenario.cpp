@@ -88,8 +88,8 @@ class ScenarioReader {
         checkThereAreBlocks();
     }
 
-    /// Cut as soon as its tables are read, because only then its blocks have names; not if there are faults already,
-    /// which could be meant for it.
+    /// Cut as soon as its tables are read, because only then its blocks have names; not if there are faults
+    /// already, which could be meant for it.
     void readRock(BlockDirectory& directory) {
         rock_ = readRockMass(report_, root_, materials_, joints_, folder_);
         if (!rock_) return;
@@ -119,9 +119,12 @@ class ScenarioReader {
         std::vector<RockWalls> walls(waters.size());
         for (std::size_t i = 0; i < waters.size(); ++i) {
             if (waters[i].where != WaterEntry::Where::rock_joint) continue;
-            const std::size_t joint = waters[i].rock_joint;
-            walls[i] = {jointWalls(*rock_, *rock_blocks_, joint, waters[i].plane, firstRockBlock()),
+            const auto walls_of = [&](std::size_t joint, std::optional<std::int64_t> plane) -> JointWalls {
+                return {jointWalls(*rock_, *rock_blocks_, joint, plane, firstRockBlock()),
                         wetOutline(*rock_, joint)};
+            };
+            walls[i].joint = walls_of(waters[i].rock_joint, waters[i].plane);
+            if (waters[i].crack) walls[i].crack = walls_of(*waters[i].crack, std::nullopt);
         }
         return walls;
     }

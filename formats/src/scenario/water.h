@@ -26,6 +26,12 @@ struct WaterEntry {
     Vec3 direction = Vec3::UnitX();       ///< block_face: the face whose normal is nearest
     std::size_t rock_joint = 0;           ///< rock_joint: index into the sets, then the single joints
     std::optional<std::int64_t> plane{};  ///< rock_joint: one plane of a set
+    /// rock_joint: its level is this share of the height of `crack` and, unless `fills_crack_alone`, of the
+    /// joint [-]
+    std::optional<double> filled{};
+    std::optional<std::size_t>
+        crack{};  ///< with `filled`: the joint of a tension crack, as rock_joint; it is wet, too
+    bool fills_crack_alone = false;
 };
 
 /// What joints there are for water to stand in.
@@ -39,9 +45,12 @@ std::vector<WaterEntry> readWaters(Report& report, TableReader& root, const Wate
                                    const BlockDirectory& blocks);
 
 /// What bounds water in a rock mass.
-struct RockWalls {
+struct JointWalls {
     std::vector<WetFace> faces{};
     std::vector<Vec3> outline{};  ///< Water::outline
+};
+struct RockWalls {
+    JointWalls joint{}, crack{};
 };
 
 /// Looks up the walls and adds the waters to the model. \param rock_walls  per entry, of those in a rock mass

@@ -1,5 +1,8 @@
 #include "scenario/water.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace talus::formats::scenario {
 
 namespace {
@@ -41,6 +44,63 @@ std::vector<WetFace> wallsOf(const WaterEntry& entry, const std::vector<Stack>& 
     }
 }
 
+/// Upwards, as the scenario lies.
+Vec3 upOf(const Gravity& gravity) {
+    const Vec3 down = gravity.direction.value_or(-Vec3::UnitZ()).normalized();
+    const double s = std::sin(gravity.tilt), c = std::cos(gravity.tilt);
+    return -Vec3(c * down.x() + s * down.z(), down.y(), c * down.z() - s * down.x());
+}
+
+/// Heights between which blocks that are not fixed bound joints [m].
+struct Heights {
+    double low = kInfinity, high = -kInfinity;
+
+    void add(const Model& model, const Vec3& up, const JointWalls& walls) {
+        Heights of_joint, of_outline;
+        for (const WetFace& wall : walls.faces) {
+            const Block& block = model.blocks[static_cast<std::size_t>(wall.block)];
+            if (block.motion == Motion::fixed) continue;
+            for (const std::int32_t v : block.shape.faces[static_cast<std::size_t>(wall.face)])
+                of_joint.take(up.dot(block.shape.vertices[static_cast<std::size_t>(v)]));
+        }
+        for (const Vec3& corner : walls.outline) of_outline.take(up.dot(corner));
+        if (!walls.outline.empty()) {
+            of_joint.low = std::max(of_joint.low, of_outline.low);
+            of_joint.high = std::min(of_joint.high, of_outline.high);
+        }
+        if (of_joint.low > of_joint.high) return;
+        take(of_joint.low);
+        take(of_joint.high);
+    }
+
+ private:
+    void take(double height) {
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+};
+
+/// The level that `filled` means, and the water of the crack, which stands as high.
+void fill(Report& report, const WaterEntry& entry, const RockWalls& walls, Model& model, Water& water) {
+    const Vec3 up = upOf(model.gravity);
+    Heights heights;
+    if (!entry.fills_crack_alone) heights.add(model, up, walls.joint);
+    if (entry.crack) heights.add(model, up, walls.crack);
+    if (heights.low > heights.high) {
+        report.add(entry.place, water.field + ".percent_filled",
+                   "found a joint that bounds no free block, allowed: one that does");
+        return;
+    }
+    water.kind = Water::Level::elevation;
+    water.level = {{0, heights.low + *entry.filled * (heights.high - heights.low)}};
+    if (!entry.crack) return;
+    Water crack = water;
+    crack.daylight = Water::Daylight::closed;
+    crack.walls = walls.crack.faces;
+    crack.outline = walls.crack.outline;
+    model.waters.push_back(std::move(crack));
+}
+
 }  // namespace
 
 void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const std::vector<Stack>& stacks,
@@ -57,8 +117,10 @@ void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const 
         }
         Water water = entry.water;
         if (entry.where == WaterEntry::Where::rock_joint) {
-            water.walls = rock_walls[i].faces;
-            water.outline = rock_walls[i].outline;
+            water.walls = rock_walls[i].joint.faces;
+            water.outline = rock_walls[i].joint.outline;
+            water.ends_at_free_blocks = true;
+            if (entry.filled) fill(report, entry, rock_walls[i], model, water);
         } else {
             water.walls = wallsOf(entry, stacks, model);
         }

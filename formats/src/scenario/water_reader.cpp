@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <unordered_map>
 
 #include "scenario/fields.h"
@@ -12,8 +13,9 @@ namespace talus::formats::scenario {
 
 namespace {
 
-// [m]: joints of rock masses that open wider run dry in time histories unless an entry says otherwise. Stiff joints open by some
-// hundredths of a millimetre before anything moves; water held behind a block that is on its way would shoot it off.
+// [m]: joints of rock masses that open wider run dry in time histories unless an entry says otherwise. Stiff
+// joints open by some hundredths of a millimetre before anything moves; water held behind a block that is on
+// its way would shoot it off.
 constexpr double kOpenRock = 1e-3;
 
 void readLevel(Report& report, TableReader& table, const std::vector<std::string>& kinds, Water& water) {
@@ -44,8 +46,9 @@ class WaterReader {
     std::optional<WaterEntry> read(const FieldNode& node) const {
         TableReader table(
             report_, node.node, node.field,
-            {"fissure", "stack", "between", "block", "face", "joint", "plane", "depth", "elevation", "levels",
-             "head", "base", "density", "drains_at_aperture", "surface", "obj", "factor", "daylights"});
+            {"fissure", "stack",     "between", "block",     "face",  "joint",          "plane",
+             "depth",   "elevation", "levels",  "head",      "base",  "density",        "drains_at_aperture",
+             "surface", "obj",       "factor",  "daylights", "crack", "percent_filled", "peak"});
         WaterEntry entry;
         entry.place = table.place();
         entry.water.field = node.field;
@@ -79,6 +82,8 @@ class WaterReader {
         refuse("block", {"face"});
         if (!table.has("obj")) refuse("surface", {"factor"});
         if (!table.has("between")) refuse("joint", {"daylights"});
+        refuse("joint", {"percent_filled"});
+        refuse("percent_filled", {"crack", "peak"});
     }
 
     /// How the pressure falls towards a lower end that lies open.
@@ -199,7 +204,9 @@ class WaterReader {
     /// In a single joint, in one plane of a joint set, or (by elevation) in all of a set.
     std::optional<WaterEntry> readRockJoint(TableReader& table, WaterEntry& entry) const {
         entry.where = WaterEntry::Where::rock_joint;
-        readLevel(report_, table, {"elevation", "depth", "levels", "head"}, entry.water);
+        readLevel(report_, table, {"elevation", "depth", "levels", "head", "percent_filled"}, entry.water);
+        readFilled(table, entry);
+        const auto crack = table.text("crack");
         if (const auto base = table.number("base", kCoordinate)) entry.water.base = *base;
         if (table.has("base") && table.has("head"))
             table.error("base", "found base beside head, allowed: with a level");
@@ -213,21 +220,51 @@ class WaterReader {
                       : "found a joint in a scenario without [rock_mass], allowed: fissure, between, block");
             return std::nullopt;
         }
-        const auto index =
-            rock_->joint_names.resolve(report_, table.placeOf("joint"), table.fieldOf("joint"), *name);
+        const auto index = rockJoint(table, "joint", *name);
         if (!index) return std::nullopt;
-        entry.rock_joint = rock_->joint_of_name[static_cast<std::size_t>(*index)];
+        entry.rock_joint = *index;
+        if (crack) {
+            entry.crack = rockJoint(table, "crack", *crack);
+            if (!entry.crack) return std::nullopt;
+            if (*entry.crack < rock_->description.sets.size())
+                table.error("crack", "found the joint set " + quoted(*crack) + ", allowed: a single joint");
+        }
         entry.plane = plane;
         const bool is_set = entry.rock_joint < rock_->description.sets.size();
         if (plane && !is_set)
             table.error("plane",
                         "found plane with the single joint " + quoted(*name) + ", allowed: with a joint set");
-        if (is_set && !table.has("plane") && entry.water.kind != Water::Level::elevation)
+        if (is_set && !table.has("plane") && !entry.filled && entry.water.kind != Water::Level::elevation)
             table.error("joint", "found a " +
                                      std::string(entry.water.kind == Water::Level::head ? "head" : "depth") +
                                      " in all planes of the joint set " + quoted(*name) +
                                      ", allowed: elevation, or plane = NUMBER for one of them");
         return entry;
+    }
+
+    std::optional<std::size_t> rockJoint(TableReader& table, const char* key, const std::string& name) const {
+        const auto index = rock_->joint_names.resolve(report_, table.placeOf(key), table.fieldOf(key), name);
+        if (!index) return std::nullopt;
+        return rock_->joint_of_name[static_cast<std::size_t>(*index)];
+    }
+
+    /// The distributions of E. Hoek and J. W. Bray, Rock Slope Engineering (1981), by where pressure is
+    /// greatest.
+    static void readFilled(TableReader& table, WaterEntry& entry) {
+        const auto percent = table.number("percent_filled", {0, 100, false, false});
+        const auto peak = table.choice("peak", {"crack-base", "half-height", "toe"});
+        if (!table.has("percent_filled")) return;
+        if (percent) entry.filled = *percent / 100;
+        if (table.has("daylights"))
+            table.error("daylights", "found daylights beside percent_filled, allowed: peak");
+        table.require({"peak"});
+        if (!peak) return;
+        constexpr std::array kFalls{Water::Daylight::straight, Water::Daylight::half_height,
+                                    Water::Daylight::closed};
+        entry.water.daylight = kFalls[static_cast<std::size_t>(*peak)];
+        entry.fills_crack_alone = *peak == 0;
+        if (entry.fills_crack_alone && !table.has("crack"))
+            table.error("peak", "found \"crack-base\" without crack, allowed: \"half-height\", \"toe\"");
     }
 
     std::optional<WaterEntry> readBetweenBlocks(TableReader& table, WaterEntry& entry) const {

@@ -168,6 +168,18 @@ constexpr Description kScenario[] = {
     {"water[].surface", "phreatic surface: points [x, z] of a line that is extruded along y [m]"},
     {"water[].obj",
      "phreatic surface from a mesh (OBJ) over all free blocks, path from the scenario's folder"},
+    {"water[].percent_filled",
+     "instead of elevation: level over the height at which the joint and its crack bound free blocks, 0 to "
+     "100; with "
+     "peak = \"crack-base\" of the crack alone"},
+    {"water[].crack",
+     "with percent_filled: the single joint of a tension crack, which is filled to the same level"},
+    {"water[].peak",
+     "with percent_filled: where the pressure on the joint is greatest. \"crack-base\": it falls from there "
+     "in a "
+     "straight line to nothing at the lower end; \"half-height\": it falls from half of the wet height; "
+     "\"toe\": "
+     "hydrostatic to the lower end"},
     {"water[].daylights",
      "how the pressure falls to nothing where the joint daylights: \"straight\", or \"half-height\": it "
      "rises with depth to "
