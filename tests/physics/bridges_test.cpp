@@ -55,8 +55,9 @@ TEST_CASE("bridges: a block on a joint that ends under it has Jennings's factor 
             }
 }
 
-/// A cube on a slope held by the rock behind it, whose strength in tension is a share of the cube's weight along the slope.
-/// Limit equilibrium counts it to the end; a joint that tears at once has nothing left when the cube begins to slide.
+/// A cube on a slope held by the rock behind it, whose strength in tension is a share of the cube's weight
+/// along the slope. Limit equilibrium counts it to the end; a joint that tears at once has nothing left when
+/// the cube begins to slide.
 TEST_CASE("bridges: what holds a block in tension counts as far as it softens with the opening") {
     for (const double dip_deg : {20.0, 30.0})
         for (const double share : {0.2, 0.6})
@@ -161,7 +162,8 @@ TEST_CASE("bridges: water lifts what lies over the joint, and not over the rock 
             }
 }
 
-/// A water table is the pore pressure of the whole mass, of rock as of joints: normal stresses are effective ones everywhere.
+/// A water table is the pore pressure of the whole mass, of rock as of joints: normal stresses are effective
+/// ones everywhere.
 TEST_CASE("bridges: a water table lifts the rock beyond a joint as it lifts the joint") {
     for (const double dip_deg : {35.0, 40.0})
         for (const double end : {2.0, 5.0, 8.0})

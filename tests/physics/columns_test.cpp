@@ -1,5 +1,5 @@
-// Columns of different heights side by side: what the three searches say of them agrees, and lies where toppling of each
-// by itself puts it.
+// Columns of different heights side by side: what the three searches say of them agrees, and lies where
+// toppling of each by itself puts it.
 
 #include <doctest/doctest.h>
 
@@ -77,7 +77,8 @@ SearchResult found(Result<SearchResult> result) {
     return std::move(*result);
 }
 
-/// The three searches contradict each other nowhere: the factor is one at the critical tilt, and k is the tangent of it.
+/// The three searches contradict each other nowhere: the factor is one at the critical tilt, and k is the
+/// tangent of it.
 void checkAgreement(const Row& row, double angle) {
     const SearchResult push = found(criticalAcceleration(row.model(), {.interval = false}));
     CHECK(push.answer == doctest::Approx(std::tan(angle)).epsilon(0.01));

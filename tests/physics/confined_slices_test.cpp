@@ -1,5 +1,6 @@
-// Slices on a dipping bed between fixed slices. Nothing presses their upright sides, so statics allows no friction there:
-// an answer may count on some that locks, but its interval has to reach down to the factor of a single slice.
+// Slices on a dipping bed between fixed slices. Nothing presses their upright sides, so statics allows no
+// friction there: an answer may count on some that locks, but its interval has to reach down to the factor of
+// a single slice.
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-// The program's answers about a model hold together: the three searches below and above the critical angle, upper
-// bounds, closed formulas. `talus-consistency` draws as many models as are wanted.
+// The program's answers about a model hold together: the three searches below and above the critical angle,
+// upper bounds, closed formulas. `talus-consistency` draws as many models as are wanted.
 
 #include "support/consistency.h"
 

@@ -1,4 +1,5 @@
-// Water in a joint that daylights at its lower end: Hoek and Bray's distributions, by the factor of safety of the block above.
+// Water in a joint that daylights at its lower end: Hoek and Bray's distributions, by the factor of safety of
+// the block above.
 
 #include <doctest/doctest.h>
 

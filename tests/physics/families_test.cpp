@@ -1,6 +1,6 @@
-// Masonry and columns as they may be drawn, not as they were chosen: every one is decided, and limit analysis agrees. Arches
-// hinge, so their tilt is limit analysis's but for what joints of 1e12 Pa/m give; walls and columns lean on each other with joints
-// that do not open as they slide, so theirs lies below it.
+// Masonry and columns as they may be drawn, not as they were chosen: every one is decided, and limit analysis
+// agrees. Arches hinge, so their tilt is limit analysis's but for what joints of 1e12 Pa/m give; walls and
+// columns lean on each other with joints that do not open as they slide, so theirs lies below it.
 
 #include <doctest/doctest.h>
 
@@ -109,7 +109,8 @@ Model arch(Draw draw) {
     return model;
 }
 
-/// Decided, and not above limit analysis. \param least  share of that which it reaches at least, but for `give` [deg]
+/// Decided, and not above limit analysis. \param least  share of that which it reaches at least, but for
+/// `give` [deg]
 /// \return whether it is above, of which the commands say that it is undecided
 bool check(const Model& model, double least, double give) {
     const auto search = criticalAngle(model);
@@ -153,8 +154,9 @@ TEST_SUITE("slow: physics") {
         }
     }
 
-    // Nothing leans on the first column, so it goes where it would alone. Friction between columns that turn together would hold them
-    // degrees beyond (engine/src/equilibrium/first_order_gaps.h), the more the rougher they are.
+    // Nothing leans on the first column, so it goes where it would alone. Friction between columns that turn
+    // together would hold them degrees beyond (engine/src/equilibrium/first_order_gaps.h), the more the
+    // rougher they are.
     TEST_CASE("stacks of equal columns topple where one column does, whatever their friction") {
         struct Shape {
             int columns, rows;
@@ -185,7 +187,8 @@ TEST_SUITE("slow: physics") {
             }
     }
 
-    // Weight laid on at once finds the jam of such columns sooner than a tilt that grows: a few stand, for some hundredths of a degree.
+    // Weight laid on at once finds the jam of such columns sooner than a tilt that grows: a few stand, for
+    // some hundredths of a degree.
     TEST_CASE("stacks of equal columns begun beyond the tilt at which one topples do not stand") {
         int stacks = 0, stood = 0;
         for (const auto& [columns, rows, width] :
@@ -209,7 +212,8 @@ TEST_SUITE("slow: physics") {
         CHECK(stood <= 4);
     }
 
-    // Joints of 1e12 Pa/m give a little, and a column of 40 blocks leans by more than one block's hundredth before it goes.
+    // Joints of 1e12 Pa/m give a little, and a column of 40 blocks leans by more than one block's hundredth
+    // before it goes.
     TEST_CASE("columns of many blocks topple at the angle of one piece") {
         for (const int count : {10, 20, 40}) {
             CAPTURE(count);

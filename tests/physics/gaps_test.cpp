@@ -1,4 +1,5 @@
-// Blocks that lie a little above what they are to lie on: they settle there, and then fail where they would without the gap.
+// Blocks that lie a little above what they are to lie on: they settle there, and then fail where they would
+// without the gap.
 
 #include <doctest/doctest.h>
 

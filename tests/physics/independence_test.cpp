@@ -60,8 +60,8 @@ TEST_SUITE("slow: physics") {
         }
     }
 
-    // 14 columns of one to ten blocks leap from equilibrium to equilibrium before they fail, and which leap is the failure
-    // depends on where the steps before it ended.
+    // 14 columns of one to ten blocks leap from equilibrium to equilibrium before they fail, and which leap
+    // is the failure depends on where the steps before it ended.
     // It falls between 8.24 and 8.72 degrees: a known fault of the search, which is why this may fail.
     TEST_CASE("a tilting table of leaning columns fails at one angle, wherever the search begins" *
               doctest::may_fail()) {
@@ -100,8 +100,8 @@ TEST_SUITE("slow: physics") {
         CHECK(spread(model, safetyFactor, 1.0) <= 0.00101);
     }
 
-    // Columns that lean and lose their cohesion one after the other creep from some load on: a little in each step, however short.
-    // With 0.001 degrees it is undecided: a known fault.
+    // Columns that lean and lose their cohesion one after the other creep from some load on: a little in each
+    // step, however short. With 0.001 degrees it is undecided: a known fault.
     TEST_CASE("columns whose bonds break as they lean fail at one angle, however narrow the bracket" *
               doctest::may_fail()) {
         RockSlope slope = uprightColumns();

@@ -1,5 +1,5 @@
-// Laws of strength other than Coulomb's: a block on a plane in closed form, by search, by a release and by explicit
-// steps; Coulomb's law written as a table.
+// Laws of strength other than Coulomb's: a block on a plane in closed form, by search, by a release and by
+// explicit steps; Coulomb's law written as a table.
 
 #include <doctest/doctest.h>
 
@@ -125,7 +125,8 @@ TEST_SUITE("physics") {
     }
 
     TEST_CASE("what the load only presses together keeps its bonds on the way to rest") {
-        // The whole stack turns about its toe. Bonds that broke as it came to rest let it slide at 19.5 degrees.
+        // The whole stack turns about its toe. Bonds that broke as it came to rest let it slide at 19.5
+        // degrees.
         Model model = stackModel(4, 6, 1, 19.5, {0.25, 0.1, 0.1});
         for (Joint& joint : model.joints) joint.cohesion = 1e9;
         const auto topples = criticalAngle(model);

@@ -239,7 +239,8 @@ TEST_SUITE("physics") {
     }
 
     TEST_CASE("key blocks: a row does not slide from under others as if they had no weight") {
-        // Water behind two columns of four rows: its thrust is on the lowest row alone, the weight of all holds.
+        // Water behind two columns of four rows: its thrust is on the lowest row alone, the weight of all
+        // holds.
         Model model = stackModel(3, 4, 1, 25, {1, 1, 1});
         model.gravity.tilt = radians(10);
         model.waters = {fissureAt(model, 2, 1.0)};

@@ -1,5 +1,5 @@
-// Corners at kinks: a slab whose lower corner lies where its bed meets the next, flatter one. Taken as sharp it would have
-// to ride up with its first move; no rock's corner is, and no verdict may hang on it.
+// Corners at kinks: a slab whose lower corner lies where its bed meets the next, flatter one. Taken as sharp
+// it would have to ride up with its first move; no rock's corner is, and no verdict may hang on it.
 
 #include <doctest/doctest.h>
 
@@ -31,7 +31,8 @@ void addPrism(Model& model, const std::string& name, const std::vector<Eigen::Ve
     block.face_joint.assign(block.shape.faces.size(), 0);
 }
 
-/// A slab 2 m long and 0.5 m thick on a bed of a dip towards -x, down to the origin, where a bed of another dip goes on.
+/// A slab 2 m long and 0.5 m thick on a bed of a dip towards -x, down to the origin, where a bed of another
+/// dip goes on.
 Model slabAboveKink(double bed_deg, double next_deg, double friction_deg) {
     const double bed = radians(bed_deg), next = radians(next_deg);
     const Eigen::Vector2d up(std::cos(bed), std::sin(bed)), out(-std::sin(bed), std::cos(bed));
@@ -88,8 +89,9 @@ TEST_SUITE("physics") {
         }
     }
 
-    // In time a contact keeps what overlap it was found with unless its blocks still have motion to work it off: a corner that is
-    // rounded off for the sake of verdicts would lie up to a thousandth of its block in the other bed for ever.
+    // In time a contact keeps what overlap it was found with unless its blocks still have motion to work it
+    // off: a corner that is rounded off for the sake of verdicts would lie up to a thousandth of its block in
+    // the other bed for ever.
     TEST_CASE("a slab that slides into the angle of two beds comes to rest on both, not in one") {
         for (const double turn : {30.0, 35.0, 40.0, 44.0})
             for (const double friction : {20.0, 30.0, 34.0}) {
@@ -112,8 +114,8 @@ TEST_SUITE("physics") {
             }
     }
 
-    // Goodman and Bray 0.773 and 0.76, RS2 0.86, UDEC 0.87, limit analysis 0.9395. The ratio of the two stiffnesses is
-    // worth 2 % (monotone_test.cpp), both together nothing.
+    // Goodman and Bray 0.773 and 0.76, RS2 0.86, UDEC 0.87, limit analysis 0.9395. The ratio of the two
+    // stiffnesses is worth 2 % (monotone_test.cpp), both together nothing.
     TEST_CASE(
         "columns that topple above a kink at the toe: between Goodman and Bray's factors and limit "
         "analysis") {

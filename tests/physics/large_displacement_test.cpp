@@ -88,7 +88,8 @@ TEST_SUITE("physics") {
     }
 
     TEST_CASE("a bounce that ends on the other edge: through the angle at which edges become faces") {
-        // On springs so soft that the impact presses them by one and a half per cent of the block, a little is lost.
+        // On springs so soft that the impact presses them by one and a half per cent of the block, a little
+        // is lost.
         for (const auto& [stiffness, lost] :
              {std::pair{1e9, 1e-2}, std::pair{1e10, 1e-2}, std::pair{1e11, 1e-3}}) {
             Model model = floorModel(0, stiffness);
@@ -194,7 +195,8 @@ TEST_SUITE("physics") {
 
 namespace {
 
-/// Runs a scenario; returns the last full frame and how much the total energy rose from one frame to the next at most.
+/// Runs a scenario; returns the last full frame and how much the total energy rose from one frame to the next
+/// at most.
 struct RunOn {
     FullFrame last;
     double largest_gain = 0, first_energy = 0, last_energy = 0, last_kinetic = 0;
@@ -225,8 +227,8 @@ RunOn runOn(const Model& model) {
 }  // namespace
 
 TEST_SUITE("slow: physics") {
-    // The lowest 250 rocks: all 1,000 take ten times as long (`talus run bench/verification/pile.toml`; ten such piles:
-    // `talus-piles 10`).
+    // The lowest 250 rocks: all 1,000 take ten times as long (`talus run bench/verification/pile.toml`; ten
+    // such piles: `talus-piles 10`).
     TEST_CASE("a random pile of rocks dropped into a box comes to rest") {
         Model model = verification("pile");
         model.blocks.resize(5 + 250);  // behind floor and walls
@@ -260,7 +262,8 @@ TEST_SUITE("slow: physics") {
         "stays") {
         for (const std::string name : {"run-on-dry", "run-on-fissure-5"}) {
             Model model = verification(name);
-            // The front begins to topple some 2.8 s after the start; when it is at 10 degrees depends on how the rows rattle.
+            // The front begins to topple some 2.8 s after the start; when it is at 10 degrees depends on how
+            // the rows rattle.
             if (name == "run-on-dry") model.run.duration = 3.4;
             const RunOn on = runOn(model);
             const auto report = [&](const std::string& block) -> const BlockReport& {

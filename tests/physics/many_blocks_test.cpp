@@ -1,4 +1,5 @@
-// Searches of more than a thousand free blocks, which let go what has too little mass to be the answer without closing in on it.
+// Searches of more than a thousand free blocks, which let go what has too little mass to be the answer
+// without closing in on it.
 
 #include <doctest/doctest.h>
 

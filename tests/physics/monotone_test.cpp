@@ -1,4 +1,5 @@
-// More friction or cohesion never gives less safety, and what the joints' stiffness is does not matter as long as they are stiff.
+// More friction or cohesion never gives less safety, and what the joints' stiffness is does not matter as
+// long as they are stiff.
 
 #include <doctest/doctest.h>
 
@@ -95,8 +96,9 @@ TEST_SUITE("slow: physics") {
         CHECK(found >= 3);
     }
 
-    // A long load step that ends at rest too far off is tried again in short ones: the last of them begins where the slope stands, and not
-    // where the long one began. Of the first slope the angle was 5.62 degrees with 4 % more friction, for 12.72.
+    // A long load step that ends at rest too far off is tried again in short ones: the last of them begins
+    // where the slope stands, and not where the long one began. Of the first slope the angle was 5.62 degrees
+    // with 4 % more friction, for 12.72.
     TEST_CASE("columns that three sets cut: the tilt at which they fail never falls with friction" *
               doctest::may_fail()) {
         const RockSlope slopes[] = {{.height = 12.51,
@@ -151,7 +153,8 @@ TEST_SUITE("slow: physics") {
                     if (!is_last_decided) continue;
                     CHECK((result.status == SearchStatus::found));
                     CHECK(!result.moving_blocks.empty());
-                    // What breaks first decides what breaks next: 0.09 degrees less with 2 kPa than with 0.5 in one of these.
+                    // What breaks first decides what breaks next: 0.09 degrees less with 2 kPa than with 0.5
+                    // in one of these.
                     CHECK(result.answer >= before - radians(0.15));
                     before = result.answer;
                 }

@@ -35,7 +35,8 @@ Model nothing(double restitution, double stiffness) {
     return model;
 }
 
-// Of the speed: a step goes by with the force before it is seen that the block parts, 3 % of what there was at e = 0.
+// Of the speed: a step goes by with the force before it is seen that the block parts, 3 % of what there was
+// at e = 0.
 constexpr double kOfStep = 0.04;
 
 /// Share of the kinetic energy at the start that is left at the end.

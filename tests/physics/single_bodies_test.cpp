@@ -89,8 +89,9 @@ TEST_SUITE("physics") {
         }
     }
 
-    // The level stays where it is while the block is pushed up the slope, so the thrust falls as it goes: each short load step has a
-    // rest a little farther on. The first slide is the answer, whatever the joints' stiffness.
+    // The level stays where it is while the block is pushed up the slope, so the thrust falls as it goes:
+    // each short load step has a rest a little farther on. The first slide is the answer, whatever the
+    // joints' stiffness.
     TEST_CASE(
         "deep water behind a block on a plane that dips the other way: the first slide, on soft joints too") {
         for (const double stiffness : {1e10, 1e11, 1e12})
@@ -121,14 +122,15 @@ TEST_SUITE("physics") {
 
     TEST_CASE("cohesion holds a block as limit equilibrium says, and the break is brittle") {
         // W sin(beta) = W cos(beta) tan(phi) + C A.
-        // A flat block, so that its weight stays within the middle third of the base and no contact point opens.
+        // A flat block, so that its weight stays within the middle third of the base and no contact point
+        // opens.
         Model model = bodyOnPlane(30, {1, 1, 0.2}, 1e10, 2000);
         const theory::SlidingMass mass{
             .length = 1, .height = 0.2, .density = 2000, .friction = radians(30), .cohesion = 800};
         model.joints[0].cohesion = model.joints[0].residual_cohesion = 800;
         checkAngle(critical(model), degrees(theory::criticalTiltSliding(mass)), FailureMode::sliding);
-        // With no residual cohesion the contact points break one after the other: between friction alone and full
-        // cohesion.
+        // With no residual cohesion the contact points break one after the other: between friction alone and
+        // full cohesion.
         model.joints[0].residual_cohesion = 0;
         const double brittle = degrees(critical(model).answer);
         MESSAGE("brittle: " << brittle);
@@ -194,7 +196,8 @@ TEST_SUITE("physics") {
     }
 
     TEST_CASE("a start close below the critical angle is no start beyond it") {
-        // Two blocks on one another, b/h = 0.25/1: weight laid on at 12 degrees sets off a rocking of many periods.
+        // Two blocks on one another, b/h = 0.25/1: weight laid on at 12 degrees sets off a rocking of many
+        // periods.
         for (const double start : {0.0, 6.0, 12.0, 13.9}) {
             Model model = floorModel(40, 1e11);
             addBox(model, "lower", {0, 0, 0}, {0.25, 1.0, 0.5});

@@ -1,6 +1,7 @@
-// Columns that dip into a slope, on joints as soft as jointed rock's often are. They lean by hundredths of their width
-// before they fail, and then stand on ledges that were none. However they are drawn, an answer is found. If it is above
-// the upper bound of limit analysis, which is for the shape as built, a warning says so.
+// Columns that dip into a slope, on joints as soft as jointed rock's often are. They lean by hundredths of
+// their width before they fail, and then stand on ledges that were none. However they are drawn, an answer is
+// found. If it is above the upper bound of limit analysis, which is for the shape as built, a warning says
+// so.
 
 #include <doctest/doctest.h>
 

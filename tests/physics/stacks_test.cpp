@@ -1,4 +1,5 @@
-// Stacks of blocks against limit equilibrium: near the tilt at which their columns overturn, with and without water.
+// Stacks of blocks against limit equilibrium: near the tilt at which their columns overturn, with and without
+// water.
 
 #include <doctest/doctest.h>
 

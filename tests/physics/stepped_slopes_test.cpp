@@ -57,15 +57,17 @@ TEST_SUITE("physics") {
                 const double alone = aloneAt(heights.front(), stiffness);
                 const SearchResult result = *criticalAngle(stepped(heights, 35.235, stiffness));
                 REQUIRE((result.status == SearchStatus::found));
-                // Friction behind it may hold the first column for a while; the interval says so.
+                // Friction behind it may hold the first column for a while, and on elastic joints it turns about a
+                // pivot inside its edge; the interval says so.
                 CHECK(degrees(result.answer) >= alone * (1 - 0.005));
                 REQUIRE(result.answer_interval.has_value());
-                CHECK(degrees(result.answer_interval->first) == doctest::Approx(alone).epsilon(0.005));
+                CHECK(degrees(result.answer_interval->first) < alone * (1 + 0.005));
                 CHECK((result.mode == FailureMode::toppling));
             }
     }
 
-    // Near its limit a column stands on its toe, where joints give most: on soft ones it leans, and that takes some of its angle.
+    // Near its limit a column stands on its toe, where joints give most: on soft ones it leans, and that
+    // takes some of its angle.
     TEST_CASE("a column of blocks overturns at atan(b / h), on softer joints sooner") {
         for (const int rows : {4, 5, 6, 7}) {
             CAPTURE(rows);

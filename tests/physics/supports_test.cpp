@@ -24,8 +24,8 @@ SearchResult factorOf(const Model& model) {
     return *found;
 }
 
-/// A flat block of 1 x 1 x 0.2 m on a plane tilted by 30 degrees with 25 degrees of friction, tied to the plane by a bolt up the
-/// slope, which pulls along it from the block's middle.
+/// A flat block of 1 x 1 x 0.2 m on a plane tilted by 30 degrees with 25 degrees of friction, tied to the
+/// plane by a bolt up the slope, which pulls along it from the block's middle.
 Model tied(double pretension, double yield) {
     Model model = floorModel(25, 1e10);
     model.gravity.tilt = radians(30);
@@ -71,7 +71,8 @@ TEST_SUITE("physics") {
         }
     }
 
-    // A bolt that stands across the slide turns with it and holds a little more: rests go on for ever, each a little farther.
+    // A bolt that stands across the slide turns with it and holds a little more: rests go on for ever, each a
+    // little farther.
     TEST_CASE("a slab on a plane with a bolt at any angle: F = (W cos + N) tan(phi) / (W sin - T)") {
         const double b = std::atan(0.6), weight = 2500 * 4 * 9.81;
         for (const double angle : {22.0, 37.0, 49.0, 62.0, 81.0})
@@ -220,8 +221,8 @@ TEST_SUITE("slow: physics") {
         const auto result = run(verification("housner-block"), {},
                                 [&](const HistoryRecord& record) { records.push_back(record); });
         REQUIRE(result.ok());
-        // The centroid is lowest at the impact. Its fall's energy is that of the rotation there; what is left in the next swing
-        // is that times the square of the velocity's ratio.
+        // The centroid is lowest at the impact. Its fall's energy is that of the rotation there; what is left
+        // in the next swing is that times the square of the velocity's ratio.
         std::size_t lowest = 0;
         for (std::size_t k = 0; k < records.size(); ++k)
             if (records[k].watch[0].position.z() < records[lowest].watch[0].position.z()) lowest = k;

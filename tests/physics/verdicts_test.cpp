@@ -1,4 +1,5 @@
-// Verdicts that must not be wrong: what stands is never said to fall, and what falls by itself does not stand for the rest.
+// Verdicts that must not be wrong: what stands is never said to fall, and what falls by itself does not stand
+// for the rest.
 
 #include <doctest/doctest.h>
 
@@ -75,13 +76,15 @@ std::string rockMass(const std::string& law, int seed, double width) {
            "[[joint_set]]\nname = \"J2\"\ndip_deg = 87\ndip_direction_deg = 355\nspacing = 2.0\n" + law;
 }
 
-/// Where limit analysis has these arches fail by four hinges (a linear programme over the voussoirs, no joint slides).
+/// Where limit analysis has these arches fail by four hinges (a linear programme over the voussoirs, no joint
+/// slides).
 struct ArchCase {
     int voussoirs;
     double thickness, critical_deg;
 };
 
-/// A cube of 0.1 m on fixed pads under its edges or corners, and apart from it a block on joints so soft that contacts are searched anew.
+/// A cube of 0.1 m on fixed pads under its edges or corners, and apart from it a block on joints so soft that
+/// contacts are searched anew.
 std::string cubeOnPads(double ledge, bool corners, double stiffness, double cohesion,
                        const std::string& points) {
     const auto number = [](double value) {
@@ -114,7 +117,8 @@ std::string cubeOnPads(double ledge, bool corners, double stiffness, double cohe
 }  // namespace
 
 TEST_SUITE("physics") {
-    // Narrower than what is left out of a search as too little to matter, if nothing else carried (kLeastShare).
+    // Narrower than what is left out of a search as too little to matter, if nothing else carried
+    // (kLeastShare).
     TEST_CASE(
         "a block that stands on narrow ledges alone slides at the angle of friction, however narrow they "
         "are") {
@@ -250,8 +254,8 @@ TEST_SUITE("physics") {
 }
 
 TEST_SUITE("slow: physics") {
-    // Gaps are differences of coordinates and arms, those of the largest block included: what rounding leaves of the balance of a
-    // small one is more than what is otherwise asked of a rest.
+    // Gaps are differences of coordinates and arms, those of the largest block included: what rounding leaves
+    // of the balance of a small one is more than what is otherwise asked of a rest.
     TEST_CASE("small blocks on ground of any size slide at their factor") {
         const double friction = radians(32.6);
         for (const double half_width : {2.0, 20.0, 200.0})

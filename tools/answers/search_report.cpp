@@ -42,7 +42,8 @@ std::optional<double> boundBelow(const SearchReport& report) {
     return result.status == SearchStatus::found && bound && *bound < result.answer ? bound : std::nullopt;
 }
 
-/// The middle of a bracket that an upper bound cuts through is told no higher than the bound: the answer is below both.
+/// The middle of a bracket that an upper bound cuts through is told no higher than the bound: the answer is
+/// below both.
 std::string answerFigure(const SearchReport& report, double load) {
     const auto bound = boundBelow(report);
     const bool cuts = bound && *bound >= report.result.low && load <= report.result.answer;
@@ -74,8 +75,8 @@ std::string scientific(double value) {
     return buffer;
 }
 
-/// "stands at 19.498, fails at 19.508"; an open end is left out. What an interrupted search has seen moving may still come to
-/// rest.
+/// "stands at 19.498, fails at 19.508"; an open end is left out. What an interrupted search has seen moving
+/// may still come to rest.
 std::string bracketText(const SearchReport& report) {
     const bool stands = std::isfinite(report.result.low), fails = std::isfinite(report.result.high);
     if (!stands && !fails) return "nothing is known yet";
@@ -113,6 +114,11 @@ std::string answerText(const SearchReport& report) {
 }
 
 std::string theoryText(const SearchReport& report) {
+    if (!report.theory && report.result.limit_equilibrium) {
+        const LimitEquilibrium& limit = *report.result.limit_equilibrium;
+        return row("limit equilibrium", figureOf(report, limit.value) + "  (" + limit.kind +
+                                            ", translation only: " + compactNames(limit.blocks) + ")");
+    }
     if (!report.theory) {
         return row("theory",
                    report.cut_short ? "none found before the interruption" : "no closed formula applies");
@@ -124,7 +130,8 @@ std::string theoryText(const SearchReport& report) {
     return row("theory", line) + row("", report.theory->prediction.formula);
 }
 
-/// Where the figures would have the answer above its bound, how that can be; a warning tells of more than that.
+/// Where the figures would have the answer above its bound, how that can be; a warning tells of more than
+/// that.
 std::string aboveText(const SearchReport& report) {
     const SearchResult& result = report.result;
     const auto bound = boundBelow(report);
@@ -354,8 +361,13 @@ Json theoryJson(const SearchReport& report) {
             {"applies_because", prediction.applies_because}};
 }
 
-/// What a formula says of this load; null where none recognises the model.
+/// What a formula says of this load; where none recognises the model, block theory. Null where neither
+/// applies.
 Json limitEquilibriumJson(const SearchReport& report) {
+    if (!report.theory && report.result.limit_equilibrium) {
+        const LimitEquilibrium& limit = *report.result.limit_equilibrium;
+        return {{"value", number(limit.value)}, {"kind", limit.kind}, {"blocks", limit.blocks}};
+    }
     if (!report.theory) return nullptr;
     const theory::Prediction& prediction = report.theory->prediction;
     return {{"value", number(report.theory->value / report.search.load->scale)},

@@ -103,8 +103,8 @@ struct FailingState {
     FullFrame state;
     double load = 0;             ///< as searched for, a little above the first failing one
     double contact_damping = 0;  ///< dashpots that take out the rattle, as `Damping::contact` [s]
-    /// The square of the angular frequency up to which it is played on [1/s^2]: faster blocks, small ones, get more
-    /// inertia, at most 1 % of the mass that moves.
+    /// The square of the angular frequency up to which it is played on [1/s^2]: faster blocks, small ones,
+    /// get more inertia, at most 1 % of the mass that moves.
     double frequency = 0;
     double block_size = 0;  ///< median of the blocks' smallest extents [m]
 };
@@ -117,7 +117,8 @@ struct BlockGroup {
     double volume = 0, mass = 0;         ///< [m^3, kg]
 };
 
-/// The upper bound that limit analysis gives for an answer: a tilt [rad], a factor of safety or a share of the weight.
+/// The upper bound that limit analysis gives for an answer: a tilt [rad], a factor of safety or a share of
+/// the weight.
 struct Ceiling {
     std::optional<double> value{};
     std::string reason{};  ///< why there is none
@@ -129,10 +130,17 @@ struct DisplacementAnswer {
     double load = 0;          ///< the answer
 };
 
+/// Of blocks that slide as one body, translation only (talus/block_theory.h).
+struct LimitEquilibrium {
+    double value = 0;                 ///< factor of safety
+    std::string kind;                 ///< "sliding on one plane", ...
+    std::vector<std::string> blocks;  ///< sorted
+};
+
 struct SearchResult {
     SearchStatus status = SearchStatus::undecided;
-    double answer =
-        0;  ///< midpoint of the bracket: tilt [rad], factor of safety or seismic coefficient; valid when found
+    /// Midpoint of the bracket: tilt [rad], factor of safety or seismic coefficient; valid when found.
+    double answer = 0;
     double low = 0;   ///< the last equilibrium (or -infinity)
     double high = 0;  ///< the load at which the assembly was seen to leave its place (or infinity)
     FailureMode mode = FailureMode::none;
@@ -142,17 +150,23 @@ struct SearchResult {
     double failing_mass = 0;                 ///< [kg]
     /// fall whatever the strength: taken out before the search; sorted
     std::vector<std::string> fallen_at_start;
-    /// failed below the answer with too little mass to be it (AnalysisSettings::least_mass_share), in that order
+    /// failed below the answer with too little mass to be it (AnalysisSettings::least_mass_share), in that
+    /// order
     std::vector<BlockGroup> let_go{};
     /// The lowest and the highest answer found, and how each was found; valid when found.
     std::optional<std::pair<double, double>> answer_interval{};
     std::pair<std::string, std::string> answer_interval_reasons{};
+    /// The least factor of blocks that have enough mass to be the answer; for factors of safety, where some
+    /// can slide.
+    std::optional<LimitEquilibrium> limit_equilibrium{};
     Ceiling upper_bound{};            ///< for joints that open as they slide, in the shape as built
     double failure_displacement = 0;  ///< from which on a failure counts [share of the median block size]
-    /// The answers by other failure displacements where they differ from the answer by more than the tolerance; ascending.
+    /// The answers by other failure displacements where they differ from the answer by more than the
+    /// tolerance; ascending.
     std::vector<DisplacementAnswer> answers_by_displacement{};
     std::vector<PathPoint> path{};  ///< load against displacement, from the start of the search
-    /// Share of the area of joints whose cohesion goes at the first slip that has lost it in the failure, 0..1.
+    /// Share of the area of joints whose cohesion goes at the first slip that has lost it in the failure,
+    /// 0..1.
     double lost_cohesion = 0;
     /// The answer if that cohesion were kept, as in limit equilibrium; where some is lost.
     std::optional<double> kept_cohesion{};
@@ -178,11 +192,13 @@ Result<SearchResult> criticalAngle(const Model& model, const Control& control = 
 Result<SearchResult> safetyFactor(const Model& model, const Control& control = {},
                                   const SearchRules& rules = {});
 
-/// The horizontal seismic coefficient, from the model's own upwards, at which the assembly first fails at its own tilt.
+/// The horizontal seismic coefficient, from the model's own upwards, at which the assembly first fails at its
+/// own tilt.
 Result<SearchResult> criticalAcceleration(const Model& model, const Control& control = {},
                                           const SearchRules& rules = {});
 
-/// The model as if these blocks had been removed before the start: what joined or wetted only them goes with them.
+/// The model as if these blocks had been removed before the start: what joined or wetted only them goes with
+/// them.
 Model withoutBlocks(const Model& model, const std::vector<std::string>& names);
 
 }  // namespace talus

@@ -1,5 +1,6 @@
 #pragma once
-// How blocks move in a failure, read from how far they went: one rule for the search, exports and the replay page.
+// How blocks move in a failure, read from how far they went: one rule for the search, exports and the replay
+// page.
 
 #include <vector>
 
@@ -10,8 +11,9 @@ namespace talus {
 
 /// The numbers of the rule. The replay page has them from the program that writes it.
 struct MotionRule {
-    /// A block moves when it goes this many times the deflection at rest, and this share of the farthest one's way. (A
-    /// larger share would leave out columns that slide behind others which rocking has given a start.)
+    /// A block moves when it goes this many times the deflection at rest, and this share of the farthest
+    /// one's way. (A larger share would leave out columns that slide behind others which rocking has given a
+    /// start.)
     static constexpr double kDeflections = 2.0, kShare = 0.02;
     static constexpr double kToppling = 0.25;  ///< rotation times the moving group's extent, over the way
     static constexpr double kPure = 0.9;       ///< share of the moving mass that gives the whole its mode
@@ -26,13 +28,17 @@ struct BlockWay {
     double radius = 0;             ///< to its farthest corner [m]
     double translation = 0;        ///< of the centroid [m]
     double rotation = 0;           ///< [rad]
+    double spin = 0;               ///< of that, about the normal of the joint that carries the block [rad]
     double mass = 0;               ///< [kg]
 
     double way() const { return translation + rotation * radius; }  ///< of its farthest corner, at most [m]
+    /// A turn about the normal opens no joint: the block slides.
+    double tipping() const;
 };
 
-/// Per block: `none` when it stands (or is not free), `toppling` when it turns about a pivot within reach of the moving
-/// group, else `sliding`. \param deflection  how far the assembly has come at rest [m]
+/// Per block: `none` when it stands (or is not free), `toppling` when it turns about a pivot within reach of
+/// the moving group, else `sliding`, also where it turns in the plane of its joint. \param deflection  how
+/// far the assembly has come at rest [m]
 std::vector<FailureMode> motionRoles(const std::vector<BlockWay>& blocks, double deflection);
 
 /// Of the whole, by moving mass.

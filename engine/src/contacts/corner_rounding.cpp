@@ -11,7 +11,6 @@
 namespace talus {
 namespace {
 
-constexpr double kKink = 0.7071067811865476;  // cosine of the most that two faces turn by at a kink
 // Of the smaller block's size. More than the failure displacement of a search, so that no verdict depends
 // on a corner's sharpness.
 constexpr double kCornerRounding = 1e-3;
@@ -94,10 +93,11 @@ bool isCarriedAt(const State& state, std::int32_t block, std::int32_t partner, c
     return false;
 }
 
-/// How deep a corner at a kink is left out, of the smaller block's size. What is placed then counts its
-/// gap from there. Where springs keep their energy that overlap goes only as the blocks' motion pays
-/// for it (contacts/gap_recovery.h), and those that come to rest have none. No verdict hangs on a
-/// corner there, so it is no more than goes as touching anyway.
+/// How deep a corner at a kink is left out, of the smaller block's size. What is placed then counts its gap
+/// from there. Where springs keep their energy that overlap goes only as the blocks' motion pays for it
+/// (contacts/gap_recovery.h), and those that come to rest have none. There it is as much as counts as
+/// touching anyway: with 1e-3 a slab that stopped in the angle of two beds lay 7e-4 of its size deep in one
+/// of them.
 double roundingOf(const State& state) {
     return state.springs == Springs::keep_energy ? kClosedGap : kCornerRounding;
 }

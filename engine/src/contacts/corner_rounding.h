@@ -1,7 +1,8 @@
 #pragma once
-// Corners at kinks: that of a slab where its bed ends and the next one, another block's, begins. As a body of plane faces
-// it would have to ride up with its first move, on a corner as sharp as no rock's is. Such corners count as rounded. And
-// where two corners meet, in which direction they hold each other is anybody's choice until they have moved a little.
+// Corners at kinks: that of a slab where its bed ends and the next one, another block's, begins. As a body of
+// plane faces it would have to ride up with its first move, on a corner as sharp as no rock's is. Such
+// corners count as rounded. And where two corners meet, in which direction they hold each other is anybody's
+// choice until they have moved a little.
 
 #include <cstddef>
 
@@ -9,6 +10,9 @@
 #include "state/arrays.h"
 
 namespace talus {
+
+/// Cosine of the most that two faces turn by at a kink.
+inline constexpr double kKink = 0.7071067811865476;
 
 /// Whether a new point is left out because a corner there is rounded and it is not deeper than that.
 /// With Springs::keep_energy corners are rounded less.

@@ -235,10 +235,11 @@ VertexEdgePoints withoutFaces(const PlacedPart& first, const PlacedPart& second,
     return findMeeting(first, second, limits);
 }
 
-/// How near two faces without an interface may come, or how deep (negative), before a search has to make one [m]. Where springs
-/// keep their energy a contact that is found pressed counts its gap from there (contacts/carry_over.h), and a block that comes
-/// to rest so stays there: so there has to be one before the faces touch, which they cannot before the next look within half
-/// the reach. Where forces follow the gaps one that is found late carries as if it had been there.
+/// How near two faces without an interface may come, or how deep (negative), before a search has to make one
+/// [m]. Where springs keep their energy a contact that is found pressed counts its gap from there
+/// (contacts/carry_over.h), and a block that comes to rest so stays there: so there has to be one before the
+/// faces touch, which they cannot before the next look within half the reach. Where forces follow the gaps
+/// one that is found late carries as if it had been there.
 double nearestWithoutInterface(const State& state, const Look& look, const VertexEdgeLimits& limits) {
     return state.springs == Springs::keep_energy ? 0.5 * limits.reach : -look.travel;
 }
@@ -252,7 +253,7 @@ bool contactsStay(const State& state, std::size_t begin, const VertexEdgePoints&
 }
 
 /// \param searched whether faces that have no interface now will have none
-Look lookAtPair(const State& state, std::size_t begin, double ahead, bool searched) {
+Look lookAtMeeting(const State& state, std::size_t begin, double ahead, bool searched) {
     const Interfaces& f = state.interfaces;
     const auto a = static_cast<std::size_t>(f.block_a[begin]), b = static_cast<std::size_t>(f.block_b[begin]);
     const Geometry& geometry = *state.geometry;
@@ -289,6 +290,15 @@ Look lookAtPair(const State& state, std::size_t begin, double ahead, bool search
         look.changes = !searched;
         if (searched) look.found = withoutFaces(first, second, limits);
     }
+    return look;
+}
+
+/// Where faces alone count, vertices and edges touch nothing.
+Look lookAtPair(const State& state, std::size_t begin, double ahead, bool searched) {
+    Look look = lookAtMeeting(state, begin, ahead, searched);
+    if (!state.faces_only) return look;
+    look.found = {};
+    look.changes = look.changes && look.no_faces;
     return look;
 }
 
@@ -348,8 +358,8 @@ void appendVertexEdgePlaces(State& state, std::int32_t part_1, std::int32_t part
 
 namespace {
 
-/// Calls each(begin) for the first place of every pair, in any order when `parallel`, and says of their groups what has
-/// become of them.
+/// Calls each(begin) for the first place of every pair, in any order when `parallel`, and says of their
+/// groups what has become of them.
 template <class Each>
 void updatePairs(Interfaces& f, bool parallel, const Each& each) {
     static_assert(simd::kLanes % kPlaces == 0, "a group holds whole pairs");

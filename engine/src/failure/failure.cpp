@@ -13,7 +13,8 @@
 namespace talus::failure {
 namespace {
 
-// Of the mass, which a failure that is played on may have as inertia beside its own: its accelerations are true to 1 %.
+// Of the mass, which a failure that is played on may have as inertia beside its own: its accelerations are
+// true to 1 %.
 constexpr double kAddedInertia = 0.01;
 constexpr double kDashpot = 0.5;  // damping ratio of the fastest mode: takes out the rattle only
 
@@ -22,12 +23,28 @@ struct Places {
     const QuaternionArray& orientation;
 };
 
+/// The normal of the joint that carries most of a block; none: nothing carries it.
+Vec3 carryingNormal(const State& state, std::size_t b) {
+    Vec3 normal = Vec3::Zero();
+    double most = 0;
+    for (auto k = state.incidence.interface_begin[b]; k < state.incidence.interface_begin[b + 1]; ++k) {
+        const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
+        if (isIdle(state.interfaces, i)) continue;
+        double force = 0;
+        for (const ContactPoint& point : contactPoints(state, i)) force += point.force.normal;
+        if (force > most) most = force, normal = relativePose(state, i).e3;
+    }
+    return normal;
+}
+
 BlockWay wayOf(const Places& from, const State& to, std::size_t b) {
     return {.free = to.blocks.motion[b] == Motion::free,
             .position = to.blocks.position.get(b),
             .radius = to.geometry->radius[b],
             .translation = (to.blocks.position.get(b) - from.position.get(b)).norm(),
             .rotation = rotationFrom(from.orientation, to.blocks.orientation, b),
+            .spin = std::abs(
+                rotationVector(from.orientation[b], to.blocks.orientation[b]).dot(carryingNormal(to, b))),
             .mass = to.blocks.mass[b]};
 }
 
@@ -72,8 +89,8 @@ struct Mode {
     double mass = 0;       ///< [kg]
 };
 
-/// The frequency at which the inertia that faster blocks need beside their own is that share of all; no less than that
-/// of half of the mass.
+/// The frequency at which the inertia that faster blocks need beside their own is that share of all; no less
+/// than that of half of the mass.
 double frequencyFor(std::vector<Mode> modes) {
     std::sort(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) {
         return a.frequency != b.frequency ? a.frequency > b.frequency : a.mass > b.mass;

@@ -1,13 +1,15 @@
 #include "talus/motion_roles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace talus {
 namespace {
 
-/// Diagonal of the box around the moving blocks: the length that makes a rotation comparable with a translation. A
-/// block that turns about a pivot within reach of the moving group topples; one whose pivot is far away slides.
+/// Diagonal of the box around the moving blocks: the length that makes a rotation comparable with a
+/// translation. A block that turns about a pivot within reach of the moving group topples; one whose pivot is
+/// far away slides.
 double movingExtent(const std::vector<BlockWay>& blocks, const std::vector<char>& moving) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     Vec3 low = Vec3::Constant(kFar), high = Vec3::Constant(-kFar);
@@ -22,6 +24,8 @@ double movingExtent(const std::vector<BlockWay>& blocks, const std::vector<char>
 
 }  // namespace
 
+double BlockWay::tipping() const { return std::sqrt(std::max(rotation * rotation - spin * spin, 0.0)); }
+
 std::vector<FailureMode> motionRoles(const std::vector<BlockWay>& blocks, double deflection) {
     double farthest = 0;
     for (const BlockWay& block : blocks)
@@ -33,7 +37,7 @@ std::vector<FailureMode> motionRoles(const std::vector<BlockWay>& blocks, double
     std::vector<FailureMode> roles(blocks.size(), FailureMode::none);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (!moving[b]) continue;
-        const bool topples = blocks[b].rotation * extent > MotionRule::kToppling * blocks[b].way();
+        const bool topples = blocks[b].tipping() * extent > MotionRule::kToppling * blocks[b].way();
         roles[b] = topples ? FailureMode::toppling : FailureMode::sliding;
     }
     return roles;

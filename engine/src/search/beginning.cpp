@@ -96,8 +96,8 @@ class Loader {
     }
 
  private:
-    /// Brings the weight on with more strength than is wanted, so much that joints only give, and that water can come on
-    /// after it. What parts as much with more strength had joints to close.
+    /// Brings the weight on with more strength than is wanted, so much that joints only give, and that water
+    /// can come on after it. What parts as much with more strength had joints to close.
     bool weigh() {
         const auto bare = path_.place();
         std::optional<EquilibriumPath::Place> best;

@@ -1,9 +1,9 @@
 #pragma once
 // The loading path up to where a search begins: every search begins alike, where equilibrium is easy.
 //
-// Weight and water are brought on level ground with more strength than the assembly has. Strength then falls to its own,
-// the ground is tilted, and the pseudo-static earthquake pushes. Each of these loads is followed like the one that is
-// searched for, so the three searches agree by construction.
+// Weight and water are brought on level ground with more strength than the assembly has. Strength then falls
+// to its own, the ground is tilted, and the pseudo-static earthquake pushes. Each of these loads is followed
+// like the one that is searched for, so the three searches agree by construction.
 
 #include <functional>
 #include <string>
@@ -28,7 +28,8 @@ struct Start {
     double rise = 0;  ///< over the weight, from which on parting counts anew; 0: SearchRules::rise
     std::function<bool(const Followed&)> mends{};
     std::function<void(const std::string&)> report = [](const std::string&) {};
-    /// Called in equilibrium under weight alone. \return whether it has changed something: then equilibrium is found anew
+    /// Called in equilibrium under weight alone. \return whether it has changed something: then equilibrium
+    /// is found anew
     std::function<bool(equilibrium::EquilibriumPath&)> weighted{};
 };
 

@@ -12,7 +12,8 @@
 namespace talus {
 namespace {
 
-/// Strength that is lost at the first slip or opening: how a warning of it begins, and as limit equilibrium has it, kept.
+/// Strength that is lost at the first slip or opening: how a warning of it begins, and as limit equilibrium
+/// has it, kept.
 struct LostStrength {
     const char* warning;
     const char* name;

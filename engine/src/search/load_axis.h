@@ -1,6 +1,6 @@
 #pragma once
-// The load that a search raises: a tilt, what strength is divided by, a horizontal acceleration; before them weight and
-// water.
+// The load that a search raises: a tilt, what strength is divided by, a horizontal acceleration; before them
+// weight and water.
 
 #include <functional>
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace talus::search {
 
-/// A load and its steps. Loads of the three searches are in the unit of the answer: [rad], factor, share of the weight.
+/// A load and its steps. Loads of the three searches are in the unit of the answer: [rad], factor, share of
+/// the weight.
 struct LoadAxis {
     equilibrium::Loading loading{};  ///< its cell is the width of bracket that is wanted
     double start = 0;

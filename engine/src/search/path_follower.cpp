@@ -57,7 +57,8 @@ class Follower {
     }
 
  private:
-    /// The arc of the next step, and where parting counts from: after a beginning, a leap, or blocks taken out.
+    /// The arc of the next step, and where parting counts from: after a beginning, a leap, or blocks taken
+    /// out.
     void beginAnew() {
         arc_.displacement = rules_.first_step * rules_.step_displacement;
         arc_.load = rules_.first_step * longest();
@@ -95,9 +96,9 @@ class Follower {
         return std::nullopt;
     }
 
-    /// Blocks that slide much farther than in a failure while the load hardly rises have failed where that began: what
-    /// they slide on hardens, as bolts across a slide do. Columns that lean on soft joints move as slowly, and yet stand:
-    /// what is elastic slides nowhere.
+    /// Blocks that slide much farther than in a failure while the load hardly rises have failed where that
+    /// began: what they slide on hardens, as bolts across a slide do. Columns that lean on soft joints move
+    /// as slowly, and yet stand: what is elastic slides nowhere.
     std::optional<PathResult> creeps() {
         if (!creep_) return std::nullopt;
         const double slid = path_.slidSince(creep_->since);
@@ -112,8 +113,8 @@ class Follower {
         return fails(path_.partedSince(since_), allowance(), highest_ + rules_.overload * cell_);
     }
 
-    /// Whether the load rises by a cell's share before neighbours have slid as far as in a failure: by a step, which
-    /// may be longer than that.
+    /// Whether the load rises by a cell's share before neighbours have slid as far as in a failure: by a
+    /// step, which may be longer than that.
     bool risesFast(double gain, double slid) const {
         const double share = (follow_.displacements[follow_.counts] + allowance()) / slid;
         return !(gain * share < rise_);
@@ -207,8 +208,8 @@ class Follower {
         return true;
     }
 
-    /// A step along which the load falls has a peak in it, or begins beyond one that the step before has leapt over.
-    /// No path that bends one way lies above its tangents.
+    /// A step along which the load falls has a peak in it, or begins beyond one that the step before has
+    /// leapt over. No path that bends one way lies above its tangents.
     /// \return whether the peak is known well enough; else the next step is a shorter one
     bool isPeakKnown(const PathStep& step) {
         const PathStep& last = path_.last();
@@ -235,7 +236,8 @@ class Follower {
                Released::rests;
     }
 
-    /// Where steps along the path gain nothing, or do not converge, the assembly is released at a little more load.
+    /// Where steps along the path gain nothing, or do not converge, the assembly is released at a little more
+    /// load.
     std::optional<PathResult> leapOver() {
         const double load = std::max(path_.load(), highest_) + leap_;
         if (follow_.report) follow_.report(load, "released");

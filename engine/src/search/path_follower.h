@@ -1,6 +1,6 @@
 #pragma once
-// Follows the equilibrium path of a load up to a target, or to the first peak beyond which neighbouring blocks part by
-// more than the failure displacement before equilibrium is found again.
+// Follows the equilibrium path of a load up to a target, or to the first peak beyond which neighbouring
+// blocks part by more than the failure displacement before equilibrium is found again.
 
 #include <functional>
 #include <optional>
@@ -32,7 +32,8 @@ struct Followed {
     Bracket bracket{};  ///< of the failure that counts
     /// For each displacement asked about: where the path first fails by it; nothing where it was not seen to.
     std::vector<std::optional<Bracket>> by_displacement{};
-    /// The last equilibrium below the failure, and the assembly as it has left its place by the failure displacement.
+    /// The last equilibrium below the failure, and the assembly as it has left its place by the failure
+    /// displacement.
     std::optional<equilibrium::EquilibriumPath::Place> stood{};
     std::optional<State> failing{};
     equilibrium::Parting since{};     ///< from when the displacement of the failure counts
@@ -46,8 +47,8 @@ struct Follow {
     std::vector<double> displacements{};
     std::size_t counts = 0;  ///< which of them is that
     double rise = 0;         ///< of the load, from which on parting counts anew; 0: SearchRules::rise
-    /// Called where the failure that counts is seen, the path being there. If it mends that (by taking blocks out), true:
-    /// the path goes on from where it is then.
+    /// Called where the failure that counts is seen, the path being there. If it mends that (by taking blocks
+    /// out), true: the path goes on from where it is then.
     std::function<bool(const Followed&)> mends{};
     std::function<void(double load, const char* what)> report{};
 };

@@ -1,5 +1,6 @@
 #pragma once
-// A search: up the equilibrium path of a load, from a beginning that all searches share, to the failure that counts.
+// A search: up the equilibrium path of a load, from a beginning that all searches share, to the failure that
+// counts.
 
 #include "search/load_axis.h"
 #include "talus/analysis.h"

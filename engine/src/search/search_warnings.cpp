@@ -67,7 +67,8 @@ std::optional<std::string> ofLostFriction(double lost) {
            "the peak";
 }
 
-/// At the start nothing is known of what blocks move at rest, but how far what lies on them presses their joints.
+/// At the start nothing is known of what blocks move at rest, but how far what lies on them presses their
+/// joints.
 std::optional<std::string> ofJointsPressedIn(const State& state) {
     constexpr double kPressed = 5e-3;  // of the smaller block's size
     double most = 0, size = 1;

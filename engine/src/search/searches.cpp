@@ -47,9 +47,10 @@ class ReducedTheory {
     double tilt_;
 };
 
-/// The strength reduction at which the predicted critical tilt is the model's own tilt. Nothing where no formula
-/// applies, and nothing where overturning decides: strength has no part in that. The formulas may be silent for strong
-/// joints (columns lean) and for weak ones (water pushes uphill), so the first factor that slides is sought upwards.
+/// The strength reduction at which the predicted critical tilt is the model's own tilt. Nothing where no
+/// formula applies, and nothing where overturning decides: strength has no part in that. The formulas may be
+/// silent for strong joints (columns lean) and for weak ones (water pushes uphill), so the first factor that
+/// slides is sought upwards.
 std::optional<TheoryFigure> theoryOfFactor(const Model& model, const std::atomic<bool>* stop) {
     constexpr double kLowest = 0.02, kHighest = 50, kRatio = 1.05;
     ReducedTheory theory(model);
@@ -69,8 +70,8 @@ std::optional<TheoryFigure> theoryOfFactor(const Model& model, const std::atomic
     return at_limit ? std::optional(TheoryFigure{high, *prediction}) : std::nullopt;
 }
 
-/// Without water and cohesion only the direction of the loads matters: on a slope at tilt b an earthquake of k_h and k_v
-/// is a tilt by atan(k_h / (1 - k_v)) more.
+/// Without water and cohesion only the direction of the loads matters: on a slope at tilt b an earthquake of
+/// k_h and k_v is a tilt by atan(k_h / (1 - k_v)) more.
 std::optional<TheoryFigure> theoryOfAcceleration(const Model& model, const std::atomic<bool>*) {
     const bool cohesive = std::any_of(model.joints.begin(), model.joints.end(), [](const Joint& joint) {
         return joint.cohesion > 0 || joint.residual_cohesion > 0 || joint.tensile_strength > 0;

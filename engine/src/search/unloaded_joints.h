@@ -1,7 +1,8 @@
 #pragma once
-// Joints that carry no normal force when an assembly is first in equilibrium. Friction may lock on them later, as blocks
-// turn a little between their neighbours, and then holds what statics alone would not: how much of it acts depends on the
-// loading path. Without any friction there an answer is the lowest that statics allows them.
+// Joints that carry no normal force when an assembly is first in equilibrium. Friction may lock on them
+// later, as blocks turn a little between their neighbours, and then holds what statics alone would not: how
+// much of it acts depends on the loading path. Without any friction there an answer is the lowest that
+// statics allows them.
 
 #include <cstdint>
 #include <set>

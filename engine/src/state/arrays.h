@@ -1,7 +1,7 @@
 #pragma once
-// The state of a simulation as structures of arrays. Each array is one quantity with its unit; an index means the same
-// thing in every array of a structure. Plain data: copying a State copies the simulation, which is how a probe goes
-// back to the last stable state.
+// The state of a simulation as structures of arrays. Each array is one quantity with its unit; an index means
+// the same thing in every array of a structure. Plain data: copying a State copies the simulation, which is
+// how a search goes back to the last equilibrium.
 
 #include <algorithm>
 #include <cassert>
@@ -85,8 +85,9 @@ enum class InterfaceKind : std::uint8_t {
     vertex_edge  ///< a place for a vertex on a face, or for two edges that cross (contacts/vertex_edge.h)
 };
 
-/// Interfaces: two faces that lie against each other, or a place for a vertex or an edge; state/interface_frame.h
-/// says how. What the kernel reads lies in groups (state/interface_group.h): `slot` tells where.
+/// Interfaces: two faces that lie against each other, or a place for a vertex or an edge;
+/// state/interface_frame.h says how. What the kernel reads lies in groups (state/interface_group.h): `slot`
+/// tells where.
 struct Interfaces {
     std::vector<std::int32_t> block_a, block_b;
     std::vector<std::int32_t> face_a, face_b;
@@ -142,7 +143,7 @@ struct Interfaces {
     }
 };
 
-/// What contact points (contact points) remember; where they lie follows from the patch (law/points.h), and the
+/// What contact points remember; where they lie follows from the patch (law/points.h), and the
 /// forces they carry from the poses (contactPoints).
 struct ContactPoints {
     LaneArray memory{
@@ -185,8 +186,8 @@ struct WetPatches {
     std::size_t size() const { return block.size(); }
 };
 
-/// The pressure of one water: p(x) = max(0, p0 + gradient . x) [Pa], x in the model frame; for two heads only `p0`
-/// counts, times the head along the patch.
+/// The pressure of one water: p(x) = max(0, p0 + gradient . x) [Pa], x in the model frame; for two heads only
+/// `p0` counts, times the head along the patch.
 struct PressureField {
     double p0 = 0;
     Vec3 gradient = Vec3::Zero();
@@ -224,8 +225,8 @@ struct Incidence {
     std::vector<std::int32_t> wet_blocks;  ///< those with any, ascending
 };
 
-/// Where one of the forces on blocks acts (forces/sum.h), block by block (compressed rows); the force's header says what
-/// the numbers of a part are.
+/// Where one of the forces on blocks acts (forces/sum.h), block by block (compressed rows); the force's
+/// header says what the numbers of a part are.
 struct ForceParts {
     std::vector<std::int32_t> block;   ///< those it acts on, ascending
     std::vector<std::size_t> begin;    ///< first part on each; one more at the end
@@ -271,11 +272,11 @@ struct Load {
 
 /// What springs that are pressed do with the energy they hold.
 enum class Springs : std::uint8_t {
-    /// A search makes their force a function of the gap and the new area, whatever they held: quasi-static work, whose answer
-    /// no search may move.
+    /// A search makes their force a function of the gap and the new area, whatever they held: quasi-static
+    /// work, whose answer no search may move.
     follow_gaps,
-    /// They hold no more after a search than before (contacts/energy_balance.h), and give back what they hold: motion with
-    /// true inertia.
+    /// They hold no more after a search than before (contacts/energy_balance.h), and give back what they
+    /// hold: motion with true inertia.
     keep_energy
 };
 
@@ -305,6 +306,9 @@ struct State {
     double search_margin = 0;  ///< gap up to which that search made interfaces [m]
     /// A search is around the blocks that have gone far; poses at the last one are of each block its own.
     bool searches_around = false;
+    /// Blocks touch by their faces alone, not at vertices and edges: whether these alone hold an assembly
+    /// (search/search_run.h).
+    bool faces_only = false;
     double shear_lost = 0;  ///< shear force that could not be carried over to clipped patches, in all [N]
     std::vector<std::string> warnings;
 };

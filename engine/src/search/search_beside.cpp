@@ -1,0 +1,353 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "checks/loose_blocks.h"
+#include "contacts/corner_rounding.h"
+#include "contacts/limits.h"
+#include "equilibrium/release.h"
+#include "forces/contact_forces.h"
+#include "law/joint_laws.h"
+#include "limit_analysis/ceiling.h"
+#include "measure/natural_order.h"
+#include "search/search_run.h"
+#include "state/block_motion.h"
+#include "state/caller.h"
+#include "state/incidence.h"
+#include "talus/block_theory.h"
+
+namespace talus::search {
+namespace {
+
+using checks::areTied, checks::freeMass, checks::massOf, checks::movingBlocks, checks::numbersOf;
+using equilibrium::Released;
+
+// Of the answer: what elastic joints change by less is as good as with rigid ones.
+constexpr double kElasticEffect = 0.01;
+// Of the block size: blocks that move by less before they fail change lever arms by less than that share.
+constexpr double kLeans = 1e-3;
+// Factorisations that an answer beside the answer may take beyond those of the answer: next to no time.
+constexpr std::int64_t kLeastEffort = 1000;
+constexpr double kStiffer = 10;  // what users try to see whether stiffness matters
+
+}  // namespace
+
+void Search::addGroups(Course& course) {
+    if (varied_ != Varied::factor || result_.status != SearchStatus::found) return;
+    result_.groups.push_back({.factor = result_.answer,
+                              .blocks = result_.moving_blocks,
+                              .low = result_.low,
+                              .high = result_.high,
+                              .volume = result_.failing_volume,
+                              .mass = result_.failing_mass});
+    EquilibriumPath& path = *course.path;
+    auto stood = course.followed.stood;
+    std::vector<std::size_t> going = numbersOf(*rest_, result_.moving_blocks);
+    while (static_cast<int>(result_.groups.size()) < control_.groups && stood && !going.empty() &&
+           !isStopped(control_)) {
+        path.goBack(*stood);
+        const double load = stood->load;
+        if (areTied(path.state(), going) || massOf(path.state(), going) >= freeMass(path.state())) return;
+        path.takeOut(going);
+        auto before = path.place();
+        if (equilibrium::release(path, load, path.parting(), displacements_[counts_] + rules_.jolt) !=
+            Released::rests) {
+            // What does not stand without them goes with them.
+            going = movingBlocks(before.state, path.state());
+            BlockGroup also = groupOf(going, load);
+            BlockGroup& last = result_.groups.back();
+            last.blocks.insert(last.blocks.end(), also.blocks.begin(), also.blocks.end());
+            sortNaturally(last.blocks);
+            last.volume += also.volume, last.mass += also.mass;
+            stood = std::move(before);
+            continue;
+        }
+        Follow follow{.target = axis().stop, .displacements = {displacements_[counts_]}};
+        follow.report = [&](double at, const char* what) {
+            report("the next group", kPath, axis().say(at) + ", " + what);
+        };
+        Followed next = followPath(path, axis(), follow);
+        effort(path);
+        result_.groups_undecided = next.result == PathResult::lost;
+        if (result_.groups_undecided)
+            result_.warnings.push_back("the search for the blocks that go next is undecided");
+        if (next.result != PathResult::failed) return;
+        const double factor = 0.5 * (next.bracket.stands + next.bracket.fails);
+        going = movingBlocks(next.since.poses().position, next.since.poses().orientation, *next.failing);
+        BlockGroup group = groupOf(going, factor);
+        group.low = next.bracket.stands, group.high = next.bracket.fails;
+        result_.groups.push_back(std::move(group));
+        stood = std::move(next.stood);
+    }
+}
+
+void Search::addUpperBound(const Course& course) {
+    const bool wanted = control_.upper_bound != Beside::never;
+    if (result_.status == SearchStatus::interrupted || !wanted) {
+        result_.upper_bound.reason = wanted ? "the search was interrupted" : "not wanted (--no-upper-bound)";
+        return;
+    }
+    result_.upper_bound = boundOf(course);
+    if (!isAbove(result_.low, result_.upper_bound, varied_)) return;
+    result_.warnings.push_back("the answer is above the upper bound of limit analysis, " +
+                               axis().say(*result_.upper_bound.value) +
+                               ", which is for the shape as built: blocks move before they fail");
+}
+
+Ceiling Search::boundOf(const Course& course) {
+    report("upper bound", kPath, "limit analysis");
+    const bool has_settled = settled_ && course.begun.parted > kClosedGap;
+    State state = has_settled ? *settled_ : *built_;
+    state.laws = jointLaws(rest_->joints, 1);
+    LimitSettings settings;
+    for (const BlockGroup& group : result_.let_go)
+        settings.left_out.insert(settings.left_out.end(), group.blocks.begin(), group.blocks.end());
+    return limit::ceilingOf(state, varied_, control_.upper_bound == Beside::always, control_, settings);
+}
+
+UnloadedJoints Search::unloadedAtFirst() {
+    const Course elastic = beginAt(1 / rules_.weight_strength);
+    if (elastic.begun.result != PathResult::reached) return {};
+    return UnloadedJoints(elastic.path->state(), rules_.unloaded);
+}
+
+namespace {
+
+/// Whether a contact at a vertex or an edge is one at a kink: it looks nearly as the face that carries most of a block.
+bool isAtKink(const State& state, std::size_t jam) {
+    const Interfaces& f = state.interfaces;
+    const Vec3 normal = relativePose(state, jam).e3;
+    for (const std::int32_t block : {f.block_a[jam], f.block_b[jam]}) {
+        const auto b = static_cast<std::size_t>(block);
+        if (state.blocks.motion[b] != Motion::free) continue;
+        double most = 0, cosine = 0;
+        for (auto k = state.incidence.interface_begin[b]; k < state.incidence.interface_begin[b + 1]; ++k) {
+            const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
+            if (isVertexEdge(f, i)) continue;
+            double force = 0;
+            for (const ContactPoint& point : contactPoints(state, i)) force += point.force.normal;
+            if (force > most) most = force, cosine = std::abs(relativePose(state, i).e3.dot(normal));
+        }
+        if (cosine >= kKink) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::optional<std::size_t> Search::jammedAt(const Course& course) const {
+    const bool has_end = result_.status == SearchStatus::found;
+    const bool may_jam = !has_end || isAbove(result_.low, result_.upper_bound, varied_);
+    if (faces_only_ || !may_jam || course.begun.result != PathResult::reached) return std::nullopt;
+    const State& state = course.followed.stood ? course.followed.stood->state : course.path->state();
+    std::optional<std::size_t> jam;
+    double most = 0;
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
+        if (!isVertexEdge(state.interfaces, i) || isIdle(state.interfaces, i)) continue;
+        const double force = contactPoints(state, i)[0].force.normal;
+        if (force > most && isAtKink(state, i)) most = force, jam = i;
+    }
+    return jam;
+}
+
+bool Search::answerWithoutJam(const Course& course) {
+    const auto jam = jammedAt(course);
+    if (!jam || isStopped(control_)) return false;
+    // Whether faces alone can hold it does not depend on what is printed.
+    const Ceiling bound = control_.upper_bound == Beside::never ? boundOf(course) : result_.upper_bound;
+    if (!isAbove(result_.low, bound, varied_) && result_.status != SearchStatus::undecided) return false;
+    const State& state = course.followed.stood ? course.followed.stood->state : course.path->state();
+    const auto name = [&](std::int32_t block) {
+        return '"' + rest_->blocks[static_cast<std::size_t>(block)].name + '"';
+    };
+    const Vec3 place = relativePose(state, *jam).origin + state.geometry->origin;
+    char at[96];
+    std::snprintf(at, sizeof at, "(%.4g, %.4g, %.4g)", place.x(), place.y(), place.z());
+    const std::string what = "block " + name(state.interfaces.block_b[*jam]) +
+                             " jams on a corner or an edge of " + name(state.interfaces.block_a[*jam]) +
+                             " at " + at + " m";
+    report("without the jam", kPath, what);
+    Search other(varied_, model_, control_, rules_);
+    other.faces_only_ = true;
+    Result<SearchResult> found = other.run();
+    if (!found || found->status != SearchStatus::found || isAbove(found->low, found->upper_bound, varied_))
+        return false;
+    found->steps += result_.steps;
+    found->factors += result_.factors;
+    found->time += result_.time;
+    if (result_.low > found->answer && found->answer_interval &&
+        result_.low > found->answer_interval->second) {
+        found->answer_interval->second = result_.low;
+        found->answer_interval_reasons.second = what + ", and stands there";
+    }
+    found->warnings.push_back(what + ": with that contact it stands at " + axis().say(result_.low) +
+                              "; the answer counts contacts of faces alone");
+    result_ = std::move(*found);
+    return true;
+}
+
+void Search::lowerInterval(double answer, const std::string& reason) {
+    if (answer >= result_.answer_interval->first - axis().loading.cell) return;
+    result_.answer_interval->first = answer;
+    result_.answer_interval_reasons.first = reason;
+}
+
+void Search::addLimitEquilibrium() {
+    if (varied_ != Varied::factor || result_.status != SearchStatus::found) return;
+    if (control_.upper_bound == Beside::never || isStopped(control_)) return;
+    report("limit equilibrium", kPath, "blocks that slide as one body");
+    Control control = control_;
+    control.progress = {};
+    std::vector<std::string> gone;
+    for (const BlockGroup& group : result_.let_go)
+        gone.insert(gone.end(), group.blocks.begin(), group.blocks.end());
+    const auto all = keyBlocks(talus::withoutBlocks(*rest_, gone), control);
+    if (!all) return;
+    const double least = rest_->analysis.least_mass_share * freeMass(*built_);
+    const auto group = std::find_if(all->groups.begin(), all->groups.end(), [&](const MovingGroup& one) {
+        return one.sliding.factor > 0 && std::isfinite(one.sliding.factor) && one.mass >= least;
+    });
+    if (group == all->groups.end()) return;
+    result_.limit_equilibrium = LimitEquilibrium{
+        group->sliding.factor,
+        group->sliding.mode == SlidingMode::wedge ? "sliding along two planes" : "sliding on one plane",
+        group->blocks};
+}
+
+void Search::addBounds() {
+    auto& [low_reason, high_reason] = result_.answer_interval_reasons;
+    low_reason = high_reason = "the path of the search";
+    if (jammed_at_ > result_.answer) {
+        result_.answer_interval->second = jammed_at_;
+        high_reason = "it stands there when it comes from more strength";
+    }
+    if (result_.upper_bound.value && *result_.upper_bound.value > result_.answer_interval->second) {
+        result_.answer_interval->second = *result_.upper_bound.value;
+        high_reason = "upper bound of limit analysis";
+    }
+    if (isAbove(result_.low, result_.upper_bound, varied_)) {
+        result_.answer_interval->first = *result_.upper_bound.value;
+        low_reason = "upper bound of limit analysis for the shape as built, which deforms before it fails";
+    }
+}
+
+void Search::addUnloadedJoints(const Course& course) {
+    std::string& low_reason = result_.answer_interval_reasons.first;
+    report("the interval", kPath, "joints that carry nothing at first");
+    std::vector<BlockGroup> let_go = result_.let_go;
+    unloaded_ = unloadedAtFirst();
+    result_.let_go = let_go;
+    if (isStopped(control_)) return;
+    if (unloaded_.empty() || !course.followed.stood ||
+        unloaded_.shearCarried(course.followed.stood->state) < rules_.carries_shear) {
+        low_reason += "; no joint that was unloaded at first carries shear at the answer";
+        return;
+    }
+    report("the interval", kPath, std::to_string(unloaded_.size()) + " joints without friction");
+    const LoadAxis weakened = unloaded_.with(*strength_);
+    without_friction_ = true;
+    const LoadAxis axis = std::exchange(*strength_, weakened);
+    const LoadAxis own = *axis_;
+    if (varied_ == Varied::factor) *axis_ = weakened;
+    Course other = begin();
+    follow(other);
+    result_.let_go = std::move(let_go);
+    *strength_ = axis;
+    *axis_ = own;
+    without_friction_ = false;
+    const std::string what =
+        "no friction on the " + std::to_string(unloaded_.size()) + " joints that carry nothing at first";
+    const bool has_begun = other.begun.result == PathResult::reached;
+    if (has_begun && other.followed.result == PathResult::failed) {
+        const double answer = 0.5 * (other.followed.bracket.stands + other.followed.bracket.fails);
+        if (answer >= result_.answer_interval->first - axis_->loading.cell)
+            low_reason += "; the same with " + what;
+        lowerInterval(answer, what);
+    } else if (!has_begun && other.begun.result == PathResult::failed) {
+        result_.answer_interval->first =
+            std::min(result_.answer_interval->first, varied_ == Varied::factor ? other.factor : axis_->start);
+        low_reason = what + ": it does not stand at the start";
+    } else if (other.followed.result == PathResult::lost || other.begun.result == PathResult::lost) {
+        low_reason += "; with " + what + " undecided";
+    }
+}
+
+Result<SearchResult> Search::answerOf(const Model& model) const {
+    std::atomic<bool> enough = false;
+    Control control = control_;
+    control.progress = [&](const Progress&) {
+        if (isStopped(control_)) enough = true;
+    };
+    control.stop = &enough;
+    control.keep_failing_state = false;
+    control.groups = 1;
+    control.interval = false;
+    control.upper_bound = Beside::never;
+    Search other(varied_, model, control, rules_);
+    other.most_factors_ = kLeastEffort + result_.factors;
+    other.enough_ = &enough;
+    return other.run();
+}
+
+std::optional<double> Search::addAnswerOf(const Model& model, const std::string& what) {
+    report("the interval", kPath, what);
+    const Result<SearchResult> other = answerOf(model);
+    if (!other) return std::nullopt;
+    if (other->status == SearchStatus::interrupted)
+        result_.answer_interval_reasons.first += "; with " + what + " it takes more work than the answer";
+    result_.steps += other->steps;
+    result_.factors += other->factors;
+    auto& [low, high] = *result_.answer_interval;
+    auto& [low_reason, high_reason] = result_.answer_interval_reasons;
+    if (other->status == SearchStatus::unstable_at_start) {
+        low = std::min(low, axis_->start);
+        low_reason = what + ": it does not stand at the start";
+    } else if (other->status == SearchStatus::undecided) {
+        low_reason += "; with " + what + " undecided";
+    }
+    const double margin = kElasticEffect * std::abs(result_.answer);
+    if (other->status != SearchStatus::found || std::abs(other->answer - result_.answer) <= margin)
+        return std::nullopt;
+    if (other->answer < low) low = other->answer, low_reason = what;
+    if (other->answer > high) high = other->answer, high_reason = what;
+    return other->answer;
+}
+
+void Search::addElasticity(const Course& course) {
+    const bool turns = result_.mode == FailureMode::toppling || result_.mode == FailureMode::mixed;
+    if (!turns || isStopped(control_)) return;
+    if (model_.points.kind == PointRule::Kind::vertex) {
+        Model distributed = model_;
+        distributed.points.kind = PointRule::Kind::distributed;
+        addAnswerOf(distributed, "pressure over the closed part of elastic joints");
+    }
+    if (isStopped(control_) || !course.followed.stood) return;
+    const State& stood = course.followed.stood->state;
+    const double moved =
+        largestMotion(stood, stood.geometry->initial_position, stood.geometry->initial_orientation);
+    if (moved < kLeans * stood.geometry->length_scale) return;
+    Model stiff = model_;
+    for (Joint& joint : stiff.joints) {
+        joint.normal_stiffness *= kStiffer;
+        joint.shear_stiffness *= kStiffer;
+    }
+    const std::string what = "joints ten times as stiff";
+    if (const auto answer = addAnswerOf(stiff, what))
+        result_.warnings.push_back("the stiffness of the joints matters: with " + what + " the answer is " +
+                                   axis().say(*answer));
+}
+
+void Search::addInterval(const Course& course) {
+    if (result_.status != SearchStatus::found) return;
+    result_.answer_interval = std::pair(result_.answer, result_.answer);
+    addBounds();
+    if (result_.limit_equilibrium)
+        lowerInterval(result_.limit_equilibrium->value, "limit equilibrium, translation only");
+    if (!control_.interval || isStopped(control_)) return;
+    addUnloadedJoints(course);
+    addElasticity(course);
+}
+
+}  // namespace talus::search

@@ -1,0 +1,192 @@
+#pragma once
+// One search as it goes: what it has read, built and found so far. search.cpp has its course,
+// search_result.cpp what becomes of the result, search_beside.cpp what stands beside the answer.
+
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equilibrium/equilibrium_path.h"
+#include "search/beginning.h"
+#include "search/load_axis.h"
+#include "search/path_follower.h"
+#include "search/unloaded_joints.h"
+#include "state/arrays.h"
+#include "talus/analysis.h"
+#include "talus/model.h"
+#include "talus/result.h"
+#include "talus/search_rules.h"
+
+namespace talus::search {
+
+using equilibrium::EquilibriumPath;
+
+/// What a path has come to, wherever it ended.
+struct Course {
+    std::unique_ptr<EquilibriumPath> path{};
+    Begun begun{};
+    Followed followed{};
+    double factor = 1;  ///< at which it began
+    bool is_followed = false;
+};
+
+class Search {
+ public:
+    Search(Varied varied, const Model& model, const Control& control, const SearchRules& rules)
+        : varied_(varied), model_(model), control_(control), rules_(rules), gone_(model.blocks.size(), 0) {
+        tellDisplacements();
+    }
+
+    Result<SearchResult> run();
+
+ private:
+    const LoadAxis& axis() const { return *axis_; }
+
+    void tellDisplacements();
+    LoadAxis axisOf(const Model& model) const;
+
+    /// The model without the blocks that are gone, its state and what is wrong with it.
+    std::vector<Error> build();
+    void warnOfLooseBlocks();
+    void stopDrivenBlocks();
+    void report(const std::string& stage, double fraction, const std::string& detail) const;
+
+    double startTilt() const { return varied_ == Varied::tilt ? axis().start : rest_->gravity.tilt; }
+    double startHorizontal() const {
+        return varied_ == Varied::horizontal ? axis().start : rest_->seismic.horizontal;
+    }
+    bool isLevel() const { return rest_->gravity.direction || std::abs(startTilt()) < kNoTilt; }
+
+    /// A path that begins with strengths divided by a factor.
+    /// \param weakens  to that after the weight has come on with more strength
+    Course beginAt(double factor, bool weakens = true);
+
+    /// What fails on the way to its own tilt is tilted with more strength, no more than is needed.
+    Course begin();
+
+    /// Blocks that fall as weight comes on, whatever the strength, are taken out if they are few.
+    bool letFall(const Course& course);
+
+    /// \param blocks  of the model that is left \param count  of those taken out so
+    bool takeOutOfModel(const std::vector<std::size_t>& blocks, std::size_t* count);
+
+    /// Follows the load that is searched for from where the path began.
+    void follow(Course& course);
+
+    /// The slope fails as it is tilted with strengths divided by some factor, yet stands so when it comes
+    /// there from more strength: the path decides. The answer is the factor from which on it fails on its way
+    /// to the tilt.
+    void narrowBeginnings(Course& course);
+
+    /// \return whether it stands there
+    bool raiseTo(Course& course, double target);
+    static double progressOf(double load, double from, double target);
+
+    /// What has failed and has less mass than an answer is taken out where the rest stood, and the path goes
+    /// on.
+    /// \param is_answer  of the load that is searched for
+    bool letSmallGo(EquilibriumPath& path, const Followed& found, bool is_answer);
+    BlockGroup groupOf(const std::vector<std::size_t>& blocks, double load) const;
+    void effort(const EquilibriumPath& path);
+    Result<SearchResult> interruptedBefore();
+
+    /// From what the paths have come to.
+    void finish(Course& course);
+    void addDisplacements(const Followed& followed);
+
+    /// How it fails, and the state the search ended in.
+    void describe(Course& course, bool has_begun);
+
+    /// From the last equilibrium, which the load that fails is put on.
+    void keepFailing(Course& course, const State& last);
+    void nameFallen();
+
+    /// Who goes next, and at which factor: what has failed is taken out where the rest stood, and the path
+    /// goes on.
+    void addGroups(Course& course);
+
+    /// By limit analysis: of the assembly as built, or as it settled where joints had to close first.
+    void addUpperBound(const Course& course);
+    Ceiling boundOf(const Course& course);
+
+    /// Joints that carry nothing where the search begins, with more strength than the assembly has: there
+    /// nothing has slid that could press them.
+    UnloadedJoints unloadedAtFirst();
+
+    /// Whether it stands beyond what limit analysis allows the faces, and a contact at a vertex or edge
+    /// carries weight there: what jams so. \return its interface
+    std::optional<std::size_t> jammedAt(const Course& course) const;
+    /// The answer without contacts at vertices and edges, where the search has one only because of such.
+    /// \return whether it is the result now
+    bool answerWithoutJam(const Course& course);
+
+    /// The least factor by block theory, for the blocks that the answer is for.
+    void addLimitEquilibrium();
+    /// The lowest and the highest answer found.
+    void addInterval(const Course& course);
+    /// From what else was seen on the way to the answer.
+    void addBounds();
+    /// The lowest answer that another loading path leaves open: joints that carry nothing when the assembly
+    /// is first in equilibrium get no friction.
+    void addUnloadedJoints(const Course& course);
+    /// What turns does so about a pivot inside its edge where the joint under it is elastic, and leans
+    /// before.
+    void addElasticity(const Course& course);
+    /// Of a model that differs a little: widens the interval where the answer is another. \return that answer
+    std::optional<double> addAnswerOf(const Model& model, const std::string& what);
+    Result<SearchResult> answerOf(const Model& model) const;
+    void lowerInterval(double answer, const std::string& reason);
+
+    static constexpr double kNoTilt = 1e-9;               // [rad]
+    static constexpr double kLoading = 0.2, kPath = 0.9;  // of the progress
+    static constexpr double kLeastMotion = 0.05;          // of the farthest block's
+    // Cells beyond the bracket at which a failure is played on: at the peak itself it would take minutes to
+    // begin.
+    static constexpr double kPlayedBeyond = 8;
+
+    /// Blocks that fall because those before them have left: where they were seen to go.
+    struct Followers {
+        std::vector<std::size_t> blocks;
+        PositionArray position;
+        QuaternionArray orientation;
+
+        void put(Blocks& to) const {
+            for (const std::size_t b : blocks) {
+                to.position.set(b, position.get(b));
+                to.orientation[b] = orientation[b];
+            }
+        }
+    };
+
+    const Varied varied_;
+    const Model& model_;
+    const Control& control_;
+    const SearchRules& rules_;
+    std::vector<double> displacements_{};
+    std::size_t counts_ = 0;
+    std::vector<char> gone_;  ///< per block of the model: taken out before the search
+    std::size_t fallen_ = 0, slivers_ = 0;
+    std::shared_ptr<const Model> rest_{};
+    std::optional<LoadAxis> axis_{}, strength_{};
+    std::optional<State> built_{};
+    bool parallel_ = false;
+    std::optional<State> settled_{};  ///< when the weight was first in equilibrium
+    UnloadedJoints unloaded_{};       ///< where the search begins, with more strength
+    bool without_friction_ = false;
+    bool faces_only_ = false;  ///< no contacts at vertices and edges
+    const EquilibriumPath* path_now_ = nullptr;
+    /// For an answer beside the answer: what it may cost, and what ends it then.
+    std::int64_t most_factors_ = 0;
+    std::atomic<bool>* enough_ = nullptr;
+    std::optional<Followers> followers_{};  ///< of what was too small to be the answer without them
+    bool mends_on_the_way_ = true;          ///< to where the search begins: small failures are taken out
+    double begins_failing_ = kInfinity;  ///< least factor with which the slope fails on its way to its tilt
+    double jammed_at_ = -kInfinity;  ///< factor at which it stands though it fails on its way there with that
+    equilibrium::PathWork counted_{};  ///< of the path that is followed
+    SearchResult result_{};
+};
+
+}  // namespace talus::search
