@@ -12,7 +12,9 @@ mkdir -p "$system/src"
 git -C "$root" archive HEAD | tar x -C "$system/src"
 cp /etc/resolv.conf "$system/etc/resolv.conf"
 mountpoint -q "$system/proc" || mount -t proc proc "$system/proc"
-trap 'umount "$system/proc"' EXIT
+mkdir -p "$system/dev/pts"  # tests of the terminal open one
+mountpoint -q "$system/dev/pts" || mount -t devpts devpts "$system/dev/pts"
+trap 'umount "$system/dev/pts" "$system/proc"' EXIT
 
 run() {
     local begin=$SECONDS
