@@ -1,8 +1,8 @@
 // Runs the tests. `talus-tests --help` lists doctest's own options; `talus-tests -tc='*toppling*'` runs some.
 //
-// CTest runs one process per source file, so that files run side by side. A test that takes more than a few seconds
-// goes into a suite whose name starts with "slow": TEST_SUITE("slow: physics"). Its part of the file gets a CTest entry
-// and the label `slow`; tools/check leaves it out, .ci/run does not.
+// CTest runs one process per source file, so that files run side by side. A test that takes more than a few
+// seconds goes into a suite whose name starts with "slow": TEST_SUITE("slow: physics"). Its part of the file
+// gets a CTest entry and the label `slow`; tools/check leaves it out, .ci/run does not.
 
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>

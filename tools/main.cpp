@@ -1,4 +1,5 @@
-// The talus command line: finds the subcommand, runs it, and turns every failure into a message and an exit code.
+// The talus command line: finds the subcommand, runs it, and turns every failure into a message and an exit
+// code.
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -81,7 +82,7 @@ std::vector<Command> addCommands(CLI::App& root) {
     for (const LoadSearch& search : loadSearches()) commands.push_back(addSearch(root, search));
     for (const auto add :
          {addRun, addReplay, addInspect, addExport, addBatch, addSample, addMerge, addValidate, addBlocks,
-          addTheory, addLimitAnalysis, addKeyBlocks, addSupport, addVerification, addSchema})
+          addTheory, addKinematics, addLimitAnalysis, addKeyBlocks, addSupport, addVerification, addSchema})
         commands.push_back(add(root));
     return commands;
 }
@@ -155,8 +156,8 @@ void checkInstructionSet() {
                                             "\"avx2\" or \"avx512\""}});
 }
 
-/// Opens /dev/null in place of standard streams that the caller closed. Otherwise the next file to be opened would get their
-/// descriptor, and messages would be written into it. \return whether all three are open
+/// Opens /dev/null in place of standard streams that the caller closed. Otherwise the next file to be opened
+/// would get their descriptor, and messages would be written into it. \return whether all three are open
 bool openStandardStreams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != stream) return false;

@@ -1,6 +1,6 @@
 #pragma once
-// What a contact point and a block cost: operations and bytes, counted by running the kernels' own source on a number
-// that counts.
+// What a contact point and a block cost: operations and bytes, counted by running the kernels' own source on
+// a number that counts.
 
 #include <string>
 

@@ -43,7 +43,8 @@ std::string processorName() {
 }
 
 Caches caches() {
-    // sysconf(_SC_LEVEL3_CACHE_SIZE) tells the whole package's on some processors, of which a core reaches a part.
+    // sysconf(_SC_LEVEL3_CACHE_SIZE) tells the whole package's on some processors, of which a core reaches a
+    // part.
     const std::string folder = "/sys/devices/system/cpu/cpu0/cache/index";
     Caches found;
     for (int index = 0; index < 8; ++index) {

@@ -1,6 +1,6 @@
 #pragma once
-// What the machine can do: loops that do nothing but stream or compute. Built several times, as the engine's kernels are: for
-// any x86-64, for AVX2 with FMA and for AVX-512.
+// What the machine can do: loops that do nothing but stream or compute. Built several times, as the engine's
+// kernels are: for any x86-64, for AVX2 with FMA and for AVX-512.
 
 #include <cstddef>
 

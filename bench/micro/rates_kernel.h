@@ -88,7 +88,8 @@ double fma(std::size_t rounds) {
     const Register factor = registerOf(0.999), term = registerOf(1e-3);
     return chains<kChains>(rounds, [&](Register v, int) { return multiplyAdd(v, factor, term); });
 }
-// Every other chain adds, the others multiply: nothing to fuse. As many operations in all, so that a round counts the same.
+// Every other chain adds, the others multiply: nothing to fuse. As many operations in all, so that a round
+// counts the same.
 double addMul(std::size_t rounds) {
     const Register factor = registerOf(0.9999999), term = registerOf(1e-9);
     return chains<kPlainChains>(2 * kChains * rounds / kPlainChains,

@@ -1,5 +1,5 @@
-// Searches through the public face of the engine, as a user gets them: critical angles of the paper's cases, and and what topples, arches
-// and rock masses take.
+// Searches through the public face of the engine, as a user gets them: critical angles of the paper's cases,
+// and and what topples, arches and rock masses take.
 
 #include <cmath>
 

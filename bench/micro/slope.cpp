@@ -85,7 +85,8 @@ std::vector<Joint> jointsOf(Filling filling) {
     return joints;
 }
 
-/// Under its weight, at rest as far as so many steps get: all that big slopes need is that no contact point is idle.
+/// Under its weight, at rest as far as so many steps get: all that big slopes need is that no contact point
+/// is idle.
 void settle(Slope& slope) {
     constexpr double kPointSteps = 2e7;
     constexpr int kMost = 4000;

@@ -23,8 +23,8 @@ struct SlopeKind {
 
 inline constexpr int kSizes[] = {105, 1000, 10000, 100000, 1000000};
 
-/// Columns x rows x slices of blocks of 0.2 x 0.1 x 0.1 m on a floor at 15 deg, granite with the paper's joints (its
-/// slope itself for 105). \pre kind.blocks is one of kSizes
+/// Columns x rows x slices of blocks of 0.2 x 0.1 x 0.1 m on a floor at 15 deg, granite with the paper's
+/// joints (its slope itself for 105). \pre kind.blocks is one of kSizes
 Model makeSlope(const SlopeKind& kind);
 
 /// What a step or a stage changes in a state, but for what each step makes anew.
@@ -52,7 +52,8 @@ struct Slope {
 
 Slope buildSlope(const SlopeKind& kind);
 
-/// The last slope asked for, as it was made: benchmarks run in the order of their slopes, and a big one fits only once.
+/// The last slope asked for, as it was made: benchmarks run in the order of their slopes, and a big one fits
+/// only once.
 Slope& slopeFor(const SlopeKind& kind);
 
 }  // namespace talus::bench

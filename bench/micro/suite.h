@@ -1,6 +1,6 @@
 #pragma once
-// The benchmarks: each file registers its own with Google Benchmark; names are NAME/SLOPE/threads, facts travel in
-// counters and in the label.
+// The benchmarks: each file registers its own with Google Benchmark; names are NAME/SLOPE/threads, facts
+// travel in counters and in the label.
 
 #include <functional>
 #include <string>
@@ -38,8 +38,8 @@ void tell(benchmark::State& run, const Facts& facts);
 /// In the calling thread (1), or in an arena of so many.
 void onThreads(int threads, const std::function<void()>& body);
 
-/// Registers, with the repetitions and the clock that fit the number of threads: processor time of the thread for one,
-/// wall time for several. `iterations` fixes their number; 0 leaves it to the time.
+/// Registers, with the repetitions and the clock that fit the number of threads: processor time of the thread
+/// for one, wall time for several. `iterations` fixes their number; 0 leaves it to the time.
 void add(const Extent& extent, const std::string& name, int threads,
          const std::function<void(benchmark::State&)>& body, std::int64_t iterations = 0);
 

@@ -1,5 +1,5 @@
-// The slope in Bullet: rigid boxes, sequential impulses. Lengths are ten times as long, gravity too, because Bullet's
-// own thresholds are made for blocks of about a metre.
+// The slope in Bullet: rigid boxes, sequential impulses. Lengths are ten times as long, gravity too, because
+// Bullet's own thresholds are made for blocks of about a metre.
 
 #include <btBulletDynamicsCommon.h>
 

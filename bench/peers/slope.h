@@ -1,9 +1,9 @@
 #pragma once
 // The paper's dry slope as every peer gets it, and the search for its critical angle.
 //
-// A probe starts from rest on a level floor, settles, is tilted by turning gravity, and is watched. It fails when it speeds
-// up: impulse engines creep on slopes that stand, so that a plain limit of the displacement would say more about the limit
-// than about the slope. Bisection narrows the bracket.
+// A probe starts from rest on a level floor, settles, is tilted by turning gravity, and is watched. It fails
+// when it speeds up: impulse engines creep on slopes that stand, so that a plain limit of the displacement
+// would say more about the limit than about the slope. Bisection narrows the bracket.
 
 #include <cmath>
 #include <cstdio>
@@ -17,8 +17,8 @@ inline constexpr int kColumns = 7, kRows = 5, kSlices = 3, kBlocks = kColumns * 
 inline constexpr double kSize[3] = {0.2, 0.1, 0.1};  // [m] x (uphill), y, z
 inline constexpr double kDensity = 2700, kGravity = 9.81, kFriction = 19.5 * M_PI / 180;
 inline constexpr double kSettle = 0.2, kTilt = 0.5, kWatch = 1.0;  // [s]
-// Farthest block in the second half of the watch: more than kFaster times the first half's way (steady creep makes 1, a
-// fall from rest 3) and kLeast beyond it (0.05 deg too steep make 2 mm), or kGone anyway. [m]
+// Farthest block in the second half of the watch: more than kFaster times the first half's way (steady creep
+// makes 1, a fall from rest 3) and kLeast beyond it (0.05 deg too steep make 2 mm), or kGone anyway. [m]
 inline constexpr double kFaster = 1.5, kLeast = 5e-4, kGone = 0.02;
 inline constexpr double kLow = 10, kHigh = 30;  // [deg]
 

@@ -1,5 +1,6 @@
-// talus-piles [SEEDS|FIRST-LAST [ROCKS [SECONDS]]]: piles of random rocks dropped into a box, one a seed: how much their energy
-// rose from one frame to the next at most, how deep two of them press into each other in the end, what still moves.
+// talus-piles [SEEDS|FIRST-LAST [ROCKS [SECONDS]]]: piles of random rocks dropped into a box, one a seed: how
+// much their energy rose from one frame to the next at most, how deep two of them press into each other in
+// the end, what still moves.
 //   build/bench/talus-piles 10        ten piles as bench/verification/pile.toml has one
 //   build/bench/talus-piles 4-4 250   the fourth alone, of 250 rocks
 

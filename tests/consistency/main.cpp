@@ -1,7 +1,8 @@
-// talus-consistency: draws small models of eight kinds and compares the program's answers about each with each other,
-// with limit analysis, with closed formulas and with time histories. `talus-consistency 25 1 out` draws 25 of each kind
-// from seed 1, and writes those that contradict themselves or are undecided into the folder `out`. With `--run` as the
-// fourth argument each model is also run just below and just above its critical angle.
+// talus-consistency: draws small models of eight kinds and compares the program's answers about each with
+// each other, with limit analysis, with closed formulas and with time histories. `talus-consistency 25 1 out`
+// draws 25 of each kind from seed 1, and writes those that contradict themselves or are undecided into the
+// folder `out`. With `--run` as the fourth argument each model is also run just below and just above its
+// critical angle.
 
 #include <cstdio>
 #include <cstdlib>

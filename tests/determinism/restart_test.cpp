@@ -107,7 +107,8 @@ TEST_SUITE("determinism") {
         CHECK(std::count(drained.values.begin(), drained.values.end(), 1) > 0);
         checkRestarts(model, 8);
 
-        // What forces remember comes from files: nothing of it may be missing, too much, out of order or no number.
+        // What forces remember comes from files: nothing of it may be missing, too much, out of order or no
+        // number.
         const FullFrame good = whole.fulls.back();
         const auto isRefused = [&](const auto& damage) {
             FullFrame bad = good;

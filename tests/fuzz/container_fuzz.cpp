@@ -1,5 +1,5 @@
-// libFuzzer: any bytes as an MCAP file, as they are and with right checksums, which would keep the fuzzer from whatever
-// stands behind them. The reader's memory is bounded by the chunk size it accepts.
+// libFuzzer: any bytes as an MCAP file, as they are and with right checksums, which would keep the fuzzer
+// from whatever stands behind them. The reader's memory is bounded by the chunk size it accepts.
 
 #include "mcap/reader.h"
 #include "support/containers.h"

@@ -1,5 +1,5 @@
-// libFuzzer: any bytes as a mesh or a height grid. The first one says of which format, a capital: as an open terrain that is
-// closed, and simplified. What is taken is a closed surface.
+// libFuzzer: any bytes as a mesh or a height grid. The first one says of which format, a capital: as an open
+// terrain that is closed, and simplified. What is taken is a closed surface.
 
 #include <algorithm>
 #include <string_view>

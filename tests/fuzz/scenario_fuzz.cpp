@@ -1,7 +1,7 @@
 // libFuzzer: any bytes as a scenario file.
 //
-// A legal scenario may ask for two million blocks in a few bytes, and 20,000 take half a minute under the sanitizers. What
-// is looked for here shows with a few, so the reader gets a lower limit of its own kind.
+// A legal scenario may ask for two million blocks in a few bytes, and 20,000 take half a minute under the
+// sanitizers. What is looked for here shows with a few, so the reader gets a lower limit of its own kind.
 
 #include <cstddef>
 #include <cstdint>

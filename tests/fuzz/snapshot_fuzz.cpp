@@ -1,5 +1,5 @@
-// libFuzzer: any bytes as a message of a snapshot file. The first byte says which (header, light frame, full frame), the rest
-// is its content. The container around them has a fuzzer of its own.
+// libFuzzer: any bytes as a message of a snapshot file. The first byte says which (header, light frame, full
+// frame), the rest is its content. The container around them has a fuzzer of its own.
 
 #include <cstddef>
 #include <cstdint>

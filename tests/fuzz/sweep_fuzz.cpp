@@ -1,5 +1,5 @@
-// libFuzzer: any bytes as a sweep file over a small scenario. A sweep that is taken has runs that are either refused, or can
-// be written as the text of a scenario that reads back.
+// libFuzzer: any bytes as a sweep file over a small scenario. A sweep that is taken has runs that are either
+// refused, or can be written as the text of a scenario that reads back.
 
 #include <memory>
 

@@ -1,5 +1,5 @@
-// libFuzzer: any bytes as a table. The first one says which: cases of a sweep (c), fractures (f), a ground motion (g),
-// poles (p).
+// libFuzzer: any bytes as a table. The first one says which: cases of a sweep (c), fractures (f), a ground
+// motion (g), poles (p).
 
 #include <cmath>
 

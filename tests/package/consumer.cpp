@@ -1,5 +1,5 @@
-// Exits with 0 when the installed library is the version that was asked for, and reads a scenario, writes its run as
-// snapshots and reads them again.
+// Exits with 0 when the installed library is the version that was asked for, and reads a scenario, writes its
+// run as snapshots and reads them again.
 #include <talus/build_info.h>
 #include <talus/formats/scenario.h>
 #include <talus/formats/snapshot.h>

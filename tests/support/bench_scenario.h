@@ -8,8 +8,8 @@
 
 namespace talus::test {
 
-/// A bench 10 m long and high, two deep, and a joint that dips out of its face from 1 m above the toe, as far as `end` [m] from the
-/// face. Joint and rock keep their cohesion once they slip.
+/// A bench 10 m long and high, two deep, and a joint that dips out of its face from 1 m above the toe, as far
+/// as `end` [m] from the face. Joint and rock keep their cohesion once they slip.
 inline std::string bench(double dip_deg, double end, double joint_cohesion, double rock_cohesion,
                          const std::string& more = "") {
     const auto number = [](double value) { return std::to_string(value); };

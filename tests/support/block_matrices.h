@@ -12,7 +12,8 @@
 
 namespace talus::test {
 
-/// Unsymmetric values on a random graph; with the default diagonal large enough to eliminate without exchanging rows of blocks.
+/// Unsymmetric values on a random graph; with the default diagonal large enough to eliminate without
+/// exchanging rows of blocks.
 inline equilibrium::BlockMatrix randomMatrix(std::size_t rows, std::size_t edges, unsigned seed,
                                              double diagonal = 8) {
     using namespace equilibrium;

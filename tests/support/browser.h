@@ -20,8 +20,8 @@ struct ScriptOutcome {
     std::string said;
 };
 
-/// Installs the package of tests/replay/package.json into folder/node_modules, unless it is there. Tests that run at
-/// the same time wait for each other; an install that was cut short, or of another list, is done anew.
+/// Installs the package of tests/replay/package.json into folder/node_modules, unless it is there. Tests that
+/// run at the same time wait for each other; an install that was cut short, or of another list, is done anew.
 inline bool installsPackage(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
     const std::string list = std::string(TALUS_SOURCE_DIR) + "/tests/replay/package-lock.json";
@@ -33,8 +33,8 @@ inline bool installsPackage(const std::filesystem::path& folder) {
                     install + "; }; }");
 }
 
-/// Runs `node SCRIPT arguments`, SCRIPT a path below tests/, from a folder of its own. $CHROMIUM in the arguments is its
-/// path.
+/// Runs `node SCRIPT arguments`, SCRIPT a path below tests/, from a folder of its own. $CHROMIUM in the
+/// arguments is its path.
 inline ScriptOutcome runScript(const std::string& script, const std::string& arguments) {
     const std::filesystem::path source = std::string(TALUS_SOURCE_DIR) + "/tests";
     const std::filesystem::path installed =

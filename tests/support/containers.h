@@ -52,7 +52,8 @@ inline void seal(mcap::Bytes& file) {
     });
 }
 
-/// The same data with each chunk stored as it unpacks, and without index and end, as after a kill: any byte can be changed.
+/// The same data with each chunk stored as it unpacks, and without index and end, as after a kill: any byte
+/// can be changed.
 inline mcap::Bytes unpacked(const mcap::Bytes& file) {
     using mcap::Opcode;
     mcap::Bytes out(mcap::kMagic.begin(), mcap::kMagic.end());

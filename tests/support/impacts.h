@@ -1,5 +1,6 @@
 #pragma once
-// Impacts of rocks: drawn at random, run to their separation, and where energy comes in that was not there before.
+// Impacts of rocks: drawn at random, run to their separation, and where energy comes in that was not there
+// before.
 
 #include <random>
 
@@ -17,8 +18,8 @@ Model rockOverSlope(double stiffness, double contact_damping, double friction_de
 /// What flies: hulls of random points, or bodies of two to five parallelepipeds grown face by face.
 enum class Rocks : bool { convex, bodies };
 
-/// A rock that flies onto a floor under gravity, or two that fly into each other: random hulls and spins on joints of
-/// 1e8 to 1e11 Pa/m, half of them without friction, half of them without dashpots.
+/// A rock that flies onto a floor under gravity, or two that fly into each other: random hulls and spins on
+/// joints of 1e8 to 1e11 Pa/m, half of them without friction, half of them without dashpots.
 struct RandomImpact {
     Model model;
     std::vector<Vec3> spin;  ///< of each block at the start [rad/s]
@@ -29,7 +30,8 @@ RandomImpact randomImpact(unsigned seed, Rocks rocks = Rocks::convex);
 /// Gives blocks a spin.
 void setSpin(State& state, const std::vector<Vec3>& spin);
 
-/// What total energy rose by [J], in all, by where it came in, without what a history takes back between steps.
+/// What total energy rose by [J], in all, by where it came in, without what a history takes back between
+/// steps.
 struct ImpactGains {
     double largest_kinetic = 0, largest_elastic = 0;
     double steps = 0;     ///< over all steps

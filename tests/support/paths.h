@@ -20,8 +20,8 @@ inline State unloaded(const Model& model) {
     return state;
 }
 
-/// An assembly in equilibrium under its weight, at the tilt and with the strength of its model, and the load that is
-/// varied from there.
+/// An assembly in equilibrium under its weight, at the tilt and with the strength of its model, and the load
+/// that is varied from there.
 struct LoadedPath {
     using MakeAxis = search::LoadAxis (*)(const Model&, const SearchRules&);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Properties that hold for whatever is drawn (rapidcheck), as doctest checks: the same draws in every run, and the smallest
-// counterexample in the message.
+// Properties that hold for whatever is drawn (rapidcheck), as doctest checks: the same draws in every run,
+// and the smallest counterexample in the message.
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -15,7 +15,8 @@ struct CuttingSet {
     double dip_deg, dip_direction_deg, spacing;  ///< [deg, deg, m]
 };
 
-/// The face rises from (0, 0) to (crest, height); the ground goes on a third of the height before it, and a fifth below.
+/// The face rises from (0, 0) to (crest, height); the ground goes on a third of the height before it, and a
+/// fifth below.
 struct RockSlope {
     double height, crest, back, width;         ///< [m]
     std::optional<double> plane_dip_deg{};     ///< of a plane through the toe, below which nothing moves

@@ -11,7 +11,8 @@
 
 namespace talus::test {
 
-/// Two columns that slide and topple over a floor, with water between them that rises and runs out, and under them.
+/// Two columns that slide and topple over a floor, with water between them that rises and runs out, and under
+/// them.
 inline std::string runScenarioText(const std::string& duration = "0.04") {
     return "[gravity]\ntilt_deg = 25.0\n[run]\nduration_s = " + duration +
            "\nframe_interval_s = 0.001\nwatch = [\"c1r1s1\"]\n[damping]\ncontact = 1e-5\n"

@@ -1,6 +1,6 @@
 #pragma once
-// Columns of 6, 2 and 6 blocks as a scenario: the low one wedges the tall ones as they slide, so that the answer depends
-// on the loading path.
+// Columns of 6, 2 and 6 blocks as a scenario: the low one wedges the tall ones as they slide, so that the
+// answer depends on the loading path.
 
 #include <string>
 

@@ -47,8 +47,8 @@ class Program {
         start(arguments, stdout_path);
     }
 
-    /// The same with so much room for each of its files: as on a full disk, the system refuses what is more. Which lines ran is
-    /// not counted: that file would be cut off, too.
+    /// The same with so much room for each of its files: as on a full disk, the system refuses what is more.
+    /// Which lines ran is not counted: that file would be cut off, too.
     Program(Room room, std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), {"/bin/bash", "-c",
                                              "export LLVM_PROFILE_FILE=/dev/null; ulimit -f " +
@@ -84,8 +84,9 @@ class Program {
         return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
     }
 
-    /// Whether it has computed for so long [s of CPU time] and catches Ctrl-C: built with sanitizers, on a busy machine, it may
-    /// still be reading its command line after a tenth of a second, and a signal simply ends it.
+    /// Whether it has computed for so long [s of CPU time] and catches Ctrl-C: built with sanitizers, on a
+    /// busy machine, it may still be reading its command line after a tenth of a second, and a signal simply
+    /// ends it.
     bool hasBegun(double seconds) const { return cpuSeconds() > seconds && catches(SIGINT); }
 
     Outcome outcome() {

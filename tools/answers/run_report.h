@@ -7,7 +7,8 @@
 
 namespace talus::tools {
 
-/// Runs, and brings what the recorder holds to its end. Throws BadInput with the places of what is wrong, FileRefused.
+/// Runs, and brings what the recorder holds to its end. Throws BadInput with the places of what is wrong,
+/// FileRefused.
 /// \param watch  sees the run go by, when there is one
 RunResult runRecorded(const formats::Scenario& scenario, const FullFrame* resume, RunRecorder& recorder,
                       const Control& control, MotionWatch* watch = nullptr);

@@ -1,6 +1,6 @@
 #pragma once
-// An answer to a question about a scenario, with all that is said beside it: what `talus critical-angle` and its like
-// compute and Python's functions of those names return.
+// An answer to a question about a scenario, with all that is said beside it: what `talus critical-angle` and
+// its like compute and Python's functions of those names return.
 
 #include "answers/search_report.h"
 
@@ -15,8 +15,8 @@ struct SearchRequest {
     bool interval = true;                  ///< look for lower answers, too
 };
 
-/// Searches and keeps the failing run when that is wanted. What the report refers to must outlive it. Throws BadInput,
-/// FileRefused.
+/// Searches and keeps the failing run when that is wanted. What the report refers to must outlive it. Throws
+/// BadInput, FileRefused.
 SearchReport answer(const LoadSearch& search, const formats::Scenario& scenario, const SearchRequest& request,
                     const Common& common, Control control);
 

@@ -1,5 +1,6 @@
 #pragma once
-// Files that a search draws beside its answer: the curve of load against displacement, and the blocks that fail.
+// Files that a search draws beside its answer: the curve of load against displacement, and the blocks that
+// fail.
 
 #include <optional>
 #include <string>
@@ -23,8 +24,8 @@ struct SearchFiles {
 /// Adds --plot and --picture to a subcommand.
 void addSearchFiles(CLI::App& app, SearchFiles& files);
 
-/// Before a search of minutes. Throws BadInput for a name that is not a picture's or is given twice, and FileRefused for
-/// one that cannot be written.
+/// Before a search of minutes. Throws BadInput for a name that is not a picture's or is given twice, and
+/// FileRefused for one that cannot be written.
 void refuseSearchFiles(const SearchFiles& files);
 
 /// A file that was drawn, or why there is none.

@@ -131,7 +131,8 @@ class SearchPicture {
         return text;
     }
 
-    // --- motion ------------------------------------------------------------------------------------------------------
+    // --- motion
+    // ------------------------------------------------------------------------------------------------------
 
     /// The motion of the failure, of those that fail.
     std::vector<std::pair<std::size_t, const BlockMotion*>> motions() const {

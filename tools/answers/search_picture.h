@@ -8,8 +8,8 @@
 
 namespace talus::tools {
 
-/// As SVG: in section where the model is one, else seen obliquely. Fixed blocks are grey, those that fail have a colour for
-/// each group. Motions are enlarged so that they show.
+/// As SVG: in section where the model is one, else seen obliquely. Fixed blocks are grey, those that fail
+/// have a colour for each group. Motions are enlarged so that they show.
 std::string searchPicture(const LoadSearch& search, const SearchResult& result,
                           const formats::Scenario& scenario);
 

@@ -144,7 +144,8 @@ class SearchPlot {
         plot.references.push_back({'x', failure_ / unit_.metres, {}, "dots", "", text});
     }
 
-    /// The first point at which the assembly was seen to leave, and before it the equilibrium at the largest load.
+    /// The first point at which the assembly was seen to leave, and before it the equilibrium at the largest
+    /// load.
     void addBracket(Plot& plot) const {
         const auto& probes = result_.probes;
         const auto left = std::find_if(probes.begin(), probes.end(),

@@ -85,7 +85,8 @@ class Design {
             }
     }
 
-    // --- one trial -------------------------------------------------------------------------------------------------
+    // --- one trial
+    // -------------------------------------------------------------------------------------------------
 
     /// \param amount  share of the yield force, or factor on the spacing along; 0: without these bolts
     SupportTrial trialOf(const Model& model, double amount, double up = 0) {
@@ -126,8 +127,9 @@ class Design {
         return trialOf(model, share);
     }
 
-    /// A row of n bolts in a slice stands for a spacing of width / n on a wide slope: so it has the same force per metre.
-    /// Spacings between these, and wider than the slice, have none that the slice could show.
+    /// A row of n bolts in a slice stands for a spacing of width / n on a wide slope: so it has the same
+    /// force per metre. Spacings between these, and wider than the slice, have none that the slice could
+    /// show.
     double spacingAlong(double factor) const {
         const double wanted = factor * design_.spacing_along;
         return design_.width / std::max(1.0, std::floor(design_.width / wanted + 1e-9));
@@ -168,10 +170,11 @@ class Design {
         return !isEnough(none);
     }
 
-    // --- pretension ------------------------------------------------------------------------------------------------
+    // --- pretension
+    // ------------------------------------------------------------------------------------------------
 
-    /// Where a straight line through both ends meets the factor, a little beyond it on either side in turn, so that both ends
-    /// come near; the middle when that is of no use.
+    /// Where a straight line through both ends meets the factor, a little beyond it on either side in turn,
+    /// so that both ends come near; the middle when that is of no use.
     double nextShare(int turn) const {
         const SupportTrial &low = *design_.too_little, &high = *design_.enough;
         const double width = high.amount - low.amount;
@@ -196,7 +199,8 @@ class Design {
         design_.status = Status::found;
     }
 
-    // --- number of bolts -------------------------------------------------------------------------------------------
+    // --- number of bolts
+    // -------------------------------------------------------------------------------------------
 
     /// Spacings that hold more, or fewer, bolts step by step, until the factor lies between the last two.
     bool bracketSpacing() {
@@ -215,7 +219,8 @@ class Design {
         return true;
     }
 
-    /// Between two spacings, one in the middle of those with another number of bolts than either; nothing when there is none.
+    /// Between two spacings, one in the middle of those with another number of bolts than either; nothing
+    /// when there is none.
     std::optional<double> spacingBetween() const {
         const double low = design_.enough->amount, high = design_.too_little->amount;
         std::vector<double> others;
@@ -239,7 +244,8 @@ class Design {
         if (widenOneWay()) design_.status = Status::found;
     }
 
-    /// One direction as wide as is too little, the other as narrow as is enough: the fewer bolts first. False when undecided.
+    /// One direction as wide as is too little, the other as narrow as is enough: the fewer bolts first. False
+    /// when undecided.
     bool widenOneWay() {
         const SupportTrial narrow = *design_.enough, wide = *design_.too_little;
         std::array<std::pair<double, double>, 2> mixed{{{narrow.amount, wide.up}, {wide.amount, narrow.up}}};
@@ -255,7 +261,8 @@ class Design {
         return true;
     }
 
-    // --- what to write into the scenario ---------------------------------------------------------------------------
+    // --- what to write into the scenario
+    // ---------------------------------------------------------------------------
 
     void writeSets() {
         const double amount = design_.enough->amount;
@@ -282,7 +289,8 @@ class Design {
     bool interrupted_ = false;
 };
 
-// --- told -------------------------------------------------------------------------------------------------------------
+// --- told
+// -----------------------------------------------------------------------------------------------------------
 
 /// What an amount of support is in figures.
 class Amount {
@@ -317,7 +325,8 @@ class Amount {
         return bolts + " of " + tools::text(trial.amount * design_.yield_force / 1000, 2) + " kN, " + share;
     }
 
-    /// What an amount is per metre of slope, and where the slice leaves wider spacings open; "" of pretension.
+    /// What an amount is per metre of slope, and where the slice leaves wider spacings open; "" of
+    /// pretension.
     std::string widthText(const SupportTrial& trial) const {
         if (!number_ || trial.amount == 0) return "";
         const int in_row = inRow(trial);

@@ -15,7 +15,8 @@ Plot plotHistogram(const Summary& summary);
 /// Share of the runs that have failed, against the answer, with the confidence band of each point.
 Plot plotDistribution(const Summary& summary);
 
-/// How the probability of failure at a threshold settles with the number of runs, in the order of their samples.
+/// How the probability of failure at a threshold settles with the number of runs, in the order of their
+/// samples.
 Plot plotConvergence(const Summary& summary, std::size_t threshold);
 
 /// How the mean answer settles likewise, with Student's interval.
@@ -27,7 +28,8 @@ Plot plotInput(const Summary& summary, std::size_t value);
 /// Rank correlation of the answer with what varies, the strongest on top.
 Plot plotCorrelations(const Summary& summary);
 
-/// The answer against one column that varies: every run, and the mean at each value when there are few values.
+/// The answer against one column that varies: every run, and the mean at each value when there are few
+/// values.
 Plot plotResponse(const Summary& summary, std::size_t value);
 
 /// Mean answer over two columns with few values each.

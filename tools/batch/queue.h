@@ -10,8 +10,8 @@
 
 namespace talus::tools::batch {
 
-/// Deals out runs that are left to do: in the order of their numbers, or the costly ones first. Safe to call from several
-/// threads, but for beginAgain.
+/// Deals out runs that are left to do: in the order of their numbers, or the costly ones first. Safe to call
+/// from several threads, but for beginAgain.
 class Queue {
  public:
     explicit Queue(const BatchWork& batch);

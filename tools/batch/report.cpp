@@ -41,7 +41,8 @@ std::string figure(double value) {
     return typeset(text(value, decimals));
 }
 
-// --- sections --------------------------------------------------------------------------------------------------------
+// --- sections
+// --------------------------------------------------------------------------------------------------------
 
 Json opening(const Summary& summary) {
     const BatchInfo& info = summary.info;

@@ -15,7 +15,8 @@ namespace talus::tools::batch {
 
 /// Of the columns with the ends of the answers of other loading histories; with the unit behind them.
 inline constexpr const char *kRangeLow = "range_low", *kRangeHigh = "range_high";
-/// With limit analysis beside the answer, with the unit behind it; and what was made of the joints for the answer.
+/// With limit analysis beside the answer, with the unit behind it; and what was made of the joints for the
+/// answer.
 inline constexpr const char* kCeiling = "ceiling";
 inline constexpr const char *kIntervalLow = "interval_low", *kIntervalHigh = "interval_high";
 
@@ -30,8 +31,8 @@ struct Column {
     std::string source{};  ///< of what varies: "grid", "table", "random", "interfaces"
 };
 
-/// Everything about a batch that its rows need to be understood, so that results can be merged and reported without the
-/// sweep file. Kept as batch.json beside the results.
+/// Everything about a batch that its rows need to be understood, so that results can be merged and reported
+/// without the sweep file. Kept as batch.json beside the results.
 struct BatchInfo {
     std::string identity, analysis, sweep, scenario, sweep_text, scenario_text;
     std::uint64_t runs = 0, cases = 1, samples = 1, seed = 1;
@@ -59,7 +60,8 @@ using Row = std::vector<std::string>;
 
 std::string csvHeader(const BatchInfo& info);
 
-/// Types and units of the columns, as the standard CSV on the Web (https://www.w3.org/TR/tabular-metadata/) has them.
+/// Types and units of the columns, as the standard CSV on the Web (https://www.w3.org/TR/tabular-metadata/)
+/// has them.
 Json csvMetadata(const BatchInfo& info, const std::string& file);
 
 /// Whether a run with this status counts as failed: it has no result, or an undecided one.

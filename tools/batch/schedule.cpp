@@ -26,8 +26,9 @@ class Crew {
     }
 
     BatchProgress work() {
-        // The arena has one slot for each run that may be under way; each run computes in its own thread only. A plain
-        // queue, because a partitioned range would not keep the order, and a run is long beside taking it.
+        // The arena has one slot for each run that may be under way; each run computes in its own thread
+        // only. A plain queue, because a partitioned range would not keep the order, and a run is long beside
+        // taking it.
         std::uint64_t before = 0;
         do {
             before = progress_.done;

@@ -7,13 +7,14 @@
 
 namespace talus::tools::batch {
 
-/// Computes what is left to do. Costly cases first, when costs are known; runs another process is at are left to it, and
-/// looked at again at the end in case it died. Throws FileRefused once a row cannot be written: what is in the file
-/// stays, what was being computed is dropped.
+/// Computes what is left to do. Costly cases first, when costs are known; runs another process is at are left
+/// to it, and looked at again at the end in case it died. Throws FileRefused once a row cannot be written:
+/// what is in the file stays, what was being computed is dropped.
 BatchProgress work(const BatchWork& batch);
 
-/// Relative costs of the cases by the size of their models, when the sweep changes sizes and has few enough cases to
-/// look; else empty. The cost of a search grows with the blocks, and a little more than in proportion.
+/// Relative costs of the cases by the size of their models, when the sweep changes sizes and has few enough
+/// cases to look; else empty. The cost of a search grows with the blocks, and a little more than in
+/// proportion.
 std::vector<double> caseCosts(const formats::Sweep& sweep);
 
 }  // namespace talus::tools::batch

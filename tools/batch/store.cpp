@@ -24,7 +24,8 @@ namespace {
 constexpr const char* kInfoName = "batch.json";
 constexpr const char* kLockName = ".lock";
 constexpr std::size_t kChunk = 1 << 20;  // [bytes]
-// Shared by every process that has the folder open, taken alone by one that puts other results in their place.
+// Shared by every process that has the folder open, taken alone by one that puts other results in their
+// place.
 constexpr std::uint64_t kPresence = std::uint64_t{1} << 62;
 
 enum State : std::uint8_t { kOpen = 0, kDoneRow = 1, kFailedRow = 2 };
@@ -86,8 +87,8 @@ bool areResults(const std::string& path, const std::string& header) {
     return header.starts_with(start);
 }
 
-/// What is written into the folder goes by names of the batch's own choice, so it must not come out elsewhere: a link may lead to
-/// the results of another batch, even to those that are being merged.
+/// What is written into the folder goes by names of the batch's own choice, so it must not come out
+/// elsewhere: a link may lead to the results of another batch, even to those that are being merged.
 void refuseLinks(const std::string& folder, const std::string& results) {
     const std::string in = folder + "/";
     for (const std::string& path : {in + kInfoName, in + kLockName, results, results + "-metadata.json",

@@ -1,11 +1,13 @@
 #pragma once
-// The folder of a batch: results that survive kill -9, a full disk and other processes at work in the same folder.
+// The folder of a batch: results that survive kill -9, a full disk and other processes at work in the same
+// folder.
 //
 //   batch.json                  what the batch is (BatchInfo); written once
 //   results.csv                 a header, then one line per run, appended whole
 //   results.csv-metadata.json   types and units of its columns
 //   summary.json, report.json, report.html   what they come to (batch/report.h)
-//   .lock                       ranges of it are locked (talus/formats/locks.h): byte 0 while the folder or its results
+//   .lock                       ranges of it are locked (talus/formats/locks.h): byte 0 while the folder or
+//   its results
 //                               are being changed, byte 1 + n while run n is being computed
 //
 // A row is appended by one write and only counts with its line feed; what a process that
@@ -40,8 +42,8 @@ std::string resultsName(const Shard& shard);
 
 class Store {
  public:
-    /// Opens a folder, making what is missing. Throws BadInput when another sweep's results or links are in it,
-    /// FileRefused.
+    /// Opens a folder, making what is missing. Throws BadInput when another sweep's results or links are in
+    /// it, FileRefused.
     Store(std::string folder, BatchInfo info, Shard shard);
     ~Store();
     Store(const Store&) = delete;
@@ -57,8 +59,8 @@ class Store {
     std::uint64_t doneCount() const;    ///< runs with a row
     std::uint64_t failedCount() const;  ///< of them, those that failed
 
-    /// Takes a run for this process: false when it is done already or another process is at it. `again` takes a run
-    /// that failed, too.
+    /// Takes a run for this process: false when it is done already or another process is at it. `again` takes
+    /// a run that failed, too.
     bool claim(std::uint64_t run, bool again);
     void release(std::uint64_t run);
 
@@ -67,7 +69,8 @@ class Store {
 
     void refresh();  ///< looks at rows other processes have appended
 
-    /// Brings the rows to the disk. 0, or an errno. Throws FileRefused when the folder or its results are gone.
+    /// Brings the rows to the disk. 0, or an errno. Throws FileRefused when the folder or its results are
+    /// gone.
     int sync();
 
  private:
@@ -107,8 +110,8 @@ class AloneIn {
 /// Throws BadInput when the folder holds what is not this batch's, or a link in place of one of its files.
 void refuseToReplaceOther(const std::string& folder, const BatchInfo& info);
 
-/// What a folder holds, without opening it for writing: the batch, and all rows of all results in it, a later row of a
-/// run in place of an earlier one. Throws BadInput, FileRefused.
+/// What a folder holds, without opening it for writing: the batch, and all rows of all results in it, a later
+/// row of a run in place of an earlier one. Throws BadInput, FileRefused.
 struct StoredBatch {
     BatchInfo info;
     /// by run: its row, as text, since a million may come

@@ -124,7 +124,8 @@ void addSensitivities(Summary& summary) {
                      });
 }
 
-// --- JSON ------------------------------------------------------------------------------------------------------------
+// --- JSON
+// -----------------------------------------------------------------------------------------------------------
 
 Json toJson(const Interval& interval) { return Json::array({number(interval.low), number(interval.high)}); }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What a batch's rows say together: distribution of the answer, probability of failure, failure modes, sensitivity.
+// What a batch's rows say together: distribution of the answer, probability of failure, failure modes,
+// sensitivity.
 
 #include <map>
 #include <optional>
@@ -16,14 +17,15 @@ struct Observation {
     std::uint64_t run = 0, case_index = 0;
     double answer = 0;       ///< -infinity: fails at the start; infinity: stands to the end of the search
     bool has_range = false;  ///< other loading histories lead to other answers, as far as that was asked
-    double least =
-        0;  ///< the lower end of the answers of other loading histories, where that was asked; else the answer
+    /// The lower end of the answers of other loading histories, where that was asked; else the answer.
+    double least = 0;
     double low = 0, high = 0;  ///< the search's bracket, in the answer's unit
     std::string mode;
     std::vector<double> values;  ///< of the numeric varied columns; NaN where a cell is empty
 };
 
-/// Whether a run with this answer (`answer` or `least`) has failed at a threshold; nothing when its search did not reach there.
+/// Whether a run with this answer (`answer` or `least`) has failed at a threshold; nothing when its search
+/// did not reach there.
 std::optional<bool> hasFailed(const Observation& seen, double answer, double threshold);
 
 /// Probability that the slope has failed at a tilt, or has less than a factor of safety.

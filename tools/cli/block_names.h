@@ -14,8 +14,8 @@ struct StackName {
 };
 std::optional<StackName> stackName(std::string name);  ///< nothing for other names
 
-/// Groups stack names (c<column>r<row>s<slice>, with or without a prefix) that fill a whole box of columns, rows and
-/// slices; other names stay as they are. At most `limit` items, then "and N more blocks".
+/// Groups stack names (c<column>r<row>s<slice>, with or without a prefix) that fill a whole box of columns,
+/// rows and slices; other names stay as they are. At most `limit` items, then "and N more blocks".
 std::string compactNames(const std::vector<std::string>& names, std::size_t limit = 12);
 
 }  // namespace talus::tools

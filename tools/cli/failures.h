@@ -1,6 +1,6 @@
 #pragma once
-// How a command ends, and its failures: throw these, main prints them (on stderr, and as JSON on stdout with --json) and
-// exits. The library underneath never throws, prints or exits.
+// How a command ends, and its failures: throw these, main prints them (on stderr, and as JSON on stdout with
+// --json) and exits. The library underneath never throws, prints or exits.
 
 #include <exception>
 #include <stdexcept>
@@ -30,7 +30,8 @@ struct BadInput : std::exception {
     std::vector<Error> errors;
 };
 
-/// The file system said no (no space, no permission, no such folder); exit code 4. what() names path and reason.
+/// The file system said no (no space, no permission, no such folder); exit code 4. what() names path and
+/// reason.
 struct FileRefused : std::runtime_error {
     FileRefused(const std::string& path, const std::string& doing, int error_number);
     explicit FileRefused(const std::string& message) : std::runtime_error(message) {}

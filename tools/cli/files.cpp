@@ -26,8 +26,8 @@ bool isStopped(const std::atomic<bool>* stop) {
     return stop != nullptr && stop->load(std::memory_order_relaxed);
 }
 
-/// Brings it to the disk, too, so that the last piece need not wait for all before it. 0, or the errno of what was refused;
-/// ECANCELED when stopped. Closes the file in any case.
+/// Brings it to the disk, too, so that the last piece need not wait for all before it. 0, or the errno of
+/// what was refused; ECANCELED when stopped. Closes the file in any case.
 int writeAndClose(int file, std::string_view content, const std::atomic<bool>* stop = nullptr) {
     constexpr std::size_t kPiece = std::size_t{1} << 24;
     const std::size_t size = content.size();

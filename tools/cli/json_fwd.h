@@ -1,5 +1,6 @@
 #pragma once
-// The name of JSON for declarations; who builds or reads it includes cli/json.h, which takes a second to compile.
+// The name of JSON for declarations; who builds or reads it includes cli/json.h, which takes a second to
+// compile.
 
 #include <nlohmann/json_fwd.hpp>
 

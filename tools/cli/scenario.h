@@ -21,7 +21,8 @@ struct ScenarioInput {
     std::string name() const { return path == "-" ? "stdin" : path; }  ///< in messages and results
 };
 
-/// The value of a result of the engine, whose errors know fields but not the places in the scenario file; or BadInput.
+/// The value of a result of the engine, whose errors know fields but not the places in the scenario file; or
+/// BadInput.
 template <class T>
 T valueOf(Result<T> result, const formats::Scenario& scenario) {
     if (!result.ok()) throw BadInput(formats::placed(scenario, result.errors()));

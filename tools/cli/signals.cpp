@@ -35,8 +35,8 @@ void say(int file, const std::string& text) {
     ::_exit(kInterrupted);
 }
 
-/// One request may arrive as two signals (timeout and shells also signal the process group), so only one that comes
-/// clearly later means "now".
+/// One request may arrive as two signals (timeout and shells also signal the process group), so only one that
+/// comes clearly later means "now".
 void onStopSignal(int signal_number) {
     constexpr std::int64_t kPatience = 2;  // [s]
     if (const auto* words = last_words.load()) endWith(*words);

@@ -7,7 +7,8 @@
 
 namespace talus::tools {
 
-/// A file that may grow no further (ulimit -f) is then refused like one on a full disk, and does not end the process.
+/// A file that may grow no further (ulimit -f) is then refused like one on a full disk, and does not end the
+/// process.
 void ignoreFileSizeSignal();
 
 /// Lets SIGINT and SIGTERM set the flag below instead of ending the process; a second one ends it at once.
@@ -19,9 +20,9 @@ const std::atomic<bool>& stopRequested();
 /// Ends a computation from within one of its callbacks (an output file can no longer be written).
 void requestStop();
 
-/// As long as it lives a signal ends the process at once, with 130 and these last words; so does one that came before. For work
-/// that leaves nothing worth keeping and has no place where it could look at the flag, such as parsing a large file. The last one
-/// made counts.
+/// As long as it lives a signal ends the process at once, with 130 and these last words; so does one that
+/// came before. For work that leaves nothing worth keeping and has no place where it could look at the flag,
+/// such as parsing a large file. The last one made counts.
 class EndsAtOnce {
  public:
     EndsAtOnce(std::string on_stdout, std::string on_stderr);

@@ -166,8 +166,8 @@ std::string discsCsv(const BlocksOptions& options, const std::vector<formats::Ro
     return provenanceComments(options.common, options.scenario.name()) + formats::fracturesCsv(discs);
 }
 
-/// Pictures and table of the joints that cut the blocks. Returns warnings: what there are no joints for. Where nothing
-/// else is asked for, that is an error.
+/// Pictures and table of the joints that cut the blocks. Returns warnings: what there are no joints for.
+/// Where nothing else is asked for, that is an error.
 std::vector<std::string> writeJoints(const BlocksOptions& options, const formats::Scenario& scenario,
                                      const std::vector<formats::RockJoint>& joints) {
     std::vector<const char*> asked;

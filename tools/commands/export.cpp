@@ -53,8 +53,8 @@ std::string vtkText(const Json& vtk) {
            " (open blocks.pvd and contacts.pvd)\n";
 }
 
-/// Files of the frames, and the lists of them that ParaView opens. Where a single frame takes long the lists are kept up to date,
-/// so that the work on it can be ended at once.
+/// Files of the frames, and the lists of them that ParaView opens. Where a single frame takes long the lists
+/// are kept up to date, so that the work on it can be ended at once.
 class VtkExport {
  public:
     VtkExport(formats::SnapshotReader& reader, const ExportOptions& options)

@@ -1,4 +1,5 @@
-// talus limit-analysis: the greatest tilt, factor of safety or horizontal load of the associated rigid-block problem.
+// talus limit-analysis: the greatest tilt, factor of safety or horizontal load of the associated rigid-block
+// problem.
 
 #include "talus/limit_analysis.h"
 

@@ -1,4 +1,5 @@
-// talus replay: a run played again, as a page for the browser, as a summary in the terminal, or computed anew.
+// talus replay: a run played again, as a page for the browser, as a summary in the terminal, or computed
+// anew.
 
 #include <CLI/CLI.hpp>
 #include <memory>

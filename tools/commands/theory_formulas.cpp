@@ -82,7 +82,8 @@ CLI::App* addFormula(CLI::App& parent, Common& common, const std::string& name, 
     return app;
 }
 
-// --- sliding --------------------------------------------------------------------------------------------------------
+// --- sliding
+// --------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -134,7 +135,8 @@ Command addSliding(CLI::App& parent, std::shared_ptr<Common> common) {
     return {app, [common, options] { return sliding(*common, *options); }};
 }
 
-// --- toppling -------------------------------------------------------------------------------------------------------
+// --- toppling
+// -------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -157,7 +159,8 @@ Command addToppling(CLI::App& parent, std::shared_ptr<Common> common) {
     return {app, [common, mass] { return toppling(*common, *mass); }};
 }
 
-// --- tension crack --------------------------------------------------------------------------------------------------
+// --- tension crack
+// --------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -226,7 +229,8 @@ Command addCrack(CLI::App& parent, std::shared_ptr<Common> common) {
     return {app, [common, options] { return crack(*common, *options); }};
 }
 
-// --- the paper's 6 % ------------------------------------------------------------------------------------------------
+// --- the paper's 6 %
+// ------------------------------------------------------------------------------------------------
 
 namespace {
 

@@ -252,8 +252,9 @@ struct Comparison {
     std::size_t only_here = 0, only_there = 0;
 };
 
-/// Frames of the same instant, light before full, up to the first that differ. An interrupted run has a frame that the
-/// other one lacks, so frames that are in one file only are counted, and are no difference as long as others are common.
+/// Frames of the same instant, light before full, up to the first that differ. An interrupted run has a frame
+/// that the other one lacks, so frames that are in one file only are counted, and are no difference as long
+/// as others are common.
 Comparison compare(formats::SnapshotReader& a, formats::SnapshotReader& b) {
     Comparison result;
     std::size_t i = 0, j = 0;

@@ -14,10 +14,12 @@ namespace talus::python {
 
 namespace py = pybind11;
 
-/// The number of threads that a caller asks for. Throws BadInput for one that is negative or too large, and TypeError.
+/// The number of threads that a caller asks for. Throws BadInput for one that is negative or too large, and
+/// TypeError.
 int threadsOf(const py::object& wish);
 
-/// What a caller says of how to compute: threads (0: all cores), and a callback (stage, fraction, detail) or None.
+/// What a caller says of how to compute: threads (0: all cores), and a callback (stage, fraction, detail) or
+/// None.
 struct Manner {
     int threads = 0;
     py::object progress = py::none();
@@ -41,9 +43,9 @@ class Computing {
     Slot* slot_ = nullptr;
 };
 
-/// Runs `body` in a thread of its own, while the calling one looks for signals and calls the callback, so that a computation is
-/// stopped whatever it is busy with. Throws what the body or the callback threw, and KeyboardInterrupt, once the body has
-/// come to its end.
+/// Runs `body` in a thread of its own, while the calling one looks for signals and calls the callback, so
+/// that a computation is stopped whatever it is busy with. Throws what the body or the callback threw, and
+/// KeyboardInterrupt, once the body has come to its end.
 void compute(const Manner& manner, const std::function<void(Computing&)>& body);
 
 }  // namespace talus::python

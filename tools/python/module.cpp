@@ -1,4 +1,5 @@
-// talus._core: what the package talus is made of. Results cross as the JSON of the command line, arrays as numpy's.
+// talus._core: what the package talus is made of. Results cross as the JSON of the command line, arrays as
+// numpy's.
 
 #include "python/module.h"
 

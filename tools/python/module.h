@@ -1,5 +1,6 @@
 #pragma once
-// The parts of the Python module talus._core, which the package talus (talus/*.py beside this file) puts a face on.
+// The parts of the Python module talus._core, which the package talus (talus/*.py beside this file) puts a
+// face on.
 
 #include <pybind11/pybind11.h>
 

@@ -37,7 +37,8 @@ std::string picture(const formats::Scenario& scenario, double azimuth_deg, doubl
                             scenario.path);
 }
 
-/// What the command `talus validate` checks beyond reading: overlaps, water on no face, pairs that do not touch.
+/// What the command `talus validate` checks beyond reading: overlaps, water on no face, pairs that do not
+/// touch.
 void check(const formats::Scenario& scenario, const py::object& threads) {
     compute({threadsOf(threads)}, [&](Computing& computing) {
         const std::vector<Error> errors =

@@ -42,8 +42,8 @@ namespace {
 
 constexpr py::ssize_t kDouble = sizeof(double);
 
-/// A simulation with positions and velocities as arrays of three, made anew after every call that steps. The memory stays
-/// where it is, so that arrays handed out go along.
+/// A simulation with positions and velocities as arrays of three, made anew after every call that steps. The
+/// memory stays where it is, so that arrays handed out go along.
 class SteppedModel {
  public:
     SteppedModel(const formats::Scenario& scenario, const py::object& threads, const py::object& progress)

@@ -1,5 +1,6 @@
 #pragma once
-// The mechanism of a limit analysis as a motion to look at: the blocks go the way their velocities say, none of the forces of a run.
+// The mechanism of a limit analysis as a motion to look at: the blocks go the way their velocities say, none
+// of the forces of a run.
 
 #include <cstddef>
 #include <cstdint>
@@ -41,7 +42,8 @@ struct KeptMechanism {
 Json keptMechanismJson(const KeptMechanism& kept);
 std::string keptMechanismText(const KeptMechanism& kept);
 
-/// Keeps one. A file that must not be replaced, or cannot be written, is refused at once: throws BadInput or FileRefused.
+/// Keeps one. A file that must not be replaced, or cannot be written, is refused at once: throws BadInput or
+/// FileRefused.
 class MechanismKeeper {
  public:
     /// Everything handed in must outlive the keeper.
@@ -50,7 +52,8 @@ class MechanismKeeper {
 
     bool wanted() const { return recorder_ != nullptr; }
 
-    /// What the file system refuses is told in the result, so that what was found is not lost with it. \pre wanted()
+    /// What the file system refuses is told in the result, so that what was found is not lost with it. \pre
+    /// wanted()
     KeptMechanism keep(const LimitResult& result, const VariedQuantity& load);
 
  private:
@@ -63,7 +66,8 @@ class MechanismKeeper {
     std::unique_ptr<RunRecorder> recorder_;
 };
 
-/// What a file with a mechanism says it was kept by: "limit-analysis --for tilt". nullptr when it was not by that.
+/// What a file with a mechanism says it was kept by: "limit-analysis --for tilt". nullptr when it was not by
+/// that.
 std::string mechanismSource(const VariedQuantity& load);
 const VariedQuantity* mechanismLoad(const std::string& analysis);
 

@@ -16,8 +16,9 @@ namespace talus::tools {
 
 namespace {
 
-// A slope's own time is sqrt(size / g), some time a block needs to fall by its own size. At 8 cells of 0.006 deg beyond
-// the failing tilt, where a search lets go, a sliding block has gone its size after 50 of them; a toppling one is faster.
+// A slope's own time is sqrt(size / g), some time a block needs to fall by its own size. At 8 cells of 0.006
+// deg beyond the failing tilt, where a search lets go, a sliding block has gone its size after 50 of them; a
+// toppling one is faster.
 constexpr double kMostTimes = 60;     // of that time
 constexpr double kFramesPerTime = 8;  // light frames in one
 constexpr int kFramesInGivenTime = 200;

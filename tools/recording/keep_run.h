@@ -1,6 +1,6 @@
 #pragma once
-// Keeping the run in which a search saw the slope fail: played on with true inertia until it is plain to see, as a
-// snapshot file like those of talus run.
+// Keeping the run in which a search saw the slope fail: played on with true inertia until it is plain to see,
+// as a snapshot file like those of talus run.
 
 #include <memory>
 #include <optional>
@@ -53,8 +53,8 @@ Json keptRunJson(const KeptRun& kept);  ///< {file, reason, load, simulated_seco
 /// The same for people: labels and contents of the lines of a table.
 std::vector<std::pair<std::string, std::string>> keptRunLines(const KeptRun& kept);
 
-/// Keeps one run. What can be refused is refused at once, before anybody has searched for minutes: throws BadInput when
-/// the file must not be replaced, and FileRefused when it cannot be written.
+/// Keeps one run. What can be refused is refused at once, before anybody has searched for minutes: throws
+/// BadInput when the file must not be replaced, and FileRefused when it cannot be written.
 class FailureKeeper {
  public:
     /// Everything handed in must outlive the keeper.
@@ -65,7 +65,8 @@ class FailureKeeper {
 
     bool wanted() const { return recorder_ != nullptr; }
 
-    /// Plays the failure on. What goes wrong is told in the result, so that what was found is not lost with it.
+    /// Plays the failure on. What goes wrong is told in the result, so that what was found is not lost with
+    /// it.
     /// \pre wanted(), and the search was made with Control::keep_failing_state
     KeptRun keep(const SearchResult& result, const LoadSearch& search, const Control& control);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The page of a time history: displacements over time above the record that shook the ground, and what is left of them at the
-// end, block by block.
+// The page of a time history: displacements over time above the record that shook the ground, and what is
+// left of them at the end, block by block.
 
 #include <optional>
 #include <string>

@@ -119,7 +119,8 @@ Resumed readResumed(const RunOptions& options) {
     if (inPlace(options)) held.emplace(formats::OutputFile::openExisting(options.resume));
     auto reader = valueOf(formats::SnapshotReader::open(options.resume));
     if (held) throwIfRefused(held->errors());
-    // Without its index, as it is when it was killed in its last moment, a finished run is finished once more.
+    // Without its index, as it is when it was killed in its last moment, a finished run is finished once
+    // more.
     const bool is_finished = reader.end() && reader.end()->ended == "finished" && reader.faults().empty();
     if (options.output.empty() && is_finished) {
         throw BadInput(

@@ -43,8 +43,8 @@ struct Resumed {
 /// Reads the file of --resume. Throws BadInput.
 Resumed readResumed(const RunOptions& options);
 
-/// Takes what a run hands out and writes it. Throws BadInput for a file that must not be replaced and FileRefused when
-/// the file system says no; a refusal while the run goes on ends it, and finish() throws.
+/// Takes what a run hands out and writes it. Throws BadInput for a file that must not be replaced and
+/// FileRefused when the file system says no; a refusal while the run goes on ends it, and finish() throws.
 class RunRecorder {
  public:
     /// `resumed` hands over its file.

@@ -15,7 +15,8 @@ formats::SnapshotReader openSnapshot(const std::string& path);
 /// Throws BadInput when a file holds no frames, or none that can be read.
 void requireFrames(const formats::SnapshotReader& reader, const std::string& path);
 
-/// "last", a frame's number from 0 ("12"), or a time ("0.05", "2s"): then the last frame not after it. Throws BadInput.
+/// "last", a frame's number from 0 ("12"), or a time ("0.05", "2s"): then the last frame not after it. Throws
+/// BadInput.
 std::size_t frameIndex(const formats::SnapshotReader& reader, const std::string& words,
                        const std::string& path);
 

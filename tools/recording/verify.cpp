@@ -19,7 +19,8 @@ namespace talus::tools {
 
 namespace {
 
-/// One stretch to compute: the state it starts from (none: the scenario) and the hashes it has to meet, in order.
+/// One stretch to compute: the state it starts from (none: the scenario) and the hashes it has to meet, in
+/// order.
 struct Task {
     std::optional<std::size_t> full;  ///< index of the full state
     struct Goal {
@@ -36,8 +37,8 @@ Task::Goal goalOf(formats::SnapshotReader& reader, std::size_t frame) {
     return {light.step, light.state_hash, light.time};
 }
 
-/// Cuts the run at its full states. The first frame is computed from the scenario alone; not so in a run that a search
-/// has kept, which begins in a state of that search.
+/// Cuts the run at its full states. The first frame is computed from the scenario alone; not so in a run that
+/// a search has kept, which begins in a state of that search.
 std::vector<Task> tasksOf(formats::SnapshotReader& reader) {
     std::vector<Task> tasks;
     const auto& frames = reader.frames();
@@ -89,8 +90,8 @@ class Follower {
     std::size_t at_ = 0;
 };
 
-/// Computes from `full` until the goals are met; a goal between the regular frames (the last one of an interrupted run)
-/// gets a computation of its own, which hands out a frame just then.
+/// Computes from `full` until the goals are met; a goal between the regular frames (the last one of an
+/// interrupted run) gets a computation of its own, which hands out a frame just then.
 void follow(const Model& model, std::optional<FullFrame> full, Task task, Stretch& result) {
     while (!task.goals.empty() && result.fault.empty() && !stopRequested()) {
         Follower follower(task, result);

@@ -23,8 +23,8 @@ struct Verification {
     bool equal() const;
 };
 
-/// Every stretch on its own, on as many threads as the options say; `show` is told the share done. Throws BadInput when
-/// the file's scenario cannot be built.
+/// Every stretch on its own, on as many threads as the options say; `show` is told the share done. Throws
+/// BadInput when the file's scenario cannot be built.
 Verification verifyRun(formats::SnapshotReader& reader, const Common& common,
                        const std::function<void(const Progress&)>& show);
 

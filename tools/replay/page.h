@@ -20,8 +20,9 @@ struct FrameChoice {
     bool all() const { return from <= 0 && to == kInfinity && every == 1 && contacts; }
 };
 
-/// Bytes of a finished snapshot file with the chosen frames: the file itself when that is what it is, else a new one. A
-/// file that is cut or still being written becomes whole, as far as it goes. Throws BadInput and FileRefused.
+/// Bytes of a finished snapshot file with the chosen frames: the file itself when that is what it is, else a
+/// new one. A file that is cut or still being written becomes whole, as far as it goes. Throws BadInput and
+/// FileRefused.
 std::string snapshotBytes(formats::SnapshotReader& reader, const std::string& path,
                           const FrameChoice& choice);
 

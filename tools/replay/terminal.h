@@ -8,8 +8,9 @@
 
 namespace talus::tools {
 
-/// Curve of the values in `width` letters, from the least (lowest) to the largest; of several values in one letter's
-/// place the largest counts. With `logarithmic` over at most eight powers of ten. Blocks of Unicode, or plain ASCII.
+/// Curve of the values in `width` letters, from the least (lowest) to the largest; of several values in one
+/// letter's place the largest counts. With `logarithmic` over at most eight powers of ten. Blocks of Unicode,
+/// or plain ASCII.
 std::string sparkline(const std::vector<double>& values, std::size_t width, bool logarithmic, bool unicode);
 
 /// True when the environment speaks UTF-8 (LC_ALL, LC_CTYPE, LANG).

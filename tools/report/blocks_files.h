@@ -10,7 +10,8 @@
 
 namespace talus::tools {
 
-/// Wavefront OBJ, one object per block; coordinates in m, read back to the last bit. `comments` are whole lines.
+/// Wavefront OBJ, one object per block; coordinates in m, read back to the last bit. `comments` are whole
+/// lines.
 std::string blocksObj(const Model& model, std::string_view comments);
 
 /// CSV: name, motion, volume [m3], centroid [m], number of faces, thickness [m].

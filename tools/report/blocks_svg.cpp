@@ -99,7 +99,8 @@ void drawLine(const SeenLine& line, const Sheet& sheet, SvgWriter& svg) {
     if (std::hypot(to.x - from.x, to.y - from.y) > kLeastLine) svg.line(from, to, roleOf(line.side));
 }
 
-// --- names -----------------------------------------------------------------------------------------------------------
+// --- names
+// -----------------------------------------------------------------------------------------------------------
 
 bool isIn(const PaintedPolygon& polygon, const Vec3& point) {
     const auto& corners = polygon.corners;
@@ -152,8 +153,8 @@ bool isAsLarge(const PaintedPolygon& polygon, double wide, double high) {
     return top.x() - low.x() >= wide && top.y() - low.y() >= high;
 }
 
-/// Of every block that has room for its name on a face that can be seen, on the largest. A name stays within what is
-/// seen of its own block, so that none lies on another.
+/// Of every block that has room for its name on a face that can be seen, on the largest. A name stays within
+/// what is seen of its own block, so that none lies on another.
 void drawNames(const Model& model, const VisibleFaces& visible, const std::vector<PaintedPolygon>& painted,
                const Sheet& sheet, SvgWriter& svg) {
     const auto block_of = [&](std::size_t piece) { return visible.faces[painted[piece].source].block; };
@@ -178,7 +179,8 @@ void drawNames(const Model& model, const VisibleFaces& visible, const std::vecto
     }
 }
 
-// --- what explains it ------------------------------------------------------------------------------------------------
+// --- what explains it
+// ------------------------------------------------------------------------------------------------
 
 /// Millimetres to kilometres, without trailing noise.
 std::string lengthText(double metres) {

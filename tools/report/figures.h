@@ -1,6 +1,6 @@
 #pragma once
-// Plots and drawings as data: the page draws them (page/), svg.h writes them as files for documents. README.md says what
-// each kind of series has in its rows.
+// Plots and drawings as data: the page draws them (page/), svg.h writes them as files for documents.
+// README.md says what each kind of series has in its rows.
 
 #include <optional>
 #include <string>
@@ -40,8 +40,8 @@ struct Reference {
     bool below = false;        ///< the text
 };
 
-/// An axis over `domain`, or over the data and up to round numbers when it is empty; or over names, which stand at
-/// 0, 1, 2, ...
+/// An axis over `domain`, or over the data and up to round numbers when it is empty; or over names, which
+/// stand at 0, 1, 2, ...
 struct PlotAxis {
     std::string title;
     std::vector<double> domain{};

@@ -10,11 +10,13 @@
 
 namespace talus::tools {
 
-/// Poles of all planes on the lower hemisphere, equal-area (Schmidt), north upwards, each set in a colour of its own; the legend has
-/// their number, the dip and dip direction of their mean, and Fisher's constant of their scatter.
+/// Poles of all planes on the lower hemisphere, equal-area (Schmidt), north upwards, each set in a colour of
+/// its own; the legend has their number, the dip and dip direction of their mean, and Fisher's constant of
+/// their scatter.
 std::string stereonetSvg(const std::vector<formats::RockJoint>& joints, std::string_view title);
 
-/// Which share of discs (by their set) and of blocks is smaller than a size, over the size on a logarithmic axis.
+/// Which share of discs (by their set) and of blocks is smaller than a size, over the size on a logarithmic
+/// axis.
 std::string sizesSvg(const std::vector<formats::RockJoint>& joints, const Model& model,
                      std::string_view title);
 

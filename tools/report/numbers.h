@@ -16,7 +16,8 @@ std::string shownSigned(std::optional<double> value, int decimals);  ///< "+0.01
 /// A number with a true minus sign.
 std::string typeset(std::string number);
 
-/// What an analysis varies, by its name on the command line ("tilt"); nullptr when there is none of this name.
+/// What an analysis varies, by its name on the command line ("tilt"); nullptr when there is none of this
+/// name.
 const VariedQuantity* variedNamed(std::string_view name);
 
 /// A search's load (SI) in its unit: "19.512".

@@ -1,5 +1,6 @@
 #pragma once
-// The page of a report: one JSON object inside the bundled page that draws it. README.md documents the object.
+// The page of a report: one JSON object inside the bundled page that draws it. README.md documents the
+// object.
 
 #include <optional>
 #include <string>
@@ -27,7 +28,8 @@ Json toJson(const Report& report);
 /// The self-contained page: nothing in the report can end its script element or become markup.
 std::string reportPage(const Json& report);
 
-// --- blocks ---------------------------------------------------------------------------------------------------------
+// --- blocks
+// ---------------------------------------------------------------------------------------------------------
 
 Json section(const std::string& id, const std::string& nav, const std::string& title, Json blocks);
 Json paragraph(const std::string& text, const std::string& style = "");  ///< style: lead, muted or alert
@@ -39,7 +41,8 @@ Json drawings(const std::vector<Drawing>& items, bool pair, Json colours = Json:
 /// What `provenance` holds, as items of facts().
 std::vector<std::pair<std::string, std::string>> provenanceFacts(const Json& provenance);
 
-// --- tables ---------------------------------------------------------------------------------------------------------
+// --- tables
+// ---------------------------------------------------------------------------------------------------------
 
 enum ColumnLook : unsigned {
     kPlain = 0,

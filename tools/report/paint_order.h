@@ -1,5 +1,6 @@
 #pragma once
-// Polygons in the order in which they are painted, so that what is nearer covers what is farther. Pure geometry.
+// Polygons in the order in which they are painted, so that what is nearer covers what is farther. Pure
+// geometry.
 
 #include <cstdint>
 #include <vector>
@@ -16,16 +17,17 @@ enum class Side : std::uint8_t {
     joint    ///< another block goes on beyond it
 };
 
-/// A plane convex polygon that looks at the reader, seen in parallel projection: x to the right, y up, z towards the reader.
+/// A plane convex polygon that looks at the reader, seen in parallel projection: x to the right, y up, z
+/// towards the reader.
 struct PaintedPolygon {
     std::vector<Vec3> corners;
     std::vector<Side> sides;  ///< from each corner to the next
     std::size_t source = 0;   ///< whose polygon it is; pieces keep it
 };
 
-/// The farthest first. Polygons that no order can be found for are cut. Where there are many, the picture is cut into cells
-/// first: within one the order is that of a tree of planes (Fuchs, Kedem and Naylor 1980), whose splitting planes are the
-/// polygons' own.
+/// The farthest first. Polygons that no order can be found for are cut. Where there are many, the picture is
+/// cut into cells first: within one the order is that of a tree of planes (Fuchs, Kedem and Naylor 1980),
+/// whose splitting planes are the polygons' own.
 std::vector<PaintedPolygon> paintOrder(std::vector<PaintedPolygon> polygons);
 
 }  // namespace talus::tools

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kLetter = 7;  ///< width of a letter, about [px]
 
-/// The classes' looks; colours colour-blind safe (Okabe and Ito) and apart in grey as well, those of page/page.css.
+/// The classes' looks; colours colour-blind safe (Okabe and Ito) and apart in grey as well, those of
+/// page/page.css.
 constexpr std::string_view kStyle = R"css(
 .text{fill:#1a1a1a;font:13px system-ui,sans-serif}
 .small{fill:#595959;font:12px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-opacity:.8;stroke-width:3px}
@@ -41,7 +42,8 @@ constexpr std::string_view kStyle = R"css(
 .toppling{fill:#7a2f6b}
 )css";
 
-// --- plots ----------------------------------------------------------------------------------------------------------
+// --- plots
+// ----------------------------------------------------------------------------------------------------------
 
 /// Values of an axis onto pixels from..to.
 struct Scale {

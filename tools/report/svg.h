@@ -1,6 +1,6 @@
 #pragma once
-// Plots and drawings as SVG files for documents, with the colours of print built in. The page draws the same data
-// itself; what only the page shows (histograms, heat maps, correlations) this does not know.
+// Plots and drawings as SVG files for documents, with the colours of print built in. The page draws the same
+// data itself; what only the page shows (histograms, heat maps, correlations) this does not know.
 
 #include <string>
 

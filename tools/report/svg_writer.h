@@ -12,7 +12,8 @@ namespace talus::tools {
 /// Places are pixels, y downwards.
 class SvgWriter {
  public:
-    /// A polygon, or a line. \param role its class; \param fill a colour of its own; `outlined`: also around it; \param tip shown over it
+    /// A polygon, or a line. \param role its class; \param fill a colour of its own; `outlined`: also around
+    /// it; \param tip shown over it
     void shape(const std::vector<Spot>& spots, bool open, const std::string& role,
                const std::string& tip = "", const std::string& fill = "", bool outlined = false);
     /// An area with holes: what an odd number of rings goes around.

@@ -106,8 +106,8 @@ class BlockFinder {
     std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
 };
 
-/// Whether other blocks lie against the whole face, as far as its middle, its corners and points of its sides tell. What is
-/// hidden without being found here is painted over.
+/// Whether other blocks lie against the whole face, as far as its middle, its corners and points of its sides
+/// tell. What is hidden without being found here is painted over.
 bool isCovered(const BlockFinder& finder, const Polyhedron& shape, std::size_t f, const Vec3& normal,
                const Vec3& centroid) {
     const Vec3 off = 1e-5 * finder.size() * normal;
@@ -157,7 +157,8 @@ class EdgeTeller {
         for (std::size_t f = 0; f < shape.faces.size(); ++f) normals_.push_back(shape.faceNormal(f));
     }
 
-    /// The corners and sides of a face as they are seen: a side for each stretch of an edge that is of one kind.
+    /// The corners and sides of a face as they are seen: a side for each stretch of an edge that is of one
+    /// kind.
     PaintedPolygon polygon(std::size_t f, const Camera& camera) const {
         PaintedPolygon polygon;
         const auto& outline = shape_.faces[f];
@@ -197,7 +198,8 @@ class EdgeTeller {
         return edge;
     }
 
-    /// Shares of an edge: its ends and, between them, corners of other faces that lie on it: there what is beside it changes.
+    /// Shares of an edge: its ends and, between them, corners of other faces that lie on it: there what is
+    /// beside it changes.
     std::vector<double> stopsOf(const Edge& edge) const {
         const Vec3 along = edge.to - edge.from;
         const double thin = 1e-7 * finder_.size() / edge.length();

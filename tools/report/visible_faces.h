@@ -22,8 +22,8 @@ struct VisibleFace {
     Vec3 normal = Vec3::Zero();
 };
 
-/// Faces that look at the reader and that no other block covers; the polygon of each, with its number in the first list as
-/// source.
+/// Faces that look at the reader and that no other block covers; the polygon of each, with its number in the
+/// first list as source.
 struct VisibleFaces {
     std::vector<VisibleFace> faces;
     std::vector<PaintedPolygon> polygons;

@@ -51,7 +51,8 @@ Outline within(Outline polygon, const Outline& fissure) {
     return polygon;
 }
 
-/// Height of the table along `up`: of a depth, which counts along the wall's steepest line from the lowest wet point.
+/// Height of the table along `up`: of a depth, which counts along the wall's steepest line from the lowest
+/// wet point.
 double tableOf(const Model& model, const Water& water, const std::vector<Outline>& walls, const Vec3& up) {
     const double level = water.level.front().value;
     if (water.kind == Water::Level::elevation) return level;

@@ -11,8 +11,8 @@ namespace talus::tools {
 /// Marks the cases whose failing run is to be kept, before they are computed.
 void markKept(std::vector<PaperCase>& cases);
 
-/// Plays them on and writes a snapshot file and a replay page for each into `folder`, replacing what is there. Paths in
-/// the result are relative to `page_folder`. Throws FileRefused.
+/// Plays them on and writes a snapshot file and a replay page for each into `folder`, replacing what is
+/// there. Paths in the result are relative to `page_folder`. Throws FileRefused.
 void keepFailures(PaperResults& results, const std::string& folder, const std::string& page_folder,
                   const Common& common);
 

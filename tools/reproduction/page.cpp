@@ -12,7 +12,8 @@
 namespace talus::tools {
 namespace {
 
-// --- drawings -------------------------------------------------------------------------------------------------------
+// --- drawings
+// -------------------------------------------------------------------------------------------------------
 
 Drawing slopeFigure(const PaperRun& run, const std::string& title, const std::string& beside) {
     Drawing drawing = drawSlope(run);
@@ -49,7 +50,8 @@ Json slopes(const PaperResults& results) {
                     drawings(figures, false, slopeColours())});
 }
 
-// --- tables and plots -----------------------------------------------------------------------------------------------
+// --- tables and plots
+// -----------------------------------------------------------------------------------------------
 
 Json tableSection(const PaperResults& results) {
     return section(
@@ -91,7 +93,8 @@ Json points(const PaperResults& results) {
          quarterWaterTable(results)});
 }
 
-// --- words ----------------------------------------------------------------------------------------------------------
+// --- words
+// ----------------------------------------------------------------------------------------------------------
 
 Json notes(const std::string& id, const std::string& nav, const std::string& title,
            const std::vector<Note>& list) {

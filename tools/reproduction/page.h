@@ -8,7 +8,8 @@ namespace talus::tools {
 /// What the page shows, as report/README.md documents it.
 Json paperReport(const PaperResults& results);
 
-// --- its parts with tables, in a file of their own ------------------------------------------------------------------
+// --- its parts with tables, in a file of their own
+// ------------------------------------------------------------------
 
 Json table1(const PaperResults& results);
 Json section5Table(const PaperResults& results);

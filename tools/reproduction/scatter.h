@@ -1,6 +1,7 @@
 #pragma once
-// The laboratory's scatter, computed: every interface draws its own friction angle in the range that was measured on
-// the model's blocks, many samples, dry and with water in each fissure; beside the three laboratory repeats.
+// The laboratory's scatter, computed: every interface draws its own friction angle in the range that was
+// measured on the model's blocks, many samples, dry and with water in each fissure; beside the three
+// laboratory repeats.
 
 #include <array>
 #include <cstdint>
@@ -27,8 +28,8 @@ struct Scatter {
     bool complete = false;
 };
 
-/// Computes `samples` samples of bench/paper/sweeps/laboratory-scatter.toml in `folder`, where sweep, scenario and rows
-/// stay: the same call goes on where it was stopped. Throws FileRefused, BadInput.
+/// Computes `samples` samples of bench/paper/sweeps/laboratory-scatter.toml in `folder`, where sweep,
+/// scenario and rows stay: the same call goes on where it was stopped. Throws FileRefused, BadInput.
 Scatter computeScatter(std::uint64_t samples, const std::string& folder, const Common& common);
 
 Json scatterJson(const Scatter& scatter);

@@ -73,7 +73,8 @@ std::map<std::string, Task> tasksOf(const std::vector<VerificationRow>& rows) {
     return tasks;
 }
 
-// --- what is computed -----------------------------------------------------------------------------------------------------
+// --- what is computed
+// -----------------------------------------------------------------------------------------------------
 
 template <class T>
 bool given(const Result<T>& result, Computed& computed) {
@@ -138,7 +139,8 @@ class SwingWatch {
         fall_ = -record.gravity_energy;
     }
     double time() const { return time_; }
-    /// Of the velocity at the impact: the energy of the fall, and what is left of it at the end, are its square.
+    /// Of the velocity at the impact: the energy of the fall, and what is left of it at the end, are its
+    /// square.
     double kept() const { return std::sqrt((left_ + fall_) / fall_); }
 
  private:

@@ -2,14 +2,16 @@
 // The values of the verification manual. A scenario's rows share what is computed of it:
 //
 //   critical_angle_deg, safety_factor, critical_k   the answer of a search (its answer_key)
-//   decided                                         of the factor of safety: 1 rest or failure was seen, 0 neither
-//   falls_at_start                                  of the critical angle: 1 it falls where the search starts, 0 it stands
-//   limit_tilt_deg, limit_factor, limit_horizontal  the middle of limit analysis's bracket
-//   speed_m_s, way_m                                of the first watched block, at the end of a time history
-//   lowest_at_s, velocity_kept                      when its centroid is lowest, and the share of its velocity there that is left
+//   decided                                         of the factor of safety: 1 rest or failure was seen, 0
+//   neither falls_at_start                                  of the critical angle: 1 it falls where the
+//   search starts, 0 it stands limit_tilt_deg, limit_factor, limit_horizontal  the middle of limit analysis's
+//   bracket speed_m_s, way_m                                of the first watched block, at the end of a time
+//   history lowest_at_s, velocity_kept                      when its centroid is lowest, and the share of its
+//   velocity there that is left
 //                                                   after the impact: of a block that rocks
-//   pull_stiffness_n_m, most_force_n                of the first support: its force over the way of that block, and its greatest
-//   energy_change, energy_gain                      largest change, and largest gain between two frames, of the kinetic, elastic
+//   pull_stiffness_n_m, most_force_n                of the first support: its force over the way of that
+//   block, and its greatest energy_change, energy_gain                      largest change, and largest gain
+//   between two frames, of the kinetic, elastic
 //                                                   and gravity energy, over the largest kinetic one
 
 #include <atomic>
@@ -52,7 +54,8 @@ struct VerifiedRow {
     }
 };
 
-/// Computes all rows, costly ones first, each in one of the threads. After `stop` what was not computed is left out.
+/// Computes all rows, costly ones first, each in one of the threads. After `stop` what was not computed is
+/// left out.
 std::vector<VerifiedRow> verify(const std::vector<VerificationRow>& rows, int threads,
                                 const std::atomic<bool>& stop,
                                 const std::function<void(const Progress&)>& progress);

@@ -28,7 +28,8 @@ std::string manualText(const Manual& manual);  ///< a line a row, for the termin
 /// The report of the page (report/README.md); scenarios lie in the folder `scenarios` beside it.
 Json manualReport(const Manual& manual);
 
-/// What a scenario looks like from the side (along y), turned by its tilt; blocks in the colours of how they move.
+/// What a scenario looks like from the side (along y), turned by its tilt; blocks in the colours of how they
+/// move.
 Json problemPicture(const VerifiedRow& row);
 
 }  // namespace talus::tools

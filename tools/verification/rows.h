@@ -1,5 +1,6 @@
 #pragma once
-// The rows of the verification manual: bench/verification/rows.csv and the scenarios it names, which travel in the program.
+// The rows of the verification manual: bench/verification/rows.csv and the scenarios it names, which travel
+// in the program.
 
 #include <optional>
 #include <string>

@@ -1,8 +1,9 @@
-// A slope from a program of your own: four columns of rock on a floor, water between the first two. At which tilt does it
-// fail, which columns go, and how hard do they press on the floor before?
+// A slope from a program of your own: four columns of rock on a floor, water between the first two. At which
+// tilt does it fail, which columns go, and how hard do they press on the floor before?
 //
-// Everything in the library is in SI units and radians, x is uphill, z is normal to the floor. Gravity turns about y: with
-// positive tilt downhill is -x. No call prints, exits or throws on bad input; what is wrong comes back as a list of errors.
+// Everything in the library is in SI units and radians, x is uphill, z is normal to the floor. Gravity turns
+// about y: with positive tilt downhill is -x. No call prints, exits or throws on bad input; what is wrong
+// comes back as a list of errors.
 
 #include <talus/analysis.h>    // critical angle, factor of safety
 #include <talus/simulation.h>  // time history

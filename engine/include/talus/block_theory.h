@@ -65,8 +65,8 @@ struct KeyBlock {
 /// Free blocks that move as one body. One block is a group, too.
 struct MovingGroup {
     std::vector<std::string> blocks;  ///< sorted
-    /// Blocks that lean on the group, do not stand without it, and cannot move with it; sorted. What they press
-    /// with is not counted: the factor is that of the group without them.
+    /// Blocks that lean on the group, do not stand without it, and cannot move with it; sorted. What they
+    /// press with is not counted: the factor is that of the group without them.
     std::vector<std::string> carries{};
     Sliding sliding;
     double volume = 0;  ///< [m^3]
@@ -99,8 +99,9 @@ struct LeastGroup {
     std::vector<std::string> blocks;  ///< sorted
 };
 
-/// Of groups that carry no others. Of groups of one factor the heaviest. Blocks that fall have factor 0 and come first: `withoutBlocks` takes
-/// them out. Nothing where no group can move. Errors: as of `keyBlocks`, and that it was asked to stop.
+/// Of groups that carry no others. Of groups of one factor the heaviest. Blocks that fall have factor 0 and
+/// come first: `withoutBlocks` takes them out. Nothing where no group can move. Errors: as of `keyBlocks`,
+/// and that it was asked to stop.
 Result<std::optional<LeastGroup>> leastGroup(const Model& model, const Control& control = {});
 
 }  // namespace talus

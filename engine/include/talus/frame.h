@@ -1,9 +1,10 @@
 #pragma once
-// Frames of a run as plain data: what a viewer plays (LightFrame), what a restart needs to the last bit (FullFrame),
-// and the shapes they belong to (RunGeometry). The engine hands them out and takes a full one back; formats keep them
-// in files (formats/snapshot.fbs has the same fields and says more about each).
+// Frames of a run as plain data: what a viewer plays (LightFrame), what a restart needs to the last bit
+// (FullFrame), and the shapes they belong to (RunGeometry). The engine hands them out and takes a full one
+// back; formats keep them in files (formats/snapshot.fbs has the same fields and says more about each).
 //
-// SI units and radians. Vectors of begins: item k owns [begin[k], begin[k + 1]); they have one entry more than items.
+// SI units and radians. Vectors of begins: item k owns [begin[k], begin[k + 1]); they have one entry more
+// than items.
 
 #include <array>
 #include <cstdint>
@@ -33,8 +34,8 @@ struct QuaternionList {
     std::vector<double> w, x, y, z;
 };
 
-/// Supports (talus/supports.h) as lines through the blocks they hold, at the start: of a bolt its head, both sides of each joint
-/// it ties, its end.
+/// Supports (talus/supports.h) as lines through the blocks they hold, at the start: of a bolt its head, both
+/// sides of each joint it ties, its end.
 struct SupportLines {
     std::vector<std::string> name;
     std::vector<std::int32_t> point_begin;  ///< per support; empty without any
@@ -67,7 +68,8 @@ struct RunGeometry {
     SupportLines supports;
 };
 
-/// Water as it stands, per water of the model. Its table is the plane up . x = table, up = (sin tilt, 0, cos tilt).
+/// Water as it stands, per water of the model. Its table is the plane up . x = table, up = (sin tilt, 0, cos
+/// tilt).
 struct WaterLevels {
     std::vector<double> level;  ///< depth or elevation as the scenario gives it [m]
     std::vector<double> table;  ///< [m]; nan when drained and for water given by two heads
@@ -111,7 +113,8 @@ struct FrameBlocks {
     VectorList<double> inverse_inertia;   ///< likewise [1/(kg m^2)]
 };
 
-/// Two faces that lie against each other. e1 and e2 span the reference face, which is a's; e1 x e2 points from a to b.
+/// Two faces that lie against each other. e1 and e2 span the reference face, which is a's; e1 x e2 points
+/// from a to b.
 struct FrameInterfaces {
     std::vector<std::int32_t> block_a, block_b, face_a, face_b, joint;
     std::vector<double> area;                 ///< of the patch [m^2]
@@ -134,8 +137,8 @@ struct FrameInterfaces {
 
 enum class PointState : std::uint8_t { open, sticking, slipping };
 
-/// Contact points (contact points), interface by interface. The last three quantities are for reading: a restart
-/// leaves them.
+/// Contact points (contact points), interface by interface. The last three quantities are for reading: a
+/// restart leaves them.
 struct FramePoints {
     std::vector<double> xi, eta;             ///< place on the reference face [m]
     std::vector<double> area;                ///< tributary area A_s [m^2]
@@ -186,7 +189,8 @@ struct FrameLaws {
         std::string name;            ///< as the law calls it
         std::vector<double> values;  ///< per joint
     };
-    /// One for each name that joint properties give (JointProperty::in_law); a file may lack some, or know others.
+    /// One for each name that joint properties give (JointProperty::in_law); a file may lack some, or know
+    /// others.
     std::vector<Parameter> parameters = none();
     std::vector<std::uint8_t> bonded;
 

@@ -1,7 +1,7 @@
 #pragma once
-// The one description of a full frame's arrays: the name each has in snapshot files, what it has one entry for, its unit,
-// and what an index in it points at. Checks of frames from files go through it (misfit), and so does the codec; that the schema
-// agrees with it is tested (tests/formats/snapshot/frame_table_test.cpp).
+// The one description of a full frame's arrays: the name each has in snapshot files, what it has one entry
+// for, its unit, and what an index in it points at. Checks of frames from files go through it (misfit), and
+// so does the codec; that the schema agrees with it is tested (tests/formats/snapshot/frame_table_test.cpp).
 
 #include <cstdint>
 #include <optional>
@@ -156,8 +156,8 @@ struct FrameCounts {
     std::size_t blocks = 0, waters = 0, joints = 0;
 };
 
-/// The first array ("points.bond") whose size, ranges or indices do not fit those of the frame's others and the counts;
-/// nothing when all do. Readers index frames without looking again.
+/// The first array ("points.bond") whose size, ranges or indices do not fit those of the frame's others and
+/// the counts; nothing when all do. Readers index frames without looking again.
 std::optional<std::string> misfit(const FullFrame& frame, const FrameCounts& counts);
 
 }  // namespace talus

@@ -1,8 +1,8 @@
 #pragma once
-// The one table of what a joint is made of: how each value is called, in which unit people give it, what is allowed,
-// which laws of strength have it, what it is when nobody gives it, and whether strength reduction divides it. Whoever
-// reads, writes, draws, reduces, keeps or checks joints goes through the table: a new property is a value of Joint
-// (talus/joint_values.h), a line of the table, and the law that uses it.
+// The one table of what a joint is made of: how each value is called, in which unit people give it, what is
+// allowed, which laws of strength have it, what it is when nobody gives it, and whether strength reduction
+// divides it. Whoever reads, writes, draws, reduces, keeps or checks joints goes through the table: a new
+// property is a value of Joint (talus/joint_values.h), a line of the table, and the law that uses it.
 
 #include <array>
 #include <cmath>
@@ -38,11 +38,11 @@ namespace detail {
 
 // Wide enough for any rock, soil or laboratory model, and no wider than what doubles carry.
 //
-// A block sinks by rho g / k of its own height under its own weight: below 1e3 Pa/m even blocks of foam lie more than
-// wholly inside each other. A cubic metre of rock on joints of 1e15 Pa/m has its closures (3e-11 m) still a thousand times
-// above the rounding of coordinates some metres large; what is between is checked against the model itself
-// (analysis/plausible.h). Intact rock has 1e8 Pa of strength and 1e11 Pa of modulus; 1e15 Pa, what bonds that never give are
-// made of, is the most that sums of forces should have to carry.
+// A block sinks by rho g / k of its own height under its own weight: below 1e3 Pa/m even blocks of foam lie
+// more than wholly inside each other. A cubic metre of rock on joints of 1e15 Pa/m has its closures (3e-11 m)
+// still a thousand times above the rounding of coordinates some metres large; what is between is checked
+// against the model itself (analysis/plausible.h). Intact rock has 1e8 Pa of strength and 1e11 Pa of modulus;
+// 1e15 Pa, what bonds that never give are made of, is the most that sums of forces should have to carry.
 inline constexpr Interval kStiffness{1e3, 1e15}, kStrength{0, 1e15};
 inline constexpr Interval kFrictionDeg{0, 90, false, true};
 // pi/2 radians are 90 degrees; and no joint of a slope slides at a degree and a half.
@@ -153,7 +153,8 @@ inline constexpr std::array kJointProperties{
                   .required_by = detail::kBartonBandis,
                   .in_law = "",
                   .what = "joint wall compressive strength"},
-    // Up to where the strength grows with the normal stress at any roughness: sin(2 phi) > 2 JRC (pi/180) / ln 10.
+    // Up to where the strength grows with the normal stress at any roughness: sin(2 phi) > 2 JRC (pi/180) /
+    // ln 10.
     JointProperty{.key = "max_friction_deg",
                   .value = &Joint::max_friction,
                   .unit = "deg",
@@ -220,8 +221,8 @@ inline bool isReduced(const Joint& joint, const JointProperty& property) {
            (joint.tension_reduced && property.value == &Joint::tensile_strength);
 }
 
-/// What the contact law takes of a property: the tangent of an angle, anything else as it is; over `factor` where strength
-/// reduction divides it.
+/// What the contact law takes of a property: the tangent of an angle, anything else as it is; over `factor`
+/// where strength reduction divides it.
 inline double lawValue(const Joint& joint, const JointProperty& property, double factor = 1) {
     const double value = joint.*property.value;
     return (property.isAngle() ? std::tan(value) : value) / (isReduced(joint, property) ? factor : 1.0);

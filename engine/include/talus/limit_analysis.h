@@ -1,10 +1,12 @@
 #pragma once
-// Limit analysis of rigid blocks: the greatest load for which forces at the contact points exist that balance every
-// block and break no point's strength (friction associated: what slides also opens by tan(phi) of the slide).
+// Limit analysis of rigid blocks: the greatest load for which forces at the contact points exist that balance
+// every block and break no point's strength (friction associated: what slides also opens by tan(phi) of the
+// slide).
 //
-// By the static theorem no equilibrium of the real, non-associated joints lies above that load (Drucker 1954; for
-// blocks Livesley 1978), so it is a ceiling for every critical angle and factor of safety, as long as blocks stay
-// about where they were at the start. It is near where blocks hinge or slide, and far where they interlock.
+// By the static theorem no equilibrium of the real, non-associated joints lies above that load (Drucker 1954;
+// for blocks Livesley 1978), so it is a ceiling for every critical angle and factor of safety, as long as
+// blocks stay about where they were at the start. It is near where blocks hinge or slide, and far where they
+// interlock.
 
 #include <cstddef>
 #include <cstdint>
@@ -34,8 +36,9 @@ struct LimitSettings {
     std::vector<std::string> left_out{};      ///< blocks that are taken to be gone
 };
 
-/// The true limit of the associated problem lies between `lower` and `upper`: friction cones are taken as pyramids
-/// inside and outside of them, which are refined where it matters. In a plane section both are the cone.
+/// The true limit of the associated problem lies between `lower` and `upper`: friction cones are taken as
+/// pyramids inside and outside of them, which are refined where it matters. In a plane section both are the
+/// cone.
 struct LimitResult {
     SearchStatus status = SearchStatus::undecided;
     double lower = -kInfinity;  ///< [rad] for a tilt
@@ -58,17 +61,20 @@ struct LimitResult {
 Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control& control = {},
                                   const LimitSettings& settings = {});
 
-/// Up to how many contact points a ceiling is computed without being asked for: it then takes less than a second, and
-/// a small share of the search. A programme in space takes ten times as long as one of a plane section.
+/// Up to how many contact points a ceiling is computed without being asked for: it then takes less than a
+/// second, and a small share of the search. A programme in space takes ten times as long as one of a plane
+/// section.
 inline constexpr std::size_t kCeilingPoints = 300;
 inline constexpr std::size_t kCeilingPointsInSection = 2000;
 
-/// The upper bound of limit analysis, without value where it is not made. \param always whatever the model's size
+/// The upper bound of limit analysis, without value where it is not made. \param always whatever the model's
+/// size
 Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const Control& control = {},
                              const LimitSettings& settings = {});
 
-/// Whether a load at which a search's assembly still stands is above a ceiling by more than the difference between joints
-/// that give a little and joints that do not: half a per cent of a factor, 0.05 degrees of a tilt.
+/// Whether a load at which a search's assembly still stands is above a ceiling by more than the difference
+/// between joints that give a little and joints that do not: half a per cent of a factor, 0.05 degrees of a
+/// tilt.
 bool isAbove(double stands, const Ceiling& ceiling, Varied load);
 
 }  // namespace talus

@@ -10,8 +10,8 @@
 
 namespace talus {
 
-/// Runs `body` with so many threads (0: all cores; 1: the calling thread alone). More than there are cores are had, too: of
-/// itself the library would give out no more, and say so on stderr.
+/// Runs `body` with so many threads (0: all cores; 1: the calling thread alone). More than there are cores
+/// are had, too: of itself the library would give out no more, and say so on stderr.
 template <class Body>
 auto inArena(int threads, const Body& body) {
     if (threads == 1) return body();

@@ -19,11 +19,13 @@ using Mat3 = Eigen::Matrix3d;
 
 struct ConvexPart;
 
-/// How much of a face lies on faces of other parts of the same shape. What is covered wholly is inside: no surface.
+/// How much of a face lies on faces of other parts of the same shape. What is covered wholly is inside: no
+/// surface.
 enum class Cover : std::uint8_t { none, partly, wholly };
 
-/// Which vertices bound each face, and which faces are those of one convex part. Copies share one list, since blocks of
-/// one shape are many and their lists equal. A list does not change; a shape with other faces gets another one.
+/// Which vertices bound each face, and which faces are those of one convex part. Copies share one list, since
+/// blocks of one shape are many and their lists equal. A list does not change; a shape with other faces gets
+/// another one.
 class FaceList {
  public:
     using Outline = std::vector<std::int32_t>;  ///< vertex indices
@@ -68,9 +70,9 @@ struct ConvexPart {
     std::vector<std::int32_t> beside{};  ///< parts it touches, if only in a point; ascending
 };
 
-/// A polyhedron: convex, or convex parts that share faces or pieces of faces and nothing else. Faces are planar convex
-/// polygons (coplanar triangles of a hull are merged), their vertices listed counter-clockwise seen from outside their
-/// part. Lengths in m.
+/// A polyhedron: convex, or convex parts that share faces or pieces of faces and nothing else. Faces are
+/// planar convex polygons (coplanar triangles of a hull are merged), their vertices listed counter-clockwise
+/// seen from outside their part. Lengths in m.
 struct Polyhedron {
     std::vector<Vec3> vertices;
     FaceList faces;
@@ -97,13 +99,13 @@ struct MassProperties {
 /// Axis-aligned box; `min` must be below `max` in each coordinate (else an error names the axis).
 Result<Polyhedron> makeBox(const Vec3& min, const Vec3& max);
 
-/// Convex hull of at least four points that do not lie in one plane; points inside the hull are dropped, coplanar
-/// facets merged. Errors: too few points, a flat or degenerate set, non-finite coordinates.
+/// Convex hull of at least four points that do not lie in one plane; points inside the hull are dropped,
+/// coplanar facets merged. Errors: too few points, a flat or degenerate set, non-finite coordinates.
 Result<Polyhedron> convexHull(const std::vector<Vec3>& points);
 
-/// One shape of convex parts, in the order given; of one part it is that part. Parts may share faces, pieces of faces, edges
-/// and vertices. Errors ("[i]" is the part): none given, a part that is of several itself or overlaps another, one that
-/// hangs together with the others by no face.
+/// One shape of convex parts, in the order given; of one part it is that part. Parts may share faces, pieces
+/// of faces, edges and vertices. Errors ("[i]" is the part): none given, a part that is of several itself or
+/// overlaps another, one that hangs together with the others by no face.
 Result<Polyhedron> joinParts(const std::vector<Polyhedron>& parts);
 
 /// The convex parts of a shape, each by itself.
@@ -112,15 +114,16 @@ std::vector<Polyhedron> partsOf(const Polyhedron& shape);
 /// Whether a point is in the shape or on its surface, within `tolerance` [m].
 bool contains(const Polyhedron& shape, const Vec3& point, double tolerance = 0);
 
-/// The side of a shape that looks most in a direction: that face of its surface (the first of several), and the faces of other
-/// parts in its plane.
+/// The side of a shape that looks most in a direction: that face of its surface (the first of several), and
+/// the faces of other parts in its plane.
 std::vector<std::int32_t> sideTowards(const Polyhedron& shape, const Vec3& direction);
 
 /// Exact also where the shape is of several parts: their inner faces cancel.
 MassProperties massProperties(const Polyhedron& shape);
 
-/// How thick it is: the smallest of its extents along the normals of its surface [m]. Of several parts no more than six
-/// times volume over surface, which is a cube's side: an angle of thin plates is as thin as these.
+/// How thick it is: the smallest of its extents along the normals of its surface [m]. Of several parts no
+/// more than six times volume over surface, which is a cube's side: an angle of thin plates is as thin as
+/// these.
 double smallestExtent(const Polyhedron& shape);
 
 }  // namespace talus

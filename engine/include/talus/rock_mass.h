@@ -1,10 +1,11 @@
 #pragma once
 // Rock masses: a region cut into blocks by joint sets and single joints.
 //
-//   region (closed surface)  --cut by the planes of the joints-->  blocks, each face knowing the joint that made it
+//   region (closed surface)  --cut by the planes of the joints-->  blocks, each face knowing the joint that
+//   made it
 //
-// Axes as everywhere: x east, y north, z up. A plane's dip direction is counted clockwise from +y; its normal points
-// upwards, and towards the dip direction where the plane is steep.
+// Axes as everywhere: x east, y north, z up. A plane's dip direction is counted clockwise from +y; its normal
+// points upwards, and towards the dip direction where the plane is steep.
 
 #include <array>
 #include <atomic>
@@ -33,8 +34,8 @@ enum class SpacingLaw : std::uint8_t {
     exponential  ///< negative exponential: planes at random places (S. D. Priest and J. A. Hudson, 1976)
 };
 
-/// Parallel planes through the whole region. Plane 0 goes through `origin` (moved by `offset`), plane 1 is the next
-/// along the upward normal.
+/// Parallel planes through the whole region. Plane 0 goes through `origin` (moved by `offset`), plane 1 is
+/// the next along the upward normal.
 struct JointSet {
     std::string name;
     double dip = 0;            ///< [rad]
@@ -50,7 +51,8 @@ struct JointSet {
     std::string field{};     ///< "joint_set[0]", for messages
 };
 
-/// One joint: a plane through a point, through the whole region or as far as a disc or a convex polygon reaches.
+/// One joint: a plane through a point, through the whole region or as far as a disc or a convex polygon
+/// reaches.
 struct SingleJoint {
     std::string name;
     Vec3 point = Vec3::Zero();
@@ -70,7 +72,8 @@ struct RockMass {
     TriangleSurface region;
     std::vector<JointSet> sets;
     std::vector<SingleJoint> singles;
-    /// [m]; default: a thousandth of the least mean spacing, without joint sets 1e-4 of the region's longest side; at least 1e-6 of that
+    /// [m]; default: a thousandth of the least mean spacing, without joint sets 1e-4 of the region's longest
+    /// side; at least 1e-6 of that
     std::optional<double> min_thickness;
     bool refuse_slivers = false;  ///< a cut that would leave a thinner part is an error, not left out
     std::uint64_t seed = 1;
@@ -80,8 +83,8 @@ struct RockMass {
     std::string field = "rock_mass";
 };
 
-/// Which joint made a face: index into the sets, then the singles; -1 the region's surface, or the inside of a block
-/// of several convex parts.
+/// Which joint made a face: index into the sets, then the singles; -1 the region's surface, or the inside of
+/// a block of several convex parts.
 struct FaceOrigin {
     std::int32_t joint = -1;
     std::int32_t plane = 0;  ///< number of the plane within its set
@@ -103,19 +106,23 @@ struct CutRockMass {
     std::vector<std::string> idle_joints;  ///< "joint_set[0] (J1)": those that parted no block
 };
 
-/// Cuts the region by the joint sets, then the unbounded single joints, then the finite ones, each in the order given.
+/// Cuts the region by the joint sets, then the unbounded single joints, then the finite ones, each in the
+/// order given.
 ///
-/// A finite joint cuts the blocks it meets, and these from side to side. A joint that comes within `weld` (1e-11 of the
-/// region's extent) of a vertex goes through the vertex, and one that near to a face is that face. A cut that would
-/// leave a part thinner than `min_thickness` is left out for that block, which keeps the sliver, and reported.
+/// A finite joint cuts the blocks it meets, and these from side to side. A joint that comes within `weld`
+/// (1e-11 of the region's extent) of a vertex goes through the vertex, and one that near to a face is that
+/// face. A cut that would leave a part thinner than `min_thickness` is left out for that block, which keeps
+/// the sliver, and reported.
 ///
 /// Where the region is not convex, its blocks with a reflex edge are of several convex parts.
 ///
-/// Errors: an open, non-manifold, inverted or self-crossing region; spacing not positive; a joint that is no plane or
-/// no convex polygon; more than `max_blocks` blocks, estimated before anything is cut or counted then; `stop`; slivers, if refused; volumes that do not add up to 1e-9.
+/// Errors: an open, non-manifold, inverted or self-crossing region; spacing not positive; a joint that is no
+/// plane or no convex polygon; more than `max_blocks` blocks, estimated before anything is cut or counted
+/// then; `stop`; slivers, if refused; volumes that do not add up to 1e-9.
 Result<CutRockMass> cutRockMass(const RockMass& description);
 
-/// Two faces that the plane of a finite joint parted, and how much of what they share lies beyond the joint, in intact rock.
+/// Two faces that the plane of a finite joint parted, and how much of what they share lies beyond the joint,
+/// in intact rock.
 struct JointCut {
     std::int32_t block_a = 0, face_a = 0;
     std::int32_t block_b = 0, face_b = 0;
@@ -133,7 +140,8 @@ struct CutPlane {
     std::size_t joint = 0;  ///< index into the sets, then the singles
 };
 
-/// All planes that pass through the region or touch it, in the order of cutting; others cut nothing. Errors: those of the joints.
+/// All planes that pass through the region or touch it, in the order of cutting; others cut nothing. Errors:
+/// those of the joints.
 Result<std::vector<CutPlane>> cuttingPlanes(const RockMass& description);
 
 /// Which blocks a user means.
@@ -155,8 +163,8 @@ std::vector<bool> selectBlocks(const CutRockMass& mass, const BlockSelection& se
 /// The block that holds a point; -1 if none does.
 std::int32_t blockAt(const CutRockMass& mass, const Vec3& point);
 
-/// A closed surface as one shape, of as many convex parts as its reflex edges ask for. Errors: what checkSurface finds; a
-/// surface that crosses itself or encloses several bodies.
+/// A closed surface as one shape, of as many convex parts as its reflex edges ask for. Errors: what
+/// checkSurface finds; a surface that crosses itself or encloses several bodies.
 Result<Polyhedron> solidOf(const TriangleSurface& surface);
 
 }  // namespace talus

@@ -5,9 +5,10 @@
 
 namespace talus {
 
-/// The numbers of the path follower (engine/src/equilibrium, engine/src/search). Answers hardly depend on them:
-/// `tests/physics/search_rules_test.cpp` halves and doubles each and says how far the answers of ten models move.
-/// What each one does when it is larger or smaller, and where it comes from, stands in search_rules.cpp.
+/// The numbers of the path follower (engine/src/equilibrium, engine/src/search). Answers hardly depend on
+/// them: `tests/physics/search_rules_test.cpp` halves and doubles each and says how far the answers of ten
+/// models move. What each one does when it is larger or smaller, and where it comes from, stands in
+/// search_rules.cpp.
 struct SearchRules {
     // Equilibrium.
     double equilibrium_tolerance = 0.01;

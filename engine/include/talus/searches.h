@@ -1,7 +1,7 @@
 #pragma once
-// The searches for the load at which an assembly fails, each described once. Commands, sweeps, batches, kept runs and
-// inspection read this list and know no search by name: a new one is an entry in engine/src/search/searches.cpp, and a
-// file for how it is made.
+// The searches for the load at which an assembly fails, each described once. Commands, sweeps, batches, kept
+// runs and inspection read this list and know no search by name: a new one is an entry in
+// engine/src/search/searches.cpp, and a file for how it is made.
 
 #include <atomic>
 #include <cstdint>
@@ -22,8 +22,8 @@ struct TheoryFigure {
     theory::Prediction prediction;
 };
 
-/// Where a scenario says a number, and which that is of a model, in the scenario's unit; nothing where such a scenario
-/// does not say it.
+/// Where a scenario says a number, and which that is of a model, in the scenario's unit; nothing where such a
+/// scenario does not say it.
 struct ScenarioNumber {
     const char* section;
     const char* key;
@@ -31,8 +31,8 @@ struct ScenarioNumber {
     std::optional<double> (*value)(const Model& model);
 };
 
-/// What an analysis varies, described once: how it is called, told, put on a model and written into a scenario. An entry of
-/// engine/src/search/searches.cpp.
+/// What an analysis varies, described once: how it is called, told, put on a model and written into a
+/// scenario. An entry of engine/src/search/searches.cpp.
 struct VariedQuantity {
     Varied varied;
     const char* name;    ///< on the command line: "tilt"
@@ -44,7 +44,8 @@ struct VariedQuantity {
     double scale;        ///< one unit in SI
     int decimals;        ///< of a figure for people
     int limit_decimals;  ///< of one of limit analysis
-    /// By how much joints that give a little may stand above the limit of those that do not; a share of it, or in SI
+    /// By how much joints that give a little may stand above the limit of those that do not; a share of it,
+    /// or in SI
     double give;
     bool give_is_share;
     void (*apply)(Model& model, double value);
@@ -83,7 +84,8 @@ const LoadSearch* loadSearch(std::string_view name);
 /// Blocks that the answer is not for: those that fell at the start and those let go before.
 std::vector<std::string> leftOut(const SearchResult& result);
 
-/// Share of the free blocks' mass that those of these names have, 0..1: whether an answer is one of the slope or of a small block.
+/// Share of the free blocks' mass that those of these names have, 0..1: whether an answer is one of the slope
+/// or of a small block.
 double massShare(const Model& model, const std::vector<std::string>& blocks);
 
 /// The model as it is at this load.

@@ -73,9 +73,10 @@ struct RunResult {
     std::vector<std::string> warnings;  ///< what left the valid range, if anything did
 };
 
-/// What a run hands out while it goes on; every member may be left empty. All are called from the computing thread,
-/// in the order of time: `begin` first, `record` and `light` at the start, at every frame interval and at the end,
-/// `full` behind every `frames_per_full`-th light frame and at the start and the end (also of an interrupted run).
+/// What a run hands out while it goes on; every member may be left empty. All are called from the computing
+/// thread, in the order of time: `begin` first, `record` and `light` at the start, at every frame interval
+/// and at the end, `full` behind every `frames_per_full`-th light frame and at the start and the end (also of
+/// an interrupted run).
 struct RunOutput {
     std::function<void(const RunGeometry&)> begin{};
     std::function<void(const HistoryRecord&)> record{};
@@ -84,17 +85,19 @@ struct RunOutput {
     int frames_per_full = 10;
 };
 
-/// Time history of a model. With `resume`, a full frame of an earlier run of the same model, it goes on from there and
-/// ends in the same bits as a run never interrupted, on any number of threads; frames up to that one are not handed out
-/// again. Errors: those of the model; a frame that does not fit it; a motion that became infinite.
+/// Time history of a model. With `resume`, a full frame of an earlier run of the same model, it goes on from
+/// there and ends in the same bits as a run never interrupted, on any number of threads; frames up to that
+/// one are not handed out again. Errors: those of the model; a frame that does not fit it; a motion that
+/// became infinite.
 Result<RunResult> run(const Model& model, const Control& control, const RunOutput& output,
                       const FullFrame* resume = nullptr);
 
-/// Time history of a failure that a search has found: from the state in which it has left its place, at rest at time 0,
-/// to `run.duration`, or to the first frame at which some block is displaced by `far_enough` [m]. Poses, contacts,
-/// strengths and the shares of weight and water are the state's; tilt and damping are the model's, so they should be
-/// those it fails at. Inertia is the true one, but for small blocks that would set the time step
-/// (`FailingState::frequency`). Frames as of `run`; any full one resumes to the same bits there. Errors: as of `run`.
+/// Time history of a failure that a search has found: from the state in which it has left its place, at rest
+/// at time 0, to `run.duration`, or to the first frame at which some block is displaced by `far_enough` [m].
+/// Poses, contacts, strengths and the shares of weight and water are the state's; tilt and damping are the
+/// model's, so they should be those it fails at. Inertia is the true one, but for small blocks that would set
+/// the time step (`FailingState::frequency`). Frames as of `run`; any full one resumes to the same bits
+/// there. Errors: as of `run`.
 Result<RunResult> runFailing(const Model& model, const Control& control, const RunOutput& output,
                              const FailingState& failing, double far_enough);
 
@@ -116,11 +119,12 @@ struct BlockView {
     std::array<const double*, 3> velocity{};  ///< x, y, z of the centroids, an array each [m/s]
 };
 
-/// A time history that is taken step by step, by the stages of `run`: in whole tens of steps it passes through the same
-/// bits, and it goes on behind `run.duration`.
+/// A time history that is taken step by step, by the stages of `run`: in whole tens of steps it passes
+/// through the same bits, and it goes on behind `run.duration`.
 class Simulation {
  public:
-    /// Builds the model and brings it to its start. Errors: those of the model; that it was stopped on the way.
+    /// Builds the model and brings it to its start. Errors: those of the model; that it was stopped on the
+    /// way.
     static Result<Simulation> begin(std::shared_ptr<const Model> model, const Control& control = {});
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
@@ -153,8 +157,8 @@ struct ModelCheck {
     std::size_t idle_interfaces = 0;  ///< kept ready where vertices and edges may meet before the next search
 };
 
-/// Checks what needs geometry: blocks that overlap, water on faces that are not there, pairs that do not touch.
-/// Empty when the model can be built. \param found  if given, takes what was found on the way
+/// Checks what needs geometry: blocks that overlap, water on faces that are not there, pairs that do not
+/// touch. Empty when the model can be built. \param found  if given, takes what was found on the way
 std::vector<Error> checkModel(const Model& model, const Control& control = {}, ModelCheck* found = nullptr);
 
 /// Two blocks that share at least one interface at the start, and the joint between them.

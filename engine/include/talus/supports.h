@@ -26,7 +26,8 @@ struct SupportReport {
     bool operator==(const SupportReport&) const = default;
 };
 
-/// All of one kind, in the model's order. A result has one for each kind there is, empty when the model has none of it.
+/// All of one kind, in the model's order. A result has one for each kind there is, empty when the model has
+/// none of it.
 struct Supports {
     std::string kind;  ///< as results call the list of them: "bolts"
     std::vector<SupportReport> reports;

@@ -1,5 +1,6 @@
 #pragma once
-// Surfaces of triangles: what is wrong with one, the ones made from boxes, profiles and terrains, repair and simplification.
+// Surfaces of triangles: what is wrong with one, the ones made from boxes, profiles and terrains, repair and
+// simplification.
 
 #include <array>
 #include <cstdint>
@@ -11,17 +12,17 @@
 
 namespace talus {
 
-/// A surface of triangles, counter-clockwise seen from outside. Vertices are shared: two triangles meet in an edge when
-/// they use the same two indices.
+/// A surface of triangles, counter-clockwise seen from outside. Vertices are shared: two triangles meet in an
+/// edge when they use the same two indices.
 struct TriangleSurface {
     std::vector<Vec3> vertices;  ///< [m]
     std::vector<std::array<std::int32_t, 3>> triangles;
 };
 
-/// What keeps a surface from being the boundary of a region: empty, an index or a coordinate out of range, a triangle
-/// without area, an edge with one triangle (open) or more than two (non-manifold), neighbours that face opposite ways,
-/// a surface that crosses itself or faces inwards. Fields are "triangles[i]" (0-based) or "" for the whole; messages have the
-/// coordinates of the place. At most 20 faults are listed.
+/// What keeps a surface from being the boundary of a region: empty, an index or a coordinate out of range, a
+/// triangle without area, an edge with one triangle (open) or more than two (non-manifold), neighbours that
+/// face opposite ways, a surface that crosses itself or faces inwards. Fields are "triangles[i]" (0-based) or
+/// "" for the whole; messages have the coordinates of the place. At most 20 faults are listed.
 std::vector<Error> checkSurface(const TriangleSurface& surface);
 
 /// The volume a closed surface encloses; negative when it faces inwards [m^3].
@@ -34,7 +35,8 @@ double surfaceExtent(const TriangleSurface& surface);
 Result<TriangleSurface> boxSurface(const Vec3& min, const Vec3& max);
 
 /// A slope profile, a simple polygon of (x, z) in either sense of rotation, extruded from y_min to y_max [m].
-/// Errors: fewer than three points, sides that cross or touch ("[i]" is the side behind point i), y_min >= y_max.
+/// Errors: fewer than three points, sides that cross or touch ("[i]" is the side behind point i), y_min >=
+/// y_max.
 Result<TriangleSurface> extrudeProfile(const std::vector<Eigen::Vector2d>& profile, double y_min,
                                        double y_max);
 
@@ -44,9 +46,11 @@ struct ClosedTerrain {
     bool turned = false;      ///< all triangles looked down
 };
 
-/// Closes a terrain by vertical sides below its rim and a level base at z = `base` [m]. All triangles may look up or all down.
-/// Errors: those of checkSurface but for the rim; holes, separate pieces, pieces that hang together in a point, a rim that crosses
-/// itself in plan; a base that is not below the terrain ("base"); a terrain that is closed already.
+/// Closes a terrain by vertical sides below its rim and a level base at z = `base` [m]. All triangles may
+/// look up or all down.
+/// Errors: those of checkSurface but for the rim; holes, separate pieces, pieces that hang together in a
+/// point, a rim that crosses itself in plan; a base that is not below the terrain ("base"); a terrain that is
+/// closed already.
 Result<ClosedTerrain> closeTerrain(TriangleSurface terrain, double base);
 
 /// What repairSurface made, and did.
@@ -61,14 +65,15 @@ struct SurfaceRepair {
     bool changed() const { return merged + dropped + split > 0; }
 };
 
-/// Vertices no farther than `tolerance` from an earlier one become that one, triangles no wider than it are left out, and
-/// triangles with an open edge are divided at open corners of others that lie that near to it. Nothing else moves. A tolerance
-/// of 0 merges only what is equal. \pre finite vertices, indices in range
+/// Vertices no farther than `tolerance` from an earlier one become that one, triangles no wider than it are
+/// left out, and triangles with an open edge are divided at open corners of others that lie that near to it.
+/// Nothing else moves. A tolerance of 0 merges only what is equal. \pre finite vertices, indices in range
 SurfaceRepair repairSurface(const TriangleSurface& surface, double tolerance);
 
-/// A coarser surface: as many of its vertices as can be are taken out, and none moves. Every point of either surface is
-/// within `deviation` [m] of the other one (Hausdorff distance). The rim of an open surface keeps its outline in plan, and
-/// what is a graph over (x, y) stays one. \pre what checkSurface or closeTerrain take
+/// A coarser surface: as many of its vertices as can be are taken out, and none moves. Every point of either
+/// surface is within `deviation` [m] of the other one (Hausdorff distance). The rim of an open surface keeps
+/// its outline in plan, and what is a graph over (x, y) stays one. \pre what checkSurface or closeTerrain
+/// take
 TriangleSurface simplifySurface(const TriangleSurface& surface, double deviation);
 
 }  // namespace talus

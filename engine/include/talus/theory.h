@@ -9,9 +9,9 @@
 
 namespace talus::theory {
 
-/// A mass of length x and height h on a plane at phi, water of depth H behind it, cohesion C on the base: the tilt at
-/// which sliding is in limit equilibrium. With C = 0: tan(beta) = tan(phi) - rho_w H^2 / (2 rho x h), the paper's
-/// eq 17 without its stray g.
+/// A mass of length x and height h on a plane at phi, water of depth H behind it, cohesion C on the base: the
+/// tilt at which sliding is in limit equilibrium. With C = 0: tan(beta) = tan(phi) - rho_w H^2 / (2 rho x h),
+/// the paper's eq 17 without its stray g.
 struct SlidingMass {
     double length = 0, height = 0;             ///< x, h [m]
     double density = 0, water_density = 1000;  ///< [kg/m^3]
@@ -41,9 +41,9 @@ struct Prediction {
     const char* kind() const { return topples ? "overturning about the toe" : "sliding on a plane"; }
 };
 
-/// The lowest limit-equilibrium tilt of a model the formulas apply to, else nothing: one stack in "stack" bond with
-/// uniform density (columns in front of each watered fissure or of each joint slide on a bed level, or the toe column
-/// overturns), or one free box on a fixed plane. Nothing is returned rather than a guess.
+/// The lowest limit-equilibrium tilt of a model the formulas apply to, else nothing: one stack in "stack"
+/// bond with uniform density (columns in front of each watered fissure or of each joint slide on a bed level,
+/// or the toe column overturns), or one free box on a fixed plane. Nothing is returned rather than a guess.
 std::optional<Prediction> predict(const Model& model);
 
 /// Hoek and Bray's plane failure with a water-filled tension crack; lengths in m, unit weights in N/m^3.

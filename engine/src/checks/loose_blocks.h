@@ -1,5 +1,6 @@
 #pragma once
-// Blocks that fall whatever the strength: they are named and taken out, and an analysis goes on with the rest.
+// Blocks that fall whatever the strength: they are named and taken out, and an analysis goes on with the
+// rest.
 
 #include <cstddef>
 #include <string>
@@ -10,7 +11,8 @@
 
 namespace talus::checks {
 
-/// Of the free blocks' mass: when more than that would fall, it is the slope that fails and not a loose block.
+/// Of the free blocks' mass: when more than that would fall, it is the slope that fails and not a loose
+/// block.
 inline constexpr double kMostLoose = 0.2;
 
 /// One entry per block: whether it has one of these names.
@@ -35,10 +37,12 @@ double massOf(const State& state, const std::vector<std::size_t>& blocks);
 /// Whether free blocks are splinters, all of them together: a thousandth of the free blocks' mass at most.
 bool areSplinters(const State& state, const std::vector<std::size_t>& blocks);
 
-/// Whether a bolt ties any of these blocks: taken out it would hold on to where they were. \param blocks  sorted
+/// Whether a bolt ties any of these blocks: taken out it would hold on to where they were. \param blocks
+/// sorted
 bool areTied(const State& state, const std::vector<std::size_t>& blocks);
 
-/// Free blocks that have gone a fiftieth or more of the farthest one's way between two states: what counts as moving (motion_roles.h).
+/// Free blocks that have gone a fiftieth or more of the farthest one's way between two states: what counts as
+/// moving (motion_roles.h).
 std::vector<std::size_t> movingBlocks(const PositionArray& position, const QuaternionArray& orientation,
                                       const State& to);
 inline std::vector<std::size_t> movingBlocks(const State& from, const State& to) {

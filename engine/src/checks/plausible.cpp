@@ -20,12 +20,12 @@ namespace {
 
 // A block that has gone this share of its size has failed (quasi_static.h).
 constexpr double kMostSink = 0.1;
-// Water higher above a model or deeper below it than this many of its extents has nothing to do with it. (Ten: a wedge in
-// an abutment may stand under a reservoir some times its own height.)
+// Water higher above a model or deeper below it than this many of its extents has nothing to do with it.
+// (Ten: a wedge in an abutment may stand under a reservoir some times its own height.)
 constexpr double kMostExtents = 10.0;
-// Rounding up to the tolerance itself is what every answer bears; a few times that widens its bracket, and a warning says so.
-// Beyond, verdicts follow it: a slab of 150 m from the origin was right to four digits at 2.7 times the tolerance, and stood
-// above its ceiling, undecided, at 27.
+// Rounding up to the tolerance itself is what every answer bears; a few times that widens its bracket, and a
+// warning says so. Beyond, verdicts follow it: a slab of 150 m from the origin was right to four digits at
+// 2.7 times the tolerance, and stood above its ceiling, undecided, at 27.
 constexpr double kMostRounding = 5.0;
 constexpr double kSlowed = 10.0;  // times the median block's frequency: worth a word
 
@@ -48,8 +48,8 @@ std::vector<std::int32_t> stiffestJoints(const State& state, double Joint::*stif
     return stiffest;
 }
 
-/// A block of height h sinks by rho g h / k_n, and on a slope goes by as much times k_n / k_s before it slides: a share of itself
-/// that does not depend on its size.
+/// A block of height h sinks by rho g h / k_n, and on a slope goes by as much times k_n / k_s before it
+/// slides: a share of itself that does not depend on its size.
 void addSoftJoints(const State& state, double Joint::*stiffness, std::string_view key, const char* does,
                    std::vector<Error>& errors) {
     const Model& model = state.geometry->model;
@@ -84,8 +84,9 @@ double largestFactor(const AppliedLoad& load) {
     return most;
 }
 
-/// A joint that opens by more per slip than friction takes per load gains work as it slides: it pushes itself downhill.
-/// (J. Vermeer and R. de Borst, Heron 29(3), 1984: the angle of dilation is well below that of friction.)
+/// A joint that opens by more per slip than friction takes per load gains work as it slides: it pushes itself
+/// downhill. (J. Vermeer and R. de Borst, Heron 29(3), 1984: the angle of dilation is well below that of
+/// friction.)
 std::vector<Error> dilatesTooMuch(const Model& model) {
     std::vector<Error> errors;
     for (const Joint& joint : model.joints) {
@@ -192,7 +193,8 @@ std::vector<Error> waterFarAway(const State& state) {
     return errors;
 }
 
-/// What rounding of lengths as large as `reach` leaves of a block's out-of-balance force, over its weight. \pre gravity
+/// What rounding of lengths as large as `reach` leaves of a block's out-of-balance force, over its weight.
+/// \pre gravity
 double roundingOver(const State& state, double reach, double bound) {
     return std::numeric_limits<double>::epsilon() * reach * bound / state.geometry->model.gravity.magnitude;
 }
@@ -227,7 +229,8 @@ std::optional<Error> roundingDecides(const State& state, double load_tolerance,
                      "min_thickness leaves such pieces with their neighbours)"};
 }
 
-/// The block whose stiffness for its mass makes a history's steps many times shorter than the median block would.
+/// The block whose stiffness for its mass makes a history's steps many times shorter than the median block
+/// would.
 std::optional<std::string> slowedByOne(const State& state, bool parallel) {
     const std::vector<double> bounds = frequencyBounds(state, parallel);
     const double median = medianBound(bounds);

@@ -10,16 +10,18 @@
 
 namespace talus::checks {
 
-/// Waters, and a water table, that press on no free block, by the key they were given with. Those given as nothing (a depth or
-/// heads of 0) are meant to be dry. \pre the state is as `buildState` gives it
+/// Waters, and a water table, that press on no free block, by the key they were given with. Those given as
+/// nothing (a depth or heads of 0) are meant to be dry. \pre the state is as `buildState` gives it
 std::vector<Error> dryWaters(const State& state);
 
-/// A horizontal table in a steep slope presses in full where its joints daylight, and pushes blocks off at any strength.
+/// A horizontal table in a steep slope presses in full where its joints daylight, and pushes blocks off at
+/// any strength.
 /// \param built    the model as it was built, before it is loaded
 /// \param falling  blocks that fall whatever the strength
 std::optional<std::string> pushedByWater(const State& built, const std::vector<std::size_t>& falling);
 
-/// Water that never runs out of joints that open goes on pushing, and shoots blocks off. \param state  at the end of a run
+/// Water that never runs out of joints that open goes on pushing, and shoots blocks off. \param state  at the
+/// end of a run
 std::optional<std::string> pushedAway(const State& state);
 
 }  // namespace talus::checks

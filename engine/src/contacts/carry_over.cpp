@@ -22,7 +22,8 @@ Key keyOf(const Interfaces& f, std::size_t i) {
     return {f.block_a[i], f.block_b[i], f.face_a[i], f.face_b[i]};
 }
 
-/// Where the new origin lies in the old interface's plane: both origins and tangents belong to the same face of a.
+/// Where the new origin lies in the old interface's plane: both origins and tangents belong to the same face
+/// of a.
 Eigen::Vector2d originShift(const InterfaceFrame& old, const InterfaceFrame& now) {
     const Vec3 d = now.origin_a - old.origin_a;
     return {d.dot(old.e1_a), d.dot(old.e2_a)};
@@ -41,8 +42,8 @@ Eigen::Vector2d shearForce(const std::vector<ContactPoint>& points) {
     return sum;
 }
 
-// A contact point that slips goes on doing so with what its new area carries: a little more than its strength, which
-// the law cuts.
+// A contact point that slips goes on doing so with what its new area carries: a little more than its
+// strength, which the law cuts.
 constexpr double kStillSlipping = 1.1;
 
 bool isSlipping(const contact::JointLaw& law, const ContactPoint& point) {
@@ -113,8 +114,8 @@ std::vector<double> deepestContacts(const State& state, const std::vector<char>&
     return deepest;
 }
 
-/// An interface that has opened closes again where its faces are; one that is deeper than its blocks' contacts were
-/// counts from there.
+/// An interface that has opened closes again where its faces are; one that is deeper than its blocks'
+/// contacts were counts from there.
 void setBackGap(const OldInterfaces& old, State& state, std::size_t i) {
     Interfaces& f = state.interfaces;
     const RelativePose pose = relativePose(state, i);
@@ -154,7 +155,8 @@ void keepMemory(const OldInterfaces& old, std::size_t o, State& state, std::size
     }
 }
 
-/// Shear force of other contacts of the same blocks goes to the nearest closed contact points of a new pair of faces.
+/// Shear force of other contacts of the same blocks goes to the nearest closed contact points of a new pair
+/// of faces.
 void takeShear(const std::vector<CarriedPoint>& carried, State& state, std::size_t i) {
     const Interfaces& f = state.interfaces;
     const RelativePose pose = relativePose(state, i);

@@ -15,7 +15,8 @@ using BlockPair = std::pair<std::int32_t, std::int32_t>;
 constexpr double kRounding = 1e-14;  // of an energy
 constexpr int kHalvings = 60;
 
-/// Of its springs [J]. An interface with a bond left is none of this: it may be drawn, and moves too little to change.
+/// Of its springs [J]. An interface with a bond left is none of this: it may be drawn, and moves too little
+/// to change.
 double energyOf(const Contacts& contacts, std::size_t i) {
     const Interfaces& f = contacts.interfaces;
     if (isIdle(f, i)) return 0.0;
@@ -51,8 +52,8 @@ double energyOf(const State& state, const PairContacts& pair) {
     return sum;
 }
 
-/// Changes something about a pair's contacts, put(share), as far as they then hold no more than `energy`. What they hold
-/// grows with the share, and at 0 is within that.
+/// Changes something about a pair's contacts, put(share), as far as they then hold no more than `energy`.
+/// What they hold grows with the share, and at 0 is within that.
 template <class Put>
 void putWithin(const State& state, PairContacts& pair, double energy, const Put& put) {
     put(1.0);

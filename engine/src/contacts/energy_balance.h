@@ -19,10 +19,11 @@ struct PairEnergy {
 /// All pairs that hold any, sorted.
 std::vector<PairEnergy> energyOfPairs(const Contacts& contacts);
 
-/// A search changes areas, contact normals and which faces and vertices carry while they are pressed together. A pair that
-/// would hold more than before takes the difference from what other contacts of its two blocks no longer hold (a block that
-/// slides off one neighbour and onto another), and counts its gap from less deep by as much as is still lacking. One that would
-/// hold less gets back from that what an earlier search took off, as far as the energy reaches.
+/// A search changes areas, contact normals and which faces and vertices carry while they are pressed
+/// together. A pair that would hold more than before takes the difference from what other contacts of its two
+/// blocks no longer hold (a block that slides off one neighbour and onto another), and counts its gap from
+/// less deep by as much as is still lacking. One that would hold less gets back from that what an earlier
+/// search took off, as far as the energy reaches.
 /// \param before of the same poses
 /// Reads:  poses, laws, interfaces and points
 /// Writes: reference gaps; the offsets of pairs whose shear springs alone would hold more

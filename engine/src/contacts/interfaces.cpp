@@ -43,9 +43,9 @@ std::vector<Error> overlapErrors(const State& state, const std::vector<PairFindi
     return errors;
 }
 
-/// a's tangents carried into b's plane along the normal: so a point of the patch is that of b's face above it, and a clipping
-/// leaves every gap as it was, however far from parallel the faces are. Turned into it they would stay as long as one, which of
-/// faces this close to parallel is the same but for rounding.
+/// a's tangents carried into b's plane along the normal: so a point of the patch is that of b's face above
+/// it, and a clipping leaves every gap as it was, however far from parallel the faces are. Turned into it
+/// they would stay as long as one, which of faces this close to parallel is the same but for rounding.
 std::pair<Vec3, Vec3> tangentsOfB(const Vec3& e1, const Vec3& e2, const Vec3& e3, const Vec3& normal_b) {
     constexpr double kParallel = 1e-5;  // [rad]
     if ((normal_b + e3).norm() <= kParallel) {
@@ -154,8 +154,9 @@ void appendKept(State& state, OldInterfaces& old, std::size_t o) {
     old.kept_as[o] = static_cast<std::int64_t>(n);
 }
 
-/// Interfaces on their way into a state. They are stored in the order in which they are added, but those with as many corners side by
-/// side within windows short enough that neighbours in space stay neighbours in memory.
+/// Interfaces on their way into a state. They are stored in the order in which they are added, but those with
+/// as many corners side by side within windows short enough that neighbours in space stay neighbours in
+/// memory.
 class InterfaceWindow {
  public:
     InterfaceWindow(State& state, OldInterfaces& old) : state_(state), old_(old) {}

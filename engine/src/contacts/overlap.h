@@ -5,8 +5,8 @@
 
 namespace talus {
 
-/// Greatest overlap of two blocks of which one can move, along the axis that parts them soonest, in shares of the smaller one's
-/// least extent. Reads poses and shapes.
+/// Greatest overlap of two blocks of which one can move, along the axis that parts them soonest, in shares of
+/// the smaller one's least extent. Reads poses and shapes.
 double greatestOverlap(const State& state);
 
 }  // namespace talus

@@ -20,7 +20,8 @@ namespace {
 constexpr double kBears = 0.01;         // of the forces on a block: strips of neighbours have a thousandth
 constexpr double kMostFaceAngle = 0.8;  // [rad] however deep: then a box always has one such face
 
-/// The reference face is the fixed block's, else the larger block's, else that of the block with the lower index.
+/// The reference face is the fixed block's, else the larger block's, else that of the block with the lower
+/// index.
 bool firstIsReference(const State& state, std::size_t first, std::size_t second) {
     const bool first_free = state.blocks.motion[first] == Motion::free;
     const bool second_free = state.blocks.motion[second] == Motion::free;
@@ -29,8 +30,8 @@ bool firstIsReference(const State& state, std::size_t first, std::size_t second)
     return radius_1 >= radius_2 * (1.0 - 1e-9);
 }
 
-/// Faces may look at each other through the bodies: the far side of a block and the near side of its neighbour, or
-/// faces that are not parallel. A pair whose overlap is not the blocks' own is none.
+/// Faces may look at each other through the bodies: the far side of a block and the near side of its
+/// neighbour, or faces that are not parallel. A pair whose overlap is not the blocks' own is none.
 void dropFalsePairs(const WorldShape& a, const WorldShape& b, double closed, PairFinding& finding) {
     const auto overlaps = [&](const FacePair& face) { return face.least_gap < -closed; };
     if (std::none_of(finding.faces.begin(), finding.faces.end(), overlaps)) return;
@@ -63,8 +64,8 @@ void dropCovered(const WorldShape& a, const WorldShape& b, PairFinding& finding)
     });
 }
 
-/// Puts faces with a deep contact back among those found, and takes out those that would push against it: the far
-/// sides of a thin body.
+/// Puts faces with a deep contact back among those found, and takes out those that would push against it: the
+/// far sides of a thin body.
 void keepDeep(const State& state, const KnownPairs& known, BoxPair parts, const WorldShape& a,
               const WorldShape& b, PairFinding& finding) {
     const auto before = [](const DeepFaces& deep, BoxPair pair) { return deep.parts < pair; };
@@ -91,8 +92,8 @@ void keepDeep(const State& state, const KnownPairs& known, BoxPair parts, const 
     });
 }
 
-/// Leaves out patches that are too small for the depth they are pressed to, or to matter. \return whether one may get there before
-/// the next search, or is left out: then the pair needs places
+/// Leaves out patches that are too small for the depth they are pressed to, or to matter. \return whether one
+/// may get there before the next search, or is left out: then the pair needs places
 bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, double least_share,
                  PairFinding& finding, bool initial) {
     const double least = vertexEdgeArea(*state.geometry, a, b);

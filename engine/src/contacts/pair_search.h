@@ -1,6 +1,6 @@
 #pragma once
-// The half of a search that looks: which pairs of blocks, part by part, are near, and what they may touch each other with. The other
-// half (interfaces.cpp) makes interfaces of it.
+// The half of a search that looks: which pairs of blocks, part by part, are near, and what they may touch
+// each other with. The other half (interfaces.cpp) makes interfaces of it.
 
 #include <cstdint>
 #include <functional>
@@ -42,13 +42,14 @@ std::vector<char> blocksNear(const State& state, const std::vector<char>& around
 /// Pairs of the range with places for vertices and edges.
 PartPairs pairsWithPlaces(const Geometry& geometry, const Interfaces& interfaces, const SearchRange& range);
 
-/// Pairs of the range that lie on each other by a sliver and are bonded there, or carry there some of what one of their blocks does
-/// (kBears). \pre forces of the interfaces are those of the last step or solve
+/// Pairs of the range that lie on each other by a sliver and are bonded there, or carry there some of what
+/// one of their blocks does (kBears). \pre forces of the interfaces are those of the last step or solve
 PartPairs pairsThatBear(const State& state, const SearchRange& range);
 
 /// \pre range.margin > 0
-/// Examines all pairs of parts of different blocks nearer than `range.margin` and hands what it finds to `take`, pair by pair in order. In
-/// pieces: of a million blocks' thirteen million pairs all findings at once would take more memory than the state.
+/// Examines all pairs of parts of different blocks nearer than `range.margin` and hands what it finds to
+/// `take`, pair by pair in order. In pieces: of a million blocks' thirteen million pairs all findings at once
+/// would take more memory than the state.
 /// \param initial    whether the blocks stand as the model has them: then overlaps are looked for
 /// \param control    told the share that is done; \return false when it asked to stop: then pairs are missing
 /// \param work       what was looked at is added to it; null: nobody wants to know

@@ -1,6 +1,6 @@
 #pragma once
-// Axes along which two convex parts may be told apart: the normals of their faces and the cross products of their edges
-// (separating-axis theorem; Gottschalk, Lin and Manocha 1996).
+// Axes along which two convex parts may be told apart: the normals of their faces and the cross products of
+// their edges (separating-axis theorem; Gottschalk, Lin and Manocha 1996).
 
 #include <cstdint>
 #include <limits>
@@ -65,8 +65,9 @@ class AlongArcs {
     std::vector<double> along_;
 };
 
-/// Pairs of edges that are the two blocks' outermost along their cross product: the arc between the normals of one edge's
-/// faces and that between the opposites of the other's cross on the unit sphere (the Gauss map; Gregorius 2013).
+/// Pairs of edges that are the two blocks' outermost along their cross product: the arc between the normals
+/// of one edge's faces and that between the opposites of the other's cross on the unit sphere (the Gauss map;
+/// Gregorius 2013).
 class GaussMap {
  public:
     explicit GaussMap(const Pair& pair)

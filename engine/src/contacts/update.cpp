@@ -58,7 +58,8 @@ double slideLimit(const State& state, std::size_t i) {
     return kSlideLimit * std::max(std::sqrt(f.area[i]), size);
 }
 
-/// Whether a patch has slid too far over its partner, if blocks may have gone as far as `motion` [m] since it was clipped.
+/// Whether a patch has slid too far over its partner, if blocks may have gone as far as `motion` [m] since it
+/// was clipped.
 bool hasSlid(const State& state, std::size_t i, double motion) {
     const double limit = slideLimit(state, i);
     if (2.0 * motion < limit) return false;
@@ -107,7 +108,8 @@ std::vector<char> farMovers(const State& state) {
                     way.motion > kShareOfMargin * state.search_margin;
         farthest = std::max(farthest, way.motion);
     }
-    // A patch is as old as the later search around one of its blocks: the other may have gone to and fro since its own.
+    // A patch is as old as the later search around one of its blocks: the other may have gone to and fro
+    // since its own.
     constexpr double kToAndFro = 2.0;
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
@@ -119,8 +121,9 @@ std::vector<char> farMovers(const State& state) {
     return marked;
 }
 
-/// Forces of the contacts as they are now, for the next half kick: of their springs. A contact point that has just been placed
-/// has not slid yet, so it would stick, and its dashpot would be felt to stop the whole slide at once.
+/// Forces of the contacts as they are now, for the next half kick: of their springs. A contact point that has
+/// just been placed has not slid yet, so it would stick, and its dashpot would be felt to stop the whole
+/// slide at once.
 void updateSpringForces(State& state, bool parallel) {
     const double damping = std::exchange(state.damping.contact, 0.0);
     const bool restitution = std::exchange(state.damping.restitution, false);
@@ -170,7 +173,8 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
     }
     if (!changes.search) {
         const bool recovered = recoverGaps(state);
-        // The next half kick is that of the springs as they are now; the old one would do work that none of them holds.
+        // The next half kick is that of the springs as they are now; the old one would do work that none of
+        // them holds.
         if (state.springs == Springs::keep_energy && (changes.places || recovered))
             updateSpringForces(state, parallel);
         assert(isSound(state));

@@ -1,7 +1,7 @@
 #pragma once
-// Where blocks meet by vertices and edges (contacts/vertex_edge_points.h). A pair of convex parts that may meet so before
-// the next search has a group of interfaces of one corner and one contact point each, its places; those that touch
-// nothing are idle: so far open that they carry nothing. The kernel passes over
+// Where blocks meet by vertices and edges (contacts/vertex_edge_points.h). A pair of convex parts that may
+// meet so before the next search has a group of interfaces of one corner and one contact point each, its
+// places; those that touch nothing are idle: so far open that they carry nothing. The kernel passes over
 // groups in which all are.
 
 #include <map>
@@ -39,17 +39,20 @@ struct PlaceChanges {
     bool search = false;
 };
 
-/// Looks at every pair with places again. A contact at the same vertex and face stays as it is, to the bit; others take
-/// over the shear force of what was there before, and no more energy than it had: a contact found late is not pressed
-/// into its new place, but counts its gap from where it is until it opens.
+/// Looks at every pair with places again. A contact at the same vertex and face stays as it is, to the bit;
+/// others take over the shear force of what was there before, and no more energy than it had: a contact found
+/// late is not pressed into its new place, but counts its gap from where it is until it opens.
 /// \param ahead   time until the next look, not negative [s]
-/// \param gone    how far each block has gone since the last look [m]; empty: as far as its velocity takes it in `ahead`
-/// \param may_wait  asks for no search: faces without an interface are carried by their vertices, patches stay as they are, and
+/// \param gone    how far each block has gone since the last look [m]; empty: as far as its velocity takes it
+/// in `ahead`
+/// \param may_wait  asks for no search: faces without an interface are carried by their vertices, patches
+/// stay as they are, and
 ///                  the pair is looked at again when it has gone as far once more
 /// \pre incidence is that of the interfaces
 /// Reads:  poses, velocities, shapes
 /// Writes: places, their contact points, incidence
-/// \param wanting  blocks, not fixed, of pairs that ask for a search are marked in it; null: nobody wants to know
+/// \param wanting  blocks, not fixed, of pairs that ask for a search are marked in it; null: nobody wants to
+/// know
 PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel,
                                const std::vector<double>& gone = {}, bool may_wait = false,
                                std::vector<char>* wanting = nullptr);

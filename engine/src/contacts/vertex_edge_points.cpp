@@ -107,13 +107,15 @@ double distanceSeenAlong(const Vec3& axis, const Vec3& x, const Vec3& from, cons
     return (way - share * line).norm();
 }
 
-/// How far the cross product of two edges may turn: by their turn over the sine of the angle between them [rad].
+/// How far the cross product of two edges may turn: by their turn over the sine of the angle between them
+/// [rad].
 double tiltOf(const Edge& first, const Edge& second, const Ahead& ahead) {
     return std::min(1.0, ahead.turn / first.direction.cross(second.direction).norm());
 }
 
-/// Whether two edges that do not cross between their ends may come to. Seen along the axis, what will lie on it is apart by what
-/// the two travel and by how far the axis leaves its direction along the way between the edges.
+/// Whether two edges that do not cross between their ends may come to. Seen along the axis, what will lie on
+/// it is apart by what the two travel and by how far the axis leaves its direction along the way between the
+/// edges.
 bool mayCross(const Pair& pair, const SeparatingAxis& axis, const Ahead& ahead) {
     const Edge& e = pair.first_edges[static_cast<std::size_t>(axis.face)];
     const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
@@ -135,8 +137,9 @@ bool isSharp(const WorldShape& shape, const Edge& edge, const Vec3& out, double 
            shape.body->isOutermostAlong(vertexOf(shape, edge.from), vertexOf(shape, edge.to), out, turn);
 }
 
-/// Whether the bodies, and not only these parts of them, can touch along an axis: parts meet their neighbours of the same
-/// body in faces, edges and vertices that nothing else can touch. The other's lowest vertex becomes one that can be touched.
+/// Whether the bodies, and not only these parts of them, can touch along an axis: parts meet their neighbours
+/// of the same body in faces, edges and vertices that nothing else can touch. The other's lowest vertex
+/// becomes one that can be touched.
 /// \param tie of its vertices, those this much higher than the lowest count, too [m]
 /// \param ahead edges that do not cross yet may come to
 bool isReal(const Pair& pair, SeparatingAxis& axis, double tie, const Ahead& ahead) {
@@ -177,8 +180,8 @@ struct Meeting {
     bool met = true;      // along a real axis, or apart
 };
 
-/// A part may be told from another body's along an axis on which the bodies do not meet, and then not be met at all: the real
-/// axis is no more than this deeper, times the tie.
+/// A part may be told from another body's along an axis on which the bodies do not meet, and then not be met
+/// at all: the real axis is no more than this deeper, times the tie.
 constexpr double kDeeperThanParts = 200.0;
 
 Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {

@@ -1,5 +1,6 @@
 #pragma once
-// Where two convex blocks meet otherwise than face to face: a vertex or an edge on a face, or two edges that cross.
+// Where two convex blocks meet otherwise than face to face: a vertex or an edge on a face, or two edges that
+// cross.
 
 #include <array>
 #include <cstdint>
@@ -9,7 +10,8 @@
 
 namespace talus {
 
-/// One such place. The reference plane goes with one of the two blocks; its normal e1 x e2 points to the other.
+/// One such place. The reference plane goes with one of the two blocks; its normal e1 x e2 points to the
+/// other.
 struct VertexEdgePoint {
     bool second_is_reference = false;
     Vec3 on_reference = Vec3::Zero();  ///< in the reference plane [m]
@@ -38,18 +40,19 @@ struct VertexEdgePoints {
 };
 
 struct VertexEdgeLimits {
-    /// Faces up to this far from parallel, and this much more per overlap, meet face to face, which is not looked for
-    /// here [rad, rad/m].
+    /// Faces up to this far from parallel, and this much more per overlap, meet face to face, which is not
+    /// looked for here [rad, rad/m].
     double face_angle = 0, angle_per_depth = 0;
     double tie = 0;    ///< a meeting of faces is preferred unless it is deeper by more than this [m]
     double reach = 0;  ///< points farther open than this are left out [m]
 };
 
-/// The contact normal is the axis along which the two are farthest apart or least deep in each other: a face's normal
-/// or the cross product of two edges (separating-axis theorem; Gottschalk, Lin and Manocha 1996). Where that axis is
-/// a face's normal and the other block lies on it with a face, no point is found: that is for contacts/face_pairs.h.
-/// Of parts of bodies only axes count along which the bodies touch (PartOfBody), and only what is a vertex or edge of the body.
-/// On a face up to four of the other block's vertices, and of the places where its edges cross the face's outline.
+/// The contact normal is the axis along which the two are farthest apart or least deep in each other: a
+/// face's normal or the cross product of two edges (separating-axis theorem; Gottschalk, Lin and Manocha
+/// 1996). Where that axis is a face's normal and the other block lies on it with a face, no point is found:
+/// that is for contacts/face_pairs.h. Of parts of bodies only axes count along which the bodies touch
+/// (PartOfBody), and only what is a vertex or edge of the body. On a face up to four of the other block's
+/// vertices, and of the places where its edges cross the face's outline.
 VertexEdgePoints findVertexEdgePoints(const WorldShape& first, const WorldShape& second,
                                       const VertexEdgeLimits& limits);
 

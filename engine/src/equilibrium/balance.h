@@ -1,8 +1,9 @@
 #pragma once
-// The forces on the free blocks of a state and their derivative by the blocks' poses, as a system of equations.
+// The forces on the free blocks of a state and their derivative by the blocks' poses, as a system of
+// equations.
 //
-// Unknowns are six a free block: displacement, and rotation times the block's radius; equations are force, and torque
-// over that radius. So all have one unit each, and a torque counts as in outOfBalanceRatio.
+// Unknowns are six a free block: displacement, and rotation times the block's radius; equations are force,
+// and torque over that radius. So all have one unit each, and a torque counts as in outOfBalanceRatio.
 
 #include <cstdint>
 #include <vector>
@@ -14,7 +15,8 @@
 
 namespace talus::equilibrium {
 
-/// Where the blocks are while a step is sought; the state keeps poses and plastic slides of the last committed step.
+/// Where the blocks are while a step is sought; the state keeps poses and plastic slides of the last
+/// committed step.
 struct Poses {
     PositionArray position;
     QuaternionArray orientation;
@@ -66,8 +68,8 @@ void setPoses(const Poses& poses, State& state);
 /// Moves blocks by share times the unknowns.
 void move(const Balance& balance, const Vec6s& by, double share, Poses& poses);
 
-/// Sum of weight, water and contacts on each row's block; with `stiffness`, minus its derivative into balance.matrix. What
-/// contact points remember is that of the state.
+/// Sum of weight, water and contacts on each row's block; with `stiffness`, minus its derivative into
+/// balance.matrix. What contact points remember is that of the state.
 /// \param contacts  whether those of contacts count: not where only differences between loads matter
 void sumForces(const State& state, Balance& balance, const Poses& poses, bool stiffness, Vec6s& force,
                bool contacts = true);

@@ -80,7 +80,8 @@ void BlockLu::order(const BlockMatrix& structure) {
     for (int k = 0; k < n; ++k) place_[static_cast<std::size_t>(permutation.indices()[k])] = k;
 }
 
-/// A column's structure is its own entries and what its children in the tree of elimination bring (George and Liu 1981).
+/// A column's structure is its own entries and what its children in the tree of elimination bring (George and
+/// Liu 1981).
 /// \return false when asked to stop, or too large
 bool BlockLu::findStructure(const BlockMatrix& structure, double most_products) {
     const std::size_t n = place_.size();

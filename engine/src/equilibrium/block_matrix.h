@@ -20,8 +20,8 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6s = std::vector<Mat6>;
 using Vec6s = std::vector<Vec6>;
 
-/// Structurally symmetric: an entry for each pair of free blocks that share an interface, both ways round, and the
-/// diagonal. Values are unsymmetric.
+/// Structurally symmetric: an entry for each pair of free blocks that share an interface, both ways round,
+/// and the diagonal. Values are unsymmetric.
 struct BlockMatrix {
     std::vector<std::pair<std::int32_t, std::int32_t>> edges{};  ///< (i, j), i < j, sorted
     Mat6s diagonal{};
@@ -37,9 +37,9 @@ struct BlockMatrix {
     void multiply(const Vec6s& x, Vec6s& y) const;
 };
 
-/// LU factors with pivoting within the 6 x 6 diagonal blocks only: the drag on the diagonal and the stiffness of each
-/// block against its neighbours keep these blocks well conditioned. The order of elimination (approximate minimum degree on
-/// the graph of blocks) and the structure are found once for each structure.
+/// LU factors with pivoting within the 6 x 6 diagonal blocks only: the drag on the diagonal and the stiffness
+/// of each block against its neighbours keep these blocks well conditioned. The order of elimination
+/// (approximate minimum degree on the graph of blocks) and the structure are found once for each structure.
 class BlockLu {
  public:
     /// \param instructions  of the products; the same bits with each

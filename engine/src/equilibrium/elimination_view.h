@@ -6,8 +6,8 @@
 
 namespace talus::equilibrium {
 
-/// An eliminated column, from where it reaches later rows and columns. Blocks are 6 x 6, 36 numbers column by column, one
-/// after the other.
+/// An eliminated column, from where it reaches later rows and columns. Blocks are 6 x 6, 36 numbers column by
+/// column, one after the other.
 struct EliminatedColumn {
     const double *lower, *upper;  ///< the blocks below it, and those beside it
 };
@@ -18,8 +18,8 @@ struct EliminationTarget {
     double *lower, *upper;  ///< its blocks, as if there were one for each place
 };
 
-/// What a panel (columns of the same structure, side by side) takes from the columns of a later panel. The first blocks after it
-/// are those that reach these columns.
+/// What a panel (columns of the same structure, side by side) takes from the columns of a later panel. The
+/// first blocks after it are those that reach these columns.
 struct EliminationView {
     const EliminatedColumn* columns;
     std::size_t column_count;

@@ -17,8 +17,8 @@
 namespace talus::equilibrium {
 namespace {
 
-// Vertices and edges are looked at after a quarter of the motion between two looks of a time history, so that a
-// contact is found before blocks have come as far as a failure is counted from.
+// Vertices and edges are looked at after a quarter of the motion between two looks of a time history, so that
+// a contact is found before blocks have come as far as a failure is counted from.
 constexpr double kFiner = 4.0;
 constexpr int kShorterStarts = 2;
 constexpr double kFirstSlide = 1e-3;  // of rules.step_displacement: where a release begins
@@ -27,8 +27,8 @@ constexpr int kShorterSlides = 8;
 constexpr double kLeastGrowth = 1.02;  // of a release: it does not get any farther
 constexpr double kLessGrowth = 0.3;    // of what is beyond 1, after a failure
 
-// Joints that hold: cohesion and tensile strength over the stress under the weights, to begin with; less in each solve;
-// and what is none any more.
+// Joints that hold: cohesion and tensile strength over the stress under the weights, to begin with; less in
+// each solve; and what is none any more.
 constexpr double kHeldStress = 1e3, kFewerHeld = 0.1, kFewestHeld = 0.9, kHardlyHeld = 1e-7;
 
 void hold(contact::JointLaw& law, double strength) {
@@ -82,8 +82,8 @@ void EquilibriumPath::takeContacts() { equations_.take(); }
 
 PathStep EquilibriumPath::along(const Arc& arc) {
     PathStep step = tryAlong(arc);
-    // A shorter step from the same place, made longer again: there contact points that slip have left the corner of
-    // the law behind, and which they are is known.
+    // A shorter step from the same place, made longer again: there contact points that slip have left the
+    // corner of the law behind, and which they are is known.
     Arc shorter = arc;
     for (int k = 0; k < kShorterStarts && !step && !stopped(); ++k) {
         shorter.displacement *= rules_.shorter_start;
@@ -185,7 +185,8 @@ PathStep EquilibriumPath::against(double most) {
         next.displacement *= growth;
         PathStep guess = scaled(best, growth);
         guess.value = best.value / growth;
-        if (before) {  // on along the line of the last two: what is elastic has been reached, the slide goes on
+        // on along the line of the last two: what is elastic has been reached, the slide goes on
+        if (before) {
             const double on =
                 (next.displacement - arc.displacement) / (arc.displacement - before_displacement);
             guess = best;

@@ -11,7 +11,8 @@
 
 namespace talus::equilibrium {
 
-/// The end of a path so far. Steps are tried, then committed: only then do plastic slides, bonds and contacts follow.
+/// The end of a path so far. Steps are tried, then committed: only then do plastic slides, bonds and contacts
+/// follow.
 class EquilibriumPath {
  public:
     /// \param state  as built, or in equilibrium: gaps exact
@@ -41,7 +42,8 @@ class EquilibriumPath {
     PathStep toRest();
     /// The same where nothing acted before: joints first hold together, then less and less.
     PathStep fromHeldJoints();
-    /// The end moves on against a drag that becomes as small as it can, by `most` [block sizes] between neighbours.
+    /// The end moves on against a drag that becomes as small as it can, by `most` [block sizes] between
+    /// neighbours.
     PathStep against(double most);
 
     /// \return whether contacts were searched for

@@ -10,13 +10,15 @@
 
 namespace talus::equilibrium {
 
-/// LU factors row by row in the matrix's own order, without the blocks that are small beside the diagonal of their row, ILUT (Saad 1994)
-/// of 6 x 6 blocks. Which these are the values say, so a joint that slips or is hardly pressed has few, and one that is stiff has
-/// those that its elimination fills, however far off (engine/README.md compares it with factors of a fixed structure).
+/// LU factors row by row in the matrix's own order, without the blocks that are small beside the diagonal of
+/// their row, ILUT (Saad 1994) of 6 x 6 blocks. Which these are the values say, so a joint that slips or is
+/// hardly pressed has few, and one that is stiff has those that its elimination fills, however far off
+/// (bench/studies/linear-systems.md compares it with factors of a fixed structure).
 class IncompleteLu {
  public:
     /// \param instructions  of the products; the same bits with each
-    /// \param drop  blocks are left out whose norm is below that share of their row's diagonal, moments over the reach of the blocks;
+    /// \param drop  blocks are left out whose norm is below that share of their row's diagonal, moments over
+    /// the reach of the blocks;
     ///              0: none that elimination fills, and the factors are complete
     IncompleteLu(const BlockMatrix& structure, simd::InstructionSet instructions, double drop);
 
@@ -49,7 +51,8 @@ class IncompleteLu {
     std::vector<std::size_t> upper_begin_{}, lower_begin_{};
     std::vector<std::int32_t> upper_column_{}, lower_column_{};
     Mat6s diagonal_inverse_{}, upper_{}, lower_{};
-    // What blocks are compared by, of each row: its stiffness [N/m], and one over the reach of its moments [1/m].
+    // What blocks are compared by, of each row: its stiffness [N/m], and one over the reach of its moments
+    // [1/m].
     std::vector<double> stiffness_{}, inverse_reach_{};
     // The row that is being eliminated: its blocks in slots, the diagonal in the first.
     Mat6s row_{};

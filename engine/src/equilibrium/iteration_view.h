@@ -1,6 +1,6 @@
 #pragma once
-// What iterations of a linear system consist of: products with its matrix and with incomplete factors of it; one source, a build per
-// instruction set.
+// What iterations of a linear system consist of: products with its matrix and with incomplete factors of it;
+// one source, a build per instruction set.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +14,9 @@ struct UpperRows {
     const std::int32_t* column;
 };
 
-/// Incomplete factors. Rows and columns are free blocks. Blocks are 6 x 6, 36 numbers column by column, one after the other: those above
-/// the diagonal row by row, those below it row by row, and the inverse of those on it.
+/// Incomplete factors. Rows and columns are free blocks. Blocks are 6 x 6, 36 numbers column by column, one
+/// after the other: those above the diagonal row by row, those below it row by row, and the inverse of those
+/// on it.
 struct FactorsView {
     std::size_t rows;
     const std::size_t *upper_begin, *lower_begin;  ///< of each row, one more at the end
@@ -25,8 +26,8 @@ struct FactorsView {
 
 /// Each takes the same operations in the same order in each build: the same bits.
 struct IterationKernels {
-    /// Makes a block left of the diagonal a factor, block times the inverse of the diagonal above it, and takes from its row that times
-    /// each of the blocks above: each of these goes into a slot of the row.
+    /// Makes a block left of the diagonal a factor, block times the inverse of the diagonal above it, and
+    /// takes from its row that times each of the blocks above: each of these goes into a slot of the row.
     void (*eliminate)(double* block, const double* inverse, const double* upper, const std::int32_t* slot,
                       std::size_t count, double* row);
     /// x = (L U)^-1 x

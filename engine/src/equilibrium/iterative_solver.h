@@ -10,8 +10,8 @@
 
 namespace talus::equilibrium {
 
-/// GMRES (Saad and Schultz 1986) without restart, preconditioned from the right by incomplete factors. Time and memory grow with the
-/// contacts.
+/// GMRES (Saad and Schultz 1986) without restart, preconditioned from the right by incomplete factors. Time
+/// and memory grow with the contacts.
 class IterativeSolver {
  public:
     /// \param instructions  of the products; the same bits with each
@@ -30,7 +30,8 @@ class IterativeSolver {
     bool solve(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x,
                double accuracy = kAccuracy, std::size_t most_iterations = kMostIterations);
 
-    /// What Newton's steps need: a smaller residual than that the next one sees to.
+    /// What Newton's steps need: the next step takes care of the rest. 1e-3 takes half as many iterations
+    /// again and saves no step.
     static constexpr double kAccuracy = 1e-2;
     /// Most systems take 5 to 30, and one that takes many more is hard.
     static constexpr std::size_t kMostIterations = 100;

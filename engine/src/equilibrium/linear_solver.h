@@ -11,9 +11,10 @@
 
 namespace talus::equilibrium {
 
-/// Solves systems of one structure, several right sides with each matrix. Where complete factors would take far longer
-/// than some iterations, iterations are tried first. The few matrices for which they do not converge have complete
-/// factors, and so have the next ones; or more iterations, where complete factors would take minutes.
+/// Solves systems of one structure, several right sides with each matrix. Where complete factors would take
+/// far longer than some iterations, iterations are tried first. The few matrices for which they do not
+/// converge have complete factors, and so have the next ones; or more iterations, where complete factors
+/// would take minutes.
 class LinearSolver {
  public:
     /// \param stop  ends the work early: then nothing is solved

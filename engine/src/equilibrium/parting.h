@@ -7,8 +7,8 @@
 
 namespace talus::equilibrium {
 
-/// The corners of all patches as material points of both their blocks. What has parted stays known when a patch is
-/// clipped again, or is no more.
+/// The corners of all patches as material points of both their blocks. What has parted stays known when a
+/// patch is clipped again, or is no more.
 class Parting {
  public:
     Parting() = default;

@@ -14,8 +14,8 @@
 namespace talus::equilibrium {
 namespace {
 
-// Of eps |x| k A / (m g): what rounding of the coordinates leaves of the out-of-balance force, sums over contact points
-// included.
+// Of eps |x| k A / (m g): what rounding of the coordinates leaves of the out-of-balance force, sums over
+// contact points included.
 constexpr double kRounding = 4;
 // Of a cell: the difference of loads from which the derivative by the load follows.
 constexpr double kLoadDifference = 1e-3;

@@ -5,10 +5,11 @@
 //   released         F(u0 + x, L0)     = s C x,       |x| = d
 //   at rest          F(u0 + x, L0)     = e C x
 //
-// x: displacements in the step. s: change of the load, or drag over the stiffness C of the joints on each block. F: the
-// out-of-balance forces (balance.h). |x|^2: the sum over blocks of (displacement / size)^2. The drag e is so small that
-// at the end of a step it is a twentieth of the accuracy: it only keeps the matrix regular.
-// Arc length with the load as an unknown: E. Riks, Int. J. Solids Struct. 15, 1979; M. A. Crisfield, Comput. Struct. 13,
+// x: displacements in the step. s: change of the load, or drag over the stiffness C of the joints on each
+// block. F: the out-of-balance forces (balance.h). |x|^2: the sum over blocks of (displacement / size)^2. The
+// drag e is so small that at the end of a step it is a twentieth of the accuracy: it only keeps the matrix
+// regular. Arc length with the load as an unknown: E. Riks, Int. J. Solids Struct. 15, 1979; M. A. Crisfield,
+// Comput. Struct. 13,
 // 1981.
 
 #include <cstdint>
@@ -56,7 +57,8 @@ struct PathWork {
     std::int64_t steps = 0, factors = 0, forces = 0;
 };
 
-/// Forces and stiffness about a state at a load. The state is written to: its load, and water as it is at that load.
+/// Forces and stiffness about a state at a load. The state is written to: its load, and water as it is at
+/// that load.
 class PathEquations {
  public:
     PathEquations(State& state, FirstOrderGaps& gaps, const SearchRules& rules, const std::atomic<bool>* stop,
@@ -80,8 +82,8 @@ class PathEquations {
     /// Poses after a step.
     Poses moved(const Vec6s& x) const;
 
-    /// Out-of-balance force less the drag of a step. \param stiffness  into the matrix, too; and gaps from then on are
-    /// those of first order at these poses
+    /// Out-of-balance force less the drag of a step. \param stiffness  into the matrix, too; and gaps from
+    /// then on are those of first order at these poses
     void residual(const Arc& arc, const PathStep& at, const Poses& poses, bool stiffness, Vec6s& force);
     /// Its derivative by s. \param poses of `at`
     void byUnknown(const Arc& arc, const PathStep& at, const Poses& poses, Vec6s& rate);
@@ -89,8 +91,8 @@ class PathEquations {
     double inaccuracy(const Vec6s& force) const;
     /// The root of the sum of squares over the weights.
     double merit(const Vec6s& force) const;
-    /// Out-of-balance force over the weight that a row's block may have in equilibrium: rounding of its coordinates
-    /// leaves as much where it is thin, or lies far from the origin.
+    /// Out-of-balance force over the weight that a row's block may have in equilibrium: rounding of its
+    /// coordinates leaves as much where it is thin, or lies far from the origin.
     double limitOf(std::size_t row) const;
 
     /// Of the matrix last summed with its stiffness.

@@ -138,7 +138,8 @@ PathStep solveStep(PathEquations& equations, const Arc& arc, PathStep at) {
 
 namespace {
 
-/// With the drag that lets blocks go as far as the arc; where the least one does not, farther along the same line.
+/// With the drag that lets blocks go as far as the arc; where the least one does not, farther along the same
+/// line.
 PathStep slideStep(PathEquations& equations, const Arc& arc, PathStep at) {
     constexpr int kTries = 4;
     constexpr double kMuchFarther = 2;

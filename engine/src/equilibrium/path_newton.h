@@ -5,10 +5,11 @@
 
 namespace talus::equilibrium {
 
-/// Solves the equations from a guess. Each iteration factorises the exact tangent once and solves two right sides: the
-/// residual, and the derivative by the unknown. Steps are cut back until the next correction, with the same factors, is
-/// shorter (the natural monotonicity test: P. Deuflhard, Newton Methods for Nonlinear Problems, 2004). A test of the
-/// residual alone is misled where joints are stiff and slides are not: it stops before contacts that close a little.
+/// Solves the equations from a guess. Each iteration factorises the exact tangent once and solves two right
+/// sides: the residual, and the derivative by the unknown. Steps are cut back until the next correction, with
+/// the same factors, is shorter (the natural monotonicity test: P. Deuflhard, Newton Methods for Nonlinear
+/// Problems, 2004). A test of the residual alone is misled where joints are stiff and slides are not: it
+/// stops before contacts that close a little.
 PathStep solveStep(PathEquations& equations, const Arc& arc, PathStep guess);
 
 /// The step that the tangent at the beginning leads to.

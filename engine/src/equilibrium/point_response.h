@@ -1,14 +1,14 @@
 #pragma once
-// The contact law at one contact point together with its derivative, for Newton's method: what law/law.h gives
-// for a trial pose while nothing is committed, and how it changes with the pose. V is a double, or several of them in a
-// register.
+// The contact law at one contact point together with its derivative, for Newton's method: what law/law.h
+// gives for a trial pose while nothing is committed, and how it changes with the pose. V is a double, or
+// several of them in a register.
 
 #include "law/law.h"
 
 namespace talus::equilibrium {
 
-/// Forces at a contact point on b and their derivatives by the displacement of b's side against a's, both along e1, e2, e3
-/// (e3: normal, the gap is positive when open). The normal force follows the gap alone.
+/// Forces at a contact point on b and their derivatives by the displacement of b's side against a's, both
+/// along e1, e2, e3 (e3: normal, the gap is positive when open). The normal force follows the gap alone.
 template <class V>
 struct PointResponse {
     V shear_1{}, shear_2{};    ///< [N]
@@ -20,14 +20,15 @@ struct PointResponse {
     simd::MaskOf<V> open{}, slips{};
 };
 
-/// From this share of the strength's square on a contact point slips. What slipped in the last committed step is at its strength to
-/// rounding: were it taken to stick, or left to rounding, each step would begin with finding out anew who slips.
+/// From this share of the strength's square on a contact point slips. What slipped in the last committed step
+/// is at its strength to rounding: were it taken to stick, or left to rounding, each step would begin with
+/// finding out anew who slips.
 inline constexpr double kCorner = 1.0 - 1e-9;
 
-/// The law and its exact derivative at a gap and slide, its memory being that of the last equilibrium. Bonds hold
-/// what they have left: one that is overloaded gives at its strength, and breaks when the step is committed. The
-/// derivative is unsymmetric where the contact point slips: its shear force follows the normal force, not the other
-/// way round.
+/// The law and its exact derivative at a gap and slide, its memory being that of the last equilibrium. Bonds
+/// hold what they have left: one that is overloaded gives at its strength, and breaks when the step is
+/// committed. The derivative is unsymmetric where the contact point slips: its shear force follows the normal
+/// force, not the other way round.
 template <bool Curved = true, class V>
 TALUS_KERNEL PointResponse<V> pointResponse(const contact::JointParameters<V>& joint, V area, V slide_1,
                                             V slide_2, V gap, const contact::MemoryOf<V>& memory) {

@@ -1,6 +1,6 @@
 #pragma once
-// Blocks of 6 x 6 numbers in registers. A column of a block is six numbers: most of an AVX-512 register, four and two of AVX2, or
-// three pairs.
+// Blocks of 6 x 6 numbers in registers. A column of a block is six numbers: most of an AVX-512 register, four
+// and two of AVX2, or three pairs.
 
 #include <cstddef>
 #include <cstring>

@@ -1,6 +1,7 @@
 #pragma once
-// What a force on blocks says of itself. Whoever sums forces, solves for equilibrium, bounds the time step, measures energy,
-// writes frames or reports asks through this and knows no force by name; the list of all is in sum.cpp.
+// What a force on blocks says of itself. Whoever sums forces, solves for equilibrium, bounds the time step,
+// measures energy, writes frames or reports asks through this and knows no force by name; the list of all is
+// in sum.cpp.
 
 #include <span>
 #include <string>
@@ -47,8 +48,8 @@ struct SupportingForce {
     SupportLines (*lines)(const State& state);
 };
 
-/// A force on some blocks. Its parts are those of the state at its place in the list; what it needs no function for is
-/// nullptr.
+/// A force on some blocks. Its parts are those of the state at its place in the list; what it needs no
+/// function for is nullptr.
 struct BlockForce {
     const char* name;
     /// Finds out where it acts, once the interfaces of a model that was just built are known.
@@ -61,7 +62,8 @@ struct BlockForce {
     void (*update)(State& state) = nullptr;
     /// What changes for good (water that runs out), between steps of a time history.
     void (*look)(State& state) = nullptr;
-    /// The same as `on` of one that keeps its direction while its block turns; nullptr: it turns with the block.
+    /// The same as `on` of one that keeps its direction while its block turns; nullptr: it turns with the
+    /// block.
     DeadForce (*dead)(const State& state, const ForceParts& parts, std::size_t block) = nullptr;
     const TyingForce* tying = nullptr;  ///< one between two blocks; nullptr: it comes from outside
     const ForceMemory* memory = nullptr;

@@ -1,11 +1,13 @@
 #pragma once
-// The force of one segment of a bolt: elastic, perfectly plastic by yield of the bar or slip of its grout, and rupture.
+// The force of one segment of a bolt: elastic, perfectly plastic by yield of the bar or slip of its grout,
+// and rupture.
 //
-// Free between its ends: k = E A / L. Grouted: a bar of rigidity E A in grout of bond stiffness k_b [N/m per m], bonded over a
-// length L on one side of a joint, obeys E A w'' = k_b w. Pulled at the joint, its other end free, it gives
-// k = sqrt(E A k_b) tanh(L sqrt(k_b / (E A))) (Farmer 1975, Int. J. Rock Mech. 12: 347-351); held by a plate there, coth in
-// place of tanh. The two sides of a joint are in series. Axial force and dowel action are taken independently, each with a
-// strength of its own (Lorig 1985, local reinforcement).
+// Free between its ends: k = E A / L. Grouted: a bar of rigidity E A in grout of bond stiffness k_b [N/m per
+// m], bonded over a length L on one side of a joint, obeys E A w'' = k_b w. Pulled at the joint, its other
+// end free, it gives k = sqrt(E A k_b) tanh(L sqrt(k_b / (E A))) (Farmer 1975, Int. J. Rock Mech. 12:
+// 347-351); held by a plate there, coth in place of tanh. The two sides of a joint are in series. Axial force
+// and dowel action are taken independently, each with a strength of its own (Lorig 1985, local
+// reinforcement).
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +38,8 @@ struct AxialForce {
     double slope = 0;  ///< by the elongation [N/m]
 };
 
-/// At an elongation [m]; `memory` becomes what it remembers then. One that breaks holds to the end of this call: `memory` says
-/// that it has.
+/// At an elongation [m]; `memory` becomes what it remembers then. One that breaks holds to the end of this
+/// call: `memory` says that it has.
 inline AxialForce axialForce(const BoltLaw& law, double elongation, double share, BoltMemory& memory) {
     if (memory.broken) return {};
     const double trial =

@@ -1,7 +1,8 @@
 #pragma once
 // Bolts: where each ties two blocks, what it does there, what it has given.
 //
-// Reads:  the model's bolts; at the start shapes and poses; then poses, load.gravity_share (the pretension comes with the weight)
+// Reads:  the model's bolts; at the start shapes and poses; then poses, load.gravity_share (the pretension
+//         comes with the weight)
 // Writes: state.bolts and its parts at the build; its memory and forces in `update`
 
 #include <span>
@@ -40,7 +41,8 @@ Result<std::vector<TieLimit>> limits(const State& state);
 std::vector<ForceArray> memory(const State& state);
 void remember(State& state, std::span<const ForceArray> arrays);
 
-/// Of each bolt of the model: as it stands by its segment that carries most, and as a line from joint to joint.
+/// Of each bolt of the model: as it stands by its segment that carries most, and as a line from joint to
+/// joint.
 std::vector<SupportReport> reports(const State& state);
 SupportLines lines(const State& state);
 

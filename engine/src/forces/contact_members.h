@@ -1,5 +1,6 @@
 #pragma once
-// Groups of interfaces in registers of several doubles; included by one source file per instruction set and kernel.
+// Groups of interfaces in registers of several doubles; included by one source file per instruction set and
+// kernel.
 
 #include "forces/contact_group.h"
 #include "simd/lanes.h"
@@ -9,8 +10,8 @@ namespace {
 
 using simd::Lanes;
 
-/// As many interfaces of a group as a register holds. Where the group has fewer, the last one is repeated as far as
-/// blocks and joints go; the slots beyond are the group's own, and nobody reads them.
+/// As many interfaces of a group as a register holds. Where the group has fewer, the last one is repeated as
+/// far as blocks and joints go; the slots beyond are the group's own, and nobody reads them.
 template <>
 struct Members<Lanes> {
     static constexpr int kWidth = simd::kWidth;

@@ -1,6 +1,6 @@
 #pragma once
-// A recorded motion of the fixed blocks. In their frame, in which everything is computed, free blocks feel the opposite of its
-// acceleration, and what they have gone is what stays when it is over.
+// A recorded motion of the fixed blocks. In their frame, in which everything is computed, free blocks feel
+// the opposite of its acceleration, and what they have gone is what stays when it is over.
 //
 // Reads: the model's ground motion; load.time, load.shaken
 

@@ -1,8 +1,9 @@
 #pragma once
-// Loads: forces at points of blocks, pressures on whole faces and on what is free of faces inside a box. They keep the
-// direction they have at the start and follow their point, so they are dead forces with a potential.
+// Loads: forces at points of blocks, pressures on whole faces and on what is free of faces inside a box. They
+// keep the direction they have at the start and follow their point, so they are dead forces with a potential.
 //
-// Reads:  the model's loads; at the start shapes, poses and interfaces; then load.time, load.gravity_share, orientations
+// Reads:  the model's loads; at the start shapes, poses and interfaces; then load.time, load.gravity_share,
+//         orientations
 // Writes: its parts, at the build
 
 #include <algorithm>
@@ -67,7 +68,8 @@ class Face {
         return region;
     }
 
-    /// What lies in the box and under no closed joint. Joints of one face do not overlap, so each takes its own away.
+    /// What lies in the box and under no closed joint. Joints of one face do not overlap, so each takes its
+    /// own away.
     Region freeIn(const AppliedLoad& load) const {
         Region region;
         region.add(clipped(outline(), load), 1.0);

@@ -36,7 +36,8 @@ void addSide(Cell& cell, const Vec3& normal, double offset, double sign) {
     cell.sides[static_cast<std::size_t>(cell.side_count++)] = {normal, offset, sign};
 }
 
-/// Where a polygon lies to a half plane: normal . x <= offset. Near its line, where clipping decides, it counts as across.
+/// Where a polygon lies to a half plane: normal . x <= offset. Near its line, where clipping decides, it
+/// counts as across.
 enum class Lies { inside, across, outside };
 Lies liesTo(const Polygon& polygon, const Vec2& normal, double offset) {
     constexpr double kNear =
@@ -52,15 +53,16 @@ Lies liesTo(const Polygon& polygon, const Vec2& normal, double offset) {
     return most < offset - near ? Lies::inside : least > offset + near ? Lies::outside : Lies::across;
 }
 
-/// The same of what lies no farther than `reach` from a point `height` inside, of a unit normal. Across: its corners have to be asked.
+/// The same of what lies no farther than `reach` from a point `height` inside, of a unit normal. Across: its
+/// corners have to be asked.
 Lies liesTo(double reach, double height) {
     constexpr double kNear = 1e-8;  // more than where corners count as across
     const double farthest = reach + kNear * (reach + std::abs(height));
     return height > farthest ? Lies::inside : height < -farthest ? Lies::outside : Lies::across;
 }
 
-/// Most polygons lie on one side of each side, so that there is nothing to clip: that was half of a run's time. Most do so by far, so
-/// that their corners need not be looked at: that was half of what was left.
+/// Most polygons lie on one side of each side, so that there is nothing to clip: that was half of a run's
+/// time. Most do so by far, so that their corners need not be looked at: that was half of what was left.
 /// \param reach  of the farthest corner from the face's origin [m]
 Thrust thrustOn(const Cell& cell, const Polygon& whole, double reach, const FaceFrame& face) {
     const double pressure = cell.p0 + cell.gradient.dot(face.origin);
@@ -89,7 +91,8 @@ Thrust thrustOn(const Cell& cell, const Polygon& whole, double reach, const Face
     return talus::thrustOn(*polygon, {pressure, {cell.gradient.dot(face.e1), cell.gradient.dot(face.e2)}});
 }
 
-// --- a line --------------------------------------------------------------------------------------------------------------
+// --- a line
+// -----------------------------------------------------------------------------------------------------------
 
 std::vector<Cell> cellsBelowLine(const std::vector<PhreaticSurface::Point>& line, const Vec3& down,
                                  double unit_weight, const Vec3& origin) {
@@ -118,7 +121,8 @@ std::vector<Cell> cellsBelowLine(const std::vector<PhreaticSurface::Point>& line
     return cells;
 }
 
-// --- a mesh --------------------------------------------------------------------------------------------------------------
+// --- a mesh
+// -----------------------------------------------------------------------------------------------------------
 
 using Edge = std::pair<std::int32_t, std::int32_t>;  ///< from the lower number to the higher one
 
@@ -132,7 +136,8 @@ std::vector<Edge> edgesOf(const TriangleSurface& mesh) {
 }
 
 /// \param edges  of the whole mesh
-/// \param beyond  how far the table reaches beyond its rim, so that faces that stand below the rim are pressed alike [m]
+/// \param beyond  how far the table reaches beyond its rim, so that faces that stand below the rim are
+/// pressed alike [m]
 Cell cellBelowTriangle(const TriangleSurface& mesh, const std::vector<Edge>& edges,
                        const std::array<std::int32_t, 3>& corners, const Vec3& down, double unit_weight,
                        const Vec3& origin, double beyond) {
@@ -226,7 +231,8 @@ void eachCellNear(const Cells& cells, const Polygon& polygon, const FaceFrame& f
     for (const std::int32_t cell : near) each(cells.all[static_cast<std::size_t>(cell)]);
 }
 
-// --- walls ---------------------------------------------------------------------------------------------------------------
+// --- walls
+// -----------------------------------------------------------------------------------------------------------
 
 double reachOf(const Polygon& polygon) {
     double farthest = 0;
@@ -306,7 +312,8 @@ void leaveToOthers(State& state) {
     }
 }
 
-// --- what is refused -----------------------------------------------------------------------------------------------------
+// --- what is refused
+// -----------------------------------------------------------------------------------------------------
 
 std::optional<Error> foldedLine(const PhreaticSurface& surface, const Vec3& down) {
     const Vec3 across = acrossOf(down);

@@ -1,11 +1,12 @@
 #pragma once
-// The water table of a slope: a line over x, extruded along y, or an open surface of triangles, below which every face of a free
-// block feels pressure.
+// The water table of a slope: a line over x, extruded along y, or an open surface of triangles, below which
+// every face of a free block feels pressure.
 //
-// Depth is measured along gravity, so below a piece of the line, or a triangle, pressure is linear, and the planes along gravity
-// through its ends, or edges, part what lies below it from what lies below its neighbours. Under all faces of a block the sum is
-// exactly the pressure's integral over its surface: buoyancy, where the table is level. Where another water stands on a wall it
-// is felt instead, so the table's pressure on that polygon is taken off again.
+// Depth is measured along gravity, so below a piece of the line, or a triangle, pressure is linear, and the
+// planes along gravity through its ends, or edges, part what lies below it from what lies below its
+// neighbours. Under all faces of a block the sum is exactly the pressure's integral over its surface:
+// buoyancy, where the table is level. Where another water stands on a wall it is felt instead, so the table's
+// pressure on that polygon is taken off again.
 //
 // Reads:  the model's surface, shapes, poses, wet; load.tilt, load.water_share, gravity
 // Writes: state.phreatic
@@ -24,7 +25,8 @@
 
 namespace talus::phreatic {
 
-/// A plane along gravity; its two neighbours have the same but for the sign, so that what lies in it belongs to one of them.
+/// A plane along gravity; its two neighbours have the same but for the sign, so that what lies in it belongs
+/// to one of them.
 struct Side {
     Vec3 normal = Vec3::UnitX();  ///< unit
     double offset = 0;            ///< [m]
@@ -67,7 +69,8 @@ Cells cellsOf(const PhreaticSurface& surface, const Vec3& down, double unit_weig
 /// On a block's face, about the block's centroid, model frame [N, N m]. \param position, turn  of the block
 Wrench pressureOn(const Cells& cells, const Outline& face, const Vec3& position, const Mat3& turn);
 
-/// Errors: a surface that folds back when it is seen along gravity, a mesh that does not reach over a free block.
+/// Errors: a surface that folds back when it is seen along gravity, a mesh that does not reach over a free
+/// block.
 std::vector<Error> build(State& state, ForceParts& parts);
 void update(State& state);
 /// Walls of joints that have opened wider than the surface allows run dry.

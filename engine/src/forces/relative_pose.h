@@ -12,7 +12,8 @@ struct PoseOf {
     simd::Rotation<V> turn;
 };
 
-/// An interface's frames in the own frames of its two blocks (see Interfaces), and the gap that counts as none.
+/// An interface's frames in the own frames of its two blocks (see Interfaces), and the gap that counts as
+/// none.
 template <class V>
 struct FramesOf {
     simd::Triple<V> origin_a, e1_a, e2_a;
@@ -20,8 +21,8 @@ struct FramesOf {
     simd::Triple<V> reference_gap;
 };
 
-/// A quantity that is affine over a patch: its value at the interface's origin (x) and its gradients along e1, e2 (y,
-/// z).
+/// A quantity that is affine over a patch: its value at the interface's origin (x) and its gradients along
+/// e1, e2 (y, z).
 template <class V>
 TALUS_KERNEL V affine(const simd::Triple<V>& f, V xi, V eta) {
     return f.x + xi * f.y + eta * f.z;
@@ -36,10 +37,10 @@ struct RelativePoseOf {
     simd::Triple<V> e1, e2, e3;        ///< model frame
 };
 
-/// Gap and slide are those of b's material points over a's plane, so the gap does not depend on how far b has slid
-/// and clipping the patch again does not change it. The reference face is the fixed or the larger one: the patch goes
-/// with b. Only differences of positions enter: far from the origin no more is lost than the positions themselves
-/// have lost.
+/// Gap and slide are those of b's material points over a's plane, so the gap does not depend on how far b has
+/// slid and clipping the patch again does not change it. The reference face is the fixed or the larger one:
+/// the patch goes with b. Only differences of positions enter: far from the origin no more is lost than the
+/// positions themselves have lost.
 template <class V>
 TALUS_KERNEL RelativePoseOf<V> relativePoseOf(const FramesOf<V>& f, const PoseOf<V>& a, const PoseOf<V>& b) {
     using simd::cross, simd::dot;

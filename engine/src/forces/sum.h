@@ -1,9 +1,10 @@
 #pragma once
-// The one list of forces on blocks: weight, contacts, and what stands in blockForces. A new force is a header of its own
-// that says what it reads and writes, and an entry in sum.cpp (block_force.h says what it may hold).
+// The one list of forces on blocks: weight, contacts, and what stands in blockForces. A new force is a header
+// of its own that says what it reads and writes, and an entry in sum.cpp (block_force.h says what it may
+// hold).
 //
-// What pulls at every block by its mass, and contacts, the sum of a step takes in its kernel (step/motion_kernel.h); the
-// others act on some blocks only and are added to those.
+// What pulls at every block by its mass, and contacts, the sum of a step takes in its kernel
+// (step/motion_kernel.h); the others act on some blocks only and are added to those.
 
 #include <span>
 #include <vector>
@@ -29,7 +30,8 @@ void eachBlockForce(const State& state, const Each& each) {
     for (std::size_t k = 0; k < state.force_parts.size(); ++k) each(blockForces()[k], state.force_parts[k]);
 }
 
-/// Of blockForces on one block: of all, of those from outside, and of those: that turn with it, that keep their direction.
+/// Of blockForces on one block: of all, of those from outside, and of those: that turn with it, that keep
+/// their direction.
 Wrench blockForcesOn(const State& state, std::size_t block);
 Wrench outsideForcesOn(const State& state, std::size_t block);
 Wrench turningForcesOn(const State& state, std::size_t block);
@@ -39,7 +41,8 @@ DeadForce deadForcesOn(const State& state, std::size_t block);
 bool hasDeadForces(const State& state);
 bool hasBlockForces(const State& state);
 
-/// Elastic energy of what ties blocks beside contacts [J], and how much farther they part until it holds most [m].
+/// Elastic energy of what ties blocks beside contacts [J], and how much farther they part until it holds most
+/// [m].
 double tieEnergy(const State& state);
 double tieReach(const State& state);
 
@@ -56,8 +59,8 @@ void setForceMemory(State& state, const std::vector<ForceArray>& memory);
 std::vector<Supports> supportReports(const State& state);
 SupportLines supportLines(const State& state);
 
-/// What every block feels by its mass, as the load has it now: gravity and the pseudo-static earthquake; with the ground's
-/// motion [m/s^2].
+/// What every block feels by its mass, as the load has it now: gravity and the pseudo-static earthquake; with
+/// the ground's motion [m/s^2].
 Vec3 standingAcceleration(const State& state);
 Vec3 bodyAcceleration(const State& state);
 

@@ -46,8 +46,8 @@ inline Mat3 crossMatrixOf(const Vec3& v) {
     return m;
 }
 
-/// Derivatives of the two wrenches by displacement and small turn of a, then of b. The force is a function of where b's
-/// point lies in a's own frame, with which it turns.
+/// Derivatives of the two wrenches by displacement and small turn of a, then of b. The force is a function of
+/// where b's point lies in a's own frame, with which it turns.
 struct TieRates {
     Mat6x12 on_a, on_b;
 };

@@ -17,8 +17,9 @@ struct Wrench {
     }
 };
 
-/// Forces F at points of a block that keep their direction while it turns. With r from the centroid to such a point, in
-/// the block's own frame, the sum of r F^T is all that their torque, its change and their work follow from:
+/// Forces F at points of a block that keep their direction while it turns. With r from the centroid to such a
+/// point, in the block's own frame, the sum of r F^T is all that their torque, its change and their work
+/// follow from:
 ///  - torque: sum of (R r) x F, the antisymmetric part of S = R sum(r F^T);
 ///  - for a small turn t: sum of (t x R r) x F = (S - trace(S) 1) t, by a x (b x c) = b (a c) - c (a b);
 ///  - work from one place to another: F du + trace of what S has changed by.

@@ -44,7 +44,8 @@ struct ToFrame {
     }
 };
 
-/// The tilt at which a viewer sees gravity: with a direction of its own, what of that lies in the plane of x and z.
+/// The tilt at which a viewer sees gravity: with a direction of its own, what of that lies in the plane of x
+/// and z.
 double shownTilt(const State& state) {
     const Gravity& gravity = state.geometry->model.gravity;
     if (!gravity.direction) return state.load.tilt;

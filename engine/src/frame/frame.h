@@ -16,8 +16,8 @@ LightFrame lightFrameOf(const State& state);
 FullFrame fullFrameOf(const State& state);
 
 /// Puts a full frame in place of what moves in `state`, which was built from the same model.
-/// Errors: a frame whose arrays do not fit each other or the model, so that no frame, whatever its source, can lead the
-/// engine out of its arrays; or whose hash is not that of its arrays.
+/// Errors: a frame whose arrays do not fit each other or the model, so that no frame, whatever its source,
+/// can lead the engine out of its arrays; or whose hash is not that of its arrays.
 std::vector<Error> restoreFrame(const FullFrame& frame, State& state);
 
 }  // namespace talus

@@ -19,7 +19,8 @@ struct PointRange {
     std::size_t begin, end;
 };
 
-/// The interface's plane in the frame of one of its blocks; `outward` tells whether e1 x e2 leaves that block.
+/// The interface's plane in the frame of one of its blocks; `outward` tells whether e1 x e2 leaves that
+/// block.
 struct Side {
     std::size_t block = 0;
     Vec3 origin, e1, e2;
@@ -57,8 +58,8 @@ Polygon patchOnWall(const State& state, std::size_t i, std::size_t w, const Side
     return polygon;
 }
 
-/// Shares out the exact thrust by area times pressure; by area alone where the water only reaches between the contact
-/// points.
+/// Shares out the exact thrust by area times pressure; by area alone where the water only reaches between the
+/// contact points.
 void shareOut(const State& state, PointRange range, std::size_t w, const Side& side, double thrust,
               FramePoints& points) {
     const WallPressure pressure = pressureOnWall(state, w);

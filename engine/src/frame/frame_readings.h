@@ -6,9 +6,9 @@
 
 namespace talus {
 
-/// \pre `points` has the contact points of `interfaces`, with what they carry. Adds each contact point's water share
-/// P, what it is doing, and its mobilised friction. The shares of an interface add up to the water's exact thrust on
-/// the patch.
+/// \pre `points` has the contact points of `interfaces`, with what they carry. Adds each contact point's
+/// water share P, what it is doing, and its mobilised friction. The shares of an interface add up to the
+/// water's exact thrust on the patch.
 void addReadings(const State& state, const FrameInterfaces& interfaces, FramePoints& points);
 
 }  // namespace talus

@@ -1,5 +1,5 @@
-// A full frame put in place of the state. Frames come from files, and files may hold anything: every index is checked
-// before it is used.
+// A full frame put in place of the state. Frames come from files, and files may hold anything: every index is
+// checked before it is used.
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,8 @@
 
 namespace talus {
 
-/// \param face  the polygon's plane, in the frame of the box; a face across an axis is in the box or not, as a whole, by
+/// \param face  the polygon's plane, in the frame of the box; a face across an axis is in the box or not, as
+/// a whole, by
 ///              `closed` [m]
 inline Polygon clippedToBox(Polygon polygon, const FaceFrame& face, const Vec3& min, const Vec3& max,
                             double closed) {

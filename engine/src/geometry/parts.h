@@ -34,9 +34,10 @@ struct PartOfBody {
     Vec3 position;         ///< of the own origin [m]
     double tolerance = 0;  ///< [m]: what is nearer touches
 
-    /// Whether the body goes no farther in a direction from a point on the part than the part's point does, as far as the
-    /// parts around it tell. Only then can another body touch it there in this direction: the normals a union allows at a
-    /// point are those that each of its members does. Points of the part that are no corner of it pass, too.
+    /// Whether the body goes no farther in a direction from a point on the part than the part's point does,
+    /// as far as the parts around it tell. Only then can another body touch it there in this direction: the
+    /// normals a union allows at a point are those that each of its members does. Points of the part that are
+    /// no corner of it pass, too.
     /// \param slack angle by which it may [rad]
     bool isOutermost(const Vec3& point, const Vec3& direction, double slack = 0) const;
 

@@ -30,7 +30,8 @@ struct PolygonMoments {
 };
 PolygonMoments momentsOf(const Polygon& polygon);  ///< \pre area > 0
 
-/// Of a linear pressure that is nowhere negative: A p(c), and c times that plus the second moments times the gradient.
+/// Of a linear pressure that is nowhere negative: A p(c), and c times that plus the second moments times the
+/// gradient.
 inline Thrust thrustOnWhole(const PolygonMoments& polygon, const LinearPressure& pressure) {
     const double force = polygon.area * pressure.at(polygon.centroid);
     const auto& [xx, xy, yy] = polygon.second;
@@ -55,12 +56,12 @@ PressureRange pressureOver(std::size_t corners, const Corner& corner, const Line
     return range;
 }
 
-/// Of max(0, p) over a convex polygon with `corners` corners, corner(k) the k-th, counter-clockwise. The part above the
-/// water line is left out on the way round.
+/// Of max(0, p) over a convex polygon with `corners` corners, corner(k) the k-th, counter-clockwise. The part
+/// above the water line is left out on the way round.
 ///
-/// Over a triangle of area A, with p and x linear: integral of p = A/3 sum(p), and integral of p x = A/12 (sum(p) sum(x) +
-/// sum(p x)), sums over the corners. Corners are taken relative to the first wet one, so that the moments of a polygon
-/// far from its origin do not cancel inside the sum.
+/// Over a triangle of area A, with p and x linear: integral of p = A/3 sum(p), and integral of p x = A/12
+/// (sum(p) sum(x) + sum(p x)), sums over the corners. Corners are taken relative to the first wet one, so
+/// that the moments of a polygon far from its origin do not cancel inside the sum.
 template <class Corner>
 Thrust thrustOn(std::size_t corners, const Corner& corner, const LinearPressure& pressure) {
     Thrust thrust;

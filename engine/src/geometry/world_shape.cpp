@@ -5,7 +5,8 @@
 namespace talus {
 namespace {
 
-/// An edge as one of its faces lists it. A whole number sorts faster than three, by lower vertex, higher vertex and face.
+/// An edge as one of its faces lists it. A whole number sorts faster than three, by lower vertex, higher
+/// vertex and face.
 class HalfEdge {
  public:
     HalfEdge(std::int32_t from, std::int32_t to, std::size_t face)

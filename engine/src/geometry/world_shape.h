@@ -11,7 +11,8 @@ namespace talus {
 
 struct PartOfBody;  // geometry/parts.h
 
-/// Of a convex part, by number: the vertices at its ends, the lower first, and the two faces that it belongs to.
+/// Of a convex part, by number: the vertices at its ends, the lower first, and the two faces that it belongs
+/// to.
 struct PartEdge {
     std::int32_t from, to;
     std::int32_t left, right;

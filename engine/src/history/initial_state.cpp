@@ -51,7 +51,8 @@ AsBuilt asBuilt(const State& state) {
             state.blocks.angular_momentum};
 }
 
-/// The start of the history from a state that has come to rest: true inertia, the model's own damping and velocities.
+/// The start of the history from a state that has come to rest: true inertia, the model's own damping and
+/// velocities.
 void giveBack(AsBuilt built, State& state) {
     state.damping = built.damping;
     state.release = built.release;
@@ -90,7 +91,8 @@ InitialState bringToStart(State& state, const Control& control, bool parallel) {
         giveBack(std::move(built), state);
         return InitialState::equilibrium;
     }
-    // Built anew rather than kept as a copy, and one state at a time: of a million blocks each takes two gigabytes.
+    // Built anew rather than kept as a copy, and one state at a time: of a million blocks each takes two
+    // gigabytes.
     if (isStopped(control)) return InitialState::unstressed;
     state = {};
     std::optional<Poses> held = findHeld(*model, control, parallel);

@@ -19,8 +19,9 @@
 namespace talus::history {
 namespace {
 
-// The more blocks move, the more often a pair of them wants its contact of faces made anew, and the longer takes the search, which serves
-// all: a pair waits a step for so many free blocks. Of 4,775 searches at once took three quarters of the time; few blocks do not wait.
+// The more blocks move, the more often a pair of them wants its contact of faces made anew, and the longer
+// takes the search, which serves all: a pair waits a step for so many free blocks. Of 4,775 searches at once
+// took three quarters of the time; few blocks do not wait.
 constexpr std::int64_t kBlocksPerWait = 25;
 constexpr double kGone = 0.1;         // of a block's own size: it has left its place
 constexpr int kStepsPerGlance = 100;  // ... which is looked at this often
@@ -28,8 +29,8 @@ constexpr double kShareOfTolerance =
     0.01;  // at rest, the imbalance is worth this share of the load's tolerance
 constexpr double kSlowPeriodGrowth = 8.0;  // slip makes the observed period longer; not without bound
 
-/// Whether a block has gone so far that, come to rest or not, the assembly is no longer the one that was loaded: what
-/// has fallen off may lie still at the foot of the slope.
+/// Whether a block has gone so far that, come to rest or not, the assembly is no longer the one that was
+/// loaded: what has fallen off may lie still at the foot of the slope.
 bool hasGone(const State& state, const SettlingStart& start) {
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
@@ -47,8 +48,8 @@ std::vector<Vec3> externalLoad(const State& state) {
     return load;
 }
 
-/// Rayleigh's quotient of the displacement that a change of load has caused: omega^2 = (f . u) / (u . M u). Returns the
-/// period [s], 0 when the change of load did no work.
+/// Rayleigh's quotient of the displacement that a change of load has caused: omega^2 = (f . u) / (u . M u).
+/// Returns the period [s], 0 when the change of load did no work.
 double observedPeriod(const State& state, const PositionArray& position_before,
                       const std::vector<Vec3>& before) {
     const std::vector<Vec3> now = externalLoad(state);
@@ -96,9 +97,10 @@ void stopDrivenBlocks(State& state) {
     if (any) state.warnings.push_back("driven blocks stand still in this analysis");
 }
 
-/// Strength that is lost for good must not be lost on a way that rock does not go: what is laid on within some periods, and
-/// comes to rest under a drag, overshoots, and opens joints that the load only presses together. So rest is found with
-/// all that is whole held together, and what the load is too much for then breaks from there.
+/// Strength that is lost for good must not be lost on a way that rock does not go: what is laid on within
+/// some periods, and comes to rest under a drag, overshoots, and opens joints that the load only presses
+/// together. So rest is found with all that is whole held together, and what the load is too much for then
+/// breaks from there.
 class HeldBonds {
  public:
     explicit HeldBonds(State& state)
@@ -203,8 +205,8 @@ QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control
     work.inertia_scale = inertiaScale(work, bounds);
     work.damping = {.local = settings.local_damping};
     stopDrivenBlocks(state);
-    // A first guess that the gravity loading corrects: an assembly n blocks across has a slowest period of about 2 n
-    // times its fastest.
+    // A first guess that the gravity loading corrects: an assembly n blocks across has a slowest period of
+    // about 2 n times its fastest.
     const double across = std::cbrt(static_cast<double>(state.blocks.size()));
     work.slow_period = 4.0 * across * 2.0 * M_PI / std::sqrt(bound);
     work.slow_period_limit = kSlowPeriodGrowth * work.slow_period;

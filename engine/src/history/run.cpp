@@ -33,8 +33,8 @@ namespace talus {
 namespace {
 
 // Share of the stability bound. A spring that closes or opens in the middle of a step costs or gives up to
-// (omega dt)^2 / 4 of the energy of the impact, so models in which blocks fly or move from the start get a step that
-// keeps this below 0.1 %.
+// (omega dt)^2 / 4 of the energy of the impact, so models in which blocks fly or move from the start get a
+// step that keeps this below 0.1 %.
 constexpr double kStepSafety = 0.4;
 // Of a failure that is played on: dashpots take out what a long step stirs up.
 constexpr double kFailingStepSafety = 0.85;
@@ -156,7 +156,8 @@ class TimeHistory {
 
     void shake() { state_.load.shaken = !state_.geometry->model.ground_motion.empty(); }
 
-    /// Not before there is a state to begin with: what is interrupted on the way leaves no file that holds nothing.
+    /// Not before there is a state to begin with: what is interrupted on the way leaves no file that holds
+    /// nothing.
     void sayBegun() {
         if (output_.begin && geometry_) output_.begin(*std::exchange(geometry_, std::nullopt));
     }
@@ -192,8 +193,8 @@ class TimeHistory {
         handOut(full || went_far_);
     }
 
-    /// Nothing is handed out twice. The last frame of an interrupted run comes beside the regular ones and does not
-    /// count, so that the run that goes on from it has its frames where they would have been.
+    /// Nothing is handed out twice. The last frame of an interrupted run comes beside the regular ones and
+    /// does not count, so that the run that goes on from it has its frames where they would have been.
     void handOut(bool full) {
         if (std::exchange(last_light_, state_.step) != state_.step) {
             if (output_.record) output_.record(history::recordOf(state_, watched_));
@@ -377,8 +378,8 @@ RunResult notBegun(const Model& model, const FullFrame* resume) {
     return result;
 }
 
-/// Builds the model, lets `begin` put its history at its start, and runs it. `begin` says what is wrong, and whether it was
-/// stopped.
+/// Builds the model, lets `begin` put its history at its start, and runs it. `begin` says what is wrong, and
+/// whether it was stopped.
 template <class Begin>
 Result<RunResult> playHistory(const Model& model, const Control& control, const RunOutput& output,
                               const Begin& begin, const FullFrame* resume = nullptr) {

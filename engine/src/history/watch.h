@@ -60,9 +60,10 @@ class Watch {
     QuaternionArray orientation_;
 };
 
-/// Tunes the drag to the motion that is going on: Rayleigh's quotient of the displacement since the last look and of
-/// the force it met, omega^2 = -(dF . du) / (du . M du) (Underwood 1983). Where columns lean on each other a mode can
-/// be many times slower than the estimate, and would creep under a drag meant for a faster one.
+/// Tunes the drag to the motion that is going on: Rayleigh's quotient of the displacement since the last look
+/// and of the force it met, omega^2 = -(dF . du) / (du . M du) (Underwood 1983). Where columns lean on each
+/// other a mode can be many times slower than the estimate, and would creep under a drag meant for a faster
+/// one.
 class DragTuner {
  public:
     explicit DragTuner(const State& state) { remember(state); }

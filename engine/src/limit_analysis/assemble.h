@@ -9,9 +9,9 @@
 
 namespace talus::limit {
 
-/// Bodies and closed contact points of a state as `buildState` gives it. Joints without bond need only the outermost
-/// points of a patch: a force within them is one at each of them, none beyond its strength. Blocks with names in
-/// `left_out` are gone.
+/// Bodies and closed contact points of a state as `buildState` gives it. Joints without bond need only the
+/// outermost points of a patch: a force within them is one at each of them, none beyond its strength. Blocks
+/// with names in `left_out` are gone.
 Assembly assemble(const State& state, const std::vector<std::string>& left_out);
 
 /// The blocks' masses in a field of this acceleration [m/s^2].

@@ -97,7 +97,8 @@ class LimitSearch {
         return false;
     }
 
-    // --- tilt -----------------------------------------------------------------------------------------------------
+    // --- tilt
+    // -----------------------------------------------------------------------------------------------------
 
     void findTilt() {
         const double start = model_.analysis.start.value_or(model_.gravity.tilt);
@@ -125,8 +126,8 @@ class LimitSearch {
         return std::atan(found.multiplier);
     }
 
-    /// Where all loads turn with gravity and nothing holds without normal force only their direction matters, so that the first programme
-    /// finds the limit.
+    /// Where all loads turn with gravity and nothing holds without normal force only their direction matters,
+    /// so that the first programme finds the limit.
     bool onlyDirectionMatters() const {
         const bool bonds =
             std::any_of(assembly_.points.begin(), assembly_.points.end(), [&](const auto& point) {
@@ -163,8 +164,8 @@ class LimitSearch {
         return {};
     }
 
-    /// Of a search that is stopped: where it stands by forces inside the cones is below the limit, and where it fails outside of
-    /// them above it; in a plane section both are the cone.
+    /// Of a search that is stopped: where it stands by forces inside the cones is below the limit, and where
+    /// it fails outside of them above it; in a plane section both are the cone.
     void keepSoFar(Side side, double stands, double falls) {
         if (side == Side::inside) result_.lower = std::max(result_.lower, stands);
         if (side == Side::outside || assembly_.plane_section) result_.upper = std::min(result_.upper, falls);
@@ -176,7 +177,8 @@ class LimitSearch {
         return tilt - way * (tilt - last->first) / (way - last->second);
     }
 
-    // --- horizontal load ------------------------------------------------------------------------------------------
+    // --- horizontal load
+    // ------------------------------------------------------------------------------------------
 
     void findHorizontal() {
         const double tilt = model_.gravity.tilt;
@@ -202,7 +204,8 @@ class LimitSearch {
             result_.status = SearchStatus::undecided;
     }
 
-    // --- factor of safety -----------------------------------------------------------------------------------------
+    // --- factor of safety
+    // -----------------------------------------------------------------------------------------
 
     Balance checkFactor(const Loads& loads, double factor, Side side) {
         report("factor " + formatted("%.5f", factor));
@@ -239,8 +242,9 @@ class LimitSearch {
         }
     };
 
-    /// From a factor that fails to where its imbalance would be nothing, by Newton's method in the factor's logarithm, and a
-    /// little less; from there up by the bracket's width. Where that does not close it, by halves.
+    /// From a factor that fails to where its imbalance would be nothing, by Newton's method in the factor's
+    /// logarithm, and a little less; from there up by the bracket's width. Where that does not close it, by
+    /// halves.
     double nextFactor(const Balance& found, double factor, const FactorBracket& bracket) const {
         const double width = settings_.factor_width;
         if (bracket.falls == kInfinity) return std::min(2 * factor, kMostFactor);
@@ -271,7 +275,8 @@ class LimitSearch {
         if (isStopped(control_)) result_.upper = kInfinity;  // nobody has seen it fail outside the cones
     }
 
-    // --- the mechanism --------------------------------------------------------------------------------------------
+    // --- the mechanism
+    // --------------------------------------------------------------------------------------------
 
     BlockVelocity velocityOf(std::size_t b) const {
         const auto body = static_cast<std::size_t>(assembly_.body_of_block[b]);
@@ -357,7 +362,8 @@ LimitResult analyse(State& state, const Assembly& assembly, Varied load, const C
     return nothing_moves;
 }
 
-/// Builds the model and calls with its state and assembly. \param interrupted  the result where that is stopped
+/// Builds the model and calls with its state and assembly. \param interrupted  the result where that is
+/// stopped
 template <class T, class Body>
 Result<T> withAssembly(const Model& model, const Control& control, const LimitSettings& settings,
                        const T& interrupted, const Body& body) {

@@ -45,8 +45,8 @@ class LinearProgram {
     void append(const Columns& columns);
     void setColumn(int column, double lower, double upper, double cost);
 
-    /// Which columns and rows are basic, and at which of their bounds the others are; to start another programme of the
-    /// same size from.
+    /// Which columns and rows are basic, and at which of their bounds the others are; to start another
+    /// programme of the same size from.
     std::vector<unsigned char> basis() const;
     void startFrom(const std::vector<unsigned char>& basis);
 

@@ -43,8 +43,8 @@ double Programme::scaleOf(std::int32_t body_a, std::int32_t body_b) const {
     return std::min(scaleOf(body_a), scaleOf(body_b));
 }
 
-/// Tension bears shear only as the envelope says; where the tensile strength is beyond the envelope's apex, the convex
-/// hull of both counts.
+/// Tension bears shear only as the envelope says; where the tensile strength is beyond the envelope's apex,
+/// the convex hull of both counts.
 Programme::Strength Programme::strengthOf(const ContactPoint& point) const {
     const contact::StrengthLine line = contact::strengthLine(laws_[static_cast<std::size_t>(point.joint)]);
     const double cohesion = std::max(line.cohesion - line.tan_friction * line.tensile_strength, 0.0);

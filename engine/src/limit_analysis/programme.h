@@ -1,7 +1,8 @@
 #pragma once
 // The linear programme of an assembly under given loads.
 //
-//   rows      three or six equations a body (over its weight, torques over its weight and radius too), so that all numbers
+//   rows      three or six equations a body (over its weight, torques over its weight and radius too), so
+//   that all numbers
 //             are of size one; a lighter body than a thousandth of the mean counts as that heavy
 //             one limit a point with cohesion
 //   columns   what is missing from balance, either way, a pair for each equation
@@ -9,8 +10,8 @@
 //             the pull of each bolt, up to its strength
 //             forces along the edges of each point's pyramid, all pushing; with cohesion also its blunt end
 //
-// What the rows cost at the end (prices) is the mechanism: the velocities at which the loads do most work against
-// joints that open as they slide (duality; Charnes, Lemke and Zienkiewicz 1959).
+// What the rows cost at the end (prices) is the mechanism: the velocities at which the loads do most work
+// against joints that open as they slide (duality; Charnes, Lemke and Zienkiewicz 1959).
 
 #include <cstdint>
 #include <vector>
@@ -45,8 +46,8 @@ class Programme {
     Outcome growMost(double least, double most);
     double multiplier() const;
 
-    /// Inside: adds the directions in which the mechanism slides and the pyramids have no edge, and puts them into
-    /// `pyramids`. False when there are none: then the pyramids are as good as cones.
+    /// Inside: adds the directions in which the mechanism slides and the pyramids have no edge, and puts them
+    /// into `pyramids`. False when there are none: then the pyramids are as good as cones.
     bool refineInside(Pyramids& pyramids);
     /// Outside: directions in which forces are beyond the cone; for the next programme.
     bool refineOutside(Pyramids& pyramids) const;

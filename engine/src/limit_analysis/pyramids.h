@@ -7,18 +7,19 @@
 
 namespace talus::limit {
 
-/// Inside: the polygon's corners lie on the circle, so that its forces are real ones. Outside: its sides touch the circle.
+/// Inside: the polygon's corners lie on the circle, so that its forces are real ones. Outside: its sides
+/// touch the circle.
 enum class Side { inside, outside };
 
-/// A corner of a polygon: its direction in the plane of the joint from the first tangent [rad], and how far out it lies
-/// (1 on the circle).
+/// A corner of a polygon: its direction in the plane of the joint from the first tangent [rad], and how far
+/// out it lies (1 on the circle).
 struct Corner {
     double angle = 0;
     double reach = 1;
 };
 
-/// Directions for every contact point, refined where a solution asks for more. The first is the first tangent, so that
-/// in the vertical plane of x both polygons are exact.
+/// Directions for every contact point, refined where a solution asks for more. The first is the first
+/// tangent, so that in the vertical plane of x both polygons are exact.
 class Pyramids {
  public:
     explicit Pyramids(const Assembly& assembly);

@@ -1,5 +1,6 @@
 #pragma once
-// Answers about one assembly, each from linear programmes whose pyramids are refined until they do as well as cones.
+// Answers about one assembly, each from linear programmes whose pyramids are refined until they do as well as
+// cones.
 
 #include <cstdint>
 #include <vector>

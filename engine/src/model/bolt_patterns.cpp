@@ -1,4 +1,5 @@
-// Where the bolts of a pattern go: a grid on the plane of a face, each head where the grid's normal first meets the rock.
+// Where the bolts of a pattern go: a grid on the plane of a face, each head where the grid's normal first
+// meets the rock.
 
 #include <algorithm>
 #include <cmath>

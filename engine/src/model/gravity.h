@@ -1,16 +1,17 @@
 #pragma once
-// Which way is down, and which way an earthquake pushes. An assembly is tilted together with its compass: what is level
-// in the model is level on the tilted table.
+// Which way is down, and which way an earthquake pushes. An assembly is tilted together with its compass:
+// what is level in the model is level on the tilted table.
 
 #include "talus/model.h"
 
 namespace talus {
 
-/// The unit vector along gravity, at a tilt about y. With gravity's default direction (-sin, 0, -cos) of the tilt.
+/// The unit vector along gravity, at a tilt about y. With gravity's default direction (-sin, 0, -cos) of the
+/// tilt.
 Vec3 downward(const Gravity& gravity, double tilt);
 
-/// East, north and up under gravity, as columns: x, y and z by the shortest turn that takes -z to gravity's direction, then
-/// tilted.
+/// East, north and up under gravity, as columns: x, y and z by the shortest turn that takes -z to gravity's
+/// direction, then tilted.
 Mat3 compass(const Gravity& gravity, double tilt);
 
 /// The level unit vector along which a pseudo-static earthquake pushes.

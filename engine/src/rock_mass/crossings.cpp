@@ -1,5 +1,6 @@
-// Where a surface crosses itself: an edge that goes through the inside of a triangle, from one side to the other. Two triangles
-// in general position cross only so. What merely comes near (1e-9 of the extent) is left alone.
+// Where a surface crosses itself: an edge that goes through the inside of a triangle, from one side to the
+// other. Two triangles in general position cross only so. What merely comes near (1e-9 of the extent) is left
+// alone.
 
 #include <cmath>
 #include <optional>

@@ -1,5 +1,5 @@
-// Cutting a rock mass: the region into cells, the cells by the joints' planes one after the other, the cells into
-// blocks.
+// Cutting a rock mass: the region into cells, the cells by the joints' planes one after the other, the cells
+// into blocks.
 
 #include <algorithm>
 #include <cmath>
@@ -74,8 +74,8 @@ std::string roundText(double count) {
     return text;
 }
 
-/// Whether a plane passes through the region, or touches it: the region is in one piece, so it does where not all corners lie on
-/// one side. A finite joint has to come near it, too.
+/// Whether a plane passes through the region, or touches it: the region is in one piece, so it does where not
+/// all corners lie on one side. A finite joint has to come near it, too.
 bool meets(const JointPlane& joint, const TriangleSurface& region) {
     const double weld = weldDistance(region);
     double low = kInfinity, high = -kInfinity;
@@ -134,8 +134,8 @@ class Cutter {
         return errors;
     }
 
-    /// The user's or the default, but never so thin that the weld distance shows against the gap of closed faces
-    /// (1e-4 of a block).
+    /// The user's or the default, but never so thin that the weld distance shows against the gap of closed
+    /// faces (1e-4 of a block).
     double minThickness() const {
         double spacing = kInfinity;
         for (const JointSet& set : description_.sets) spacing = std::min(spacing, set.spacing);

@@ -1,6 +1,6 @@
 #pragma once
-// The solids as leaves of the tree of cuts: a node's box holds all that was cut from it, so a plane visits only the
-// solids it may meet, and the nodes above them.
+// The solids as leaves of the tree of cuts: a node's box holds all that was cut from it, so a plane visits
+// only the solids it may meet, and the nodes above them.
 
 #include <vector>
 
@@ -12,8 +12,8 @@ class CutTree {
  public:
     explicit CutTree(std::vector<Solid> solids);
 
-    /// Calls `cut(solid)` for each leaf a plane may meet (the finite joint `reach` of it, if there is one); it returns
-    /// the parts that replace the solid, none to keep it.
+    /// Calls `cut(solid)` for each leaf a plane may meet (the finite joint `reach` of it, if there is one);
+    /// it returns the parts that replace the solid, none to keep it.
     template <class Cut>
     void visit(const Plane& plane, const Reach* reach, double weld, const Cut& cut);
 

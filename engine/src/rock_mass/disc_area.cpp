@@ -1,6 +1,6 @@
-// How much of a disc lies inside a closed surface. The disc's plane cuts the surface in closed lines with the inside on their
-// left; the area a circle has in common with what they enclose is the sum over their pieces p q of that with the triangle
-// (centre, p, q), by its sign: no line has to be put together.
+// How much of a disc lies inside a closed surface. The disc's plane cuts the surface in closed lines with the
+// inside on their left; the area a circle has in common with what they enclose is the sum over their pieces p
+// q of that with the triangle (centre, p, q), by its sign: no line has to be put together.
 
 #include <algorithm>
 #include <cmath>

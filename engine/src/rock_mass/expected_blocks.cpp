@@ -44,8 +44,9 @@ bool meets(const Reach& reach, const Region& region) {
            (reach.min.array() < (region.middle + half).array()).all();
 }
 
-/// Blocks that a finite joint meets among so many in a volume, and so cuts from side to side: of cubes that lie as they may the
-/// mean is 1 + n (S b' + S' b) / 2 by the kinematic formula, S being surfaces, b mean widths and n the cubes in a volume.
+/// Blocks that a finite joint meets among so many in a volume, and so cuts from side to side: of cubes that
+/// lie as they may the mean is 1 + n (S b' + S' b) / 2 by the kinematic formula, S being surfaces, b mean
+/// widths and n the cubes in a volume.
 double blocksMet(const JointPlane& joint, const Region& region, double count) {
     const Reach& reach = *joint.reach;
     const double through = areaOf(joint, region);

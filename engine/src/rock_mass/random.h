@@ -1,5 +1,6 @@
 #pragma once
-// Random numbers that are the same on every machine, and for a plane of a joint set the same whatever the region.
+// Random numbers that are the same on every machine, and for a plane of a joint set the same whatever the
+// region.
 
 #include <algorithm>
 #include <cmath>

@@ -232,8 +232,8 @@ class Decomposer {
         return below && above;
     }
 
-    /// Counts the triangles above a point that no triangle goes through. An edge decides the same way for both of its
-    /// triangles, so a ray through an edge or a vertex is counted once.
+    /// Counts the triangles above a point that no triangle goes through. An edge decides the same way for
+    /// both of its triangles, so a ray through an edge or a vertex is counted once.
     bool isInside(const Vec3& point) const {
         bool inside = false;
         const Vec3 up(0, 0, extent_);

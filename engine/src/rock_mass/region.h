@@ -1,10 +1,10 @@
 #pragma once
 // The region as convex cells.
 //
-// Planes of the surface that the whole surface lies behind (its convex hull's) cut a box about it first: a convex
-// region is done then. Elsewhere a cell that a triangle reaches into is cut by the plane of that triangle, until none
-// does; what a vertical ray finds inside the surface is kept. Cells cut apart inside the region belong together, they
-// are pieces of one solid.
+// Planes of the surface that the whole surface lies behind (its convex hull's) cut a box about it first: a
+// convex region is done then. Elsewhere a cell that a triangle reaches into is cut by the plane of that
+// triangle, until none does; what a vertical ray finds inside the surface is kept. Cells cut apart inside the
+// region belong together, they are pieces of one solid.
 
 #include <atomic>
 #include <vector>
@@ -15,7 +15,8 @@
 
 namespace talus::rock_mass {
 
-/// Coordinates of STL files have seven digits: triangles within this share of the extent of one plane are one face.
+/// Coordinates of STL files have seven digits: triangles within this share of the extent of one plane are one
+/// face.
 inline constexpr double kFlatness = 1e-6;
 
 /// The region's cells; appends the planes of its surface. \pre a checked surface

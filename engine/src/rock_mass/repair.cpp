@@ -65,8 +65,8 @@ class Repair {
             for (std::int32_t& corner : triangle) corner = same[static_cast<std::size_t>(corner)];
     }
 
-    /// What is no wider than the tolerance (twice its area over its longest side). The two triangles beside such a one then
-    /// meet in its corners, or in a T-junction.
+    /// What is no wider than the tolerance (twice its area over its longest side). The two triangles beside
+    /// such a one then meet in its corners, or in a T-junction.
     void dropNarrow() {
         keepIf([&](std::size_t t) {
             const auto& [a, b, c] = result_.surface.triangles[t];

@@ -2,12 +2,13 @@
 //
 //   star of u --u goes to its neighbour v--> fan of v in the star's outline
 //
-// Both are graphs over the same outline in a plane, so pushing along that plane's normal maps one onto the other, one to one.
-// How far it pushes is a function that is linear between the corners of the two drawn over each other, so it is largest in
-// one of these: in u, or where an edge of the star crosses one of the fan. Every triangle keeps the sum of the pushes that
-// made it. The maps of all steps one after the other take the first surface onto the last one, and no point goes farther than
-// that sum: so it bounds the Hausdorff distance both ways. It is not the least bound (pushes to and fro add up), but needs
-// no search in the first surface.
+// Both are graphs over the same outline in a plane, so pushing along that plane's normal maps one onto the
+// other, one to one. How far it pushes is a function that is linear between the corners of the two drawn over
+// each other, so it is largest in one of these: in u, or where an edge of the star crosses one of the fan.
+// Every triangle keeps the sum of the pushes that made it. The maps of all steps one after the other take the
+// first surface onto the last one, and no point goes farther than that sum: so it bounds the Hausdorff
+// distance both ways. It is not the least bound (pushes to and fro add up), but needs no search in the first
+// surface.
 
 #include <algorithm>
 #include <cmath>
@@ -179,7 +180,8 @@ class Simplifier {
         return Removal{before + *push + kShapeShare * allowed_ * (1 - new_shape), before + *push, u, v};
     }
 
-    /// u and v have no more neighbours in common than the triangles between them (H. Edelsbrunner's link condition).
+    /// u and v have no more neighbours in common than the triangles between them (H. Edelsbrunner's link
+    /// condition).
     bool keepsTopology(std::int32_t v, const std::vector<std::pair<std::int32_t, int>>& around,
                        bool on_rim) const {
         std::size_t common = 0;
@@ -241,7 +243,8 @@ class Simplifier {
         return push;
     }
 
-    /// What its neighbour has come to touch meanwhile may be in the way: then the vertex looks for another one.
+    /// What its neighbour has come to touch meanwhile may be in the way: then the vertex looks for another
+    /// one.
     bool isStillSound(const Removal& removal) {
         const auto around = neighbours(removal.vertex);
         const bool on_rim =

@@ -56,8 +56,8 @@ Solid bounded(std::vector<Cell> pieces, const VertexTable& vertices) {
     return {std::move(pieces), bounds.min, bounds.max};
 }
 
-/// Pieces parted inside the region only, and no longer in need of it, become one again: each with the first behind it that it
-/// fits, and once grown with those it did not fit before.
+/// Pieces parted inside the region only, and no longer in need of it, become one again: each with the first
+/// behind it that it fits, and once grown with those it did not fit before.
 void mergePieces(std::vector<Cell>& pieces, const Knife& knife) {
     std::vector<Box> bounds;
     for (const Cell& piece : pieces) bounds.push_back(boundsOf(piece, knife.vertices));

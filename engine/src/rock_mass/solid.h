@@ -1,6 +1,6 @@
 #pragma once
-// A solid: one block of the rock mass as its joints part it. It is one convex cell, or several that belong together
-// where the region is not convex.
+// A solid: one block of the rock mass as its joints part it. It is one convex cell, or several that belong
+// together where the region is not convex.
 
 #include <vector>
 

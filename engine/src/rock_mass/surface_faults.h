@@ -31,8 +31,8 @@ struct OpenEdge {
 /// Of all triangles, in their order. \pre no edge is run through twice the same way
 std::vector<OpenEdge> openEdges(const TriangleSurface& surface);
 
-/// No triangles, indices and coordinates, triangles without area, non-manifold edges, neighbours that face opposite ways;
-/// open edges, unless they are allowed.
+/// No triangles, indices and coordinates, triangles without area, non-manifold edges, neighbours that face
+/// opposite ways; open edges, unless they are allowed.
 std::vector<Error> facetErrors(const TriangleSurface& surface, bool may_be_open);
 
 /// The places where a surface crosses itself, or folds back onto itself. \pre no facetErrors

@@ -1,7 +1,7 @@
 #pragma once
-// The operations that kernels are written in, for one double. `lanes.h` has the same for several doubles in a register:
-// a kernel written as a template over the number type is its own scalar twin. Everything here is inlined by force, so
-// that no copy compiled for a newer instruction set can be linked into other files.
+// The operations that kernels are written in, for one double. `lanes.h` has the same for several doubles in a
+// register: a kernel written as a template over the number type is its own scalar twin. Everything here is
+// inlined by force, so that no copy compiled for a newer instruction set can be linked into other files.
 
 #include <cmath>
 #include <cstddef>

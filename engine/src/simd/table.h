@@ -1,10 +1,10 @@
 #pragma once
-// Functions of one variable as tables of pieces, four numbers each: looked up by the leading bits of the variable, 64
-// pieces to a power of two. The same steps for one number here and for several in lanes.h.
+// Functions of one variable as tables of pieces, four numbers each: looked up by the leading bits of the
+// variable, 64 pieces to a power of two. The same steps for one number here and for several in lanes.h.
 //
-// A table has kPieces pieces: below 1, from 1 to kGreatest, and beyond. A piece holds up to its fourth number; what
-// lies beyond that but before the next piece is sought among the pieces that follow all others, the last of which has
-// no end.
+// A table has kPieces pieces: below 1, from 1 to kGreatest, and beyond. A piece holds up to its fourth
+// number; what lies beyond that but before the next piece is sought among the pieces that follow all others,
+// the last of which has no end.
 
 #include <cstring>
 

@@ -37,8 +37,8 @@ double wayFrom(const PositionArray& position, const QuaternionArray& orientation
 /// Of the farthest-moved point of any free block since it was in other poses [m].
 double largestMotion(const State& state, const PositionArray& position, const QuaternionArray& orientation);
 
-/// Axis times angle of the turn from one orientation to another, in the model frame [rad]. The vector part keeps small
-/// angles exact; of the two quaternions of a turn the one with the angle below pi counts.
+/// Axis times angle of the turn from one orientation to another, in the model frame [rad]. The vector part
+/// keeps small angles exact; of the two quaternions of a turn the one with the angle below pi counts.
 Vec3 rotationVector(const Quaternion& from, const Quaternion& to);
 
 }  // namespace talus

@@ -33,7 +33,8 @@ struct BoltSegment {
     std::int32_t bolt = 0;  ///< of the model's
     std::int32_t block_a = 0, block_b = 0;
     Vec3 at_a = Vec3::Zero(), at_b = Vec3::Zero();  ///< its ends, in the blocks' own frames [m]
-    /// grouted: along the bolt from a to b, in a's own frame; zero: free between its ends, along which it pulls
+    /// grouted: along the bolt from a to b, in a's own frame; zero: free between its ends, along which it
+    /// pulls
     Vec3 axis = Vec3::Zero();
     double length = 0;  ///< between its ends at the start [m]
     BoltLaw law;

@@ -25,8 +25,8 @@ ContactCount countContacts(const Interfaces& interfaces);
 /// Finds which interfaces push on which block. Reads interfaces, writes their part of incidence.
 void buildIncidence(State& state);
 
-/// Largest length that a block's gaps are differences of: its own coordinates, and those of what it touches with the arms from there
-/// to the contact. A gap is rounded by that times the rounding of one [m].
+/// Largest length that a block's gaps are differences of: its own coordinates, and those of what it touches
+/// with the arms from there to the contact. A gap is rounded by that times the rounding of one [m].
 double coordinateReach(const State& state, const PositionArray& position, std::size_t block);
 
 /// The interface of two blocks, the one with the largest patch if there are several; -1 when they share none.

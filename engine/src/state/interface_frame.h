@@ -10,13 +10,14 @@
 
 namespace talus {
 
-/// How two faces lie against each other. The reference face belongs to block `a`; e1, e2 span it and e3 = e1 x e2 points
-/// from a to b. The origin is the patch's centroid at its last clipping, as a material point of each of the two blocks.
+/// How two faces lie against each other. The reference face belongs to block `a`; e1, e2 span it and e3 = e1
+/// x e2 points from a to b. The origin is the patch's centroid at its last clipping, as a material point of
+/// each of the two blocks.
 struct InterfaceFrame {
     Vec3 origin_a = Vec3::Zero();  ///< in a's own frame [m]
     Vec3 e1_a = Vec3::Zero(), e2_a = Vec3::Zero();
-    /// in b's own frame: b's face plane; e1 and e2 as they lay at the clipping, of faces carried into b's plane along e3,
-    /// hence as much longer than one as it is tilted
+    /// in b's own frame: b's face plane; e1 and e2 as they lay at the clipping, of faces carried into b's
+    /// plane along e3, hence as much longer than one as it is tilted
     Vec3 origin_b = Vec3::Zero();
     Vec3 e1_b = Vec3::Zero(), e2_b = Vec3::Zero();
     /// gap [m] and its two slopes along e1, e2 that count as closed and unstressed

@@ -5,9 +5,9 @@
 
 namespace talus {
 
-/// Interfaces that a kernel takes at once: neighbours in the arrays whose patches have as many corners and contact
-/// points. Their contact points and corners lie interleaved: the k-th of all members side by side, in kLanes slots,
-/// the unused ones zero.
+/// Interfaces that a kernel takes at once: neighbours in the arrays whose patches have as many corners and
+/// contact points. Their contact points and corners lie interleaved: the k-th of all members side by side, in
+/// kLanes slots, the unused ones zero.
 struct InterfaceGroup {
     std::int32_t begin = 0;         ///< first interface
     std::int32_t size = 0;          ///< members, 1..kLanes

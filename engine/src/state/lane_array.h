@@ -1,7 +1,7 @@
 #pragma once
-// Records of interfaces, corners and contact points as the kernels read them: kLanes of them side by side, quantity
-// by quantity, so that a register takes one quantity of several with one load and everything one group needs lies in
-// one piece.
+// Records of interfaces, corners and contact points as the kernels read them: kLanes of them side by side,
+// quantity by quantity, so that a register takes one quantity of several with one load and everything one
+// group needs lies in one piece.
 
 #include <cassert>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
-// How many doubles a slot has, of interfaces, corners and contact points (state/lane_array.h); kernels may see this,
-// not the rest.
+// How many doubles a slot has, of interfaces, corners and contact points (state/lane_array.h); kernels may
+// see this, not the rest.
 
 #include <cstddef>
 

@@ -1,6 +1,6 @@
 #pragma once
-// Half kick and drift, gather and half kick, for one block (V = double) or several in a register (V = Lanes); one
-// source, a build per instruction set.
+// Half kick and drift, gather and half kick, for one block (V = double) or several in a register (V = Lanes);
+// one source, a build per instruction set.
 
 #include <cstring>
 
@@ -44,7 +44,8 @@ struct Consecutive<double> {
     }
 };
 
-/// The last of them that V has room for, when those before `from` are done: of these it leaves everything as it is.
+/// The last of them that V has room for, when those before `from` are done: of these it leaves everything as
+/// it is.
 /// \pre `block` and what follows belong to the caller's range
 template <class V>
 struct Last;
@@ -90,10 +91,11 @@ TALUS_KERNEL Triple<V> selectTriple(const Mask& mask, const Triple<V>& yes, cons
     return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
 }
 
-/// Turns the pair (angular momentum in the block's frame, orientation) about one principal axis: the exact flow of one
-/// third of the free rigid body's energy, but for tan(angle/2) ~ angle/2, which keeps it symplectic (it is the exact
-/// flow of a function of the same component) and second order. `t` is that tangent; a, j, k go round x, y, z.
-/// Splitting after Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107 (1997) 5840.
+/// Turns the pair (angular momentum in the block's frame, orientation) about one principal axis: the exact
+/// flow of one third of the free rigid body's energy, but for tan(angle/2) ~ angle/2, which keeps it
+/// symplectic (it is the exact flow of a function of the same component) and second order. `t` is that
+/// tangent; a, j, k go round x, y, z. Splitting after Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107
+/// (1997) 5840.
 template <class V>
 TALUS_KERNEL void spinAbout(V t, V& m_j, V& m_k, V& q_w, V& q_a, V& q_j, V& q_k) {
     const V one = V{} + 1.0;
@@ -172,7 +174,8 @@ TALUS_KERNEL void driftBlocks(const MotionView& view, const C& at, const Momenta
           turn * Triple<V>{inverse_inertia.x * own.x, inverse_inertia.y * own.y, inverse_inertia.z * own.z});
 }
 
-/// Cundall's local damping: a share of the out-of-balance force that opposes the motion, component by component.
+/// Cundall's local damping: a share of the out-of-balance force that opposes the motion, component by
+/// component.
 template <class V>
 TALUS_KERNEL V locallyDamped(const V& force, const V& velocity, double share) {
     using simd::larger, simd::select;

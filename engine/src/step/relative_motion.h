@@ -23,7 +23,8 @@ struct RelativeMotion {
 };
 RelativeMotion motionAt(const State& state, std::size_t interface, const Vec3& place);
 
-/// Takes energy out of that motion by an impulse and its opposite: momentum and angular momentum stay as they are.
+/// Takes energy out of that motion by an impulse and its opposite: momentum and angular momentum stay as they
+/// are.
 /// \pre 0 <= energy < motion.energy() [J]
 /// Writes: velocity, angular_momentum
 void takeEnergy(State& state, std::size_t interface, const Vec3& place, const RelativeMotion& motion,

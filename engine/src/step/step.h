@@ -3,10 +3,12 @@
 //
 //   velocities ──┐
 //   forces ──────┴─> drift ─> poses ─┬─> update contacts ─> interface wrenches ─┐
-//                                    └─> update water ────> wet wrenches ───────┴─> gather ─> forces, velocities
+//                                    └─> update water ────> wet wrenches ───────┴─> gather ─> forces,
+//                                    velocities
 //
-// Every stage writes slots of its own index only and reads what earlier stages wrote, so the cut of the ranges among
-// threads does not show in a single bit. Between two steps gather and drift are one pass over the blocks.
+// Every stage writes slots of its own index only and reads what earlier stages wrote, so the cut of the
+// ranges among threads does not show in a single bit. Between two steps gather and drift are one pass over
+// the blocks.
 
 #include <functional>
 
@@ -20,11 +22,12 @@ struct StepOptions {
     bool parallel = false;
 };
 
-/// Puts on the load of a step, the `k`-th of those asked for (from 0): tilt, level, strengths. Poses, velocities and
-/// forces are not its to read.
+/// Puts on the load of a step, the `k`-th of those asked for (from 0): tilt, level, strengths. Poses,
+/// velocities and forces are not its to read.
 using SetLoad = std::function<void(int k)>;
 
-/// Forces for the state as it stands (at the start, or after loads changed by hand); poses and velocities stay.
+/// Forces for the state as it stands (at the start, or after loads changed by hand); poses and velocities
+/// stay.
 void updateForces(State& state, bool parallel);
 
 /// \pre a positive time step; forces of the state as it stands

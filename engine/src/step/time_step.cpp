@@ -74,8 +74,8 @@ double boundAnywhere(const State& state, std::size_t block, double area) {
            (3.0 / state.blocks.mass[block] + 3.0 * r * r / state.blocks.inertia.get(block).minCoeff());
 }
 
-/// Half the surface, on which no more than one side of a block can touch, of a block of several parts; else the largest face
-/// [m^2].
+/// Half the surface, on which no more than one side of a block can touch, of a block of several parts; else
+/// the largest face [m^2].
 double largestSide(const Polyhedron& shape) {
     double largest = 0, surface = 0;
     for (std::size_t f = 0; f < shape.faces.size(); ++f) {

@@ -14,8 +14,8 @@ const Joint& jointBetween(const Model& model, const JointChoice& choice, const W
 /// The face of a block whose outward normal is `direction` (to rounding).
 std::optional<WetFace> faceTowards(const Model& model, std::int32_t block, const Vec3& direction);
 
-/// Strength is the same before and after failure: no peak to lose, no tension, no dilation. With a peak, failure is
-/// progressive and limit equilibrium only an upper bound.
+/// Strength is the same before and after failure: no peak to lose, no tension, no dilation. With a peak,
+/// failure is progressive and limit equilibrium only an upper bound.
 bool isPlainCoulomb(const Joint& joint);
 
 /// Nothing holds the joint together when it is pulled or sheared without normal force.

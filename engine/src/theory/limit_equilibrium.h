@@ -1,11 +1,13 @@
 #pragma once
-// Limit equilibrium of one rigid mass on a plane: the two equations every closed formula of theory.h rests on.
+// Limit equilibrium of one rigid mass on a plane: the two equations every closed formula of theory.h rests
+// on.
 //
 //            z ^   +-------+ <- back: water pushes towards -x (downhill for a positive tilt)
 //              |   |  mass |
 //              |   +-------+--> x      gravity: (-sin(tilt), 0, -cos(tilt)) g
 //
-// Water forces are given per cos(tilt): a horizontal water table makes them rho_w g cos(tilt) times a length squared.
+// Water forces are given per cos(tilt): a horizontal water table makes them rho_w g cos(tilt) times a length
+// squared.
 
 namespace talus::theory {
 
@@ -21,11 +23,12 @@ struct Mass {
     double uplift_moment = 0;   ///< moment of the uplift about the downhill edge, per cos(tilt) [N m]
 };
 
-/// Solves weight sin(b) + thrust cos(b) = friction_force cos(b) + cohesion_force for b, exactly, as R sin(b - d) = c.
-/// Infinity when the mass cannot slide downhill at any tilt.
+/// Solves weight sin(b) + thrust cos(b) = friction_force cos(b) + cohesion_force for b, exactly, as R sin(b -
+/// d) = c. Infinity when the mass cannot slide downhill at any tilt.
 double slidingTilt(const Mass& mass);
 
-/// tan(b) = (weight_lever - thrust_moment - uplift_moment) / weight_moment: the resultant passes the downhill edge.
+/// tan(b) = (weight_lever - thrust_moment - uplift_moment) / weight_moment: the resultant passes the downhill
+/// edge.
 double topplingTilt(const Mass& mass);
 
 /// What sliding downhill at this tilt still needs from a support in front; negative: a reserve [N].

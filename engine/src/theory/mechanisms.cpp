@@ -41,8 +41,8 @@ Push passOn(const Bed& bed, std::size_t column, const Push& from_behind, double 
     return push;
 }
 
-/// True when the resultant on the base stays within the middle third without help from the neighbours: then an
-/// elastic base is compressed everywhere.
+/// True when the resultant on the base stays within the middle third without help from the neighbours: then
+/// an elastic base is compressed everywhere.
 bool baseIsClosed(const Bed& bed, std::size_t column, double tilt) {
     const Mass mass = massOf(bed, column, column);
     const Body& body = *bed.columns[column];

@@ -1,6 +1,6 @@
 #pragma once
-// The two-dimensional section of a model that the closed formulas speak of: columns side by side above each bed.
-// A model that is not of this kind has no section, and then no prediction: nothing rather than a guess.
+// The two-dimensional section of a model that the closed formulas speak of: columns side by side above each
+// bed. A model that is not of this kind has no section, and then no prediction: nothing rather than a guess.
 
 #include <cstdint>
 #include <optional>

@@ -1,4 +1,5 @@
-// One free box on one fixed block, as a section of one column: water on its upright faces, uplift from two heads.
+// One free box on one fixed block, as a section of one column: water on its upright faces, uplift from two
+// heads.
 
 #include <algorithm>
 #include <cmath>

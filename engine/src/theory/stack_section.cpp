@@ -1,5 +1,5 @@
-// A regular stack as a section: blocks found by where they are, each bed's joint and each wall's water gathered per
-// slice; all slices must be alike, or the section would not speak for the model.
+// A regular stack as a section: blocks found by where they are, each bed's joint and each wall's water
+// gathered per slice; all slices must be alike, or the section would not speak for the model.
 
 #include <algorithm>
 #include <cmath>
@@ -174,8 +174,8 @@ bool columnBody(const Stack& stack, int column, int row, std::optional<Body>& re
     return true;
 }
 
-/// The columns of a group share the load between them in a way limit equilibrium does not tell, so their bed must have
-/// one strength.
+/// The columns of a group share the load between them in a way limit equilibrium does not tell, so their bed
+/// must have one strength.
 bool hasOneStrength(const Bed& bed) {
     const Body* first = nullptr;
     for (const auto& body : bed.columns) {

@@ -1,5 +1,5 @@
-// glTF 2.0 in one binary file (.glb): a mesh a block in its own place, nodes that carry them, and for a run an animation of the
-// nodes that move. glTF's y points up, so the model's z is turned to it.
+// glTF 2.0 in one binary file (.glb): a mesh a block in its own place, nodes that carry them, and for a run
+// an animation of the nodes that move. glTF's y points up, so the model's z is turned to it.
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,8 @@ class Gltf {
         return json_[list].size() - 1;
     }
 
-    /// An accessor of `parts` floats an element; \param bounds says their smallest and largest, where glTF wants to know
+    /// An accessor of `parts` floats an element; \param bounds says their smallest and largest, where glTF
+    /// wants to know
     std::size_t addFloats(const std::vector<float>& values, std::size_t parts, bool bounds, int target = 0) {
         static constexpr const char* kTypes[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
         Json accessor{{"bufferView", addView(values.data(), values.size() * sizeof(float), target)},
@@ -189,7 +190,8 @@ Json blockNode(const SnapshotHeader& header, const LightFrame& frame, std::size_
 std::string gltfBlocks(const SnapshotHeader& header, const std::vector<LightFrame>& frames) {
     const RunGeometry& g = header.geometry;
     const std::vector<FailureMode> roles = failureRoles(header, frames.back());
-    // Floats resolve little in survey coordinates: places are told from the first block, whose own place is exact.
+    // Floats resolve little in survey coordinates: places are told from the first block, whose own place is
+    // exact.
     const Vec3 origin = at(g.centroid, 0);
     Gltf gltf;
     Json children = Json::array();

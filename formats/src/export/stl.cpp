@@ -1,5 +1,5 @@
-// Binary STL: 80 bytes of header, the number of triangles, then normal and corners of each as floats. Of a block of several parts
-// each part is a closed surface, so that volumes add up.
+// Binary STL: 80 bytes of header, the number of triangles, then normal and corners of each as floats. Of a
+// block of several parts each part is a closed surface, so that volumes add up.
 
 #include <cstring>
 

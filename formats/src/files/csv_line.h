@@ -29,19 +29,20 @@ struct CsvCell {
 };
 std::vector<CsvCell> cellsOf(std::string_view line, char separator);
 
-/// Why these cells are no row of a table with so many columns; nothing when they are. \param decimal_comma  whether numbers may
-/// have a comma
+/// Why these cells are no row of a table with so many columns; nothing when they are. \param decimal_comma
+/// whether numbers may have a comma
 std::string rowFault(const std::vector<CsvCell>& cells, std::size_t columns, char separator,
                      bool decimal_comma = false);
 
 /// Without the blanks, tabs and carriage return around it.
 std::string_view withoutBlanks(std::string_view text);
 
-/// What stands between the columns of a table with this header: a tab, a semicolon or a comma, in quotes none of them.
+/// What stands between the columns of a table with this header: a tab, a semicolon or a comma, in quotes none
+/// of them.
 char separatorOf(std::string_view header);
 
-/// Why this cell, which stands without quotes in a table with this separator, cannot be what is meant: another separator
-/// than the header's, or a comma for a decimal point. Nothing when it can.
+/// Why this cell, which stands without quotes in a table with this separator, cannot be what is meant:
+/// another separator than the header's, or a comma for a decimal point. Nothing when it can.
 std::string cellFault(std::string_view cell, char separator, bool decimal_comma = false);
 
 }  // namespace talus::formats

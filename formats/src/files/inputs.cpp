@@ -19,8 +19,9 @@ namespace talus::formats {
 
 namespace {
 
-/// Device and number on it: what a file is, under all of its names, as long as it exists. The number of one that is gone goes to
-/// the next that is made, with another time of birth or, in the same tick of the clock, another generation.
+/// Device and number on it: what a file is, under all of its names, as long as it exists. The number of one
+/// that is gone goes to the next that is made, with another time of birth or, in the same tick of the clock,
+/// another generation.
 using Identity = std::pair<std::uint64_t, std::uint64_t>;
 
 struct Found {
@@ -66,8 +67,8 @@ std::optional<int> generationOf(const std::string& path) {
     return generation;
 }
 
-/// Whether a file with the number of an input is still that one: where nobody knows when it was born, as long as a name of it
-/// leads there.
+/// Whether a file with the number of an input is still that one: where nobody knows when it was born, as long
+/// as a name of it leads there.
 bool isStill(const Input& input, const Found& now, const std::string& path) {
     if (input.file.born && now.born) {
         if (*input.file.born != *now.born) return false;

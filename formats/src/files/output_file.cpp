@@ -25,7 +25,8 @@ Error refusal(const std::string& path, int error) {
     return {path, std::string("cannot be opened for writing: ") + std::strerror(error)};
 }
 
-/// A file that is there is opened as it is; one that is not is made, and then nobody can have put a link in its place.
+/// A file that is there is opened as it is; one that is not is made, and then nobody can have put a link in
+/// its place.
 int openOrMake(const std::string& path, bool may_create, bool& created) {
     for (int attempt = 0; attempt < 100; ++attempt) {
         int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);

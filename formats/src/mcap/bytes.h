@@ -43,8 +43,8 @@ class Encoder {
     Bytes& out_;
 };
 
-/// Takes fields from a byte string. Once something does not fit, everything that follows is zero or empty and ok() is
-/// false.
+/// Takes fields from a byte string. Once something does not fit, everything that follows is zero or empty and
+/// ok() is false.
 class Decoder {
  public:
     explicit Decoder(View in) : in_(in) {}

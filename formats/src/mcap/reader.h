@@ -1,6 +1,6 @@
 #pragma once
-// Reads an MCAP file by its index; a file without a sound index (cut, still being written) chunk by chunk from the
-// start. Nothing is trusted: every length is held against what is there.
+// Reads an MCAP file by its index; a file without a sound index (cut, still being written) chunk by chunk
+// from the start. Nothing is trusted: every length is held against what is there.
 
 #include <functional>
 #include <optional>

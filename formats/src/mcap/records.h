@@ -97,7 +97,8 @@ bool decode(View content, MetadataIndex& index);
 bool decodeMetadata(View content, std::string& name, Metadata& values);
 bool decodeMessageIndex(View content, std::uint16_t& channel, std::vector<IndexEntry>& entries);
 
-/// A chunk's fields before its records; `head_size` is their length and `index` is filled but for its place in the file.
+/// A chunk's fields before its records; `head_size` is their length and `index` is filled but for its place
+/// in the file.
 bool decodeChunkHead(View content, ChunkIndex& index, std::uint32_t& crc, std::size_t& head_size);
 
 struct Message {

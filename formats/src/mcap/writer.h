@@ -1,6 +1,7 @@
 #pragma once
-// Writes an MCAP file: messages are gathered into chunks, which go to the file whole, each compressed and with its
-// checksum and index; the summary follows at the end. A process that dies leaves all chunks it wrote.
+// Writes an MCAP file: messages are gathered into chunks, which go to the file whole, each compressed and
+// with its checksum and index; the summary follows at the end. A process that dies leaves all chunks it
+// wrote.
 
 #include <optional>
 
@@ -21,15 +22,15 @@ struct Written {
 
 class Writer {
  public:
-    /// Takes over an open file whose first `written.size` bytes are those that `written` tells of; the rest is cut off
-    /// with the first write.
+    /// Takes over an open file whose first `written.size` bytes are those that `written` tells of; the rest
+    /// is cut off with the first write.
     Writer(int file, Written written) : file_(file), written_(std::move(written)) {}
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
     ~Writer();  ///< closes the file as it stands
 
-    // Each returns 0, or the error number of the file system's refusal. After a refusal the file is cut back to its last
-    // whole record, and nothing more is written.
+    // Each returns 0, or the error number of the file system's refusal. After a refusal the file is cut back
+    // to its last whole record, and nothing more is written.
     int start(const std::string& profile, const std::string& library);
     int addSchema(const Schema& schema);
     int addChannel(const Channel& channel);

@@ -1,6 +1,6 @@
-// ESRI ASCII grid: a header (ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, NODATA_value), then the
-// heights row by row from north to south, each at the middle of its cell. (ARC/INFO's ASCIIGRID; GDAL writes dx and dy for
-// cells that are not square.)
+// ESRI ASCII grid: a header (ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize,
+// NODATA_value), then the heights row by row from north to south, each at the middle of its cell. (ARC/INFO's
+// ASCIIGRID; GDAL writes dx and dy for cells that are not square.)
 
 #include <algorithm>
 #include <map>
@@ -32,7 +32,8 @@ class AscReader {
  private:
     Error fault(std::string message) const { return builder_.fault(words_.line(), std::move(message)); }
 
-    /// Words of the header stand in any order and in capitals or not; the first line that begins with a number ends it.
+    /// Words of the header stand in any order and in capitals or not; the first line that begins with a
+    /// number ends it.
     std::optional<Error> readHeader() {
         static const std::vector<std::string> kKnown{"ncols",     "nrows",       "xllcorner", "xllcenter",
                                                      "yllcorner", "yllcenter",   "cellsize",  "dx",
@@ -116,7 +117,8 @@ class AscReader {
                      std::to_string(wanted));
     }
 
-    /// From the south-west on: squares with all four heights; a square that lacks one is no part of the terrain.
+    /// From the south-west on: squares with all four heights; a square that lacks one is no part of the
+    /// terrain.
     void addTriangles() {
         const auto height = [&](std::int32_t v) { return heights_[static_cast<std::size_t>(v)]; };
         for (std::size_t row = rows_ - 1; row-- > 0;)

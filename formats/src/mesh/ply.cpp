@@ -1,6 +1,6 @@
-// PLY (G. Turk, 1994): a header of lines that says which elements there are and of which properties, then their values as text
-// or binary, in either order of bytes. Of `vertex` x, y and z count, of `face` the list vertex_indices (or vertex_index);
-// everything else is passed over.
+// PLY (G. Turk, 1994): a header of lines that says which elements there are and of which properties, then
+// their values as text or binary, in either order of bytes. Of `vertex` x, y and z count, of `face` the list
+// vertex_indices (or vertex_index); everything else is passed over.
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
-// STL. Binary: 80 bytes of header, the number of triangles, then 50 bytes each (normal, three corners, two bytes of
-// attributes), little endian. Text: solid / facet normal / outer loop / vertex x y z (three times) / endloop / endfacet.
-// Normals are passed over; the order of the corners says which side is out.
+// STL. Binary: 80 bytes of header, the number of triangles, then 50 bytes each (normal, three corners, two
+// bytes of attributes), little endian. Text: solid / facet normal / outer loop / vertex x y z (three times) /
+// endloop / endfacet. Normals are passed over; the order of the corners says which side is out.
 
 #include <cstring>
 

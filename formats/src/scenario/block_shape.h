@@ -9,8 +9,8 @@
 
 namespace talus::formats::scenario {
 
-/// Nothing when the table has none that is sound, which is reported. \param folder of the scenario, where mesh files are looked
-/// for
+/// Nothing when the table has none that is sound, which is reported. \param folder of the scenario, where
+/// mesh files are looked for
 std::optional<Polyhedron> readShape(Report& report, TableReader& table, const std::string& folder);
 
 }  // namespace talus::formats::scenario

@@ -30,8 +30,8 @@ std::string fieldName(const toml::FieldPath& path) {
 
 std::string enclosingTable(const std::string& field) { return field.substr(0, field.rfind('.')); }
 
-/// Whether an error is about what was changed: the field itself, part of it, or, where the file has no such table, what is
-/// missing in the one that it made.
+/// Whether an error is about what was changed: the field itself, part of it, or, where the file has no such
+/// table, what is missing in the one that it made.
 bool isAbout(const Error& error, const std::string& changed) {
     const bool inside = error.field.starts_with(changed) &&
                         (error.field.size() == changed.size() || error.field[changed.size()] == '[');
@@ -86,7 +86,8 @@ std::vector<Error> unknownNames(const Document& document, const std::vector<Fiel
     return faults;
 }
 
-/// What an added joint or material lacks is said as its name: it was hardly meant to be added. Other faults stay.
+/// What an added joint or material lacks is said as its name: it was hardly meant to be added. Other faults
+/// stay.
 std::vector<Error> sayUnknown(const std::vector<Error>& unknown, std::vector<Error> errors) {
     for (const Error& name : unknown) {
         const std::string table = enclosingTable(name.field) + ".";

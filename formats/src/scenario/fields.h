@@ -1,6 +1,6 @@
 #pragma once
-// Numbers of the tables that one value of the model stands for, other than a joint's (talus/joint.h): read, overridden and
-// named with their unit from here. And what a field of a scenario is, by its path.
+// Numbers of the tables that one value of the model stands for, other than a joint's (talus/joint.h): read,
+// overridden and named with their unit from here. And what a field of a scenario is, by its path.
 
 #include <array>
 #include <optional>
@@ -47,7 +47,8 @@ inline constexpr std::array kSeismicFields{
     NumberField<Seismic>{"direction_deg", &Seismic::azimuth, "deg", Interval{-360, 360, false, false}},
     NumberField<Seismic>{"vertical", &Seismic::vertical, "", Interval{-10, 1, false, true}}};
 
-// The critical one of the stiffest block is some 1e8 per second; a dashpot slower than the history only holds it up.
+// The critical one of the stiffest block is some 1e8 per second; a dashpot slower than the history only holds
+// it up.
 inline constexpr Interval kDampingRate{0, 1e9}, kDampingTime{0, 1e3};
 
 inline constexpr std::array kDampingFields{
@@ -61,8 +62,8 @@ inline constexpr std::array kWaterFields{
     NumberField<Water>{"density", &Water::density, "kg/m^3", kFluidDensity, kFluidDensitySlip},
     NumberField<Water>{"drains_at_aperture", &Water::drains_at_aperture, "m", kSize}};
 
-/// Sections that hold nothing but such numbers, each with what holds them in the model: calls with its name, its fields and
-/// that. The reader, overrides and units iterate over them.
+/// Sections that hold nothing but such numbers, each with what holds them in the model: calls with its name,
+/// its fields and that. The reader, overrides and units iterate over them.
 template <class Each>
 void eachNumberSection(const Each& each) {
     each("seismic", kSeismicFields, &Model::seismic);

@@ -21,7 +21,8 @@ void refuse(TableReader& table, std::string_view with, std::initializer_list<con
                                  ", allowed: one or the other");
 }
 
-// --- [[load]] ------------------------------------------------------------------------------------------------------------
+// --- [[load]]
+// -----------------------------------------------------------------------------------------------------------
 
 void readPressure(TableReader& table, AppliedLoad& load) {
     table.require({"face", "pressure"});
@@ -65,7 +66,8 @@ void readLoads(const ForceReader& from, Model& model) {
     }
 }
 
-// --- [[bolt]], [[bolt_pattern]] --------------------------------------------------------------------------------------------
+// --- [[bolt]], [[bolt_pattern]]
+// --------------------------------------------------------------------------------------------
 
 const std::vector<std::string> kBoltKeys{
     "name",           "kind",           "area",          "modulus",         "yield_force", "pretension",

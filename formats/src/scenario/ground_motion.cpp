@@ -131,8 +131,8 @@ TimeMoments momentsOf(const GroundMotion& motion) {
     return sum;
 }
 
-/// Takes off the mean, or the straight line c0 + c1 t that is nearest by least squares: over a length T the integrals of the
-/// rest and of the rest times t are zero, so the velocity ends where it began.
+/// Takes off the mean, or the straight line c0 + c1 t that is nearest by least squares: over a length T the
+/// integrals of the rest and of the rest times t are zero, so the velocity ends where it began.
 void correctBaseline(GroundMotion& motion, bool line) {
     const double start = motion.time.front(), length = motion.time.back() - start;
     const TimeMoments moments = momentsOf(motion);

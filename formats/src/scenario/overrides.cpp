@@ -34,8 +34,8 @@ void settle(Scenario& scenario, std::size_t base) {
     }
 }
 
-/// Not the friction that bed levels are compared with, which decides whether they are joints of their own; nor a joint that
-/// others are mixed of.
+/// Not the friction that bed levels are compared with, which decides whether they are joints of their own;
+/// nor a joint that others are mixed of.
 std::optional<Target> jointTarget(const Scenario& scenario, const JointField& field) {
     const auto p = jointProperty(field.key);
     const auto& joints = scenario.model.joints;
@@ -145,8 +145,9 @@ using BlockPair = std::pair<std::int32_t, std::int32_t>;
 
 BlockPair blocksOf(const PairJoint& pair) { return std::minmax(pair.block_a, pair.block_b); }
 
-/// The [[interface]] entries of a scenario as a list that can be extended, and the model made from it again. Joints stand
-/// in the order of the reader: those of the file, those of entries with properties of their own, all others.
+/// The [[interface]] entries of a scenario as a list that can be extended, and the model made from it again.
+/// Joints stand in the order of the reader: those of the file, those of entries with properties of their own,
+/// all others.
 class InterfaceEntries {
  public:
     explicit InterfaceEntries(Scenario& scenario) : scenario_(scenario), model_(scenario.model) {

@@ -8,7 +8,9 @@ namespace talus::formats::scenario {
 
 namespace {
 
-constexpr long kBridgeSteps = 1000;  // shares of intact rock that are told apart
+// Shares of intact rock that are told apart: a network of 10,000 discs then makes a thousand joints, not
+// 50,000.
+constexpr long kBridgeSteps = 1000;
 constexpr const char *kLaw = "law", *kShearStrength = "shear_strength";
 
 std::vector<std::string> keysOfLaw(StrengthLaw law) {

@@ -57,12 +57,13 @@ class Joints {
     /// is the same angle. The residual angle follows unless the file gave one.
     std::int32_t withFriction(std::int32_t base, double friction_deg);
 
-    /// What two faces have between them of which a share is intact rock, to a thousandth: friction (by its tangent), cohesion,
-    /// tensile strength and stiffness in proportion to the areas (J. E. Jennings, 1970). \pre both follow Coulomb's law
+    /// What two faces have between them of which a share is intact rock, to a thousandth: friction (by its
+    /// tangent), cohesion, tensile strength and stiffness in proportion to the areas (J. E. Jennings, 1970).
+    /// \pre both follow Coulomb's law
     std::int32_t withBridge(std::int32_t base, std::int32_t rock, double share);
 
-    /// The joint like `base` but for the properties given in `table`, for one interface; `base` itself when there are
-    /// none. `field` names the new joint.
+    /// The joint like `base` but for the properties given in `table`, for one interface; `base` itself when
+    /// there are none. `field` names the new joint.
     std::int32_t withOverrides(std::int32_t base, TableReader& table, const std::string& field);
 
  private:
@@ -77,7 +78,8 @@ class Joints {
 /// Keys of a joint's properties.
 const std::vector<std::string>& jointKeys();
 
-/// Fills in what is not given: the base's value, or that of the property it follows, unless the base was given one.
+/// Fills in what is not given: the base's value, or that of the property it follows, unless the base was
+/// given one.
 void inherit(Joint& joint, JointProperties given, const Joint& base, JointProperties base_given);
 
 Materials readMaterials(Report& report, TableReader& root);

@@ -64,7 +64,8 @@ struct RockMassBlocks {
     std::vector<JointCut> finite_cuts{};
 };
 
-/// Nothing when the scenario has no rock mass. \param folder  of the scenario, where mesh files are looked for
+/// Nothing when the scenario has no rock mass. \param folder  of the scenario, where mesh files are looked
+/// for
 std::optional<RockMassInput> readRockMass(Report& report, TableReader& root, const Materials& materials,
                                           const Joints& joints, const std::string& folder);
 
@@ -99,12 +100,13 @@ std::optional<std::string> bridgeNote(const FiniteCuts& cuts);
 /// Appends the blocks, and what lies between those that a finite joint parts in part.
 void appendRockMass(const RockMassInput& input, RockMassBlocks blocks, Joints& joints, Model& model);
 
-/// All faces a joint made, or one plane of a joint set; not those wholly in a bridge. \param first  index of the rock mass's
-/// first block
+/// All faces a joint made, or one plane of a joint set; not those wholly in a bridge. \param first  index of
+/// the rock mass's first block
 std::vector<WetFace> jointWalls(const RockMassInput& input, const RockMassBlocks& blocks, std::size_t joint,
                                 std::optional<std::int64_t> plane, std::int32_t first);
 
-/// How far water in a joint reaches: as far as the joint where rock bridges bound it, else as far as its faces (empty).
+/// How far water in a joint reaches: as far as the joint where rock bridges bound it, else as far as its
+/// faces (empty).
 std::vector<Vec3> wetOutline(const RockMassInput& input, std::size_t joint);
 
 }  // namespace talus::formats::scenario

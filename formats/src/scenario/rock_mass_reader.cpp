@@ -67,7 +67,8 @@ class RockMassReader {
         for (const Vec3& v : vertices) low_ = low_.cwiseMin(v), high_ = high_.cwiseMax(v);
     }
 
-    // --- joints -------------------------------------------------------------------------------------------------
+    // --- joints
+    // -------------------------------------------------------------------------------------------------
 
     /// The joint's name, for water and selections.
     std::string readName(TableReader& table, std::size_t joint) {
@@ -147,7 +148,8 @@ class RockMassReader {
         return corners;
     }
 
-    /// Where a joint ends within a face, rock and joint are mixed by their areas: only Coulomb's law is in proportion to them.
+    /// Where a joint ends within a face, rock and joint are mixed by their areas: only Coulomb's law is in
+    /// proportion to them.
     void readBridge(TableReader& table) {
         if (!table.has("bridge")) return;
         input_.bridge = readJoint(report_, table, "bridge", joints_);
@@ -166,7 +168,8 @@ class RockMassReader {
         }
     }
 
-    // --- which blocks -------------------------------------------------------------------------------------------
+    // --- which blocks
+    // -------------------------------------------------------------------------------------------
 
     void readFixed(const FieldNode& entry) {
         TableReader table(report_, entry.node, entry.field,

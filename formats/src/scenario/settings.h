@@ -1,5 +1,6 @@
 #pragma once
-// The tables that hold for the whole model: [analysis], [run], [contact], [gravity], and those of plain numbers (fields.h).
+// The tables that hold for the whole model: [analysis], [run], [contact], [gravity], and those of plain
+// numbers (fields.h).
 
 #include "scenario/reading.h"
 #include "talus/model.h"

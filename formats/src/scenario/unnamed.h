@@ -15,12 +15,13 @@ struct KnownNames {
     std::vector<std::string> joints, materials;
 };
 
-/// What is wrong with a field of a joint or a material that is none of those: it would be added, with nothing that has it. Nothing for
-/// other fields, where there are none to compare with, and for "*".
+/// What is wrong with a field of a joint or a material that is none of those: it would be added, with nothing
+/// that has it. Nothing for other fields, where there are none to compare with, and for "*".
 std::optional<std::string> unknownName(const FieldPath& path, const KnownNames& known);
 
-/// Warns of each [material.NAME] and [joint.NAME] whose name no other value of the file is: blocks and joints that were to have it
-/// have another's strength or density. [joint.default] needs no name, nor does the only material.
+/// Warns of each [material.NAME] and [joint.NAME] whose name no other value of the file is: blocks and joints
+/// that were to have it have another's strength or density. [joint.default] needs no name, nor does the only
+/// material.
 /// \param root  of the file
 void warnOfUnnamed(Report& report, const Node& root);
 

@@ -65,7 +65,8 @@ class Documents {
         return asked != known_.asked().end() && asked->second.front().kind == Kind::integer;
     }
 
-    /// Values that may stand in a field: one of each kind that was asked for; of an unknown one, some to see what is asked.
+    /// Values that may stand in a field: one of each kind that was asked for; of an unknown one, some to see
+    /// what is asked.
     std::vector<Value> valuesOf(const std::string& field) const {
         const auto asked = known_.asked().find(field);
         if (asked == known_.asked().end()) return {1, kName, Value::array(), Value::object()};

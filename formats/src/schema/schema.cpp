@@ -26,7 +26,8 @@ constexpr const char* kSmallScenario =
     "friction_deg = 30\n"
     "[[stack]]\ncolumns = 1\nrows = 1\nslices = 1\nblock = [1, 1, 1]\n";
 
-/// The range of all that was asked of a field. An end that is not always the same depends on other values: it is left out.
+/// The range of all that was asked of a field. An end that is not always the same depends on other values: it
+/// is left out.
 Interval commonRange(const std::vector<Asked>& asked) {
     Interval common = asked.front().range;
     for (const Asked& one : asked) {

@@ -11,8 +11,8 @@ mcap::Bytes encode(SnapshotHeader header);
 mcap::Bytes encode(LightFrame frame);
 mcap::Bytes encode(FullFrame frame);
 
-// Each takes a whole message; false when it is damaged or of a later format, `why` then says so. Whether its arrays fit
-// each other is for fits().
+// Each takes a whole message; false when it is damaged or of a later format, `why` then says so. Whether its
+// arrays fit each other is for fits().
 bool decode(const mcap::Bytes& message, SnapshotHeader& header, std::string& why);
 bool decode(const mcap::Bytes& message, LightFrame& frame);
 bool decode(const mcap::Bytes& message, FullFrame& frame);

@@ -1,6 +1,6 @@
 #pragma once
-// Fields of messages beside the arrays of a full frame (tables.h): each pair is a field and its place in the message. Writing
-// and reading both go through it.
+// Fields of messages beside the arrays of a full frame (tables.h): each pair is a field and its place in the
+// message. Writing and reading both go through it.
 
 #include <array>
 #include <string_view>
@@ -50,8 +50,9 @@ void eachField(SupportForces& f, fb::SupportForcesT& m, const Move& move) {
     move(f.broken, m.broken);
 }
 
-// Columns of the first version: of a joint's properties by their keys, of the law's parameters by their names. Everything
-// that has none goes by its name (JointsT::property, LawsT::parameter), so that nothing here changes with a new property.
+// Columns of the first version: of a joint's properties by their keys, of the law's parameters by their
+// names. Everything that has none goes by its name (JointsT::property, LawsT::parameter), so that nothing
+// here changes with a new property.
 struct JointColumn {
     std::string_view key;
     std::vector<double> fb::JointsT::*values;

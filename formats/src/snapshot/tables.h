@@ -1,7 +1,7 @@
 #pragma once
-// Arrays of a full frame to tables of the schema and back, name by name: what the schema calls a field is what the table of
-// the frame's arrays (talus/frame_table.h) calls it, and a name that only one of the two has does not compile. Fields are
-// written in the schema's order.
+// Arrays of a full frame to tables of the schema and back, name by name: what the schema calls a field is
+// what the table of the frame's arrays (talus/frame_table.h) calls it, and a name that only one of the two
+// has does not compile. Fields are written in the schema's order.
 
 #include <array>
 #include <cstddef>
@@ -17,7 +17,8 @@ namespace talus::formats {
 
 namespace fb = talus::snapshot;
 
-// --- one array ------------------------------------------------------------------------------------------------------
+// --- one array
+// ------------------------------------------------------------------------------------------------------
 
 template <class Number>
 flatbuffers::Offset<flatbuffers::Vector<Number>> packed(flatbuffers::FlatBufferBuilder& builder,
@@ -60,7 +61,8 @@ inline void unpack(const fb::Quaternions* message, QuaternionList& list) {
     unpack(message->y(), list.y), unpack(message->z(), list.z);
 }
 
-// --- a table of them ------------------------------------------------------------------------------------------------
+// --- a table of them
+// ------------------------------------------------------------------------------------------------
 
 /// Arrays of a part of a frame by the names of the frame's table.
 template <const auto& fields>

@@ -17,9 +17,9 @@ struct CaseTable {
     std::vector<std::vector<Cell>> rows;  ///< each as long as the header
 };
 
-/// Commas, semicolons or tabs, whichever the header has; quotes as in RFC 4180; empty lines and lines that begin with
-/// '#' are skipped. Cells that read as an integer, a number, true or false are that, the rest is text. Errors: rows of
-/// another length, cells without a value, quotes that do not end, no rows.
+/// Commas, semicolons or tabs, whichever the header has; quotes as in RFC 4180; empty lines and lines that
+/// begin with '#' are skipped. Cells that read as an integer, a number, true or false are that, the rest is
+/// text. Errors: rows of another length, cells without a value, quotes that do not end, no rows.
 Result<CaseTable> parseCases(const std::string& text, const std::string& path);
 
 }  // namespace talus::formats::sweep

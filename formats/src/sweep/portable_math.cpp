@@ -79,7 +79,8 @@ double portableLog(double x) {
 }
 
 double portableLogGamma(double x) {
-    // Stirling's series from 10 up (error below 1e-16 there); below, Gamma(x) = Gamma(x + n) / (x ... (x + n - 1)).
+    // Stirling's series from 10 up (error below 1e-16 there); below, Gamma(x) = Gamma(x + n) / (x ... (x + n
+    // - 1)).
     double product = 1;
     for (; x < 10; x += 1) product *= x;
     const double inverse = 1 / x, square = inverse * inverse;
@@ -107,7 +108,8 @@ static double lowerBetaCdf(double a, double b, double x) {
 double betaCdf(double a, double b, double x) {
     if (x <= 0) return 0;
     if (x >= 1) return 1;
-    // The fraction is quick below the mean; on it either side will do, so the two never hand each other the same question.
+    // The fraction is quick below the mean; on it either side will do, so the two never hand each other the
+    // same question.
     return x > (a + 1) / (a + b + 2) ? 1 - lowerBetaCdf(b, a, 1 - x) : lowerBetaCdf(a, b, x);
 }
 

@@ -72,8 +72,8 @@ std::optional<double> numberIn(const SweepValue& value) {
     return std::nullopt;
 }
 
-/// The sweep's scenario with the run's values put into its model; nothing when one of them needs the reader, be it that
-/// it decides which blocks there are, or that it is wrong and the reader is to say so.
+/// The sweep's scenario with the run's values put into its model; nothing when one of them needs the reader,
+/// be it that it decides which blocks there are, or that it is wrong and the reader is to say so.
 std::optional<Scenario> overridden(const Sweep& sweep, const SweepRun& run) {
     if (!sweep.base || !sweep.only_overrides) return std::nullopt;
     Scenario scenario = *sweep.base;
@@ -214,7 +214,8 @@ SweepRun runOf(const Sweep& sweep, std::uint64_t index) {
 
 void prepareRuns(Sweep& sweep, std::shared_ptr<const Scenario> base) {
     sweep.only_overrides = true;
-    // The joint between two blocks is the one with less friction: a number of its strength may make it another.
+    // The joint between two blocks is the one with less friction: a number of its strength may make it
+    // another.
     const auto decides = [](std::string_view key) {
         const auto p = jointProperty(key);
         return p && (kJointProperties[*p].value == &Joint::friction ||

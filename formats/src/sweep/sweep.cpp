@@ -154,7 +154,8 @@ class SweepReader {
             root_.error("", "found a sweep of more than 10^12 runs, allowed: at most that many");
     }
 
-    // --- the trial ----------------------------------------------------------------------------------------------
+    // --- the trial
+    // ----------------------------------------------------------------------------------------------
 
     void tryValues(const std::vector<Variable>& list) {
         if (!report_.clean()) return;
@@ -215,8 +216,8 @@ class SweepReader {
         return check(scenarioOf(sweep_, run), list, suspect, value);
     }
 
-    /// Says of a scenario that is not good which of the sweep's values made it so: the one whose field the scenario's
-    /// reader complains of, else the one that was changed last.
+    /// Says of a scenario that is not good which of the sweep's values made it so: the one whose field the
+    /// scenario's reader complains of, else the one that was changed last.
     bool check(const Result<SampledScenario>& scenario, const std::vector<Variable>& list,
                const Variable* suspect, std::size_t value) {
         for (const Error& error : scenario.errors()) {

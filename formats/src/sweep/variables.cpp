@@ -55,7 +55,8 @@ class VariablesReader {
     }
 
  private:
-    // --- fields -----------------------------------------------------------------------------------------------
+    // --- fields
+    // -----------------------------------------------------------------------------------------------
 
     /// The scenario's fields behind one that may have `joint.*`. Faults are reported at `place`.
     std::vector<std::string> targetsOf(const std::string& written, const std::string& field, Place place) {
@@ -123,7 +124,8 @@ class VariablesReader {
         return !variable.column.targets.empty();
     }
 
-    // --- [[grid]] ---------------------------------------------------------------------------------------------
+    // --- [[grid]]
+    // ---------------------------------------------------------------------------------------------
 
     void readGrid(const FieldNode& entry) {
         TableReader table(report_, entry.node, entry.field,
@@ -208,7 +210,8 @@ class VariablesReader {
         }
     }
 
-    // --- [table] ----------------------------------------------------------------------------------------------
+    // --- [table]
+    // ----------------------------------------------------------------------------------------------
 
     void readTable() {
         auto table = root_.table("table", {"file", "columns", "rows"});
@@ -305,7 +308,8 @@ class VariablesReader {
         add(std::move(variable));
     }
 
-    // --- [[random]] -------------------------------------------------------------------------------------------
+    // --- [[random]]
+    // -------------------------------------------------------------------------------------------
 
     void readRandom(const FieldNode& entry) {
         TableReader table(

@@ -19,8 +19,9 @@ struct Variable {
     std::vector<toml::Place> places;  ///< of each value
 };
 
-/// Reads all variables and the names of the table's cases. `known` is the scenario's: fields of other joints and
-/// materials are reported, and `joint.*` stands for all joints. Table files are looked for beside the sweep file at `path`.
+/// Reads all variables and the names of the table's cases. `known` is the scenario's: fields of other joints
+/// and materials are reported, and `joint.*` stands for all joints. Table files are looked for beside the
+/// sweep file at `path`.
 struct Variables {
     std::vector<Variable> list;  ///< the table's columns, then grids, then random ones
     std::vector<std::string> case_names;

@@ -64,7 +64,8 @@ class Step {
     const PathPart& part_;
 };
 
-/// Hands the last step of a path to `put`, and makes what is missing on the way. \return what is wrong with the path, or nothing
+/// Hands the last step of a path to `put`, and makes what is missing on the way. \return what is wrong with
+/// the path, or nothing
 template <class Put>
 std::optional<std::string> putAt(void* root, const std::vector<PathPart>& path, bool may_append,
                                  const Put& put) {

@@ -1,6 +1,7 @@
 #pragma once
-// What the readers ask of a document: which keys a table may have and must have, and what may stand under each. Readers are
-// their own description: who wants it lets them read and writes down their questions (schema/explore.h).
+// What the readers ask of a document: which keys a table may have and must have, and what may stand under
+// each. Readers are their own description: who wants it lets them read and writes down their questions
+// (schema/explore.h).
 
 #include <cstdint>
 #include <map>

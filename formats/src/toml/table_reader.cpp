@@ -135,7 +135,8 @@ TableReader::TableReader(Report& report, Node table, std::string field, std::vec
             report_.add(entry.place, {}, {});
             continue;
         }
-        // A near key that is there already is not what was meant in a file; one that overrides a file's may be.
+        // A near key that is there already is not what was meant in a file; one that overrides a file's may
+        // be.
         std::vector<std::string> absent;
         for (const std::string& key : allowed)
             if (!has(key)) absent.push_back(key);

@@ -39,8 +39,8 @@ struct FieldNode {
     Node node;
 };
 
-// One node each; `field` names it in messages. A number that looks like a slip in the unit is told so: beside the fault,
-// or as a warning where it is allowed.
+// One node each; `field` names it in messages. A number that looks like a slip in the unit is told so: beside
+// the fault, or as a warning where it is allowed.
 std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Interval& range,
                                  const Slip& slip = {});
 std::optional<std::int64_t> readInteger(Report& report, Node node, const std::string& field, Bounds bounds);
@@ -78,7 +78,8 @@ class TableReader {
     void require(std::initializer_list<std::string_view> keys);
     void error(std::string_view key, std::string message);
 
-    /// True if exactly one of `keys` is there; else that is reported, unless a misspelt key shows what was meant.
+    /// True if exactly one of `keys` is there; else that is reported, unless a misspelt key shows what was
+    /// meant.
     bool requireOneOf(const std::vector<std::string>& keys);
     std::vector<std::string> present(
         const std::vector<std::string>& keys) const;  ///< those of `keys` that are there

@@ -47,7 +47,8 @@ double normalForce(const State& state, std::size_t i) {
     return sum;
 }
 
-/// Slides that the contact points of an interface have left behind, at random, and what the law makes of them.
+/// Slides that the contact points of an interface have left behind, at random, and what the law makes of
+/// them.
 void setRandomOffsets(State& state, Random& random, double most) {
     for (std::size_t i = 0; i < state.interfaces.size(); ++i)
         for (std::size_t k = 0; k < state.interfaces.pointCount(i); ++k)
@@ -271,7 +272,8 @@ TEST_SUITE("contacts") {
             state.blocks.position[1].z -= 1.0 + depth;
             search(state);
             REQUIRE(state.interfaces.size() > 0);
-            // As if pressed in by 1e-6 of the block's size all over; its overlap would hold as much with `depth`.
+            // As if pressed in by 1e-6 of the block's size all over; its overlap would hold as much with
+            // `depth`.
             const double of_size = 0.5 * kStiffness * 0.25 * 0.5e-6 * 0.5e-6;
             CHECK(elasticEnergy(state) <= of_size);
         }

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kLate = 0.01;  // [m]
 
-/// Two boxes face to face in weightlessness, pressed together by 1e-4 m, with an overlap of kLate that does not count.
+/// Two boxes face to face in weightlessness, pressed together by 1e-4 m, with an overlap of kLate that does
+/// not count.
 State lateState() {
     Model model = floorModel(30, 1e8);
     model.gravity.magnitude = 0;

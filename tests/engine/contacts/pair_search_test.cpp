@@ -39,8 +39,8 @@ Findings examine(const State& state, double margin, bool initial, bool parallel,
     return findings;
 }
 
-/// Hulls and boxes of different sizes over a floor, some of them fixed, apart or overlapping by up to `deep` of their
-/// size: built apart, then moved by hand.
+/// Hulls and boxes of different sizes over a floor, some of them fixed, apart or overlapping by up to `deep`
+/// of their size: built apart, then moved by hand.
 State packing(Random& random, int blocks, double spread) {
     Model model = floorModel(30);
     for (int b = 0; b < blocks; ++b) {

@@ -47,8 +47,8 @@ std::size_t sameFaces(const Interfaces& f, std::size_t i, const Interfaces& old)
     return o;
 }
 
-/// All that touches by a search of everything touches here, with the same forces. Patches that have slid less than the limit are
-/// as they were: that is a tenth of a force at most.
+/// All that touches by a search of everything touches here, with the same forces. Patches that have slid less
+/// than the limit are as they were: that is a tenth of a force at most.
 void checkAgainstWholeSearch(const State& state) {
     State here = state, anew = state;
     REQUIRE(findInterfaces(anew, false, false).empty());
@@ -360,8 +360,8 @@ TEST_SUITE("contacts") {
                 checkValid(state);
             deepest = std::max(deepest, -separation(placedShape(state, 1), placedShape(state, 2)));
         }
-        // On four vertices' areas v sqrt(m / k) = 6.4e-4 m, with a quarter of the mass, for it turns away; and what it
-        // sinks until they take over. The sliver's hundredth of a face alone takes 3.1e-3 m.
+        // On four vertices' areas v sqrt(m / k) = 6.4e-4 m, with a quarter of the mass, for it turns away;
+        // and what it sinks until they take over. The sliver's hundredth of a face alone takes 3.1e-3 m.
         CHECK(deepest > 6e-4);
         CHECK(deepest < 1.5e-3);
     }

@@ -1,5 +1,6 @@
-// Vertices and edges against brute force: all axes by the shadows of all vertices, without the Gauss map; and on the
-// face that is met, every vertex of the other block and every place where one of its edges crosses the outline.
+// Vertices and edges against brute force: all axes by the shadows of all vertices, without the Gauss map; and
+// on the face that is met, every vertex of the other block and every place where one of its edges crosses the
+// outline.
 
 #include "contacts/vertex_edge_points.h"
 
@@ -71,7 +72,8 @@ BestAxes bruteForceAxes(const Polyhedron& first, const Polyhedron& second) {
     return best;
 }
 
-/// The part of a segment within a convex outline, as shares of its length (Cyrus and Beck); begin > end: none.
+/// The part of a segment within a convex outline, as shares of its length (Cyrus and Beck); begin > end:
+/// none.
 std::pair<double, double> partWithin(const std::vector<Vec2>& outline, const Vec2& from, const Vec2& to) {
     double begin = 0, end = 1;
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -325,7 +327,8 @@ TEST_SUITE("contacts") {
         "findVertexEdgePoints: edges win over a face, and vertices over faces that meet, by more than the "
         "tie "
         "only") {
-        // Two roofs across each other: ridges along x and y, each of half the angle `steep` to the horizontal.
+        // Two roofs across each other: ridges along x and y, each of half the angle `steep` to the
+        // horizontal.
         const auto roofs = [](double depth) {
             const auto ridge = [](double z) {
                 return *convexHull({{-1, -0.5, z - 0.5},

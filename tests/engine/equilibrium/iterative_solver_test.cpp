@@ -53,7 +53,8 @@ BlockMatrix chainOf(std::size_t rows) {
     return matrix;
 }
 
-/// What a row's neighbours have is small beside the largest numbers of its diagonal, and large beside the others.
+/// What a row's neighbours have is small beside the largest numbers of its diagonal, and large beside the
+/// others.
 BlockMatrix hardMatrix() {
     BlockMatrix matrix = randomMatrix(300, 1500, 3, 0.1);
     for (Mat6& block : matrix.diagonal) block.array() += 1000.0;

@@ -10,7 +10,8 @@ using PointResponse = equilibrium::PointResponse<double>;
 
 namespace {
 
-/// Joints and contact points with and without what they may have: cohesion, tension, dilation, a bond partly gone.
+/// Joints and contact points with and without what they may have: cohesion, tension, dilation, a bond partly
+/// gone.
 struct Case {
     contact::JointLaw joint;
     contact::PointMemory memory;

@@ -208,7 +208,8 @@ TEST_SUITE("forces") {
 
     TEST_CASE(
         "a block that hangs on a bolt: frequency within the stable bound, energy kept, yield accounted for") {
-        // Weightless on a spring along z: k / m = omega^2, with a bolt alone (the block hangs below a fixed one).
+        // Weightless on a spring along z: k / m = omega^2, with a bolt alone (the block hangs below a fixed
+        // one).
         for (const double yield : {1e9, 3e4}) {
             Model model = floorModel(30);
             addBox(model, "hanging", {0, 0, -2.5}, {1, 1, 1});

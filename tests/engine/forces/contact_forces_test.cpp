@@ -16,7 +16,8 @@ using namespace talus::test;
 
 namespace {
 
-/// A 0.4 x 0.2 x 0.1 m box on the floor, closed joint with k_n = 1e10, k_s = 4e9, bonded so that nothing opens.
+/// A 0.4 x 0.2 x 0.1 m box on the floor, closed joint with k_n = 1e10, k_s = 4e9, bonded so that nothing
+/// opens.
 State bondedBox() {
     Model model = floorModel(40);
     model.joints[0].shear_stiffness = 4e9;

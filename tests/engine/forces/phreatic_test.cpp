@@ -137,7 +137,8 @@ TEST_SUITE("forces") {
         State state = wet(model);
         state.load.tilt = radians(15);
         updateBlockForces(state);
-        // The line stays level in the model, so the gradient is along its normal: unit weight over cos(tilt), up.
+        // The line stays level in the model, so the gradient is along its normal: unit weight over cos(tilt),
+        // up.
         CHECK((on(state, 1).force - 9810 / std::cos(radians(15)) * Vec3::UnitZ()).norm() < 1e-6);
     }
 
@@ -170,8 +171,8 @@ TEST_SUITE("forces") {
         model.phreatic = PhreaticSurface{.line = {{-1, 2}, {1, 2}, {1.5, 1}, {9, 1}}, .field = "water[0]"};
         const State state = wet(model);
         CHECK(on(state, 2).force == Vec3::Zero());
-        // Left 2 m deep, right 1 m; uplift on the base: depths 2 to x = 1, falling to 1 at 1.5, 1 to x = 2. The two other
-        // faces are each other's mirror image.
+        // Left 2 m deep, right 1 m; uplift on the base: depths 2 to x = 1, falling to 1 at 1.5, 1 to x = 2.
+        // The two other faces are each other's mirror image.
         const double g = 9810, uplift = g * (2.0 * 1.0 + 1.5 * 0.5 + 1.0 * 0.5);
         CHECK((on(state, 1).force - Vec3(g * (0.5 * 4 - 0.5 * 1), 0, uplift)).norm() < 1e-6);
         const double about_edge = g * (1.0 + 11.0 / 12 + 0.875);  // of the uplift, of its three parts

@@ -1,4 +1,5 @@
-// Contact points in the model frame: gap and force belong together, forces balance the weight, and far origins are told.
+// Contact points in the model frame: gap and force belong together, forces balance the weight, and far
+// origins are told.
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-// What frames say about contact points for reading: shares of the water's thrust, what a point is doing, mobilised
-// friction.
+// What frames say about contact points for reading: shares of the water's thrust, what a point is doing,
+// mobilised friction.
 
 #include "frame/frame_readings.h"
 

@@ -62,7 +62,8 @@ TEST_CASE("the water table lies where the level says") {
     model.waters = {fissureAt(model, 0.2, 0.25)};
     const LightFrame frame = lightFrameOf(*buildState(model, false));
     const Vec3 up(std::sin(radians(10)), 0, std::cos(radians(10)));
-    // The joint's lowest wet point is (0.2, y, 0); the level is measured up along z, the joint's steepest line.
+    // The joint's lowest wet point is (0.2, y, 0); the level is measured up along z, the joint's steepest
+    // line.
     CHECK(frame.water.table[0] == doctest::Approx(up.dot(Vec3(0.2, 0, 0.25))));
     CHECK(frame.water.level[0] == 0.25);
     CHECK(frame.water.drained[0] == 0);

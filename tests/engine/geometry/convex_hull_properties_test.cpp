@@ -1,4 +1,5 @@
-// Hulls of whatever points are drawn, many of them on a coarse grid, so that they coincide, line up and lie in planes.
+// Hulls of whatever points are drawn, many of them on a coarse grid, so that they coincide, line up and lie
+// in planes.
 
 #include <doctest/doctest.h>
 

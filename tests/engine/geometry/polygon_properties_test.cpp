@@ -1,5 +1,5 @@
-// Clipping of convex polygons, whatever they are: areas add up, nothing lies outside, what comes out is a convex polygon
-// again, counter-clockwise.
+// Clipping of convex polygons, whatever they are: areas add up, nothing lies outside, what comes out is a
+// convex polygon again, counter-clockwise.
 
 #include <doctest/doctest.h>
 

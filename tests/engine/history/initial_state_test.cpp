@@ -78,7 +78,8 @@ TEST_SUITE("history") {
         CHECK(std::abs(result.watch[0].velocity.z()) < 1e-3 * result.watch[0].velocity.norm());
         const RunResult undamped = runFor(boxAt(40), 0.5, "box");
         CHECK((undamped.start == InitialState::held));
-        // The velocity at an instant carries the flutter, 0.4 to 2.3 thousandths as rounding has it; the way does not.
+        // The velocity at an instant carries the flutter, 0.4 to 2.3 thousandths as rounding has it; the way
+        // does not.
         CHECK(-undamped.watch[0].velocity.x() == doctest::Approx(a * 0.5).epsilon(3e-3));
         CHECK(-undamped.watch[0].displacement.x() == doctest::Approx(0.5 * a * 0.25).epsilon(1e-4));
     }

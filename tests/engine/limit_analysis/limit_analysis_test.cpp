@@ -1,4 +1,5 @@
-// Limit analysis against closed forms: single bodies, columns, arches, brick walls, wedges, slopes with water.
+// Limit analysis against closed forms: single bodies, columns, arches, brick walls, wedges, slopes with
+// water.
 
 #include "talus/limit_analysis.h"
 
@@ -100,8 +101,9 @@ Vec3 upward(double dip, double direction) {
     return {std::sin(d) * std::sin(a), std::sin(d) * std::cos(a), std::cos(d)};
 }
 
-/// How freely a wedge on the planes 40/130 and 60/220 can move this way, if joints open by tan(phi) of their slide:
-/// down, and out of both cones. Concave in the direction, so its maximum is found by looking ever closer.
+/// How freely a wedge on the planes 40/130 and 60/220 can move this way, if joints open by tan(phi) of their
+/// slide: down, and out of both cones. Concave in the direction, so its maximum is found by looking ever
+/// closer.
 double freedom(const Vec3& v, double tan_friction) {
     double least = -v.z();
     for (const Vec3& n : {upward(40, 130), upward(60, 220)}) {

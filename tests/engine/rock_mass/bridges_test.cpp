@@ -1,4 +1,5 @@
-// Cuts of finite joints: what lies within the joints, and what beyond, is what discs and polygons say by themselves.
+// Cuts of finite joints: what lies within the joints, and what beyond, is what discs and polygons say by
+// themselves.
 
 #include <doctest/doctest.h>
 

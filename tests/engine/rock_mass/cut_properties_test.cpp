@@ -1,4 +1,5 @@
-// Cutting by whatever joints are drawn: volumes add up, blocks are convex and apart, and every face is parallel to its set.
+// Cutting by whatever joints are drawn: volumes add up, blocks are convex and apart, and every face is
+// parallel to its set.
 
 #include <doctest/doctest.h>
 

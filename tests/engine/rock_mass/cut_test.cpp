@@ -1,5 +1,5 @@
-// Cutting by joints, against answers known otherwise: counted blocks, exact volumes, and for any joints the rule that
-// two points are in one block when they lie between the same planes of every set.
+// Cutting by joints, against answers known otherwise: counted blocks, exact volumes, and for any joints the
+// rule that two points are in one block when they lie between the same planes of every set.
 
 #include <doctest/doctest.h>
 
@@ -151,7 +151,8 @@ TEST_CASE("cutting: joints through vertices and edges part both neighbours alike
         checkShape(part.shape, 1e-11);
         CHECK(part.volume > 1.0 / 24 - 1e-12);
     }
-    // Two planes cut a cube into four prisms, and the upright diagonal each of these in two, the lesser of 1/24.
+    // Two planes cut a cube into four prisms, and the upright diagonal each of these in two, the lesser of
+    // 1/24.
     CHECK(cut.blocks.size() == 8 * 64);
 }
 

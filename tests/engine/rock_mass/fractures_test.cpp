@@ -1,4 +1,5 @@
-// Fracture networks: areas inside regions by closed forms and by counting, orientations and radii by their laws, P32 as wanted.
+// Fracture networks: areas inside regions by closed forms and by counting, orientations and radii by their
+// laws, P32 as wanted.
 
 #include "talus/fractures.h"
 
@@ -45,7 +46,8 @@ FractureSet set(RadiusLaw law, double size = 1) {
     return set;
 }
 
-/// Largest difference between the drawn distribution and the law, times sqrt(n) (Kolmogorov, Smirnov): 1.63 in one of a hundred.
+/// Largest difference between the drawn distribution and the law, times sqrt(n) (Kolmogorov, Smirnov): 1.63
+/// in one of a hundred.
 template <class Law>
 double distance(std::vector<double> drawn, const Law& share) {
     std::sort(drawn.begin(), drawn.end());

@@ -13,7 +13,8 @@ using namespace talus::test;
 
 namespace {
 
-/// Nearest point of a triangle, by its corners, edges and inside (C. Ericson, Real-Time Collision Detection, 2005).
+/// Nearest point of a triangle, by its corners, edges and inside (C. Ericson, Real-Time Collision Detection,
+/// 2005).
 double distanceTo(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const auto toSegment = [&](const Vec3& from, const Vec3& to) {
         const Vec3 along = to - from;

@@ -1,4 +1,5 @@
-// Terrains are closed whatever their form; each kind of damage is refused with its place, or repaired as far as it may be.
+// Terrains are closed whatever their form; each kind of damage is refused with its place, or repaired as far
+// as it may be.
 
 #include <doctest/doctest.h>
 

@@ -79,7 +79,8 @@ TEST_SUITE("search") {
     }
 
     TEST_CASE("beginning: deep water that pushes a block uphill comes after the tilt it needs") {
-        // Level, the thrust rho g H^2 / 2 = 1.77 kN/m exceeds the friction, 4.8 kN/m tan(20), by nothing; deeper water does.
+        // Level, the thrust rho g H^2 / 2 = 1.77 kN/m exceeds the friction, 4.8 kN/m tan(20), by nothing;
+        // deeper water does.
         Model model = floorModel(kFriction);
         addBox(model, "box", {0, 0, 0}, {0.5, 1, 0.8}, 1200);
         model.waters = {waterOn(model, 1, -Vec3::UnitX(), 0.75)};  // from below
@@ -95,7 +96,8 @@ TEST_SUITE("search") {
     }
 
     TEST_CASE("beginning: water that slides a block even at twice its strength comes on with more of it") {
-        // Thrust rho g H^2 / 2 = 4.4 kN/m against W tan(20) = 1.4 to 4.1 kN/m: two to eight times the strength hold it.
+        // Thrust rho g H^2 / 2 = 4.4 kN/m against W tan(20) = 1.4 to 4.1 kN/m: two to eight times the
+        // strength hold it.
         for (const double density : {400.0, 700.0, 1200.0}) {
             CAPTURE(density);
             Model model = floorModel(kFriction);

@@ -14,7 +14,8 @@ using namespace talus::search;
 
 namespace {
 
-/// The tilt at which the assembly fails [deg], with or without friction on joints that carry nothing at first.
+/// The tilt at which the assembly fails [deg], with or without friction on joints that carry nothing at
+/// first.
 double fails(const Model& model, bool with_friction) {
     LoadedPath loaded(model);
     const UnloadedJoints unloaded(loaded.path.state(), 0.01);
@@ -78,8 +79,9 @@ TEST_SUITE("search") {
         CHECK(state.laws[1].tan_friction < 0.01);
     }
 
-    // A low column in front of a tall one holds it by friction that locks on their joint as the tall one leans. Without it
-    // the tall one pushes with its own moment, and no less than alone: the low one may slide.
+    // A low column in front of a tall one holds it by friction that locks on their joint as the tall one
+    // leans. Without it the tall one pushes with its own moment, and no less than alone: the low one may
+    // slide.
     TEST_CASE(
         "friction locked on unloaded joints released: columns fail no later, and no sooner than statics") {
         for (const double low : {0.2, 0.3, 0.4})

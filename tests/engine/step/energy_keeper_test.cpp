@@ -1,4 +1,5 @@
-// Energy that is taken out of how blocks move against each other: as much as was asked for, and no momentum with it.
+// Energy that is taken out of how blocks move against each other: as much as was asked for, and no momentum
+// with it.
 
 #include "step/energy_keeper.h"
 

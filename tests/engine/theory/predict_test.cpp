@@ -105,7 +105,8 @@ TEST_CASE("stepped slope: water against the free part of a taller neighbour") {
     options.heights = {2, 5, 5};
     Model model = stackModel(options);
     addFissureWater(model, 2, 0.35);
-    // Above the floor both columns in front of fissure 2 slide; above the toe's top column 2 would slide alone.
+    // Above the floor both columns in front of fissure 2 slide; above the toe's top column 2 would slide
+    // alone.
     const double weight = 2700 * (0.2 * 0.2 + 0.2 * 0.5);
     const double whole = std::atan(std::tan(19.5 * kDegree) - 1000 * 0.35 * 0.35 / (2 * weight));
     const double above = criticalTiltSliding({0.2, 0.3, 2700, 1000, 0.15, 19.5 * kDegree, 0, 9.81});

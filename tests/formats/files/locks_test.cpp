@@ -1,4 +1,5 @@
-// One writer at a time, on file systems whose locks reach as far as they should; inputs are known under all their names.
+// One writer at a time, on file systems whose locks reach as far as they should; inputs are known under all
+// their names.
 
 #include "talus/formats/locks.h"
 
@@ -134,7 +135,8 @@ TEST_CASE("what takes the place on the disk of an input that is gone is none") {
         rememberInput(input);
         CHECK(isInput(input));
         std::filesystem::remove(input);
-        // Without generations only the time of birth tells them apart, and clocks of file systems tick every few ms.
+        // Without generations only the time of birth tells them apart, and clocks of file systems tick every
+        // few ms.
         if (!has_generations) std::this_thread::sleep_for(std::chrono::milliseconds(10));
         CHECK_FALSE(isInput(folder.write("output-" + std::to_string(k), "y")));
     }

@@ -1,4 +1,5 @@
-// The MCAP container: what is written is read back; a file cut or damaged anywhere gives what is whole, and says so.
+// The MCAP container: what is written is read back; a file cut or damaged anywhere gives what is whole, and
+// says so.
 
 #include <doctest/doctest.h>
 #include <fcntl.h>

@@ -1,4 +1,5 @@
-// Mesh files as other programs write them, and faulty ones: the message names the file and, in text, the line.
+// Mesh files as other programs write them, and faulty ones: the message names the file and, in text, the
+// line.
 
 #include "talus/formats/mesh.h"
 

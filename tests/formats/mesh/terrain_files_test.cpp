@@ -1,4 +1,5 @@
-// Terrains from files: one ground in every format makes the same blocks, also in survey coordinates; faults of grids.
+// Terrains from files: one ground in every format makes the same blocks, also in survey coordinates; faults
+// of grids.
 
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,5 @@
-// Fields that are given other values than the file has: talus::formats::readScenario with changes, `--set` in commands.
+// Fields that are given other values than the file has: talus::formats::readScenario with changes, `--set` in
+// commands.
 
 #include <doctest/doctest.h>
 

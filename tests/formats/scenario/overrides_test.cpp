@@ -1,4 +1,5 @@
-// Values put into a model are the same as values put into the file: every field, and every joint that follows another.
+// Values put into a model are the same as values put into the file: every field, and every joint that follows
+// another.
 
 #include "talus/formats/overrides.h"
 
@@ -86,7 +87,8 @@ void checkOverrides(const std::string& text, const std::vector<std::pair<std::st
     checkSame(scenario.model, rewritten(text, values).model);
 }
 
-/// In the middle of what the property may be: as it stands, times 1e9 for stiffnesses, or over 100 for shares.
+/// In the middle of what the property may be: as it stands, times 1e9 for stiffnesses, or over 100 for
+/// shares.
 double allowedValue(const JointProperty& property, double value) {
     if (property.allowed.contains(value)) return value;
     return property.allowed.max == 1 ? 0.01 * value : 1e9 * value;

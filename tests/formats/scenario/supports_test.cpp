@@ -1,4 +1,5 @@
-// [[bolt]], [[bolt_pattern]], [ground_motion] and the surface of [[water]] as scenarios say them, and what is refused.
+// [[bolt]], [[bolt_pattern]], [ground_motion] and the surface of [[water]] as scenarios say them, and what is
+// refused.
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,5 @@
-// The schemas against the readers: every key has a type, no key is one that the reader does not know, what is required is missed.
+// The schemas against the readers: every key has a type, no key is one that the reader does not know, what is
+// required is missed.
 
 #include "talus/formats/schema.h"
 

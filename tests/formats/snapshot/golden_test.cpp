@@ -1,6 +1,6 @@
-// A file written by the first version stays readable, with the values that were in it. golden/snapshot-1.fbs is that
-// version's schema; CTest's formats/schema-evolution holds today's against it. Neither is ever changed: a later version
-// adds its own beside them.
+// A file written by the first version stays readable, with the values that were in it. golden/snapshot-1.fbs
+// is that version's schema; CTest's formats/schema-evolution holds today's against it. Neither is ever
+// changed: a later version adds its own beside them.
 
 #include <doctest/doctest.h>
 

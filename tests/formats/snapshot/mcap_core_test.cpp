@@ -1,5 +1,6 @@
-// Readers that are not ours, @mcap/core and FlatBuffers reflection by the embedded schema, find the same values. Needs
-// node and npm, and the packages of node/package.json, which are installed beside the test program once.
+// Readers that are not ours, @mcap/core and FlatBuffers reflection by the embedded schema, find the same
+// values. Needs node and npm, and the packages of node/package.json, which are installed beside the test
+// program once.
 
 #include <doctest/doctest.h>
 

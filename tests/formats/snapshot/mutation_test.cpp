@@ -1,5 +1,6 @@
-// Messages with changed bytes and sound checksums: what a hostile file holds. They are refused or read as other numbers;
-// nothing reads beyond its arrays (the sanitizer build watches), in the reader and in the engine that resumes from them.
+// Messages with changed bytes and sound checksums: what a hostile file holds. They are refused or read as
+// other numbers; nothing reads beyond its arrays (the sanitizer build watches), in the reader and in the
+// engine that resumes from them.
 
 #include <doctest/doctest.h>
 

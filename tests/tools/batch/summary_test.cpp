@@ -64,7 +64,8 @@ TEST_CASE("searches that did not reach a tilt are not counted there, and rank at
 
 namespace {
 
-/// The same runs when other loading histories were tried: every run of the deeper case has a range down to 9.2 degrees.
+/// The same runs when other loading histories were tried: every run of the deeper case has a range down to
+/// 9.2 degrees.
 StoredBatch withRanges() {
     StoredBatch batch = madeUp();
     const StoredBatch without = batch;

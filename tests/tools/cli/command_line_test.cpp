@@ -23,25 +23,12 @@ TEST_CASE("help of the program and of every command has an example") {
 }
 
 TEST_CASE("help of every command fits the terminal") {
-    const std::vector<std::string> commands{"",
-                                            "critical-angle",
-                                            "safety-factor",
-                                            "critical-acceleration",
-                                            "run",
-                                            "replay",
-                                            "inspect",
-                                            "export",
-                                            "batch",
-                                            "sample",
-                                            "merge",
-                                            "validate",
-                                            "blocks",
-                                            "theory",
-                                            "paper",
-                                            "limit-analysis",
-                                            "keyblocks",
-                                            "verification",
-                                            "schema"};
+    const std::vector<std::string> commands{
+        "",          "critical-angle", "safety-factor", "critical-acceleration",
+        "run",       "replay",         "inspect",       "export",
+        "batch",     "sample",         "merge",         "validate",
+        "blocks",    "theory",         "paper",         "limit-analysis",
+        "keyblocks", "kinematics",     "verification",  "schema"};
     for (const std::size_t columns : {50, 80, 120}) {
         setenv("COLUMNS", std::to_string(columns).c_str(), 1);
         for (const std::string& command : commands) {

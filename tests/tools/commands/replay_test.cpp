@@ -1,4 +1,5 @@
-// talus replay: the page's bytes are the file's, the summary is that of the run, --verify computes the run again.
+// talus replay: the page's bytes are the file's, the summary is that of the run, --verify computes the run
+// again.
 
 #include <doctest/doctest.h>
 

@@ -148,7 +148,8 @@ TEST_CASE(
 
 TEST_CASE("a splinter that rounding would move is named and left out, and the others get their answer") {
     const TemporaryFolder folder;
-    // Cubes beside the block: of their weight rounding is eps x k / (rho g size), with 1e11 Pa/m from 20 um on too much.
+    // Cubes beside the block: of their weight rounding is eps x k / (rho g size), with 1e11 Pa/m from 20 um
+    // on too much.
     const auto withCube = [&](const std::string& name, const std::string& place, const char* stiffness) {
         std::string text = blockScenario(
             10, 20, "[[block]]\nname = \"splinter\"\nbox = { min = [3, 0, 0], max = " + place + " }\n");

@@ -14,7 +14,8 @@ namespace {
 
 const std::string kAnchored = TALUS_SOURCE_DIR "/bench/verification/hoek-bray-crack-2m-anchored.toml";
 
-/// The Hoek-Bray slope with 2 m of water: the anchor's force for a factor of safety, by limit equilibrium [N/m].
+/// The Hoek-Bray slope with 2 m of water: the anchor's force for a factor of safety, by limit equilibrium
+/// [N/m].
 double anchorFor(double factor) {
     const double dip = tools::radians(35), tan_phi = std::tan(tools::radians(37)), unit = 9810;
     const double crack = 12 - 7.652010281, area = 7.652010281 / std::sin(dip);
@@ -36,8 +37,8 @@ nlohmann::json supportOf(std::vector<std::string> arguments) {
     return outcome.json();
 }
 
-/// A block of 4 x `width` x 1 m, 2700 kg/m3, on a plane tilted by 30 degrees with 20 degrees of friction, pinned to it by bolts of
-/// 20 kN normal to the plane.
+/// A block of 4 x `width` x 1 m, 2700 kg/m3, on a plane tilted by 30 degrees with 20 degrees of friction,
+/// pinned to it by bolts of 20 kN normal to the plane.
 std::string pinned(const std::string& width = "4", const std::string& spacing = "[1.0, 1.0]") {
     return "[gravity]\ntilt_deg = 30.0\n[material.rock]\ndensity = 2700.0\n[joint.default]\nnormal_stiffness "
            "= "

@@ -1,5 +1,6 @@
-// Runs and batches under attack, with fixed seeds: killed at any moment, two at one file, no room left, files with changed
-// bytes and right checksums. What was written stays readable, what goes on ends in the same bits, what is refused is said.
+// Runs and batches under attack, with fixed seeds: killed at any moment, two at one file, no room left, files
+// with changed bytes and right checksums. What was written stays readable, what goes on ends in the same
+// bits, what is refused is said.
 
 #include <doctest/doctest.h>
 
@@ -91,7 +92,8 @@ bool isWhole(const std::string& path) {
     return inspectSnapshot(path) == SnapshotFile::finished && SnapshotReader::open(path)->faults().empty();
 }
 
-/// A few bytes changed, most of them to values that lengths and offsets mistake for something; the checksums are right.
+/// A few bytes changed, most of them to values that lengths and offsets mistake for something; the checksums
+/// are right.
 mcap::Bytes damaged(mcap::Bytes bytes, Random& random) {
     for (int k = 1 + static_cast<int>(random() % 6); k > 0; --k) {
         const std::uint8_t values[] = {0, 1, 0x7f, 0x80, 0xff, static_cast<std::uint8_t>(random())};
@@ -102,7 +104,8 @@ mcap::Bytes damaged(mcap::Bytes bytes, Random& random) {
     return bytes;
 }
 
-/// Ends by itself, or soon after Ctrl-C; done, refused or interrupted, never by a signal or an internal error.
+/// Ends by itself, or soon after Ctrl-C; done, refused or interrupted, never by a signal or an internal
+/// error.
 void checkEnds(const std::vector<std::string>& arguments) {
     CAPTURE(arguments.front());
     CAPTURE(arguments[1]);
@@ -161,8 +164,8 @@ TEST_SUITE("slow: attacks") {
         for (int k = 0; k < 30; ++k) {
             const std::string path = whole.folder / ("two" + std::to_string(k) + ".mcap");
             const std::vector<std::string> fresh{"run", whole.scenario, "-o", path, "--quiet"};
-            // Both go on with what a killed run left; one that is done before, on a machine that was busier at first, is begun
-            // anew and killed earlier.
+            // Both go on with what a killed run left; one that is done before, on a machine that was busier
+            // at first, is begun anew and killed earlier.
             bool was_killed = k % 2 == 0;
             for (double wait = 0.5 * whole.wall; !was_killed; wait *= 0.5) {
                 Program program(
@@ -173,8 +176,8 @@ TEST_SUITE("slow: attacks") {
             Program one(command), two(command);
             int codes[]{one.outcome().exit_code, two.outcome().exit_code};
             std::sort(std::begin(codes), std::end(codes));
-            // The second came while the first one wrote (4), or when its file was finished (2, but that --force writes it
-            // anew).
+            // The second came while the first one wrote (4), or when its file was finished (2, but that
+            // --force writes it anew).
             const bool forced = std::count(command.begin(), command.end(), "--force") > 0;
             CHECK(codes[0] == 0);
             CHECK((codes[1] == 4 || codes[1] == (forced ? 0 : 2)));

@@ -1,4 +1,5 @@
-// --keep-mechanism of limit-analysis: blocks move as the result says, in a file for replay, inspect and export.
+// --keep-mechanism of limit-analysis: blocks move as the result says, in a file for replay, inspect and
+// export.
 
 #include <doctest/doctest.h>
 
@@ -17,7 +18,8 @@ const std::string kVerification = TALUS_SOURCE_DIR "/bench/verification/";
 Vec3 at(const auto& list, std::size_t k) { return Vec3(list.x[k], list.y[k], list.z[k]); }
 Vec3 vectorOf(const json& list) { return Vec3(list[0], list[1], list[2]); }
 
-/// Each free block's way and turn in each frame are its velocity and spin times one number that grows with time.
+/// Each free block's way and turn in each frame are its velocity and spin times one number that grows with
+/// time.
 void checkMotion(SnapshotReader& reader, const json& result) {
     const formats::SnapshotHeader& header = reader.header();
     const double way = result.at("kept_mechanism").at("farthest_way_m");

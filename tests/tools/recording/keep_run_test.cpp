@@ -1,5 +1,5 @@
-// --keep-run of critical-angle and safety-factor: the failing run is a snapshot file like any other, and the search's
-// result does not know of it.
+// --keep-run of critical-angle and safety-factor: the failing run is a snapshot file like any other, and the
+// search's result does not know of it.
 
 #include <doctest/doctest.h>
 
@@ -120,7 +120,8 @@ TEST_CASE(
         const FullFrame full = *reader->full(from);
         const test::Recorded again = test::record(model, 20, &full);
         REQUIRE(again.result.ok());
-        // The kept run ended when the column was down far enough; this one goes on, past a frame of that instant.
+        // The kept run ended when the column was down far enough; this one goes on, past a frame of that
+        // instant.
         bool met = false;
         for (const LightFrame& frame : again.lights)
             met = met || (frame.step == end.step && frame.state_hash == end.state_hash);

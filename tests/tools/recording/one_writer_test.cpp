@@ -1,4 +1,5 @@
-// Two processes at one file, outputs that would replace inputs, files that are gone at the end: nothing is lost unsaid.
+// Two processes at one file, outputs that would replace inputs, files that are gone at the end: nothing is
+// lost unsaid.
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,5 @@
-// talus run with snapshots: killed at any moment its frames are there, and resumed it ends as if it had not been.
+// talus run with snapshots: killed at any moment its frames are there, and resumed it ends as if it had not
+// been.
 
 #include <doctest/doctest.h>
 

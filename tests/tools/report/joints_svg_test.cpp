@@ -35,8 +35,9 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 TEST_CASE(
     "stereonet: poles of the lower hemisphere, equal-area, each place of a set once, counted in the legend") {
     const std::string svg = stereonetSvg(planes(), "Joints of a & b");
-    // The net's middle is at 284, 284, its radius 240. A vertical plane that dips east has its pole in the west, a level one in
-    // the middle, and one that dips 60 to the north in the south at sqrt(2) sin 30 deg of the radius.
+    // The net's middle is at 284, 284, its radius 240. A vertical plane that dips east has its pole in the
+    // west, a level one in the middle, and one that dips 60 to the north in the south at sqrt(2) sin 30 deg
+    // of the radius.
     CHECK(has(svg, "cx=\"44.0\" cy=\"284.0\""));
     CHECK(has(svg, "cx=\"284.0\" cy=\"284.0\""));
     CHECK(has(svg, "cx=\"284.0\" cy=\"453.7\""));

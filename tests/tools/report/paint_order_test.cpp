@@ -121,7 +121,8 @@ TEST_SUITE("paint order") {
                                  "class=\"joint\"", "class=\"water\"", "class=\"bar\""})
             CHECK_MESSAGE(svg.find(what) != std::string::npos, what);
         CHECK(svg.find("nan") == std::string::npos);
-        // The angle's side to the south is two rectangles in one plane that meet on a quarter of one's length.
+        // The angle's side to the south is two rectangles in one plane that meet on a quarter of one's
+        // length.
         const VisibleFaces visible = visibleFaces(scenario->model, Camera({3.14159265, 0.1}));
         double drawn = 0, left_out = 0;
         for (const PaintedPolygon& polygon : visible.polygons) {

@@ -53,7 +53,8 @@ TEST_CASE("verification rows: every scenario of bench/verification and of the pa
         CHECK_FALSE(row.source.empty());
         named.insert(row.scenario);
     }
-    // Pictures of the paper's Figs. 4 and 5, and the study of contact points that talus paper shows: no figure to meet.
+    // Pictures of the paper's Figs. 4 and 5, and the study of contact points that talus paper shows: no
+    // figure to meet.
     const std::set<std::string> shown{"verification/run-on-dry", "verification/run-on-fissure-5",
                                       "paper/lp-study"};
     for (const char* folder : {"verification", "paper"})

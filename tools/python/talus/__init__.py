@@ -30,6 +30,7 @@ __all__ = [
     "critical_acceleration",
     "critical_angle",
     "keyblocks",
+    "kinematics",
     "limit_analysis",
     "load",
     "open",
@@ -117,6 +118,35 @@ def keyblocks(model, *, most=_core.most_groups, threads=0, progress=None):
     most: how many groups to list, those with the least factors of safety.
     """
     return Result.of_json(_core.keyblocks(_model(model), most=most, threads=threads, progress=progress))
+
+
+def kinematics(source, *, slope, friction, lateral=20.0, sets=0, scanline=None, bias_limit=None, stereonet=None, view="poles",
+               net="equal-area", contours="fisher", counting_area=1.0):
+    """What of a slope's planes can slide or topple: ``planar``, ``wedge``, ``direct_toppling``, ``flexural_toppling``, ``sets``.
+
+    source: a table of poles (.csv, .tsv, .txt, .dat), a scenario file, or a model with a rock mass. slope: dip and dip direction of
+    the face [degrees]; friction and lateral limits [degrees]. sets: so many are found, in place of those of the source.
+    scanline: trend and plunge [degrees], for Terzaghi's weights, down to bias_limit. stereonet: an .svg file, of the "poles" or
+    the "intersections", on an "equal-area" or "equal-angle" net; contours by "fisher", "circle" or "none", per counting_area [%].
+    """
+    table = not isinstance(source, Model) and _core.is_pole_table(_path_of(source))
+    return Result.of_json(
+        _core.kinematics(
+            None if table else _model(source),
+            _path_of(source) if table else "",
+            slope=slope,
+            friction=friction,
+            lateral=lateral,
+            sets=sets,
+            scanline=scanline,
+            bias_limit=bias_limit,
+            stereonet=_path_of(stereonet) if stereonet is not None else "",
+            view=view,
+            net=net,
+            contours=contours,
+            counting_area=counting_area,
+        )
+    )
 
 
 def run(model=None, output=None, *, resume=None, full_every=10, force=False, threads=0, progress=None):

@@ -221,6 +221,21 @@ def limit_analysis(
 def keyblocks(
     model: Model | _Path, *, most: int = ..., threads: int = 0, progress: _Progress | None = None
 ) -> Result: ...
+def kinematics(
+    source: Model | _Path,
+    *,
+    slope: tuple[float, float],
+    friction: float,
+    lateral: float = 20.0,
+    sets: int = 0,
+    scanline: tuple[float, float] | None = None,
+    bias_limit: float | None = None,
+    stereonet: _Path | None = None,
+    view: str = "poles",
+    net: str = "equal-area",
+    contours: str = "fisher",
+    counting_area: float = 1.0,
+) -> Result: ...
 def run(
     model: Model | _Path | None = None,
     output: _Path | None = None,

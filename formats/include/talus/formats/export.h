@@ -1,6 +1,6 @@
 #pragma once
-// Frames in formats of other programs, as the bytes of a file: VTK's XML poly data (ParaView 5.11 and VTK 9 read it), STL, PLY
-// and glTF. Lengths in m, forces in N, everything in the model frame.
+// Frames in formats of other programs, as the bytes of a file: VTK's XML poly data (ParaView 5.11 and VTK 9
+// read it), STL, PLY and glTF. Lengths in m, forces in N, everything in the model frame.
 
 #include <string>
 #include <utility>
@@ -18,12 +18,12 @@ std::vector<FailureMode> failureRoles(const SnapshotHeader& header, const LightF
 /// Vertices of all blocks where they are in a frame, in the header's order [m].
 std::vector<Vec3> placedVertices(const SnapshotHeader& header, const LightFrame& frame);
 
-/// Blocks as polygons (.vtp). Cell data: block_id, motion, failure_role (0 none, 1 sliding, 2 toppling), displacement,
-/// velocity, rotation (axis times angle, rad).
+/// Blocks as polygons (.vtp). Cell data: block_id, motion, failure_role (0 none, 1 sliding, 2 toppling),
+/// displacement, velocity, rotation (axis times angle, rad).
 std::string vtpBlocks(const SnapshotHeader& header, const LightFrame& frame);
 
-/// Contact points as vertices (.vtp). Point data: force (on block b), normal_force, shear_force, water_force, area,
-/// state (0 open, 1 sticking, 2 slipping), mobilised_friction, interface, block_a, block_b.
+/// Contact points as vertices (.vtp). Point data: force (on block b), normal_force, shear_force, water_force,
+/// area, state (0 open, 1 sticking, 2 slipping), mobilised_friction, interface, block_a, block_b.
 std::string vtpContacts(const FullFrame& full);
 
 /// Times and files of a series (.pvd).
@@ -35,8 +35,8 @@ std::string stlBlocks(const SnapshotHeader& header, const LightFrame& frame);
 /// Binary PLY of all blocks: their faces as polygons, each with `block`, `failure_role` and a colour.
 std::string plyBlocks(const SnapshotHeader& header, const LightFrame& frame);
 
-/// glTF 2.0 in its binary form (.glb): a node and a mesh a block, coloured by how it moves up to the last of the frames; more
-/// than one frame are an animation in the run's time. \pre at least one frame
+/// glTF 2.0 in its binary form (.glb): a node and a mesh a block, coloured by how it moves up to the last of
+/// the frames; more than one frame are an animation in the run's time. \pre at least one frame
 std::string gltfBlocks(const SnapshotHeader& header, const std::vector<LightFrame>& frames);
 
 }  // namespace talus::formats

@@ -19,12 +19,13 @@ struct FailingLoad {
     double frame_interval = 0;   ///< [s]
 };
 
-/// The model at that load, in the bits of the search. Water levels over time stay at their value at time 0, as in a search.
+/// The model at that load, in the bits of the search. Water levels over time stay at their value at time 0,
+/// as in a search.
 Model failingModel(Model model, const FailingLoad& load);
 
-/// The same with a text of its own, which starts with `remark` as comment lines and reads back as that model but for the
-/// rounding of angles in degrees. What the scenario says of searches stays true of it. Errors: those of reading the text,
-/// should the load be outside of what a scenario may say.
+/// The same with a text of its own, which starts with `remark` as comment lines and reads back as that model
+/// but for the rounding of angles in degrees. What the scenario says of searches stays true of it. Errors:
+/// those of reading the text, should the load be outside of what a scenario may say.
 Result<Scenario> failingScenario(const Scenario& scenario, const FailingLoad& load,
                                  const std::string& remark);
 

@@ -1,6 +1,7 @@
 #pragma once
-// Locks on ranges of a file, for processes that must not write at the same time. A lock belongs to an open file
-// (F_OFD_SETLK), and the kernel drops it when the process is gone, however that ended, so nothing is ever left locked.
+// Locks on ranges of a file, for processes that must not write at the same time. A lock belongs to an open
+// file (F_OFD_SETLK), and the kernel drops it when the process is gone, however that ended, so nothing is
+// ever left locked.
 
 #include <cstdint>
 #include <string>
@@ -16,8 +17,8 @@ struct LockRange {
     std::uint64_t count = 1;  ///< 0: to the end, however large
 };
 
-/// Takes or gives back a lock, once it is free or at once. 0, or the errno of a refusal: lockIsHeld() or noLocksHere()
-/// say what it means. \pre the file is open for writing (exclusive) or reading (shared)
+/// Takes or gives back a lock, once it is free or at once. 0, or the errno of a refusal: lockIsHeld() or
+/// noLocksHere() say what it means. \pre the file is open for writing (exclusive) or reading (shared)
 int setLock(int file, LockMode mode, LockRange range, bool wait);
 
 bool lockIsHeld(int error);   ///< by another process
@@ -33,7 +34,8 @@ enum class LockReach : std::uint8_t {
 /// By kind and options of a mount as proc(5) writes them in mountinfo: "nfs4", "rw,nolock,addr=...".
 LockReach lockReach(std::string_view kind, std::string_view options);
 
-/// Of the file system a file lies on. Where the kernel says nothing of it, locks are taken to be as they should.
+/// Of the file system a file lies on. Where the kernel says nothing of it, locks are taken to be as they
+/// should.
 LockReach lockReach(int file);
 
 /// What a user should know of it, "" when all is well: "its file system has no locks, ...".

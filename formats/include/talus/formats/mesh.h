@@ -1,6 +1,6 @@
 #pragma once
-// Surfaces from mesh files (STL and PLY as text or binary, Wavefront OBJ) and height grids (ESRI ASCII): closed ones, or open
-// terrains that are given sides and a base.
+// Surfaces from mesh files (STL and PLY as text or binary, Wavefront OBJ) and height grids (ESRI ASCII):
+// closed ones, or open terrains that are given sides and a base.
 
 #include <optional>
 #include <string>
@@ -23,8 +23,8 @@ enum class MeshFormat : std::uint8_t {
 struct MeshOptions {
     MeshFormat format = MeshFormat::by_name;
     double scale = 1.0;  ///< from the file's unit to metres
-    /// Taken off all coordinates. Default: nothing, or for coordinates beyond `farthest` in plan, which leave too few digits,
-    /// their lower corner in plan in whole hundreds of metres
+    /// Taken off all coordinates. Default: nothing, or for coordinates beyond `farthest` in plan, which leave
+    /// too few digits, their lower corner in plan in whole hundreds of metres
     std::optional<Vec3> shift;
     double farthest = 1e6;
     std::optional<double> base;  ///< an open terrain is closed down to this elevation
@@ -40,11 +40,12 @@ struct MeshSurface {
     std::vector<std::string> notes;  ///< what was repaired, shifted or simplified, for the user
 };
 
-/// Reads a closed surface, or an open terrain and closes it. Vertices with equal coordinates are one; faces of OBJ and PLY with
-/// more than three corners must be convex; the grid's cells are divided along the diagonal whose ends differ less in height.
-/// Errors: the file cannot be read, is cut short or malformed (with its line, if it is text); what checkSurface or closeTerrain
-/// find ("base" where it is that), with the line of the triangle, or else its number from 1 in the message, and the place in
-/// the file's own coordinates taken to metres and shifted.
+/// Reads a closed surface, or an open terrain and closes it. Vertices with equal coordinates are one; faces
+/// of OBJ and PLY with more than three corners must be convex; the grid's cells are divided along the
+/// diagonal whose ends differ less in height.
+/// Errors: the file cannot be read, is cut short or malformed (with its line, if it is text); what
+/// checkSurface or closeTerrain find ("base" where it is that), with the line of the triangle, or else its
+/// number from 1 in the message, and the place in the file's own coordinates taken to metres and shifted.
 Result<MeshSurface> readMesh(const std::string& path, const MeshOptions& options = {});
 /// The same for a file's bytes in memory; `path` is used in messages and by its ending.
 Result<MeshSurface> parseMesh(const std::string& bytes, const std::string& path,

@@ -10,8 +10,9 @@
 
 namespace talus::formats {
 
-/// An output file that is open for writing and locked. What was in it stays until somebody writes; a file that was made
-/// here and got nothing is taken away again. Devices and pipes are neither locked nor taken away.
+/// An output file that is open for writing and locked. What was in it stays until somebody writes; a file
+/// that was made here and got nothing is taken away again. Devices and pipes are neither locked nor taken
+/// away.
 class OutputFile {
  public:
     /// Errors (with the path as their field): the file system's refusal; another process is writing the file.
@@ -26,8 +27,9 @@ class OutputFile {
     const std::string& path() const { return path_; }
     LockReach lockReach() const { return reach_; }
 
-    /// Brings to the disk what was written, so many bytes, and the folder's entry. 0, or an errno; ENOENT when the file at its
-    /// path is not the one that was written any more: somebody has removed, replaced or truncated it, or removed its folder.
+    /// Brings to the disk what was written, so many bytes, and the folder's entry. 0, or an errno; ENOENT
+    /// when the file at its path is not the one that was written any more: somebody has removed, replaced or
+    /// truncated it, or removed its folder.
     int sync(std::uint64_t written) const;
 
  private:
@@ -41,11 +43,13 @@ class OutputFile {
     std::string path_;
 };
 
-/// Whether a file is as long as what was written to it, so that nobody else has truncated it. True of devices and pipes. Ask before
-/// each write, of a file that is appended to: else a write leaves a hole, and the length is right again.
+/// Whether a file is as long as what was written to it, so that nobody else has truncated it. True of devices
+/// and pipes. Ask before each write, of a file that is appended to: else a write leaves a hole, and the
+/// length is right again.
 bool isAsLong(int file, std::uint64_t written);
 
-/// From now on each write goes to the file's end, wherever that is. (Not from the start: systems refuse to copy into such a file.)
+/// From now on each write goes to the file's end, wherever that is. (Not from the start: systems refuse to
+/// copy into such a file.)
 void appendFromNowOn(int file);
 
 /// Brings the entries of the folder this path is in to the disk, as far as the file system lets it.

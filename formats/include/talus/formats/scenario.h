@@ -28,8 +28,8 @@ namespace talus::formats {
 /// Properties of a joint, by their place in kJointProperties.
 using JointProperties = std::bitset<kJointPropertyCount>;
 
-/// Where a joint of the model comes from. Properties that are not given are those of the joint it is made from, or follow
-/// another property.
+/// Where a joint of the model comes from. Properties that are not given are those of the joint it is made
+/// from, or follow another property.
 struct JointOrigin {
     enum class Kind : std::uint8_t {
         file,       ///< [joint.NAME]
@@ -66,16 +66,16 @@ struct Scenario {
     std::vector<std::string> warnings{};
 };
 
-/// Reads and checks a scenario file. All faults found are reported, not just the first. \param stop  set it to end the
-/// cutting of a rock mass early, with an error
+/// Reads and checks a scenario file. All faults found are reported, not just the first. \param stop  set it
+/// to end the cutting of a rock mass early, with an error
 Result<Scenario> readScenario(const std::string& path, const std::atomic<bool>* stop = nullptr);
 
 /// Blocks of a model. Two million take about 1.6 GB before the engine adds its arrays.
 inline constexpr std::int64_t kMostBlocks = 2'000'000;
 
-/// The same for text already in memory; `path` is used in messages, and its folder is where mesh files are looked for.
-/// More than `most_blocks` blocks are an error, found before anything of that size is made; of a rock mass
-/// `rock_mass.max_blocks` says otherwise.
+/// The same for text already in memory; `path` is used in messages, and its folder is where mesh files are
+/// looked for. More than `most_blocks` blocks are an error, found before anything of that size is made; of a
+/// rock mass `rock_mass.max_blocks` says otherwise.
 Result<Scenario> parseScenario(const std::string& text, const std::string& path,
                                std::int64_t most_blocks = kMostBlocks,
                                const std::atomic<bool>* stop = nullptr);

@@ -1,10 +1,11 @@
 #pragma once
-// Snapshot files: a run's header, frames and full states in an MCAP container (formats/snapshot.fbs says what is in a
-// message). Written by a thread of its own while the run goes on; read frame by frame, also while it is being written,
-// and as far as it goes when it was cut anywhere.
+// Snapshot files: a run's header, frames and full states in an MCAP container (formats/snapshot.fbs says what
+// is in a message). Written by a thread of its own while the run goes on; read frame by frame, also while it
+// is being written, and as far as it goes when it was cut anywhere.
 //
-// Limits: a full state of at most 2 GB (some 500,000 blocks with nine contact points an interface), which is what one
-// FlatBuffers message holds. The reader's memory stays below four times the largest chunk it accepts.
+// Limits: a full state of at most 2 GB (some 500,000 blocks with nine contact points an interface), which is
+// what one FlatBuffers message holds. The reader's memory stays below four times the largest chunk it
+// accepts.
 
 #include <functional>
 #include <map>
@@ -80,9 +81,9 @@ enum class SnapshotFile { absent, empty, unfinished, finished, foreign };
 /// What stands at this path. Devices and pipes count as absent, there is nothing in them to lose.
 SnapshotFile inspectSnapshot(const std::string& path);
 
-/// Writes a run's frames from a thread of its own. The queue between is bounded: when the disk is slower than the run,
-/// the run waits and secondsWaited() says for how long. A chunk goes to the file once it holds a full state or 1 MiB,
-/// or after a second: that is the most a killed run loses.
+/// Writes a run's frames from a thread of its own. The queue between is bounded: when the disk is slower than
+/// the run, the run waits and secondsWaited() says for how long. A chunk goes to the file once it holds a
+/// full state or 1 MiB, or after a second: that is the most a killed run loses.
 class SnapshotWriter {
  public:
     /// Writes a new run, without touching what is in the file: that goes with the header.
@@ -90,7 +91,8 @@ class SnapshotWriter {
     /// The same. Errors: those of OutputFile.
     static Result<SnapshotWriter> open(const std::string& path);
 
-    /// Goes on behind a full state of an unfinished or finished file: what follows it is cut off with the first frame.
+    /// Goes on behind a full state of an unfinished or finished file: what follows it is cut off with the
+    /// first frame.
     /// Errors: a file that holds no such state.
     static Result<SnapshotWriter> continueFile(OutputFile file, std::size_t full);
 
@@ -102,8 +104,8 @@ class SnapshotWriter {
     void write(LightFrame frame);
     void write(FullFrame frame);
 
-    /// Writes what is queued, how the run ended, and the index, and brings all of it to the disk. Errors: the first
-    /// refusal of the file system; the file is not at its path any more.
+    /// Writes what is queued, how the run ended, and the index, and brings all of it to the disk. Errors: the
+    /// first refusal of the file system; the file is not at its path any more.
     std::vector<Error> finish(const SnapshotEnd& end);
 
     bool failed() const;  ///< the file system has refused: nothing more is written
@@ -149,7 +151,8 @@ class SnapshotReader {
     Result<FullFrame> full(std::size_t index);
     std::optional<std::size_t> frameOf(std::size_t full) const;  ///< of the same instant
 
-    /// Holds every checksum of the container and reads every message; faults as text, empty when all is sound.
+    /// Holds every checksum of the container and reads every message; faults as text, empty when all is
+    /// sound.
     std::vector<std::string> verify();
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
-// Sweep files: a scenario, an analysis, and what varies. A sweep is a list of runs that is never stored: each run's
-// sample follows from its number alone, so any worker can compute any run, and any run can be looked at again.
+// Sweep files: a scenario, an analysis, and what varies. A sweep is a list of runs that is never stored: each
+// run's sample follows from its number alone, so any worker can compute any run, and any run can be looked at
+// again.
 //
 //   format = 1
 //   scenario = "slope.toml"        # beside the sweep file
@@ -22,7 +23,8 @@
 //   field = "joint.default.friction_deg"   # "joint.*.friction_deg": of all joints
 //   per = "run"                    # one draw a run; "joint": one a joint; "interface": one an interface
 //   distribution = "uniform"       # min, max. "normal": mean, sd. "truncated-normal": mean, sd, min, max.
-//                                  # "lognormal": mean, sd. "triangular": min, mode, max. "beta": alpha, beta, min, max
+//                                  # "lognormal": mean, sd. "triangular": min, mode, max. "beta": alpha,
+//                                  beta, min, max
 //   [correlation]                  # of the normal scores of random variables
 //   fields = ["joint.default.friction_deg", "joint.default.cohesion"]
 //   matrix = [[1.0, -0.5], [-0.5, 1.0]]
@@ -32,9 +34,9 @@
 //   factor = [1.0]                 # safety-factor: probability of less than these
 //   confidence = 0.95
 //
-// Runs are numbered from 0, sample by sample: run = sample * cases + case. Cases are the table's rows times the grids'
-// values, the last grid fastest. A sample draws the same numbers in every case, so that cases differ by what was
-// changed and not by chance.
+// Runs are numbered from 0, sample by sample: run = sample * cases + case. Cases are the table's rows times
+// the grids' values, the last grid fastest. A sample draws the same numbers in every case, so that cases
+// differ by what was changed and not by chance.
 
 #include <cstdint>
 #include <memory>
@@ -62,7 +64,8 @@ struct ScoreShare {
     double weight = 0;
 };
 
-/// What varies together: one column of the results, or three (mean, smallest, largest) for draws per interface.
+/// What varies together: one column of the results, or three (mean, smallest, largest) for draws per
+/// interface.
 struct SweepColumn {
     std::string name;                  ///< the (first) field
     std::string unit;                  ///< "deg", "Pa/m", ...; "" when it has none or is not known
@@ -100,16 +103,18 @@ struct Sweep {
     const char* analysis() const { return search ? search->name : "run"; }
 };
 
-/// Reads and checks a sweep file, its scenario and its table. Every value of a table or grid is tried, and the median
-/// and the ends of each distribution, so that what no run could survive is found before the first one.
+/// Reads and checks a sweep file, its scenario and its table. Every value of a table or grid is tried, and
+/// the median and the ends of each distribution, so that what no run could survive is found before the first
+/// one.
 Result<Sweep> readSweep(const std::string& path);
-/// The same for text in memory; `path` is used in messages and to find what lies beside it. `scenario`, when given, stands in
-/// for the file that the text names.
+/// The same for text in memory; `path` is used in messages and to find what lies beside it. `scenario`, when
+/// given, stands in for the file that the text names.
 Result<Sweep> parseSweep(const std::string& text, const std::string& path,
                          std::shared_ptr<const Scenario> scenario = nullptr);
 
-/// 16 hex digits over everything that decides the runs: scenario, analysis, what varies, seed. Neither comments nor
-/// the report count, nor, in random sampling, the number of samples: more of them can be added to a batch later.
+/// 16 hex digits over everything that decides the runs: scenario, analysis, what varies, seed. Neither
+/// comments nor the report count, nor, in random sampling, the number of samples: more of them can be added
+/// to a batch later.
 std::string identityOf(const Sweep& sweep);
 
 /// One run: which it is and what the columns hold (nothing for a column of draws per interface).
@@ -136,8 +141,8 @@ struct SampledScenario {
 /// The scenario of a run. Errors: what the scenario reader says of these values; interfaces cannot be listed.
 Result<SampledScenario> scenarioOf(const Sweep& sweep, const SweepRun& run);
 
-/// The same as the text of a scenario file, which reads back as the same model. Draws per interface stand in it as one
-/// [[interface]] each.
+/// The same as the text of a scenario file, which reads back as the same model. Draws per interface stand in
+/// it as one [[interface]] each.
 Result<std::string> scenarioTextOf(const Sweep& sweep, const SweepRun& run);
 
 }  // namespace talus::formats
