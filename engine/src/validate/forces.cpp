@@ -2,8 +2,11 @@
 
 #include "forces/contact_forces.h"
 #include "forces/sum.h"
+#include "geometry/pressure.h"
+#include "law/closed_part.h"
 #include "measure/measure.h"
 #include "state/incidence.h"
+#include "state/point_layout.h"
 #include "validate/findings.h"
 #include "validate/validate.h"
 
@@ -23,20 +26,35 @@ struct PointSum {
 
 double affineAt(const Vec3& f, const Eigen::Vector2d& at) { return f.x() + at.x() * f.y() + at.y() * f.z(); }
 
-/// What it takes to bring a closed contact point's springs to the lengths they have: not by way of their
+/// What it takes to bring a closed contact point's springs to the lengths they have [J]: not by way of their
 /// forces, which elasticEnergy takes. Where strength cuts a force, that tells the length.
-double springEnergy(const contact::JointLaw& law, const RelativePose& pose, const ContactPoint& point) {
+double normalEnergy(const contact::JointLaw& law, const ContactPoint& point) {
     const contact::PointForce& force = point.force;
     if (force.open) return 0;
-    const double overlap = point.memory.dilation - point.gap;
-    const double normal =
-        force.normal < 0 ? contact::storedEnergy(law, point.area, point.memory.bond, {.normal = force.normal})
-                         : contact::energyToPress(law, point.area, 0.0, overlap);
+    if (force.normal < 0)
+        return contact::storedEnergy(law, point.area, point.memory.bond, {.normal = force.normal});
+    return contact::energyToPress(law, point.area, 0.0, point.memory.dilation - point.gap);
+}
+
+double shearEnergy(const contact::JointLaw& law, const RelativePose& pose, const ContactPoint& point) {
+    const contact::PointForce& force = point.force;
+    if (force.open) return 0;
     const double slid = force.slips
                             ? contact::offsetFor(law, point.area, std::hypot(force.shear_1, force.shear_2))
                             : std::hypot(point.memory.offset_1 - affineAt(pose.slide_1, point.position),
                                          point.memory.offset_2 - affineAt(pose.slide_2, point.position));
-    return normal + 0.5 * contact::stiffnessOf(law).shear * point.area * slid * slid;
+    return 0.5 * contact::stiffnessOf(law).shear * point.area * slid * slid;
+}
+
+/// Of the springs of a patch on its closed part [J]: k_n/2 int o^2 dA, with the overlap o affine, from the
+/// resultant and the moments of o.
+double energyOfClosedPart(const State& state, std::size_t i, const contact::JointLaw& law, const Vec3& gap) {
+    const std::vector<Vec2> corners = patchOutline(state.interfaces, i);
+    const LinearPressure overlap{-gap.x(), {-gap.y(), -gap.z()}};
+    const Thrust thrust = thrustOn(corners.size(), [&](std::size_t k) { return corners[k]; }, overlap);
+    const double squared = overlap.at_origin * thrust.force + overlap.gradient.x() * thrust.moment_x +
+                           overlap.gradient.y() * thrust.moment_y;
+    return 0.5 * contact::stiffnessOf(law).normal * squared;
 }
 
 PointSum sumOver(const State& state, std::size_t i, const RelativePose& pose) {
@@ -44,6 +62,8 @@ PointSum sumOver(const State& state, std::size_t i, const RelativePose& pose) {
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
     const bool has_arms = state.springs == Springs::keep_energy;
     const Vec3 height = has_arms ? Vec3(pose.gap + state.interfaces.frame(i).reference_gap) : Vec3::Zero();
+    double normal_energy = 0;
+    bool shares_pressure = isDistributed(state) && state.interfaces.cornerCount(i) > 1;
     for (const ContactPoint& point : contactPoints(state, i)) {
         const Vec3 shear = point.force.shear_1 * pose.e1 + point.force.shear_2 * pose.e2;
         const Vec3 force = shear + point.force.normal * pose.e3;
@@ -52,9 +72,12 @@ PointSum sumOver(const State& state, std::size_t i, const RelativePose& pose) {
         sum.force += force;
         sum.moment += place.cross(force) + affineAt(height, point.position) * pose.e3.cross(shear);
         sum.magnitude += force.norm();
-        sum.energy += springEnergy(law, pose, point);
+        normal_energy += normalEnergy(law, point);
+        sum.energy += shearEnergy(law, pose, point);
         sum.dilates = sum.dilates || (contact::dilates(law) && point.memory.dilation > 0);
+        shares_pressure = shares_pressure && contact::followsShare<double>(law, point.memory.bond) == 1;
     }
+    sum.energy += shares_pressure ? energyOfClosedPart(state, i, law, pose.gap) : normal_energy;
     return sum;
 }
 
