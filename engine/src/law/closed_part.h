@@ -18,21 +18,19 @@ struct ClosedPart {
     double rate[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
 };
 
-/// Adds a triangle's part where an affine overlap is positive that has the value `at_tip` > 0 at corner `tip`
-/// and zero at the shares `s`, `t` of the way to the next two corners: a triangle of the area s t.
-/// \param sign  -1 takes the part away
-TALUS_KERNEL void addTip(int tip, double s, double t, double at_tip, double sign, ClosedPart& sum) {
-    const int next = (tip + 1) % 3, last = (tip + 2) % 3;
-    double shape[3][3];  // of corner i at the part's corner v: its tip, then on the two sides
-    shape[tip][0] = 1, shape[tip][1] = 1 - s, shape[tip][2] = 1 - t;
-    shape[next][0] = 0, shape[next][1] = s, shape[next][2] = 0;
-    shape[last][0] = 0, shape[last][1] = 0, shape[last][2] = t;
+/// Adds a triangle of the closed part, by the values at its three corners.
+/// \param shape    [i][v]: shape function i at the piece's corner v
+/// \param overlap  at the piece's corners [m]
+/// \param area     of the piece, over that of the whole triangle
+TALUS_KERNEL void addPiece(const double (&shape)[3][3], const double (&overlap)[3], double area,
+                           ClosedPart& sum) {
     // int f g dA of two linear functions over a triangle of area A: A/12 (sum f_v g_v + sum f_v sum g_v).
-    const double twelfth = sign * s * t / 12;
+    const double twelfth = area / 12, all = overlap[0] + overlap[1] + overlap[2];
     double total[3];
     for (int i = 0; i < 3; ++i) {
         total[i] = shape[i][0] + shape[i][1] + shape[i][2];
-        sum.by_corner[i] += twelfth * at_tip * (shape[i][0] + total[i]);
+        sum.by_corner[i] += twelfth * (shape[i][0] * overlap[0] + shape[i][1] * overlap[1] +
+                                       shape[i][2] * overlap[2] + total[i] * all);
     }
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
@@ -40,25 +38,39 @@ TALUS_KERNEL void addTip(int tip, double s, double t, double at_tip, double sign
                                          shape[i][2] * shape[j][2] + total[i] * total[j]);
 }
 
+/// The part where an affine overlap is positive. Nothing is subtracted from the whole triangle: of a narrow
+/// strip along a side that would leave rounding, and toppling blocks stand on such strips.
 /// \param overlap  at the corners, negative where the triangle is open [m]
 TALUS_KERNEL ClosedPart closedPart(const double (&overlap)[3]) {
     int closed = 0;
     for (const double o : overlap) closed += o > 0 ? 1 : 0;
     ClosedPart part;
     if (closed == 0) return part;
-    if (closed >= 2) {  // the whole triangle, less the open tip
-        for (int i = 0; i < 3; ++i) {
-            part.by_corner[i] = (overlap[i] + overlap[0] + overlap[1] + overlap[2]) / 12;
-            for (int j = 0; j < 3; ++j) part.rate[i][j] = (i == j ? 2.0 : 1.0) / 12;
-        }
-        if (closed == 3) return part;
+    if (closed == 3) {
+        addPiece({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, overlap, 1, part);
+        return part;
     }
-    for (int tip = 0; tip < 3; ++tip) {
-        if ((overlap[tip] > 0) != (closed == 1)) continue;
-        const double here = overlap[tip];
-        const double s = here / (here - overlap[(tip + 1) % 3]), t = here / (here - overlap[(tip + 2) % 3]);
-        addTip(tip, s, t, here, closed == 1 ? 1.0 : -1.0, part);
+    // The corner that is not as the other two are; the line of no overlap crosses the sides next to it.
+    int tip = 0;
+    while ((overlap[tip] > 0) != (closed == 1)) ++tip;
+    const int next = (tip + 1) % 3, last = (tip + 2) % 3;
+    double shape[3][3] = {};
+    if (closed == 1) {
+        const double s = overlap[tip] / (overlap[tip] - overlap[next]),
+                     t = overlap[tip] / (overlap[tip] - overlap[last]);  // of the sides, from the tip
+        shape[tip][0] = 1, shape[tip][1] = 1 - s, shape[tip][2] = 1 - t;
+        shape[next][1] = s, shape[last][2] = t;
+        addPiece(shape, {overlap[tip], 0, 0}, s * t, part);
+        return part;
     }
+    const double u = overlap[next] / (overlap[next] - overlap[tip]),
+                 w = overlap[last] / (overlap[last] - overlap[tip]);  // of the sides, towards the tip
+    shape[next][0] = 1, shape[last][1] = 1;
+    shape[last][2] = 1 - w, shape[tip][2] = w;
+    addPiece(shape, {overlap[next], overlap[last], 0}, w, part);
+    shape[last][1] = 1 - w, shape[tip][1] = w;
+    shape[last][2] = 0, shape[next][2] = 1 - u, shape[tip][2] = u;
+    addPiece(shape, {overlap[next], 0, 0}, u * (1 - w), part);
     return part;
 }
 

@@ -46,14 +46,20 @@ double shearEnergy(const contact::JointLaw& law, const RelativePose& pose, const
     return 0.5 * contact::stiffnessOf(law).shear * point.area * slid * slid;
 }
 
-/// Of the springs of a patch on its closed part [J]: k_n/2 int o^2 dA, with the overlap o affine, from the
-/// resultant and the moments of o.
+/// Of the springs of a patch on its closed part [J]: k_n/2 int o^2 dA, with the overlap o affine. Over a
+/// triangle of area A int o^2 dA = A/12 ((sum o)^2 + sum o^2), sums over its corners.
 double energyOfClosedPart(const State& state, std::size_t i, const contact::JointLaw& law, const Vec3& gap) {
-    const std::vector<Vec2> corners = patchOutline(state.interfaces, i);
+    Polygon patch;
+    for (const Vec2& corner : patchOutline(state.interfaces, i)) patch.push(corner);
     const LinearPressure overlap{-gap.x(), {-gap.y(), -gap.z()}};
-    const Thrust thrust = thrustOn(corners.size(), [&](std::size_t k) { return corners[k]; }, overlap);
-    const double squared = overlap.at_origin * thrust.force + overlap.gradient.x() * thrust.moment_x +
-                           overlap.gradient.y() * thrust.moment_y;
+    const Polygon closed = wetPart(patch, overlap);
+    const auto at = [&](std::size_t k) { return std::max(0.0, overlap.at(closed[k])); };
+    double squared = 0;
+    for (std::size_t k = 2; k < closed.size(); ++k) {
+        const Vec2 b = closed[k - 1] - closed[0], c = closed[k] - closed[0];
+        const double area = 0.5 * (b.x() * c.y() - b.y() * c.x()), sum = at(0) + at(k - 1) + at(k);
+        squared += area / 12 * (sum * sum + at(0) * at(0) + at(k - 1) * at(k - 1) + at(k) * at(k));
+    }
     return 0.5 * contact::stiffnessOf(law).normal * squared;
 }
 

@@ -35,6 +35,16 @@ Overlaps summed(const Overlaps& overlap, int n) {
     return sum;
 }
 
+/// Exact but for the rounding of long double: the whole triangle less its open tip at corner 2.
+Overlaps besideTip(const Overlaps& overlap) {
+    const long double o0 = overlap[0], o1 = overlap[1], o2 = overlap[2];
+    const long double s = o2 / (o2 - o0), t = o2 / (o2 - o1), area = s * t / 12;
+    const long double all = o0 + o1 + o2;
+    return {static_cast<double>((o0 + all) / 12 - area * o2 * s),
+            static_cast<double>((o1 + all) / 12 - area * o2 * t),
+            static_cast<double>((o2 + all) / 12 - area * o2 * ((1 - s) + (1 - t) + 2))};
+}
+
 Overlaps drawn(std::mt19937& random) {
     std::uniform_real_distribution<double> both(-1, 1);
     return {both(random), both(random), both(random)};
@@ -52,6 +62,20 @@ TEST_SUITE("law") {
             const Overlaps exact = summed(overlap, 300);
             const contact::ClosedPart part = partOf(overlap);
             for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(part.by_corner[k] - exact[k]) < 2e-6);
+        }
+    }
+
+    TEST_CASE("closed part of a triangle: of a narrow strip along a side every digit") {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> part(0.1, 1);
+        for (int trial = 0; trial < 200; ++trial) {
+            const Overlaps overlap{1e-3 * part(random), 1e-3 * part(random), -part(random)};
+            const Overlaps exact = besideTip(overlap);
+            const contact::ClosedPart found = partOf(overlap);
+            // That at the open corner is smaller, and the reference rounds it more.
+            for (const std::size_t k : {0, 1})
+                CHECK(found.by_corner[k] == doctest::Approx(exact[k]).epsilon(1e-12).scale(0));
+            CHECK(found.by_corner[2] == doctest::Approx(exact[2]).epsilon(1e-7).scale(0));
         }
     }
 
