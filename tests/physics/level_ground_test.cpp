@@ -3,12 +3,11 @@
 
 #include <doctest/doctest.h>
 
-#include <sstream>
+#include <cmath>
 #include <string>
 
 #include "support/models.h"
 #include "talus/analysis.h"
-#include "talus/formats/scenario.h"
 
 using namespace talus;
 using namespace talus::test;
@@ -17,31 +16,33 @@ namespace {
 
 constexpr double kFriction = 27.0;  // [deg]
 
-void box(std::ostringstream& out, const char* name, const Vec3& min, const Vec3& max, bool fixed) {
-    out << "\n[[block]]\nname = \"" << name << "\"\nfixed = " << (fixed ? "true" : "false")
-        << "\nbox = {min = [" << min.x() << ", " << min.y() << ", " << min.z() << "], max = [" << max.x()
-        << ", " << max.y() << ", " << max.z() << "]}\n";
-}
-
 /// A block 1 m long on level ground that is cut in two at a distance behind its front [m].
-std::string overSeam(double stiffness, double behind_front, double height) {
-    std::ostringstream out;
-    out << "[joint]\nnormal_stiffness = " << stiffness << "\nshear_stiffness = " << 0.4 * stiffness
-        << "\nfriction_deg = " << kFriction << "\n";
-    box(out, "ahead", {-3, 0, -1}, {behind_front, 1, 0}, true);
-    box(out, "below", {behind_front, 0, -1}, {3, 1, 0}, true);
-    box(out, "block", {0, 0, 0}, {1, 1, height}, false);
-    return out.str();
+Model overSeam(double stiffness, double behind_front) {
+    Model model;
+    model.joints = {joint(kFriction, stiffness)};
+    model.blocks = {box("ahead", {-3, 0, -1}, {behind_front, 1, 0}, 2700, Motion::fixed),
+                    box("below", {behind_front, 0, -1}, {3, 1, 0}, 2700, Motion::fixed)};
+    addBox(model, "block", {0, 0, 0}, {1, 1, 0.5});
+    return model;
 }
 
-double angleOf(const std::string& text) {
-    CAPTURE(text);
-    const auto scenario = formats::parseScenario(text, "seam.toml");
-    REQUIRE(scenario.ok());
-    const auto found = criticalAngle(scenario->model);
-    REQUIRE(found.ok());
-    REQUIRE((found->status == SearchStatus::found));
-    return degrees(found->answer);
+/// Fixed blocks side by side: the column's step, one in front whose top is level with its bed, a higher one
+/// behind.
+Model onSteps(double stiffness, double rise) {
+    Model model;
+    model.joints = {joint(kFriction, stiffness)};
+    const double tops[]{0, 0, rise};
+    for (const int k : {0, 1, 2})
+        model.blocks.push_back(
+            box("step" + std::to_string(k), {k - 1.0, 0, -1}, {k + 0.0, 1, tops[k]}, 2700, Motion::fixed));
+    addBox(model, "column", {0, 0, 0}, {1, 1, 5});
+    return model;
+}
+
+SearchResult found(const Result<SearchResult>& result) {
+    REQUIRE(result.ok());
+    CHECK((result->status == SearchStatus::found));
+    return *result;
 }
 
 }  // namespace
@@ -49,8 +50,34 @@ double angleOf(const std::string& text) {
 TEST_SUITE("physics") {
     TEST_CASE("a block slides over the edge between two fixed blocks as over one") {
         for (const double stiffness : {1e7, 1e8, 1e9, 1e10})
-            for (const double behind_front : {-0.25, 0.0, 1e-4, 0.3})
-                CHECK(angleOf(overSeam(stiffness, behind_front, 0.5)) ==
-                      doctest::Approx(kFriction).epsilon(1e-3));
+            for (const double behind_front : {-0.25, 0.0, 1e-4, 0.3}) {
+                CAPTURE(stiffness);
+                CAPTURE(behind_front);
+                Model model = overSeam(stiffness, behind_front);
+                const SearchResult at = found(criticalAngle(model));
+                CHECK(degrees(at.answer) == doctest::Approx(kFriction).epsilon(1e-3));
+                CHECK((at.mode == FailureMode::sliding));
+                model.gravity.tilt = radians(20);
+                const double expected = std::tan(radians(kFriction)) / std::tan(radians(20));
+                CHECK(found(safetyFactor(model)).answer == doctest::Approx(expected).epsilon(2e-3));
+            }
+    }
+
+    TEST_CASE("a column that has sunk into the joint of its step slides out over the next, level with it") {
+        const double overturns = std::atan2(1, 5.0);  // near it, its front carries all of its weight
+        for (const double stiffness : {1e8, 3e8, 1e9, 3e9})
+            for (const double rise : {0.0, 0.2})
+                for (const double share : {0.6, 0.9, 0.95}) {
+                    CAPTURE(stiffness);
+                    CAPTURE(rise);
+                    CAPTURE(share);
+                    Model model = onSteps(stiffness, rise);
+                    model.gravity.tilt = share * overturns;
+                    const auto result = safetyFactor(model);
+                    REQUIRE(result.ok());
+                    if (result->status == SearchStatus::unstable_at_start) continue;  // it has overturned
+                    const double expected = std::tan(radians(kFriction)) / std::tan(model.gravity.tilt);
+                    CHECK(found(result).answer == doctest::Approx(expected).epsilon(2e-3));
+                }
     }
 }
