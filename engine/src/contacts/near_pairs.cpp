@@ -64,10 +64,10 @@ WorldShape PlacedShapes::whole(std::size_t block) const {
 WorldShape PlacedShapes::world(std::size_t part, const std::optional<PartOfBody>& body) const {
     const WorldShape block = whole(blockOf(part));
     if (!body) return block;
-    const ConvexPart& range = *partIn(geometry_, part);
-    const auto first = static_cast<std::size_t>(range.first_face), count = range.faces.size();
-    return {vertices(part), range.faces, block.normals.subspan(first, count),
-            std::span(body->shape.faces.covers()).subspan(first, count), &*body};
+    const ConvexPart* range = partIn(geometry_, part);
+    if (range == nullptr) return {block.vertices, block.faces, block.normals, body->covers(), &*body};
+    const auto first = static_cast<std::size_t>(range->first_face), count = range->faces.size();
+    return {vertices(part), range->faces, block.normals.subspan(first, count), body->covers(), &*body};
 }
 
 std::span<const Vec3> PlacedShapes::vertices(std::size_t part) const {

@@ -378,11 +378,12 @@ Approach approachOf(const WorldShape& first, const WorldShape& second, const Ver
     VertexEdgeLimits narrow = limits;
     narrow.face_angle -= turn;
     narrow.angle_per_depth = 0;
-    double most = -std::numeric_limits<double>::infinity(), sharpest = most;
+    double of_parts = -std::numeric_limits<double>::infinity(), most = of_parts, sharpest = of_parts;
     bool apart = false;
     forEachAxis(pair, [&](SeparatingAxis axis) {
         apart = axis.distance > limits.reach + travel;
         if (apart) return false;
+        of_parts = std::max(of_parts, axis.distance);
         if (axis.distance <= most - travel || !isReal(pair, axis, limits.tie + travel, {travel, turn}))
             return true;
         most = std::max(most, axis.distance);
@@ -390,6 +391,8 @@ Approach approachOf(const WorldShape& first, const WorldShape& second, const Ver
         return true;
     });
     if (apart) return Approach::apart;
+    // As in findMeeting: parts that touch where their bodies do not, and hardly will.
+    if (most < of_parts - travel - kDeeperThanParts * limits.tie) return Approach::faces;
     return sharpest > most - travel ? Approach::vertex_edge : Approach::faces;
 }
 

@@ -92,7 +92,7 @@ class Joiner {
     }
 
     Result<Polyhedron> run() {
-        meetAll();
+        meetAll([](std::size_t, std::size_t) { return true; });
         for (std::size_t i = 1; i < parts_.size() && errors_.empty(); ++i)
             if (rootOf(i) != rootOf(0))
                 errors_.push_back(
@@ -100,19 +100,49 @@ class Joiner {
                      "found a part that shares no face with the others, allowed: parts that lie "
                      "on each other face to face"});
         if (!errors_.empty()) return std::move(errors_);
+        return finish();
+    }
+
+    /// Of bodies whose parts are given one body after the other: what is known of each stays, and only parts
+    /// of different bodies are looked at. Overlaps are no errors.
+    std::optional<Polyhedron> unite(const std::vector<Polyhedron>& bodies) {
+        std::vector<std::size_t> body_of;
+        for (std::size_t body = 0; body < bodies.size(); ++body) {
+            keep(bodies[body], body_of.size());
+            body_of.insert(body_of.end(), bodies[body].partCount(), body);
+        }
+        if (!meetAll([&](std::size_t i, std::size_t j) { return body_of[i] != body_of[j]; })) return {};
+        for (ConvexPart& part : ranges_) std::sort(part.beside.begin(), part.beside.end());
+        return finish();
+    }
+
+ private:
+    Polyhedron finish() {
         std::vector<FaceList::Outline> outlines(whole_.faces.begin(), whole_.faces.end());
         whole_.faces = FaceList(std::move(outlines), std::move(ranges_), covers());
         return std::move(whole_);
     }
 
- private:
+    void keep(const Polyhedron& body, std::size_t first_part) {
+        if (body.partCount() == 1) return;
+        const auto first_face = static_cast<std::size_t>(ranges_[first_part].first_face);
+        for (std::size_t p = 0; p < body.partCount(); ++p)
+            for (const std::int32_t beside : body.faces.parts()[p].beside)
+                ranges_[first_part + p].beside.push_back(beside + static_cast<std::int32_t>(first_part));
+        for (std::size_t f = 0; f < body.faces.size(); ++f)
+            for (const Polygon& cover : coversOf(body, f)) covered_[first_face + f] += area(cover);
+    }
+
     std::size_t rootOf(std::size_t part) {
         while (root_[part] != part) part = root_[part] = root_[root_[part]];
         return part;
     }
 
     /// Each with those behind it, in order: sums of covers and lists of neighbours follow it.
-    void meetAll() {
+    /// \return whether any two of those that are asked for touch
+    template <class Asked>
+    bool meetAll(const Asked& asked) {
+        bool any = false;
         std::vector<Box> bounds;
         for (const Polyhedron& part : parts_) bounds.push_back(boundsOf(part));
         const BoxTree tree(std::move(bounds));
@@ -121,26 +151,29 @@ class Joiner {
             behind.clear();
             // Twice as wide as near: rounding leaves none out.
             tree.visit(tree[i].grown(2.0 * touch_), [&](std::size_t j) {
-                if (j > i && areNear(tree[i], tree[j], touch_)) behind.push_back(j);
+                if (j > i && asked(i, j) && areNear(tree[i], tree[j], touch_)) behind.push_back(j);
             });
             std::sort(behind.begin(), behind.end());
-            for (const std::size_t j : behind) meet(i, j);
+            for (const std::size_t j : behind) any = meet(i, j) || any;
         }
+        return any;
     }
 
-    void meet(std::size_t i, std::size_t j) {
+    /// \return whether they touch
+    bool meet(std::size_t i, std::size_t j) {
         const double depth = -findSeparation(parts_[i], parts_[j], -touch_).distance;
         if (depth > touch_) {
             errors_.push_back({"[" + std::to_string(j) + "]", "found a part that overlaps part " +
                                                                   std::to_string(i) +
                                                                   ", allowed: parts that share faces only"});
-            return;
+        } else if (-depth > touch_) {
+            return false;
         }
-        if (-depth > touch_) return;
         ranges_[i].beside.push_back(static_cast<std::int32_t>(j));
         ranges_[j].beside.push_back(static_cast<std::int32_t>(i));
         if (shareFaces(ranges_[i], ranges_[j]))
             root_[std::max(rootOf(i), rootOf(j))] = std::min(rootOf(i), rootOf(j));
+        return true;
     }
 
     bool shareFaces(const ConvexPart& first, const ConvexPart& second) {
@@ -224,6 +257,14 @@ Result<Polyhedron> joinParts(const std::vector<Polyhedron>& parts) {
             return Error{"[" + std::to_string(i) + "]", "found a part made of parts, allowed: convex ones"};
     if (parts.size() == 1) return parts[0];
     return Joiner(parts).run();
+}
+
+std::optional<Polyhedron> unionOf(const std::vector<Polyhedron>& bodies) {
+    std::vector<Polyhedron> parts;
+    for (const Polyhedron& body : bodies)
+        for (Polyhedron& part : partsOf(body)) parts.push_back(std::move(part));
+    if (bodies.size() < 2) return {};
+    return Joiner(parts).unite(bodies);
 }
 
 std::vector<Polyhedron> partsOf(const Polyhedron& shape) {
@@ -317,6 +358,12 @@ std::size_t partOf(const FaceList& faces, std::size_t face) {
         parts.begin(), parts.end(), static_cast<std::int32_t>(face),
         [](std::int32_t wanted, const ConvexPart& part) { return wanted < part.first_face; });
     return static_cast<std::size_t>(next - parts.begin()) - 1;
+}
+
+std::span<const Cover> PartOfBody::covers() const {
+    const ConvexPart& own_part = shape.faces.parts()[part];
+    return std::span(shape.faces.covers())
+        .subspan(static_cast<std::size_t>(own_part.first_face), faceCount(own_part));
 }
 
 bool PartOfBody::isOutermost(const Vec3& point, const Vec3& direction, double slack) const {

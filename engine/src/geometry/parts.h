@@ -1,6 +1,7 @@
 #pragma once
 // Shapes of several convex parts: where these lie on each other, and what of a part is surface of the whole.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,11 @@
 #include "talus/polyhedron.h"
 
 namespace talus {
+
+/// Bodies that touch each other, as one shape: their parts in the order given, each with those beside it, and
+/// each face with how much of it lies on others. Parts may also lie apart, or overlap. No shape where no two
+/// bodies touch.
+std::optional<Polyhedron> unionOf(const std::vector<Polyhedron>& bodies);
 
 /// What of a face lies on other parts of its shape, in the plane of its faceFrame.
 std::vector<Polygon> coversOf(const Polyhedron& shape, std::size_t face);
@@ -33,6 +39,9 @@ struct PartOfBody {
     Mat3 turn;             ///< own frame to the world
     Vec3 position;         ///< of the own origin [m]
     double tolerance = 0;  ///< [m]: what is nearer touches
+
+    /// How much of the part's faces lies on other parts.
+    std::span<const Cover> covers() const;
 
     /// Whether the body goes no farther in a direction from a point on the part than the part's point does,
     /// as far as the parts around it tell. Only then can another body touch it there in this direction: the

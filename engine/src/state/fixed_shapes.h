@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/box_tree.h"
+#include "geometry/parts.h"
 #include "talus/polyhedron.h"
 
 namespace talus {
@@ -20,6 +21,12 @@ struct FixedShapes {
     std::vector<Vec3> normals{};                              ///< outward unit normal per face
     std::vector<std::int32_t> parts{};                        ///< as Geometry numbers them, ascending
     BoxTree boxes{};                                          ///< of these parts, in their order
+    /// Blocks that touch each other, as one body with these parts in their order: its surface is what other
+    /// blocks meet. Else a block that slides over two blocks whose tops are level would hang on the edge
+    /// between them by as much as it is pressed into its joint. Empty where no two touch.
+    Polyhedron together{};
+    std::vector<FacePlane> planes{};  ///< of its faces
+    double tolerance = 0;             ///< of PartOfBody [m]
 
     bool has(std::size_t block) const { return block < first_vertex.size() && first_vertex[block] != kNone; }
 };

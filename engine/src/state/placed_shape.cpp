@@ -52,9 +52,10 @@ FixedShapes placeFixed(const Blocks& blocks, const Geometry& geometry) {
     fixed.first_vertex.assign(blocks.size(), FixedShapes::kNone);
     fixed.first_normal.assign(blocks.size(), FixedShapes::kNone);
     std::vector<Box> boxes;
-    Polyhedron shape;
+    std::vector<Polyhedron> bodies;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (blocks.motion[b] != Motion::fixed) continue;
+        Polyhedron& shape = bodies.emplace_back();
         placeShape(blocks, geometry, b, shape);
         fixed.first_vertex[b] = fixed.vertices.size();
         fixed.first_normal[b] = fixed.normals.size();
@@ -63,6 +64,13 @@ FixedShapes placeFixed(const Blocks& blocks, const Geometry& geometry) {
         for (auto part = geometry.first_part[b]; part < geometry.first_part[b + 1]; ++part)
             fixed.parts.push_back(part);
         addBoxes(shape, boxes);
+    }
+    if (auto together = unionOf(bodies)) {
+        fixed.together = std::move(*together);
+        fixed.planes = facePlanes(fixed.together);
+        Box all;
+        for (const Box& box : boxes) all.add(box.min), all.add(box.max);
+        fixed.tolerance = kTouch * 0.5 * (all.max - all.min).norm();
     }
     fixed.boxes = BoxTree(std::move(boxes));
     return fixed;
@@ -104,8 +112,16 @@ std::pair<std::int32_t, std::int32_t> partsOf(const Geometry& geometry, const In
 
 std::optional<PartOfBody> partOfBody(const State& state, std::int32_t part) {
     const Geometry& geometry = *state.geometry;
-    if (isWhole(geometry, part)) return std::nullopt;
     const auto block = static_cast<std::size_t>(geometry.part_block[static_cast<std::size_t>(part)]);
+    const FixedShapes& fixed = geometry.fixed;
+    if (!fixed.together.faces.empty() && standsAsBuilt(state, block)) {
+        const auto place = static_cast<std::size_t>(
+            std::lower_bound(fixed.parts.begin(), fixed.parts.end(), part) - fixed.parts.begin());
+        if (fixed.together.faces.parts()[place].beside.empty()) return std::nullopt;
+        return PartOfBody{fixed.together,   fixed.planes, place,
+                          Mat3::Identity(), Vec3::Zero(), fixed.tolerance};
+    }
+    if (isWhole(geometry, part)) return std::nullopt;
     return PartOfBody{geometry.shape[block],
                       planesOf(geometry, block),
                       static_cast<std::size_t>(part - geometry.first_part[block]),
@@ -124,12 +140,13 @@ PlacedPart::PlacedPart(const State& state, std::int32_t part)
     std::span<const Vec3> vertices = own.vertices;
     faces_ = &own.faces;
     if (body_) {
-        const ConvexPart& range = partAt(geometry, part);
-        vertices = vertices.subspan(static_cast<std::size_t>(range.first_vertex),
-                                    static_cast<std::size_t>(range.vertices));
-        faces_ = &range.faces;
-        covers_ = std::span(own.faces.covers())
-                      .subspan(static_cast<std::size_t>(range.first_face), range.faces.size());
+        if (!isWhole(geometry, part)) {
+            const ConvexPart& range = partAt(geometry, part);
+            vertices = vertices.subspan(static_cast<std::size_t>(range.first_vertex),
+                                        static_cast<std::size_t>(range.vertices));
+            faces_ = &range.faces;
+        }
+        covers_ = body_->covers();
     }
     const Mat3 turn = state.blocks.orientation.matrix(block);
     const Vec3 position = state.blocks.position.get(block);

@@ -37,7 +37,8 @@ std::int32_t firstFace(const Geometry& geometry, std::int32_t part);
 std::pair<std::int32_t, std::int32_t> partsOf(const Geometry& geometry, const Interfaces& interfaces,
                                               std::size_t interface);
 
-/// Nothing for the only part of a block.
+/// Nothing for the only part of a block, but where it is fixed and touches other fixed blocks: those are one
+/// body (FixedShapes::together).
 std::optional<PartOfBody> partOfBody(const State& state, std::int32_t part);
 
 /// A convex part where it is now, with its face normals.

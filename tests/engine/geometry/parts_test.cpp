@@ -144,3 +144,31 @@ TEST_CASE("parts: what is no body is refused") {
           std::string::npos);
     CHECK_FALSE(joinParts({bodyOf(angle()), *makeBox({5, 0, 0}, {6, 1, 1})}).ok());
 }
+
+TEST_CASE("parts: bodies that touch are one, with the covers between them and those that each has") {
+    const Polyhedron low = bodyOf({{Vec3(0, 0, 0), Vec3(1, 1, 1)}});
+    const Polyhedron high = bodyOf({{Vec3(1, 0, 0), Vec3(2, 1, 1)}, {Vec3(1, 0, 1), Vec3(2, 1, 2)}});
+    const auto both = unionOf({low, high});
+    REQUIRE(both.has_value());
+    REQUIRE(both->partCount() == 3);
+    const auto& parts = both->faces.parts();
+    CHECK((parts[0].beside == std::vector<std::int32_t>{1, 2}));
+    CHECK((parts[1].beside == std::vector<std::int32_t>{0, 2}));
+    CHECK((parts[2].beside == std::vector<std::int32_t>{0, 1}));
+    CHECK(count(*both, Cover::wholly) == 4);  // two of each of the faces that are shared
+    CHECK(surfaceOf(*both) == doctest::Approx(14.0).epsilon(1e-12));
+    // The shape that the same parts have when they are joined.
+    const auto joined = joinParts({partsOf(low)[0], partsOf(high)[0], partsOf(high)[1]});
+    REQUIRE(joined.ok());
+    CHECK((joined->faces.covers() == both->faces.covers()));
+}
+
+TEST_CASE("parts: bodies apart are not one, and those that overlap are no error") {
+    const auto unit = [](double x) { return bodyOf({{Vec3(x, 0, 0), Vec3(x + 1, 1, 1)}}); };
+    CHECK_FALSE(unionOf({unit(0)}).has_value());
+    CHECK_FALSE(unionOf({unit(0), unit(1.5)}).has_value());
+    CHECK(unionOf({unit(0), unit(0.5)}).has_value());
+    const auto three = unionOf({unit(0), unit(1), unit(5)});
+    REQUIRE(three.has_value());
+    CHECK(three->faces.parts()[2].beside.empty());
+}
