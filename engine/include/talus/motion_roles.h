@@ -30,6 +30,9 @@ struct BlockWay {
     double rotation = 0;           ///< [rad]
     double spin = 0;               ///< of that, about the normal of the joint that carries the block [rad]
     double mass = 0;               ///< [kg]
+    /// Whether it slips wherever it bears on another block: then no point of it is a pivot. (A slide whose tip
+    /// runs onto level ground is lifted there, and turns as it goes.)
+    bool slips_everywhere = false;
 
     double way() const { return translation + rotation * radius; }  ///< of its farthest corner, at most [m]
     /// A turn about the normal opens no joint: the block slides.
@@ -37,7 +40,8 @@ struct BlockWay {
 };
 
 /// Per block: `none` when it stands (or is not free), `toppling` when it turns about a pivot within reach of
-/// the moving group, else `sliding`, also where it turns in the plane of its joint. \param deflection  how
+/// the moving group, else `sliding`, also where it turns in the plane of its joint or slips wherever it bears
+/// on others. \param deflection  how
 /// far the assembly has come at rest [m]
 std::vector<FailureMode> motionRoles(const std::vector<BlockWay>& blocks, double deflection);
 

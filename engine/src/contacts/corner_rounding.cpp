@@ -11,6 +11,7 @@
 namespace talus {
 namespace {
 
+constexpr double kKink = 0.7071067811865476;  // cosine of the most that two faces turn by at a kink
 // Of the smaller block's size. More than the failure displacement of a search, so that no verdict depends
 // on a corner's sharpness.
 constexpr double kCornerRounding = 1e-3;

@@ -11,9 +11,6 @@
 
 namespace talus {
 
-/// Cosine of the most that two faces turn by at a kink.
-inline constexpr double kKink = 0.7071067811865476;
-
 /// Whether a new point is left out because a corner there is rounded and it is not deeper than that.
 /// With Springs::keep_energy corners are rounded less.
 /// \param interface any place of the pair that the point was found for

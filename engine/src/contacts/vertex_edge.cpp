@@ -253,7 +253,7 @@ bool contactsStay(const State& state, std::size_t begin, const VertexEdgePoints&
 }
 
 /// \param searched whether faces that have no interface now will have none
-Look lookAtMeeting(const State& state, std::size_t begin, double ahead, bool searched) {
+Look lookAtPair(const State& state, std::size_t begin, double ahead, bool searched) {
     const Interfaces& f = state.interfaces;
     const auto a = static_cast<std::size_t>(f.block_a[begin]), b = static_cast<std::size_t>(f.block_b[begin]);
     const Geometry& geometry = *state.geometry;
@@ -290,15 +290,6 @@ Look lookAtMeeting(const State& state, std::size_t begin, double ahead, bool sea
         look.changes = !searched;
         if (searched) look.found = withoutFaces(first, second, limits);
     }
-    return look;
-}
-
-/// Where faces alone count, vertices and edges touch nothing.
-Look lookAtPair(const State& state, std::size_t begin, double ahead, bool searched) {
-    Look look = lookAtMeeting(state, begin, ahead, searched);
-    if (!state.faces_only) return look;
-    look.found = {};
-    look.changes = look.changes && look.no_faces;
     return look;
 }
 

@@ -37,6 +37,25 @@ Vec3 carryingNormal(const State& state, std::size_t b) {
     return normal;
 }
 
+/// Whether all contact points that press on a block slip; not where none does.
+bool slipsEverywhere(const State& state, std::size_t b) {
+    bool bears = false;
+    for (auto k = state.incidence.interface_begin[b]; k < state.incidence.interface_begin[b + 1]; ++k) {
+        const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
+        if (isIdle(state.interfaces, i)) continue;
+        const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
+        for (const ContactPoint& point : contactPoints(state, i)) {
+            if (point.force.normal <= 0) continue;
+            bears = true;
+            const bool slips =
+                point.force.slips ||
+                contact::shearStrength(law, point.area, point.force.normal, point.memory.bond) == 0;
+            if (!slips) return false;
+        }
+    }
+    return bears;
+}
+
 BlockWay wayOf(const Places& from, const State& to, std::size_t b) {
     return {.free = to.blocks.motion[b] == Motion::free,
             .position = to.blocks.position.get(b),
@@ -45,7 +64,8 @@ BlockWay wayOf(const Places& from, const State& to, std::size_t b) {
             .rotation = rotationFrom(from.orientation, to.blocks.orientation, b),
             .spin = std::abs(
                 rotationVector(from.orientation[b], to.blocks.orientation[b]).dot(carryingNormal(to, b))),
-            .mass = to.blocks.mass[b]};
+            .mass = to.blocks.mass[b],
+            .slips_everywhere = slipsEverywhere(to, b)};
 }
 
 /// Shares of open area and of mobilised friction over a block's contact points.

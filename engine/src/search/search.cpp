@@ -9,7 +9,6 @@
 #include "build/build.h"
 #include "checks/loose_blocks.h"
 #include "checks/plausible.h"
-#include "contacts/vertex_edge.h"
 #include "equilibrium/release.h"
 #include "measure/stopwatch.h"
 #include "search/search_run.h"
@@ -54,7 +53,6 @@ Result<SearchResult> Search::run() {
         finish(course);
         const Stopwatch beside;
         addUpperBound(course);
-        if (answerWithoutJam(course)) return std::move(result_);
         addGroups(course);
         addLimitEquilibrium();
         addInterval(course);
@@ -85,8 +83,6 @@ std::vector<Error> Search::build() {
     if (!built) return built.errors();
     built_ = std::move(*built);
     parallel_ = worthThreads(*built_, control_.threads);
-    built_->faces_only = faces_only_;
-    if (faces_only_) renewVertexEdges(*built_, 0, parallel_, {});
     const std::vector<double> bounds = frequencyBounds(*built_, parallel_);
     const double imbalance = axis().loading.imbalance;
     const auto slivers = checks::splintersOfRounding(*built_, imbalance, bounds);

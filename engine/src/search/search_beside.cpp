@@ -1,21 +1,17 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "checks/loose_blocks.h"
-#include "contacts/corner_rounding.h"
 #include "contacts/limits.h"
 #include "equilibrium/release.h"
-#include "forces/contact_forces.h"
 #include "law/joint_laws.h"
 #include "limit_analysis/ceiling.h"
 #include "measure/natural_order.h"
 #include "search/search_run.h"
 #include "state/block_motion.h"
 #include "state/caller.h"
-#include "state/incidence.h"
 #include "talus/block_theory.h"
 
 namespace talus::search {
@@ -111,81 +107,6 @@ UnloadedJoints Search::unloadedAtFirst() {
     const Course elastic = beginAt(1 / rules_.weight_strength);
     if (elastic.begun.result != PathResult::reached) return {};
     return UnloadedJoints(elastic.path->state(), rules_.unloaded);
-}
-
-namespace {
-
-/// Whether a contact at a vertex or an edge is one at a kink: it looks nearly as the face that carries most of a block.
-bool isAtKink(const State& state, std::size_t jam) {
-    const Interfaces& f = state.interfaces;
-    const Vec3 normal = relativePose(state, jam).e3;
-    for (const std::int32_t block : {f.block_a[jam], f.block_b[jam]}) {
-        const auto b = static_cast<std::size_t>(block);
-        if (state.blocks.motion[b] != Motion::free) continue;
-        double most = 0, cosine = 0;
-        for (auto k = state.incidence.interface_begin[b]; k < state.incidence.interface_begin[b + 1]; ++k) {
-            const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
-            if (isVertexEdge(f, i)) continue;
-            double force = 0;
-            for (const ContactPoint& point : contactPoints(state, i)) force += point.force.normal;
-            if (force > most) most = force, cosine = std::abs(relativePose(state, i).e3.dot(normal));
-        }
-        if (cosine >= kKink) return true;
-    }
-    return false;
-}
-
-}  // namespace
-
-std::optional<std::size_t> Search::jammedAt(const Course& course) const {
-    const bool has_end = result_.status == SearchStatus::found;
-    const bool may_jam = !has_end || isAbove(result_.low, result_.upper_bound, varied_);
-    if (faces_only_ || !may_jam || course.begun.result != PathResult::reached) return std::nullopt;
-    const State& state = course.followed.stood ? course.followed.stood->state : course.path->state();
-    std::optional<std::size_t> jam;
-    double most = 0;
-    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
-        if (!isVertexEdge(state.interfaces, i) || isIdle(state.interfaces, i)) continue;
-        const double force = contactPoints(state, i)[0].force.normal;
-        if (force > most && isAtKink(state, i)) most = force, jam = i;
-    }
-    return jam;
-}
-
-bool Search::answerWithoutJam(const Course& course) {
-    const auto jam = jammedAt(course);
-    if (!jam || isStopped(control_)) return false;
-    // Whether faces alone can hold it does not depend on what is printed.
-    const Ceiling bound = control_.upper_bound == Beside::never ? boundOf(course) : result_.upper_bound;
-    if (!isAbove(result_.low, bound, varied_) && result_.status != SearchStatus::undecided) return false;
-    const State& state = course.followed.stood ? course.followed.stood->state : course.path->state();
-    const auto name = [&](std::int32_t block) {
-        return '"' + rest_->blocks[static_cast<std::size_t>(block)].name + '"';
-    };
-    const Vec3 place = relativePose(state, *jam).origin + state.geometry->origin;
-    char at[96];
-    std::snprintf(at, sizeof at, "(%.4g, %.4g, %.4g)", place.x(), place.y(), place.z());
-    const std::string what = "block " + name(state.interfaces.block_b[*jam]) +
-                             " jams on a corner or an edge of " + name(state.interfaces.block_a[*jam]) +
-                             " at " + at + " m";
-    report("without the jam", kPath, what);
-    Search other(varied_, model_, control_, rules_);
-    other.faces_only_ = true;
-    Result<SearchResult> found = other.run();
-    if (!found || found->status != SearchStatus::found || isAbove(found->low, found->upper_bound, varied_))
-        return false;
-    found->steps += result_.steps;
-    found->factors += result_.factors;
-    found->time += result_.time;
-    if (result_.low > found->answer && found->answer_interval &&
-        result_.low > found->answer_interval->second) {
-        found->answer_interval->second = result_.low;
-        found->answer_interval_reasons.second = what + ", and stands there";
-    }
-    found->warnings.push_back(what + ": with that contact it stands at " + axis().say(result_.low) +
-                              "; the answer counts contacts of faces alone");
-    result_ = std::move(*found);
-    return true;
 }
 
 void Search::lowerInterval(double answer, const std::string& reason) {

@@ -116,13 +116,6 @@ class Search {
     /// nothing has slid that could press them.
     UnloadedJoints unloadedAtFirst();
 
-    /// Whether it stands beyond what limit analysis allows the faces, and a contact at a vertex or edge
-    /// carries weight there: what jams so. \return its interface
-    std::optional<std::size_t> jammedAt(const Course& course) const;
-    /// The answer without contacts at vertices and edges, where the search has one only because of such.
-    /// \return whether it is the result now
-    bool answerWithoutJam(const Course& course);
-
     /// The least factor by block theory, for the blocks that the answer is for.
     void addLimitEquilibrium();
     /// The lowest and the highest answer found.
@@ -176,7 +169,6 @@ class Search {
     std::optional<State> settled_{};  ///< when the weight was first in equilibrium
     UnloadedJoints unloaded_{};       ///< where the search begins, with more strength
     bool without_friction_ = false;
-    bool faces_only_ = false;  ///< no contacts at vertices and edges
     const EquilibriumPath* path_now_ = nullptr;
     /// For an answer beside the answer: what it may cost, and what ends it then.
     std::int64_t most_factors_ = 0;

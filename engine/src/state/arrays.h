@@ -306,9 +306,6 @@ struct State {
     double search_margin = 0;  ///< gap up to which that search made interfaces [m]
     /// A search is around the blocks that have gone far; poses at the last one are of each block its own.
     bool searches_around = false;
-    /// Blocks touch by their faces alone, not at vertices and edges: whether these alone hold an assembly
-    /// (search/search_run.h).
-    bool faces_only = false;
     double shear_lost = 0;  ///< shear force that could not be carried over to clipped patches, in all [N]
     std::vector<std::string> warnings;
 };

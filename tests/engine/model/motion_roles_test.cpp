@@ -1,0 +1,35 @@
+// How a block's motion is read: what turns about a pivot topples, what has none slides.
+
+#include "talus/motion_roles.h"
+
+#include <doctest/doctest.h>
+
+using namespace talus;
+
+namespace {
+
+/// A block that turns about one of its lower edges.
+BlockWay aboutItsEdge(double rotation) {
+    return {.position = Vec3::Zero(), .radius = 1, .translation = rotation, .rotation = rotation, .mass = 1};
+}
+
+}  // namespace
+
+TEST_SUITE("model") {
+    TEST_CASE("motion roles: a block that turns about an edge topples, unless it slips wherever it bears") {
+        BlockWay block = aboutItsEdge(0.1);
+        CHECK((motionRoles({block}, 1e-5)[0] == FailureMode::toppling));
+        block.slips_everywhere = true;
+        CHECK((motionRoles({block}, 1e-5)[0] == FailureMode::sliding));
+    }
+
+    TEST_CASE("motion roles: a turn about the normal of its joint opens nothing") {
+        BlockWay block = aboutItsEdge(0.1);
+        block.spin = block.rotation;
+        CHECK((motionRoles({block}, 1e-5)[0] == FailureMode::sliding));
+    }
+
+    TEST_CASE("motion roles: what moves less than the assembly does at rest stands") {
+        CHECK((motionRoles({aboutItsEdge(1e-4)}, 1e-3)[0] == FailureMode::none));
+    }
+}
