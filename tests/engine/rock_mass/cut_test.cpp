@@ -295,7 +295,7 @@ TEST_CASE("cutting: slivers are left out with a warning, or refused") {
     CHECK(cut.min_thickness == doctest::Approx(1e-4));
     CHECK(cut.blocks.size() == 2);
     REQUIRE(cut.warnings.size() == 1);
-    CHECK(cut.warnings[0].find("1 cut was left out, as a part would be thinner than 0.0001 m") !=
+    CHECK(cut.warnings[0].find("1 cut was left out, because a part would be thinner than 0.0001 m") !=
           std::string::npos);
     rock.min_thickness = 1e-6;
     CHECK(good(rock).blocks.size() == 4);

@@ -207,7 +207,7 @@ TEST_SUITE("scenario") {
         starts(refused("[[water]]\nsurface = [[0.0, 1.0]]\n"),
                "water[0].surface: found fewer than two points");
         starts(refused("[[water]]\nsurface = [[0.0, 1.0], [1.0, 1.0]]\ndepth = 1.0\n"),
-               "water[0].depth: found depth beside a surface");
+               "water[0].depth: found depth together with a surface");
         starts(refused("[[water]]\nbetween = [\"top\", \"base\"]\ndepth = 1.0\nfactor = 0.5\n"),
                "water[0].factor: ");
         const std::string one = "[[water]]\nsurface = [[0.0, 1.0], [1.0, 1.0]]\n";
