@@ -88,7 +88,7 @@ TEST_CASE("bridges: what holds a block in tension counts as far as it softens wi
                         CHECK(result.answer == doctest::Approx(on_friction).epsilon(2e-3));
                         CHECK(std::any_of(
                             result.warnings.begin(), result.warnings.end(), [](const std::string& text) {
-                                return text.find("hangs on tensile strength that is lost at once") !=
+                                return text.find("depends on tensile strength that is lost at once") !=
                                        std::string::npos;
                             }));
                     }
