@@ -65,12 +65,12 @@ Command addSupport(CLI::App& root) {
         "number --bolt P\n  talus support slope.toml --json | jq .answer.pretension_n\n\nEach trial is a "
         "search for the factor of safety.\n\nBy pretension: each bolt pulls with the same share of its "
         "yield_force, constant from the start, as limit\nequilibrium counts an anchor. The share is at most "
-        "1.\n\nBy number: the spacing of the pattern is scaled, along and up the face alike and in the end "
-        "one of them alone,\nfrom an eighth of its own value until one bolt is left. The spacing along the "
-        "face is the width over the number\nof bolts in a row, so that a slice has the force per metre of a "
-        "wide slope.\n\nThe answer is the smallest amount found to be enough; `set` lists its --set options. "
-        "A factor that is reached\nwithout the bolts, or not reached with the largest amount, is a result "
-        "(exit code 0). An undecided one is not (exit code 3).");
+        "1.\n\nBy number: the spacing of the pattern is scaled along and up the face alike, and in the end "
+        "one of them alone. It is\nscaled from an eighth of its own value until one bolt is left. The "
+        "spacing along the face is the width over the\nnumber of bolts in a row. A slice then has the force "
+        "per metre of a wide slope.\n\nThe answer is the smallest amount found to be enough; `set` lists its "
+        "--set options. A factor that is reached\nwithout the bolts, or not reached with the largest amount, "
+        "is a result (exit code 0). An undecided one is not (exit code 3).");
     return {app, [options] { return design(*options); }};
 }
 

@@ -241,8 +241,8 @@ std::optional<std::string> slowedByOne(const State& state, bool parallel) {
     const auto block = static_cast<std::size_t>(highest - bounds.begin());
     return "block \"" + state.geometry->model.blocks[block].name + "\" requires time steps " +
            formatted("%.0f", times) +
-           " times shorter than the median block, so that a run takes that many times more steps (in a rock "
-           "mass a larger min_thickness merges such pieces with their neighbours; searches are not slowed)";
+           " times shorter than the median block, so that a run takes that many times more steps. In a rock "
+           "mass a larger min_thickness merges such pieces with their neighbours. Searches are not slowed";
 }
 
 }  // namespace
