@@ -104,7 +104,7 @@ TEST_CASE("bridges: without rock the joint's strength goes on, and that is said"
     const auto scenario = formats::parseScenario(bench(40, 5, 5e3, 60e3), "bench.toml");
     REQUIRE(scenario.ok());
     REQUIRE(scenario->warnings.size() == 2);
-    CHECK(scenario->warnings[1].find("nothing in the file has this joint") != std::string::npos);
+    CHECK(scenario->warnings[1].find("nothing in the file uses this joint") != std::string::npos);
     CHECK(scenario->warnings[0].find("13.1 of 26.1 m2") != std::string::npos);
     CHECK(scenario->warnings[0].find("rock_mass.bridge") != std::string::npos);
     CHECK(scenario->model.pair_joints.empty());

@@ -82,7 +82,7 @@ std::vector<std::string> blocksOf(const Model& model, const Section& section, co
 std::string reasons(const Section& section) {
     const bool single = section.beds.size() == 1 && section.beds.front().columns.size() == 1;
     const std::string strength =
-        "the strength has no peak and no tension; the water has its depth at the start";
+        "no residual strength below the peak, no tensile strength, and water at its depth at the start";
     return single ? "one free box on a level fixed face; " + strength
                   : "one stack with fissures that open freely, one strength per bed, and equal slices; " +
                         strength +

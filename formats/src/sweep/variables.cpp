@@ -195,7 +195,7 @@ class VariablesReader {
         if (!(steps >= 0) || steps > static_cast<double>(kMaxValues)) {
             table.error("step", "found a step of " + numberText(*step) + " from " + numberText(from) +
                                     " to " + numberText(to) + ", allowed: at most " +
-                                    std::to_string(kMaxValues) + " values that lead there");
+                                    std::to_string(kMaxValues) + " values, with a step towards the last one");
             return;
         }
         bool integers = true;
