@@ -212,7 +212,7 @@ TEST_CASE("scenario errors: stacks") {
     checkFault(
         {properties() + shape + "block = [1e6, 2, 2]\n", 11, "stack[0].block", "found a stack that reaches"});
     checkFault({properties() + shape + "block = [1e-300, 2, 2]\norigin = [1, 0, 0]\n", 7, "stack[0]",
-                "no room between coordinates"});
+                "cannot be represented at coordinates"});
 
     checkFault(inStack("origin = [0, 0]", ".origin", "an array of 3 numbers"));
     checkFault(inStack("origin = [0, 0, \"a\"]", ".origin[2]", "found a string \"a\", allowed: a number"));
