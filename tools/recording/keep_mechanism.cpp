@@ -198,9 +198,13 @@ KeptMechanism MechanismKeeper::keep(const LimitResult& result, const VariedQuant
 
 Json keptMechanismJson(const KeptMechanism& kept) {
     if (kept.file.empty()) return {{"file", nullptr}, {"reason", kept.reason}};
-    return {{"file", kept.file},           {"reason", nullptr},
-            {"mode", toString(kept.mode)}, {"farthest_way_m", number(kept.way)},
-            {"frames", kept.frames},       {"bytes", kept.bytes}};
+    return {{"file", kept.file},
+            {"reason", nullptr},
+            {"mode", toString(kept.mode)},
+            {"farthest_way_m", number(kept.way)},
+            {"farthest_displacement_m", number(kept.way)},
+            {"frames", kept.frames},
+            {"bytes", kept.bytes}};
 }
 
 std::string keptMechanismText(const KeptMechanism& kept) {
