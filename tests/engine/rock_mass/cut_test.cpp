@@ -401,7 +401,7 @@ TEST_CASE("cutting: faults of the joints are told by their field") {
     fault = cutRockMass(rock);
     REQUIRE_FALSE(fault.ok());
     CHECK(fault.errors()[0].field == "joint_set[0].spacing");
-    CHECK(fault.errors()[0].message.find("into some 1000 blocks") != std::string::npos);
+    CHECK(fault.errors()[0].message.find("into about 1000 blocks") != std::string::npos);
 }
 
 TEST_CASE("cutting: joints that are far too many are refused before they are cut") {

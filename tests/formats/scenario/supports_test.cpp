@@ -93,7 +93,7 @@ TEST_SUITE("scenario") {
         starts(refused("[[bolt]]\nhead = [1.0, 1.0, 1.0]\nend = [1.0, 1.0, 1.0]\n" + kBar + anchored),
                "bolt[0].end: found the same point as head");
         starts(refused(pattern("box = { min = [-1, 0, 9], max = [1, 4, 12] }\n")),
-               "bolt_pattern[0].box: no free face");
+               "bolt_pattern[0].box: found no free face");
     }
 
     TEST_CASE("a pattern becomes bolts on the free face that looks its way") {
