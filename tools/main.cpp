@@ -128,7 +128,7 @@ int runTool(int argc, char** argv, bool json) {
     root.footer(
         "Example:\n  talus critical-angle bench/paper/fissure-1.toml\n\n'talus help COMMAND' explains a "
         "command. Exit codes: 0 done, 1 internal error, 2 bad input or usage, 3 undecided or runs of a batch "
-        "failed, 4 the file system refused, 130 interrupted.");
+        "failed, 4 file system error, 130 interrupted.");
     const std::vector<Command> commands = addCommands(root);
     std::vector<std::string> words = withHelpAsOption(argc, argv);
     const bool names_unknown = !words.empty() && words[0][0] != '-' &&
@@ -151,9 +151,9 @@ void checkInstructionSet() {
     const char* wanted = std::getenv(kInstructionSetVariable);
     if (wanted == nullptr || buildInfo().instruction_set == wanted) return;
     throw BadInput(
-        {Error{kInstructionSetVariable, "found \"" + std::string(wanted) +
-                                            "\", allowed: \"x86-64\", and as far as this processor has it "
-                                            "\"avx2\" or \"avx512\""}});
+        {Error{kInstructionSetVariable,
+               "found \"" + std::string(wanted) +
+                   "\", allowed: \"x86-64\", and \"avx2\" or \"avx512\" if this processor has it"}});
 }
 
 /// Opens /dev/null in place of standard streams that the caller closed. Otherwise the next file to be opened

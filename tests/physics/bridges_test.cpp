@@ -88,7 +88,7 @@ TEST_CASE("bridges: what holds a block in tension counts as far as it softens wi
                         CHECK(result.answer == doctest::Approx(on_friction).epsilon(2e-3));
                         CHECK(std::any_of(
                             result.warnings.begin(), result.warnings.end(), [](const std::string& text) {
-                                return text.find("hangs on tensile strength that is lost at once") !=
+                                return text.find("depends on tensile strength that is lost at once") !=
                                        std::string::npos;
                             }));
                     }
@@ -104,7 +104,7 @@ TEST_CASE("bridges: without rock the joint's strength goes on, and that is said"
     const auto scenario = formats::parseScenario(bench(40, 5, 5e3, 60e3), "bench.toml");
     REQUIRE(scenario.ok());
     REQUIRE(scenario->warnings.size() == 2);
-    CHECK(scenario->warnings[1].find("nothing in the file has this joint") != std::string::npos);
+    CHECK(scenario->warnings[1].find("nothing in the file uses this joint") != std::string::npos);
     CHECK(scenario->warnings[0].find("13.1 of 26.1 m2") != std::string::npos);
     CHECK(scenario->warnings[0].find("rock_mass.bridge") != std::string::npos);
     CHECK(scenario->model.pair_joints.empty());

@@ -1,6 +1,6 @@
 // Columns that dip into a slope, on joints as soft as jointed rock's often are. They lean by hundredths of
 // their width before they fail, and then stand on ledges that were none. However they are drawn, an answer is
-// found. If it is above the upper bound of limit analysis, which is for the shape as built, a warning says
+// found. If it is exceeds the upper bound of limit analysis, which is for the shape as built, a warning says
 // so.
 
 #include <doctest/doctest.h>
@@ -50,7 +50,7 @@ void checkFound(const RockSlope& slope, bool is_stiff = false) {
                            << *answer->upper_bound.value);
     const auto& warnings = answer->warnings;
     const bool is_said = std::any_of(warnings.begin(), warnings.end(), [](const std::string& text) {
-        return text.find("above the upper bound of limit analysis") != std::string::npos;
+        return text.find("exceeds the upper bound of limit analysis") != std::string::npos;
     });
     CHECK(is_said == isAbove(answer->low, answer->upper_bound, Varied::factor));
     REQUIRE(answer->answer_interval.has_value());

@@ -141,18 +141,18 @@ std::string keyBlocksText(const KeyBlockResult& result, const std::string& scena
     const auto moves = [](const KeyBlock& block) { return block.sliding.mode != SlidingMode::none; };
     std::string out =
         row("scenario", scenario) +
-        row("blocks", std::to_string(result.blocks.size()) + " free, alone " +
+        row("blocks", std::to_string(result.blocks.size()) + " free; each alone: " +
                           count([](const KeyBlock& block) { return block.removable; }) + " removable, " +
-                          count(moves) + " driven out of their place, " + count(unstable) +
+                          count(moves) + " loaded in a free direction, " + count(unstable) +
                           " with a factor below 1") +
-        row("groups", std::to_string(result.groups_judged) + " judged along " +
+        row("groups", std::to_string(result.groups_judged) + " tested along " +
                           std::to_string(result.directions) + " directions" +
-                          (result.interrupted ? ", interrupted" : "") + "; those with the least factors:");
+                          (result.interrupted ? ", interrupted" : "") + "; the lowest factors of safety:");
     out += result.groups.empty() ? row("", "none can move") : "\n" + groupTable(result, rows) + "\n";
     const bool any_carries = std::any_of(result.groups.begin(), result.groups.end(),
                                          [](const MovingGroup& group) { return !group.carries.empty(); });
     if (any_carries)
-        out += row("*", "blocks lean on it that cannot move with it; what they press with is not counted");
+        out += row("*", "blocks that cannot move with this group rest on it; their load is not counted");
     return out + row("covers", "limit equilibrium, translation only: toppling is not covered") +
            row("cost", text(result.wall_seconds, 2) + " s");
 }

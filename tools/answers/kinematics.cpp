@@ -130,7 +130,8 @@ PoleSource polesOf(const formats::PoleTable& table, const KinematicsQuestion& qu
 PoleSource polesOf(const formats::Scenario& scenario, const KinematicsQuestion& question) {
     if (question.scanline || question.bias_limit) {
         throw BadInput(Error{
-            "--scanline", "found a scenario, whose planes no scanline has met, allowed: a table of poles"});
+            "--scanline",
+            "found a scenario, whose planes were not measured along a scanline, allowed: a table of poles"});
     }
     const auto joints = formats::rockJoints(scenario);
     if (!joints) throw BadInput(joints.errors());

@@ -245,7 +245,7 @@ std::string kinematicsText(const KinematicsAnswer& answer) {
                      text(degrees(question.limits.lateral), 1) + " deg");
     head += line("poles", std::to_string(answer.source.poles.size()) +
                               (answer.source.notation.empty() ? ", one for each plane that cuts the rock mass"
-                                                              : ", read by " + answer.source.notation));
+                                                              : ", read from " + answer.source.notation));
     if (answer.source.is_tilted) head += line("", "turned so that gravity points down");
     if (answer.analysis.lines.parallel > 0) {
         head +=

@@ -48,7 +48,7 @@ void addSearchFiles(CLI::App& app, SearchFiles& files) {
     app.add_option("--plot", files.plot,
                    "FILE.svg: the curve of load against displacement with the answer and its bracket");
     app.add_option("--picture", files.picture,
-                   "FILE.svg: the blocks, those that fail coloured by group and moved as they fail");
+                   "FILE.svg: the blocks; those that fail are coloured by group and drawn displaced");
 }
 
 void refuseSearchFiles(const SearchFiles& files) {

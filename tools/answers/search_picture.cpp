@@ -22,7 +22,7 @@ constexpr double kAlike = 1e-6;  // of the model's width: blocks of one slice en
 constexpr View kOblique{235 * kDegree, 25 * kDegree, 0}, kFromTheSide{180 * kDegree, 0, 0};
 
 const BlockLook kStands{"stands", 222, 203, 170}, kFixed{"fixed", 176, 180, 186},
-    kOut{"fell before, left out", 240, 228, 66};
+    kOut{"removed before", 240, 228, 66};
 /// Apart for the colour-blind, and lighter than the names on them.
 const std::array kGroupLooks{BlockLook{"", 240, 120, 50}, BlockLook{"", 86, 170, 222},
                              BlockLook{"", 204, 130, 180}, BlockLook{"", 60, 180, 140},
@@ -87,7 +87,7 @@ class SearchPicture {
             case SearchStatus::unstable_at_start:
                 return name + "unstable at the start of the search, " + loadOf(result_.high) + unit;
             case SearchStatus::stable_to_stop:
-                return name + "stands to the end of the search, " + loadOf(result_.low) + unit;
+                return name + "stable up to the largest load tried, " + loadOf(result_.low) + unit;
             case SearchStatus::interrupted:
             case SearchStatus::undecided:
                 break;
@@ -127,7 +127,7 @@ class SearchPicture {
     std::string remark() const {
         if (enlarged_ == 0) return "";
         char text[48];
-        std::snprintf(text, sizeof text, "motion drawn %.2g times as large", enlarged_);
+        std::snprintf(text, sizeof text, "displacements enlarged %.2g times", enlarged_);
         return text;
     }
 

@@ -43,7 +43,7 @@ class SearchPlot {
 
     Plot plot(const std::string& scenario) const {
         Plot plot{"load-displacement", title(scenario),
-                  "The load against the displacement of the block that has come farthest.", xAxis(), yAxis()};
+                  "The load against the largest displacement of a block.", xAxis(), yAxis()};
         addInterval(plot);
         addFailureDisplacement(plot);
         addAnswer(plot);
@@ -76,8 +76,8 @@ class SearchPlot {
 
     PlotAxis xAxis() const {
         const double most = std::max(farthest_, failure_) / unit_.metres;
-        return axisOver(std::string("displacement of the block that has come farthest (") + unit_.name + ")",
-                        0, (1 + kToTheRight) * most, kSteps);
+        return axisOver(std::string("largest displacement of a block (") + unit_.name + ")", 0,
+                        (1 + kToTheRight) * most, kSteps);
     }
 
     PlotAxis yAxis() const {
@@ -98,7 +98,7 @@ class SearchPlot {
     /// Equilibria one after the other; a line each from where the displacement is counted anew.
     void addCurve(Plot& plot) const {
         const std::size_t last_leg = lastLeg();
-        Series before{"line", "rule", "from a greater strength", {}},
+        Series before{"line", "rule", "loading path from a greater strength", {}},
             curve{"line", "path", "loading path", {}}, dots{"points", "dem", "", {}, {}, "circle", 1.6};
         for (std::size_t k = 0; k < result_.path.size(); ++k) {
             (k < last_leg ? before : curve).add({x(k), y(k)});
@@ -155,8 +155,8 @@ class SearchPlot {
         std::optional<std::size_t> highest;
         for (std::size_t k = lastLeg(); k < fails; ++k)
             if (!highest || result_.path[k].load >= result_.path[*highest].load) highest = k;
-        Series stands{"points", "dem", "largest load that stands", {}, {}, "circle", 4.5};
-        Series leaves{"points", "dem-open", "has left its place", {}, {}, "circle", 4.5};
+        Series stands{"points", "dem", "largest load at which the slope stands", {}, {}, "circle", 4.5};
+        Series leaves{"points", "dem-open", "failure", {}, {}, "circle", 4.5};
         if (highest) stands.add({x(*highest), y(*highest)});
         leaves.add({x(fails), y(fails)});
         if (highest) plot.series.push_back(std::move(stands));

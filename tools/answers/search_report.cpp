@@ -105,7 +105,7 @@ std::string answerText(const SearchReport& report) {
         case SearchStatus::unstable_at_start:
             return "none: unstable at the start of the search, " + figureOf(report, result.high) + unit;
         case SearchStatus::stable_to_stop:
-            return "none: stands to the end of the search, " + figureOf(report, result.low) + unit;
+            return "none: stable up to the largest load tried, " + figureOf(report, result.low) + unit;
         case SearchStatus::interrupted:
         case SearchStatus::undecided:
             break;
@@ -140,7 +140,7 @@ std::string aboveText(const SearchReport& report) {
         return "";
     if (*bound >= result.low) return "; it lies in the answer's bracket";
     return "; the answer is higher by " + figureOf(report, result.answer - *bound) + unitOf(report) +
-           ", as joints give before they fail";
+           ", because joints deform before they fail";
 }
 
 std::string upperBoundText(const SearchReport& report) {
@@ -164,17 +164,16 @@ std::string displacementText(const SearchReport& report) {
         answers += (answers.empty() ? "" : ", ") + scientific(other.displacement) + ": " +
                    figureOf(report, other.load);
     if (answers.empty()) return "";
-    return row("by displacement", answers +
-                                      "  (answers if failures count from these shares of a block on; "
-                                      "here " +
-                                      scientific(report.result.failure_displacement) + ")");
+    return row("by displacement",
+               answers + "  (answers for other failure displacements, as shares of a block; here " +
+                   scientific(report.result.failure_displacement) + ")");
 }
 
 std::string cohesionText(const SearchReport& report) {
     const std::optional<double>& kept = report.result.kept_cohesion;
     if (!kept) return "";
     return row("cohesion kept", figureOf(report, *kept) + unitOf(report) +
-                                    "  (the answer, did joints not lose it as they slip: limit equilibrium)");
+                                    "  (the answer if joints kept it as they slip, as in limit equilibrium)");
 }
 
 /// [low, high] where another loading path gives less, else null.
@@ -211,8 +210,8 @@ std::string smallPartText(const SearchReport& report) {
     if (!report.search.follows_groups || report.result.groups.size() > 1 || !(share > 0 && share < kSmall))
         return "";
     return row("", "these have " + percentText(share) +
-                       " of the free blocks' mass; --groups 4 tells who goes next, and when; "
-                       "analysis.least_mass_share lets such go on the way");
+                       " of the free blocks' mass; --groups 4 finds the groups that fail next; "
+                       "analysis.least_mass_share removes such small groups before the answer");
 }
 
 std::string fallenText(const SearchResult& result) {
@@ -231,7 +230,7 @@ std::string letGoText(const SearchReport& report) {
     std::string rows;
     for (const BlockGroup& group : report.result.let_go) {
         const std::string share = percentText(massShare(report.scenario.model, group.blocks));
-        rows += row(rows.empty() ? "let go before" : "",
+        rows += row(rows.empty() ? "removed before" : "",
                     betweenText(report, group) + ": " + std::to_string(group.blocks.size()) + " with " +
                         share + " of the mass: " + compactNames(group.blocks));
     }
@@ -242,7 +241,7 @@ std::string letGoText(const SearchReport& report) {
 std::string groupsText(const SearchResult& result) {
     std::string rows;
     for (std::size_t k = 1; k < result.groups.size(); ++k)
-        rows += row("then go",
+        rows += row("then fail",
                     "at " + text(result.groups[k].factor, 4) + ": " + compactNames(result.groups[k].blocks));
     return rows;
 }
@@ -261,7 +260,7 @@ std::string costText(const SearchResult& result) {
     };
     return std::to_string(result.steps) + " steps, " + std::to_string(result.factors) + " factorisations, " +
            text(result.wall_seconds, 2) + " s: " + share(result.time.loading) + "loading, " +
-           share(result.time.path) + "path, " + share(result.time.beside) + "beside the answer";
+           share(result.time.path) + "path, " + share(result.time.beside) + "interval, bound and groups";
 }
 
 std::string sizeText(const SearchResult& result) {
@@ -441,6 +440,7 @@ Json searchJson(const SearchReport& report) {
                     {"volume_m3", number(group.volume)},
                     {"mass_kg", number(group.mass)}};
     });
+    json["removed_blocks"] = json["let_go"];
     addSupports(result.supports, json);
     if (search.follows_groups) json["groups"] = list(result.groups, groupJson);
     json["theory"] = theoryJson(report);

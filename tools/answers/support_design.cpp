@@ -330,10 +330,9 @@ class Amount {
     std::string widthText(const SupportTrial& trial) const {
         if (!number_ || trial.amount == 0) return "";
         const int in_row = inRow(trial);
-        return std::to_string(in_row) + " in a row " + tools::text(design_.width, 3) +
-               " m wide, all together " + tools::text(forcePerMetre(trial) / 1000, 2) +
-               " kN per metre of slope at yield" +
-               (in_row > 1 ? "" : "; a spacing along wider than that takes a wider slice");
+        return std::to_string(in_row) + " in a row " + tools::text(design_.width, 3) + " m wide, in all " +
+               tools::text(forcePerMetre(trial) / 1000, 2) + " kN per metre of slope at yield" +
+               (in_row > 1 ? "" : "; a wider spacing along the face needs a wider slice");
     }
 
  private:
@@ -350,9 +349,9 @@ class Amount {
 };
 
 std::string factorText(const SupportTrial& trial) {
-    if (std::isinf(trial.factor)) return "stands whatever the strength is divided by";
+    if (std::isinf(trial.factor)) return "stable whatever the strength";
     if (trial.status == SearchStatus::found) return "factor of safety " + text(trial.factor, 4);
-    return trial.status == SearchStatus::unstable_at_start ? "falls whatever the strength" : "undecided";
+    return trial.status == SearchStatus::unstable_at_start ? "unstable whatever the strength" : "undecided";
 }
 
 std::string row(std::string label, const std::string& content) {
@@ -365,15 +364,15 @@ std::string answerText(const SupportDesign& design, const Amount& amount) {
         case Status::found:
             return amount.text(*design.enough);
         case Status::not_needed:
-            return "none: it is reached without these bolts";
+            return "none: the factor is reached without these bolts";
         case Status::not_reached:
-            return "none: it is not reached with " + amount.text(*design.too_little);
+            return "none: the factor is not reached with " + amount.text(*design.too_little);
         case Status::interrupted:
             return "interrupted";
         case Status::undecided:
             break;
     }
-    return "undecided: the factor of safety of a trial is";
+    return "undecided, because the factor of safety of a trial is";
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Json supportJson(const SupportReport& support) {
 
 std::string lineOf(const SupportReport& support) {
     char text[96];
-    std::snprintf(text, sizeof text, ": %.4g kN, %.0f %% of what it can carry", support.force / 1000,
+    std::snprintf(text, sizeof text, ": %.4g kN, %.0f %% of its capacity", support.force / 1000,
                   std::round(100 * support.utilisation));
     std::string line = support.name + text;
     for (const SupportSign& sign : support.signs)

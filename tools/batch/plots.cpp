@@ -96,8 +96,9 @@ std::string thresholdText(const BatchInfo& info, double threshold) {
 }
 
 Plot plotHistogram(const Summary& summary) {
-    Plot plot{"histogram", "Histogram of the " + summary.info.answerTitle(), "Runs in cells of equal width.",
-              PlotAxis{summary.info.answerTitle()}, PlotAxis{"runs"}};
+    Plot plot{"histogram", "Histogram of the " + summary.info.answerTitle(),
+              "Number of runs in bins of equal width.", PlotAxis{summary.info.answerTitle()},
+              PlotAxis{"runs"}};
     plot.series.push_back(histogramBars(finite(summary.all.sorted)));
     addThresholds(plot, summary);
     return plot;
@@ -130,7 +131,7 @@ Plot plotConvergence(const Summary& summary, std::size_t threshold) {
         "convergence-" + std::to_string(threshold),
         "Probability of a " + thresholdText(summary.info, value) + ", with the number of runs",
         "The share of the first runs, in the order in which they were drawn, and its confidence interval.",
-        PlotAxis{"runs that can be told"}, PlotAxis{"probability of failure"}};
+        PlotAxis{"decided runs"}, PlotAxis{"probability of failure"}};
     Series share{"line", "theory", "share that failed", {}};
     Series band{"band", "band", confidenceText(summary), {}};
     const std::uint64_t all = summary.all.failure[threshold].count;

@@ -54,18 +54,18 @@ Json opening(const Summary& summary) {
                    "lead")});
     if (summary.done < info.runs)
         blocks.push_back(paragraph("Not finished: " + std::to_string(info.runs - summary.done) +
-                                       " runs are missing. The same command goes on where it was stopped.",
+                                       " runs are missing. Run the same command again to continue.",
                                    "alert"));
     if (summary.all.ranges > 0) {
         blocks.push_back(paragraph(
             "In " + std::to_string(summary.all.ranges) + (summary.all.ranges == 1 ? " run" : " runs") +
-                " the answer depends on the loading history: count on the lower end of the range.",
+                " the answer depends on the loading path: use the lower end of the range.",
             "alert"));
     }
     if (summary.failed > 0)
         blocks.push_back(
             paragraph(std::to_string(summary.failed) +
-                          " runs failed or ended undecided; they are left out of the figures below.",
+                          " runs failed or are undecided; the figures below do not include them.",
                       "alert"));
     return blocks;
 }
@@ -103,7 +103,7 @@ Json groupRow(const Group& group, bool with_label) {
 
 std::string meanSentence(const Summary& summary) {
     const Moments& moments = summary.all.moments;
-    if (moments.count == 0) return "No run has found an answer.";
+    if (moments.count == 0) return "No run found an answer.";
     std::string words = "Mean of the " + std::to_string(moments.count) + " answers " + figure(moments.mean);
     if (moments.count > 1)
         words += ", between " + figure(moments.mean_interval.low) + " and " +
@@ -122,7 +122,7 @@ Json range(const Summary& summary) {
         return answer.is_string() ? answer.get<std::string>() : figure(value);
     };
     blocks.push_back(paragraph("From " + words(sorted.front()) + " to " + words(sorted.back()) +
-                               " over all cases, in the middle " + words(quantileOf(sorted, 0.5)) + "."));
+                               " over all cases, with a median of " + words(quantileOf(sorted, 0.5)) + "."));
     return blocks;
 }
 
@@ -139,11 +139,11 @@ Json distribution(const Summary& summary) {
                 "are not "
                 "counted." +
                 (info.latin_hypercube
-                     ? " The intervals are those of independent samples; a Latin hypercube scatters less."
+                     ? " The intervals are those of independent samples; a Latin hypercube has less scatter."
                      : ""),
             "muted"));
     if (summary.cases.size() > 1)
-        blocks.push_back(paragraph("All cases together; each for itself further below.", "muted"));
+        blocks.push_back(paragraph("All cases together; each case is listed below.", "muted"));
     if (summary.all.moments.count >= kFewestForShape) {
         blocks.push_back(toJson(plotHistogram(summary)));
         blocks.push_back(toJson(plotDistribution(summary)));
@@ -160,7 +160,7 @@ Json convergence(const Summary& summary) {
                 blocks.push_back(toJson(plotConvergence(summary, t)));
     if (summary.info.samples > 1 && summary.all.moments.count > kFewestForShape)
         blocks.push_back(toJson(plotMeanConvergence(summary)));
-    return section("convergence", "Convergence", "How the answer settles", std::move(blocks));
+    return section("convergence", "Convergence", "Convergence with the number of runs", std::move(blocks));
 }
 
 Json inputs(const Summary& summary) {
@@ -171,8 +171,8 @@ Json inputs(const Summary& summary) {
             continue;
         if (blocks.empty())
             blocks.push_back(
-                paragraph("What was drawn, in the runs with a result; of draws per interface, their "
-                          "mean, smallest and largest in each run."));
+                paragraph("Values drawn in the runs with a result. For draws per interface: the mean, "
+                          "smallest and largest value of each run."));
         blocks.push_back(toJson(plotInput(summary, v)));
     }
     return section("inputs", "Inputs", "Distribution of the inputs", std::move(blocks));
@@ -221,9 +221,8 @@ Json responses(const Summary& summary) {
         if (blocks.size() > kMostResponses || valuesOf(summary, v).size() < 2) continue;
         if (blocks.empty())
             blocks.push_back(
-                paragraph("One dot is one run; where a column has few values, the line is the mean at each "
-                          "of them and the "
-                          "band the range from the smallest to the largest."));
+                paragraph("One dot is one run. If a column has few values, the line is the mean at each "
+                          "value, and the band extends from the smallest to the largest answer."));
         blocks.push_back(toJson(plotResponse(summary, v)));
     }
     return section("response", "Response", "Response", std::move(blocks));
@@ -232,11 +231,10 @@ Json responses(const Summary& summary) {
 Json sensitivity(const Summary& summary) {
     Json blocks = Json::array();
     if (!summary.sensitivities.empty())
-        blocks = {
-            paragraph("Spearman\u2019s rank correlation of the answer with what varies, and its confidence "
-                      "interval. Runs that fail at the start rank lowest, those that stand to the end "
-                      "highest."),
-            toJson(plotCorrelations(summary))};
+        blocks = {paragraph("Spearman\u2019s rank correlation of the answer with each column that varies, "
+                            "and its confidence interval. Runs that fail at the start rank lowest. Runs that "
+                            "are stable up to the largest load tried rank highest."),
+                  toJson(plotCorrelations(summary))};
     return section("sensitivity", "Sensitivity", "Sensitivity", std::move(blocks));
 }
 
@@ -285,7 +283,7 @@ Json origin(const Summary& summary, const Json& provenance) {
         {"seed", std::to_string(info.seed)},
         {"sampling", info.latin_hypercube ? "Latin hypercube" : "random"}};
     for (auto& item : provenanceFacts(provenance)) list.push_back(std::move(item));
-    return section("origin", "Origin", "Where this comes from",
+    return section("origin", "Origin", "Provenance",
                    {facts(list), file(info.sweep, info.sweep_text), file(info.scenario, info.scenario_text)});
 }
 

@@ -45,33 +45,33 @@ void addVaried(const SweepColumn& column, std::vector<Column>& columns) {
 void addSearchColumns(const LoadSearch& search, bool with_range, std::vector<Column>& columns) {
     const std::string unit = search.load->unit;
     columns.push_back({search.answer_key, "number", unit, "middle of the bracket; empty unless found"});
-    columns.push_back(
-        {search.keyInUnit("bracket_low"), "number", unit, "last that stood; empty at an open end"});
-    columns.push_back(
-        {search.keyInUnit("bracket_high"), "number", unit, "first that failed; empty at an open end"});
+    columns.push_back({search.keyInUnit("bracket_low"), "number", unit,
+                       "largest load at which it stood; empty if there is none"});
+    columns.push_back({search.keyInUnit("bracket_high"), "number", unit,
+                       "load at which it failed; empty if there is none"});
     columns.push_back({search.keyInUnit(kCeiling), "number", unit,
-                       "limit analysis; empty where there is none, or the model is too large for it"});
+                       "upper bound of limit analysis; empty if there is none or the model is too large"});
     columns.push_back({search.keyInUnit(kIntervalLow), "number", unit, "lowest answer found"});
-    columns.push_back({search.keyInUnit(kIntervalHigh), "number", unit, "highest, or the upper bound"});
+    columns.push_back(
+        {search.keyInUnit(kIntervalHigh), "number", unit, "highest answer found, or the upper bound"});
     if (with_range) {
-        const char* empty = "; empty where all lead to the answer";
+        const char* empty = "; empty if all give the same answer";
         columns.push_back({search.keyInUnit(kRangeLow), "number", unit,
-                           std::string("smallest answer of other loading paths") + empty});
+                           std::string("lowest answer of other loading paths") + empty});
         columns.push_back(
             {search.keyInUnit(kRangeHigh), "number", unit, std::string("largest of them") + empty});
         columns.push_back({"range_reason", "string", "", "why there is a range, or none"});
     }
-    columns.push_back(
-        {search.theory_key, "number", unit, "limit equilibrium; empty where no formula applies"});
+    columns.push_back({search.theory_key, "number", unit, "limit equilibrium; empty if no formula applies"});
     columns.push_back({"failure_mode", "string", "", "none, sliding, toppling or mixed"});
     columns.push_back({"moving_count", "integer", "", "blocks that move at failure"});
     columns.push_back({"failing_volume_m3", "number", "m3", "of these"});
     columns.push_back({"failing_mass_kg", "number", "kg", "of these"});
     columns.push_back({"moving_mass_share", "number", "", "of the free blocks"});
     columns.push_back({"moving_blocks", "string", "", "their names; c1-3 r1-5 s1 for a box of them"});
-    columns.push_back(
-        {"left_out", "string", "",
-         "blocks that the answer is not for: fallen at the start, or too small and let go before"});
+    columns.push_back({"left_out", "string", "",
+                       "blocks that the answer does not include: fallen at the start, or removed before "
+                       "because they are too small"});
     columns.push_back({"probes", "integer", "", "equilibria along the path"});
 }
 

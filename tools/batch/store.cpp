@@ -71,7 +71,7 @@ int openFile(const std::string& path, int flags) {
 
 std::uint64_t sizeOf(int file, const std::string& path) {
     struct stat info {};
-    if (::fstat(file, &info) != 0) throw FileRefused(path, "cannot be looked at", errno);
+    if (::fstat(file, &info) != 0) throw FileRefused(path, "cannot be inspected", errno);
     return static_cast<std::uint64_t>(info.st_size);
 }
 
@@ -96,8 +96,8 @@ void refuseLinks(const std::string& folder, const std::string& results) {
         std::error_code absent;
         if (!isDevice(path) && std::filesystem::is_symlink(path, absent)) {
             throw BadInput(Error{"--output",
-                                 "is a link; in its folder a batch writes files of its own only: remove the "
-                                 "link or choose another folder",
+                                 "is a link, and a batch writes only files of its own; remove the link or "
+                                 "choose another folder",
                                  path});
         }
     }
@@ -124,12 +124,13 @@ void refuseForeign(const std::string& folder, const std::string& results, const 
     } else {
         for (const char* name : {kSummaryName, kReportName, kPageName}) {
             if (const std::string report = folder + "/" + name; std::filesystem::exists(report))
-                throw BadInput(Error{"--output", "exists and is of no batch; choose another folder", report});
+                throw BadInput(Error{"--output",
+                                     "exists and does not belong to a batch; choose another folder", report});
         }
     }
     if (!areResults(results, csvHeader(info)))
         throw BadInput(Error{
-            "--output", "exists and is no table of this sweep's results; choose another folder", results});
+            "--output", "exists and is not a table of this sweep's results; choose another folder", results});
 }
 
 int openLock(const std::string& folder) {
@@ -361,7 +362,7 @@ AloneIn::AloneIn(const std::string& folder) : file_(openLock(folder)) {
     if (error == 0) return;
     ::close(file_);
     if (formats::lockIsHeld(error))
-        throw FileRefused(folder + ": a batch is at work in this folder; wait for its end");
+        throw FileRefused(folder + ": a batch is running in this folder; wait for its end");
     refuseLock(folder, error);
 }
 

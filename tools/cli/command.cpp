@@ -11,8 +11,8 @@ void addScenario(CLI::App& app, ScenarioInput& input, bool required) {
         app.add_option("SCENARIO", input.path, "Scenario file (TOML); - reads the standard input")
             ->required(required);
     app.add_option("--set", input.sets,
-                   "Another value for a field of the scenario, for instance joint.default.friction_deg=30 or "
-                   "'run.watch=[\"nose\"]'; may be given several times")
+                   "Set a field of the scenario to another value, for instance joint.default.friction_deg=30 "
+                   "or 'run.watch=[\"nose\"]'; may be repeated")
         ->type_name("FIELD=VALUE")
         ->allow_extra_args(false)
         ->needs(scenario);

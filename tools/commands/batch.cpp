@@ -47,13 +47,13 @@ std::string toText(const BatchOptions& options, const BatchOutcome& tally) {
                         std::to_string(tally.computed) + " computed now in " + text(tally.wall_seconds, 1) +
                         " s\n";
     if (tally.done < tally.runs)
-        lines += tally.interrupted ? "interrupted: the same command goes on from here\n"
-                                   : "the others are being computed by another process\n";
+        lines += tally.interrupted ? "interrupted: run the same command again to continue\n"
+                                   : "another process is computing the others\n";
     lines += "results in " + tally.results + "\n";
     if (options.shard.empty())
         lines += "report in " + options.folder + "/report.html\n";
     else
-        lines += "once all shards are done: talus merge " + options.folder + "\n";
+        lines += "when all shards are done, run: talus merge " + options.folder + "\n";
     return lines;
 }
 
@@ -136,18 +136,17 @@ Command addBatch(CLI::App& root) {
         ->required();
     app->add_option("-o,--output", options->folder, "Folder for results.csv, summary.json and report.html");
     app->add_option("--shard", options->shard,
-                    "Compute part I of N only (I/N, from 1), into a file of its own");
+                    "Compute only part I of N (I/N, from 1) and write it to a file of its own");
     app->add_flag("--retry", options->retry, "Compute failed and undecided runs again");
-    app->add_flag("--plan", options->plan, "Only show how many runs there are, and the first samples");
+    app->add_flag("--plan", options->plan,
+                  "Print the number of runs and the first samples, and compute nothing");
     addCommon(*app, options->common);
     app->footer(
         "Example:\n  talus batch bench/sweeps/monte-carlo.toml -o out\n  talus batch sweep.toml -o out "
-        "--shard "
-        "$SLURM_ARRAY_TASK_ID/8   (then: talus merge out)\n\nEach run is one row of results.csv. The same "
-        "command goes on where a batch was stopped, and may run in several\nprocesses on one folder. With "
-        "range "
-        "= true in the sweep each run also tries other loading histories.\nExit code 3: some runs failed or "
-        "ended undecided; their rows say why.");
+        "--shard $SLURM_ARRAY_TASK_ID/8   (then: talus merge out)\n\nEach run is one row of results.csv. Run "
+        "the same command again to continue a batch that was stopped. Several\nprocesses may work on one "
+        "folder. With range = true in the sweep, each run also searches for a lower answer on\nanother "
+        "loading path. Exit code 3: some runs failed or are undecided; their rows give the reason.");
     return {app, [options] { return runBatch(*options); }};
 }
 

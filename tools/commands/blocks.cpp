@@ -86,7 +86,7 @@ std::vector<Network> networksOf(const std::vector<formats::RockJoint>& joints, d
 std::string networkLines(const std::vector<Network>& networks) {
     std::string lines;
     for (const Network& network : networks) {
-        const std::string p32 = shortText(network.p32) + " m2 of them per m3";
+        const std::string p32 = shortText(network.p32) + " m2 of disc area per m3";
         lines += line("discs of " + network.set, std::to_string(network.discs) + ", " + p32);
     }
     return lines;
@@ -111,7 +111,7 @@ std::string summary(const Model& model, const Sizes& sizes, const formats::Finit
            (cuts.interfaces == 0
                 ? ""
                 : line("finite joints", shortText(cuts.beyond) + " of " + shortText(cuts.area) +
-                                            " m2 of their cuts beyond them, " +
+                                            " m2 of their cuts lie beyond the joints, " +
                                             (cuts.are_bridges ? "intact rock" : "with their strength")));
 }
 
@@ -183,7 +183,7 @@ std::vector<std::string> writeJoints(const BlocksOptions& options, const formats
         std::vector<std::string> warnings;
         warnings.reserve(asked.size());
         for (const char* option : asked)
-            warnings.push_back(std::string(option) + ": " + found + " to plot, left out");
+            warnings.push_back(std::string(option) + ": " + found + " to plot; the file is not written");
         for (const std::string& warning : warnings) note(options.common, "warning: " + warning);
         return warnings;
     }
@@ -201,8 +201,8 @@ void refuseOneNameTwice(const BlocksOptions& options) {
         if (file.path.empty()) continue;
         if (std::find(names.begin(), names.end(), file.path) != names.end()) {
             throw BadInput(Error{
-                file.option,
-                "found \"" + file.path + "\", which another file is to be called; choose another name"});
+                file.option, "found \"" + file.path +
+                                 "\", which is also the name of another output file; choose another name"});
         }
         names.push_back(file.path);
     }
@@ -242,16 +242,17 @@ int blocks(const BlocksOptions& options) {
 Command addBlocks(CLI::App& root) {
     auto options = std::make_shared<BlocksOptions>();
     CLI::App* app = root.add_subcommand(
-        "blocks", "Cut and count the blocks of a scenario; mesh, table or picture of them");
+        "blocks", "Cut and count the blocks of a scenario; write a mesh, a table or a picture");
     addScenario(*app, options->scenario);
-    app->add_option("-o,--output", options->output,
-                    "What to write, by its ending: .obj a mesh, .csv a table of the blocks, .svg a picture");
+    app->add_option(
+        "-o,--output", options->output,
+        "Output file; its ending chooses the kind: .obj a mesh, .csv a table of the blocks, .svg a picture");
     app->add_option("--stereonet", options->stereonet,
                     "Picture of the joints' poles, equal-area, lower hemisphere (.svg)");
-    app->add_option("--sizes", options->sizes, "Picture of how large the discs and the blocks are (.svg)");
+    app->add_option("--sizes", options->sizes, "Plot of the size distributions of discs and blocks (.svg)");
     app->add_option("--fractures", options->fractures, "Table of the discs of all fracture sets (.csv)");
     app->add_option("--view", options->view,
-                    "Where the picture is taken from: azimuth clockwise from north (+y), elevation; degrees")
+                    "Viewpoint of the picture: azimuth clockwise from north (+y) and elevation, in degrees")
         ->expected(2)
         ->delimiter(',')
         ->capture_default_str();

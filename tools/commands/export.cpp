@@ -109,7 +109,7 @@ class VtkExport {
         std::string bytes;
         {
             std::optional<EndsAtOnce> making;
-            if (isLarge()) making.emplace(onStdout(), "interrupted: only what was finished is exported\n");
+            if (isLarge()) making.emplace(onStdout(), "interrupted: only the finished part was exported\n");
             if (stopped()) return false;
             bytes = make();
         }
@@ -189,11 +189,11 @@ Json exportGltf(formats::SnapshotReader& reader, const ExportOptions& options) {
 
 int exportSnapshot(const ExportOptions& options) {
     if (!options.output.empty() && options.stl.empty() && options.ply.empty())
-        throw BadInput(Error{"--output", "is for --stl and --ply"});
+        throw BadInput(Error{"--output", "is only for --stl and --ply"});
     if (options.vtk.empty() && options.csv.empty() && options.stl.empty() && options.ply.empty() &&
         options.gltf.empty())
         throw BadInput(
-            Error{"", "say what to export: --vtk DIR, --csv FILE, --gltf FILE, --stl FRAME or --ply FRAME"});
+            Error{"", "missing; allowed: --vtk DIR, --csv FILE, --gltf FILE, --stl FRAME or --ply FRAME"});
     if (!options.gltf.empty()) requireEnding("--gltf", options.gltf, {".glb"});
     if (!options.csv.empty()) requireEnding("--csv", options.csv, {".csv"});
     if (!options.output.empty())
@@ -225,7 +225,7 @@ int exportSnapshot(const ExportOptions& options) {
         for (const char* kind : {"stl", "ply", "gltf"})
             if (json.contains(kind)) lines += "blocks in " + json[kind]["file"].get<std::string>() + "\n";
         printResult(lines);
-        if (stopped()) note(options.common, "interrupted: only what was finished is exported");
+        if (stopped()) note(options.common, "interrupted: only the finished part was exported");
     }
     return stopped() ? kInterrupted : kDone;
 }
@@ -239,25 +239,26 @@ Command addExport(CLI::App& root) {
     app->add_option("FILE", options->file, "Snapshot file of talus run (.mcap)")->required();
     app->add_option("--vtk", options->vtk,
                     "Folder for .vtp files of blocks and contact points, with blocks.pvd and contacts.pvd");
-    app->add_option("--csv", options->csv, "File for a table of one row a frame and block");
+    app->add_option("--csv", options->csv, "File for a table with one row per frame and block");
     auto* stl =
-        app->add_option("--stl", options->stl, "The blocks at a frame: last, its number from 0, or a time");
-    app->add_option("--ply", options->ply, "The same as PLY, with blocks and colours")->excludes(stl);
+        app->add_option("--stl", options->stl,
+                        "Write the blocks at one frame as STL: last, a frame number from 0, or a time");
+    app->add_option("--ply", options->ply, "The same as PLY, with block numbers and colours")->excludes(stl);
     auto* gltf = app->add_option("--gltf", options->gltf,
                                  "glTF 2.0 (.glb) of the whole run, animated, in the run's time");
-    app->add_option("--frame", options->frame, "glTF of this frame alone: last, its number from 0, or a time")
+    app->add_option("--frame", options->frame,
+                    "Write only this frame as glTF: last, a frame number from 0, or a time")
         ->needs(gltf);
     app->add_option("-o,--output", options->output, "STL or PLY file (default: FILE-FRAME.stl or .ply here)");
-    app->add_option("--every", options->every, "Only every so many frames, and the last")
+    app->add_option("--every", options->every, "Export every Nth frame and the last one")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     addCommon(*app, options->common, false);
     app->footer(
         "Examples:\n  talus export run.mcap --vtk paraview\n  talus export run.mcap --stl last -o "
-        "slope.stl\n  talus export run.mcap --gltf run.glb --every 5\n\nEvery "
-        "frame has its blocks (block_id, failure_role, displacement, velocity, rotation); contact "
-        "points\nwith their "
-        "forces are there for frames with a full state (talus run --full-every).");
+        "slope.stl\n  talus export run.mcap --gltf run.glb --every 5\n\nEvery frame has its blocks "
+        "(block_id, failure_role, displacement, velocity, rotation). Contact points and\ntheir forces are "
+        "exported for frames with a full state (talus run --full-every).");
     return {app, [options] { return exportSnapshot(*options); }};
 }
 

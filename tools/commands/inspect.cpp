@@ -78,8 +78,8 @@ std::string tableText(const Table& table) {
     std::size_t at = 1;
     for (std::size_t k = 0; k < kEnds; ++k) at = lines.find('\n', at) + 1;
     at = lines.find('\n', at) + 1;
-    return lines.insert(at,
-                        "... " + std::to_string(table.rows.size() - 2 * kEnds) + " more: --csv has all\n");
+    return lines.insert(
+        at, "... " + std::to_string(table.rows.size() - 2 * kEnds) + " more rows; --csv prints all\n");
 }
 
 int inspect(const InspectOptions& options) {
@@ -107,28 +107,30 @@ int inspect(const InspectOptions& options) {
 
 Command addInspect(CLI::App& root) {
     auto options = std::make_shared<InspectOptions>();
-    CLI::App* app =
-        root.add_subcommand("inspect", "What is in a snapshot file: frames, blocks, contacts, soundness");
+    CLI::App* app = root.add_subcommand(
+        "inspect", "Contents of a snapshot file: frames, blocks, contacts, and whether it is sound");
     app->add_option("FILE", options->file, "Snapshot file of talus run (.mcap)")->required();
-    auto* frame =
-        app->add_option("--frame", options->frame, "last, a frame's number from 0, or a time: 0.05 or 2s")
-            ->capture_default_str();
+    auto* frame = app->add_option("--frame", options->frame,
+                                  "Frame to print: last, a number from 0, or a time such as 0.05 or 2s")
+                      ->capture_default_str();
     auto* block = app->add_option("--block", options->block,
-                                  "Pose, velocity and contact forces by neighbour of a block");
+                                  "Pose and velocity of a block, and its contact forces by neighbour");
     auto* interface =
         app->add_option("--interface", options->interface,
                         "Every contact point between two blocks: N, S, P, area, state, mobilised friction")
             ->expected(2);
-    auto* top = app->add_option("--top", options->top, "The N blocks that have moved most")
+    auto* top = app->add_option("--top", options->top,
+                                "Print the N blocks with the largest displacement, velocity or rotation")
                     ->check(CLI::PositiveNumber);
-    app->add_option("--by", options->by, "What --top sorts by")
+    app->add_option("--by", options->by, "Quantity that --top sorts by")
         ->check(CLI::IsMember({"displacement", "velocity", "rotation"}))
         ->capture_default_str()
         ->needs(top);
     auto* verify = app->add_flag("--verify", options->verify,
-                                 "Hold every checksum and state hash; exit code 2 if not sound");
+                                 "Check every checksum and state hash; exit code 2 if one is wrong");
     auto* difference =
-        app->add_option("--diff", options->difference, "First frame and field that differ from another file");
+        app->add_option("--diff", options->difference,
+                        "Compare with another file; print the first frame and field that differ");
     for (auto* one : {block, interface, top, static_cast<CLI::Option*>(verify), difference})
         for (auto* other : {block, interface, top, static_cast<CLI::Option*>(verify), difference})
             if (one != other) one->excludes(other);
@@ -137,12 +139,9 @@ Command addInspect(CLI::App& root) {
     csv->excludes("--json");
     app->footer(
         "Examples:\n  talus inspect run.mcap\n  talus inspect run.mcap --top 10 --by velocity --frame 0.05\n "
-        " talus "
-        "inspect run.mcap --interface c1r1s1 floor --json\n\nContacts are known at full states: the last one "
-        "not after "
-        "the frame is shown, with its time\n(contacts_at_s). A file that is still being written or was cut "
-        "is read as "
-        "far as it goes.");
+        " talus inspect run.mcap --interface c1r1s1 floor --json\n\nContacts are stored only in full states. "
+        "The last full state up to the frame is shown, with its time\n(contacts_at_s). A file that is still "
+        "being written, or was cut off, is read up to its last whole record.");
     return {app, [options, frame] {
                 options->frame_given = frame->count() > 0;
                 return inspect(*options);

@@ -45,18 +45,18 @@ Command addKeyBlocks(CLI::App& root) {
         "keyblocks", "Removable blocks and groups that move together, by limit equilibrium");
     addScenario(*app, options->scenario);
     app->add_option("--most", options->settings.most_groups,
-                    "List so many groups, those with the least factors of safety")
+                    "Number of groups to list, the lowest factors of safety first")
         ->check(CLI::Range(std::size_t{1}, kMostGroups))
         ->capture_default_str();
     addCommon(*app, options->common);
     app->footer(
         "Example:\n  talus keyblocks slope.toml\n  talus keyblocks slope.toml --most 10 --json | jq "
-        "'.moving_groups[0]'\n\nBlock theory (Goodman and Shi) on the blocks as they stand: contacts between "
-        "them, water, loads,\nbolts with their pretension, the seismic coefficient, friction and cohesion. "
-        "Each block is judged\nwith its neighbours held still; then blocks that stand in each other's way "
-        "are "
-        "judged as one body.\nA body that nothing presses falls, with factor 0; one that cannot move has no "
-        "factor. Limit equilibrium,\ntranslation only: toppling is not covered.");
+        "'.moving_groups[0]'\n\nBlock theory (Goodman and Shi) for the blocks in their initial position. It "
+        "counts contacts, water, loads,\nbolts with their pretension, the seismic coefficient, friction and "
+        "cohesion. Each block is first tested with\nits neighbours fixed. Blocks that obstruct each other "
+        "are then tested as one body. A body that leaves all its\njoints falls and has factor 0; one that "
+        "cannot move has no factor. The method is limit equilibrium of\ntranslations: toppling is not "
+        "covered.");
     return {app, [options] { return analyse(*options); }};
 }
 

@@ -57,12 +57,12 @@ PoleSource sourceOf(const KinematicsOptions& options, const KinematicsQuestion& 
     if (!isPoleTable(options.input.path))
         return polesOf(loadScenario(options.input, options.common), question);
     if (!options.input.sets.empty())
-        throw BadInput(Error{"--set", "found it beside a table, allowed: with a scenario"});
+        throw BadInput(Error{"--set", "found together with a table of poles, allowed: with a scenario"});
     const formats::PoleTable table = valueOf(formats::readPoles(options.input.path));
     if (!table.passed_over.empty()) {
         std::string list;
         for (const std::string& title : table.passed_over) list += (list.empty() ? "" : ", ") + title;
-        note(options.common, "columns passed over: " + list);
+        note(options.common, "columns ignored: " + list);
     }
     return polesOf(table, question);
 }
@@ -94,23 +94,24 @@ void addPictureOptions(CLI::App& app, KinematicsOptions& options) {
     app.add_option("--stereonet", options.stereonet, "Picture on the lower hemisphere (.svg)")
         ->type_name("FILE");
     app.add_option("--view", options.view,
-                   "What it shows: poles, with planar sliding and flexural toppling; or intersections, with "
-                   "wedge sliding and "
-                   "direct toppling")
+                   "What the picture shows: poles (planar sliding, flexural toppling) or intersections "
+                   "(wedge sliding, direct toppling)")
         ->check(CLI::IsMember(std::vector<std::string>(kNetViews.begin(), kNetViews.end())))
         ->type_name("WHAT")
         ->capture_default_str();
-    app.add_option("--net", options.net, "Its projection: equal-area (Schmidt) or equal-angle (Wulff)")
+    app.add_option("--net", options.net,
+                   "Projection of the picture: equal-area (Schmidt) or equal-angle (Wulff)")
         ->check(CLI::IsMember(std::vector<std::string>(kNetProjections.begin(), kNetProjections.end())))
         ->type_name("NET")
         ->capture_default_str();
-    app.add_option(
-           "--contours", options.counting,
-           "How its contours count poles: fisher, each spread by Fisher's distribution; circle; or none")
+    app.add_option("--contours", options.counting,
+                   "How the contours count poles: fisher (each pole spread by Fisher's distribution), "
+                   "circle, or none")
         ->check(CLI::IsMember(std::vector<std::string>(kNetContours.begin(), kNetContours.end())))
         ->type_name("HOW")
         ->capture_default_str();
-    app.add_option("--counting-area", options.counting_area, "Of the counting circle, in % of the hemisphere")
+    app.add_option("--counting-area", options.counting_area,
+                   "Area of the counting circle, in % of the hemisphere")
         ->check(CLI::Range(0.1, 20.0))
         ->type_name("PERCENT")
         ->capture_default_str();
@@ -135,15 +136,15 @@ Command addKinematics(CLI::App& root) {
         ->check(CLI::Range(0.0, 90.0))
         ->type_name("DEG");
     app->add_option("--lateral", options->lateral,
-                    "Lateral limits, to each side of the face's dip direction [deg]")
+                    "Lateral limits on each side of the face's dip direction [deg]")
         ->check(CLI::Range(0.0, 90.0))
         ->type_name("DEG")
         ->capture_default_str();
-    app->add_option("--sets", options->sets, "Find so many sets, in place of those that the file names")
+    app->add_option("--sets", options->sets, "Number of sets to find, instead of the sets named in the file")
         ->check(CLI::Range(1, 50))
         ->type_name("N");
     app->add_option("--scanline", options->scanline,
-                    "Weigh the poles of a table by Terzaghi for this scanline [deg]")
+                    "Apply the Terzaghi weighting for this scanline to the poles of a table [deg]")
         ->type_name("TREND/PLUNGE");
     app->add_option_function<double>(
            "--bias-limit",
@@ -151,30 +152,22 @@ Command addKinematics(CLI::App& root) {
                options->bias_limit = limit;
                options->has_bias_limit = true;
            },
-           "The least angle between a scanline and a plane that its weight is taken for, 15 by default [deg]")
+           "Smallest angle between scanline and plane that a weight is computed for; default 15 [deg]")
         ->check(CLI::Range(1.0, 90.0))
         ->type_name("DEG");
     addPictureOptions(*app, *options);
     addCommon(*app, options->common, false);
     app->footer(
         "Example:\n  talus kinematics poles.csv --slope 70/135 --friction 30 --stereonet poles.svg\n  talus "
-        "kinematics "
-        "poles.csv "
-        "--slope 70/135 --friction 30 --sets 3 --stereonet lines.svg --view intersections\n  talus "
-        "kinematics slope.toml "
-        "--slope "
-        "70/270 --friction 35 --json\n\nSCENARIO may be a table of poles instead, its name ending in .csv, "
-        ".tsv, .txt or .dat: "
-        "a header and a plane a row, "
-        "by dip_deg and dip_direction_deg, strike_deg and dip_deg (right-hand rule, or N45E and 60SE), "
-        "trend_deg and plunge_deg "
-        "of the pole, "
-        "or nx, ny, nz; besides set, quantity, and one of weight, spacing_m or scanline_trend_deg and "
-        "scanline_plunge_deg. Of a "
-        "scenario each "
-        "plane that cuts the rock mass is a pole. Wedge sliding and direct toppling test the lines of "
-        "intersection of all pairs. "
-        "The lateral limits hold for planar sliding, direct and flexural toppling, not for wedges.");
+        "kinematics poles.csv --slope 70/135 --friction 30 --sets 3 --stereonet lines.svg --view "
+        "intersections\n  talus kinematics slope.toml --slope 70/270 --friction 35 --json\n\nSCENARIO may "
+        "also be a table of poles, with a name that ends in .csv, .tsv, .txt or .dat. It has a header and "
+        "one plane per row, given by dip_deg and dip_direction_deg; by strike_deg and dip_deg (right-hand "
+        "rule, or N45E and 60SE); by trend_deg and plunge_deg of the pole; or by nx, ny, nz. It may also "
+        "have the columns set, quantity, and one of weight, spacing_m or scanline_trend_deg with "
+        "scanline_plunge_deg. In a scenario, each plane that cuts the rock mass is a pole. Wedge sliding and "
+        "direct toppling are tested on the lines of intersection of all pairs. The lateral limits apply to "
+        "planar sliding and to direct and flexural toppling, not to wedges.");
     return {app, [options] { return analyse(*options); }};
 }
 

@@ -50,7 +50,7 @@ std::string answerText(const LimitOptions& options, const LimitResult& result) {
     }
     const std::string least = std::isfinite(result.lower) ? "at least " + say(result.lower) : "";
     const std::string most = std::isfinite(result.upper) ? "at most " + say(result.upper) : "";
-    if (least.empty() && most.empty()) return "interrupted before anything was known";
+    if (least.empty() && most.empty()) return "interrupted before a bound was known";
     return "interrupted; so far: " + least + (least.empty() || most.empty() ? "" : ", ") + most;
 }
 
@@ -109,7 +109,8 @@ int analyse(const LimitOptions& options) {
 Command addLimitAnalysis(CLI::App& root) {
     auto options = std::make_shared<LimitOptions>();
     CLI::App* app = root.add_subcommand(
-        "limit-analysis", "A ceiling for the other answers: the limit of the associated rigid-block problem");
+        "limit-analysis",
+        "Upper bound of the other answers: limit analysis of rigid blocks with associated flow");
     addScenario(*app, options->scenario);
     std::vector<std::string> names;
     std::string meanings;
@@ -119,23 +120,23 @@ Command addLimitAnalysis(CLI::App& root) {
     }
     app->add_option_function<std::string>(
            "--for", [options](const std::string& name) { options->load = variedNamed(name); },
-           "What grows: " + meanings)
+           "Load that increases: " + meanings)
         ->check(CLI::IsMember(names))
         ->type_name("LOAD")
         ->required();
-    app->add_option("--max-points", options->max_points, "Refuse models with more contact points")
+    app->add_option("--max-points", options->max_points,
+                    "Largest number of contact points; larger models are refused")
         ->capture_default_str();
     addKeepMechanism(*app, options->keep);
     addCommon(*app, options->common);
     app->footer(
         "Example:\n  talus limit-analysis slope.toml --for factor\n  talus limit-analysis arch.toml --for "
-        "tilt "
-        "--json | jq .upper\n  talus limit-analysis arch.toml --for tilt --keep-mechanism arch.mcap\n"
-        "  talus replay arch.mcap -o arch.html\n\nA linear programme over the contact points as they are at "
-        "the start, with "
-        "joints that open by\ntan(phi) of their slide. No equilibrium of real joints lies above it. It is "
-        "near where blocks\nhinge or slide, and far where they interlock. `lower` and `upper` bracket it "
-        "(friction cones as\npyramids from inside and from outside).");
+        "tilt --json | jq .upper\n  talus limit-analysis arch.toml --for tilt --keep-mechanism arch.mcap\n  "
+        "talus replay arch.mcap -o arch.html\n\nA linear programme over the contact points in their initial "
+        "position, with joints that open by\ntan(phi) times their slide. No equilibrium of real joints in "
+        "that position lies above the limit. It is close\nto the answer where blocks hinge or slide, and far "
+        "above it where they interlock. `lower` and `upper`\nbracket the limit, with friction cones replaced "
+        "by pyramids inside and outside of them.");
     return {app, [options] { return analyse(*options); }};
 }
 

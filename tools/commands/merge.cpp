@@ -30,9 +30,9 @@ StoredBatch merged(const std::vector<std::string>& folders) {
     for (std::size_t i = 1; i < folders.size(); ++i) {
         StoredBatch more = readStored(folders[i]);
         if (more.info.identity != all.info.identity)
-            throw BadInput(
-                Error{"", "holds another sweep than " + folders.front() + ", allowed: folders of one sweep",
-                      folders[i]});
+            throw BadInput(Error{
+                "", "holds a different sweep from " + folders.front() + ", allowed: folders of one sweep",
+                folders[i]});
         if (more.info.runs > all.info.runs) all.info = more.info;
         for (auto& [run, line] : more.lines) keepBetter(all, run, std::move(line));
     }
@@ -85,12 +85,12 @@ Command addMerge(CLI::App& root) {
     app->add_option("DIR", options->folders,
                     "Folders of one batch, each with the results of one or more shards")
         ->required();
-    app->add_option("-o,--output", options->output, "Folder for the whole (default: the first DIR)");
+    app->add_option("-o,--output", options->output, "Folder for the merged results (default: the first DIR)");
     addCommon(*app, options->common, false);
     app->footer(
         "Example:\n  for i in 1 2 3 4; do talus batch sweep.toml -o out --shard $i/4 & done; wait\n  talus "
-        "merge "
-        "out\n\nAlso makes summary.json and report.html anew. Exit code 3: runs are missing or failed.");
+        "merge out\n\nAlso writes summary.json and report.html again. Exit code 3: runs are missing or "
+        "failed.");
     return {app, [options] { return merge(*options); }};
 }
 

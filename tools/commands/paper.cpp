@@ -124,7 +124,7 @@ int execute(const PaperOptions& options) {
 }  // namespace
 
 Command addPaper(CLI::App& root) {
-    CLI::App* app = root.add_subcommand("paper", "Compute the paper's Table 1, Fig. 6 and section 5 again");
+    CLI::App* app = root.add_subcommand("paper", "Recompute Table 1, Fig. 6 and section 5 of the paper");
     const auto options = std::make_shared<PaperOptions>();
     app->add_option("--out,-o", options->out, "Folder for the page, plots and tables")->capture_default_str();
     app->add_option("--points", options->points,
@@ -132,21 +132,18 @@ Command addPaper(CLI::App& root) {
         ->capture_default_str();
     const auto* keep =
         app->add_option("--keep-run", options->keep_folder,
-                        "Also keep the failing runs of the slope dry and with water in fissure 5, with their "
-                        "replays, in "
-                        "this folder (OUT/failing without one; files of that name are replaced)")
+                        "Also keep the failing runs of the slope, dry and with water in fissure 5, with "
+                        "their replays, in this folder (default OUT/failing; existing files are replaced)")
             ->type_name("[DIR]")
             ->expected(0, 1);
-    app->add_option(
-           "--monte-carlo", options->monte_carlo,
-           "Also compute the laboratory's scatter from N samples, each interface with its own friction angle "
-           "(about 5 s of processor time a sample)")
+    app->add_option("--monte-carlo", options->monte_carlo,
+                    "Also compute the laboratory's scatter from N samples with a friction angle drawn per "
+                    "interface (about 5 s of processor time per sample)")
         ->check(CLI::Range(1, 1000000));
     app->footer(
         "Example:\n  talus paper --out reproduction\n  talus paper --out reproduction --keep-run\n  talus "
-        "paper --out reproduction --monte-carlo "
-        "100\n\nThe Monte "
-        "Carlo's rows are in OUT/scatter and are kept: the same command goes on where it was stopped.");
+        "paper --out reproduction --monte-carlo 100\n\nThe Monte Carlo simulation keeps its rows in "
+        "OUT/scatter. Run the same command again to continue one that was stopped.");
     addCommon(*app, options->common);
     return {app, [options, keep] {
                 options->keep = keep->count() > 0;

@@ -40,9 +40,9 @@ int writePage(formats::SnapshotReader& reader, const ReplayOptions& options) {
     }();
     writeFile(options.output, page);
     if (static_cast<double>(page.size()) > kHeavyPageBytes)
-        note(options.common, "note: a page of " + text(static_cast<double>(page.size()) / 1e6, 0) +
-                                 " MB is heavy for a browser; --every, --from, --to or --no-contacts make it "
-                                 "smaller");
+        note(options.common,
+             "note: a page of " + text(static_cast<double>(page.size()) / 1e6, 0) +
+                 " MB may be slow in a browser; --every, --from, --to or --no-contacts make it smaller");
     if (options.common.json) {
         printJson({{"file", options.file},
                    {"page", options.output},
@@ -50,7 +50,7 @@ int writePage(formats::SnapshotReader& reader, const ReplayOptions& options) {
                    {"frames_in_file", reader.frames().size()}});
     } else {
         printResult(options.output + ": " + text(static_cast<double>(page.size()) / 1e6, 2) +
-                    " MB, opens in any browser, also without a network\n");
+                    " MB; opens in any browser, without a network\n");
     }
     return kDone;
 }
@@ -70,7 +70,7 @@ int showCourse(formats::SnapshotReader& reader, const ReplayOptions& options) {
     std::string head = options.file + ": " + reader.header().scenario_path + ", " +
                        std::to_string(reader.header().names.size()) + " blocks, " +
                        std::to_string(reader.frames().size()) + " frames, " +
-                       (end ? end->ended : "not finished: still running, or killed") + "\n\n";
+                       (end ? end->ended : "not finished: the run is still going on or was killed") + "\n\n";
     printResult(head);
     printText(courseText(view.table, options.rows, terminalSpeaksUnicode()));
     return kDone;
@@ -90,13 +90,14 @@ Json stretchesJson(const Verification& found) {
 int verify(formats::SnapshotReader& reader, const ReplayOptions& options) {
     const auto& failure = reader.header().failure;
     const bool was_run = !failure || mechanismLoad(failure->analysis) == nullptr;
-    const char* found_instead = "found the mechanism of a limit analysis: nothing in it was run";
+    const char* found_instead = "found the mechanism of a limit analysis, which was not computed as a run";
     if (!was_run) throw BadInput(Error{"--verify", found_instead, options.file});
     const bool same = sameBuild(reader.header());
     if (!same)
         note(options.common, "warning: the file was written by another build (" +
                                  reader.header().build.version + ", " + reader.header().build.git_hash +
-                                 ", " + reader.header().build.compiler + "): its bits are not promised here");
+                                 ", " + reader.header().build.compiler +
+                                 "): this build may not reproduce it to the bit");
     ProgressPrinter progress(options.common, Fraction::of_time);
     const Verification found = verifyRun(reader, options.common, progress.callback());
     progress.finish();
@@ -114,11 +115,11 @@ int verify(formats::SnapshotReader& reader, const ReplayOptions& options) {
                 lines +=
                     text(stretch.from, 6) + " s to " + text(stretch.to, 6) + " s: " + stretch.fault + "\n";
         const std::string what = std::to_string(found.frames) + " frames in " +
-                                 std::to_string(found.stretches.size()) + " stretches computed again: ";
+                                 std::to_string(found.stretches.size()) + " intervals recomputed: ";
         printResult(options.file + ": " + what +
                     (found.interrupted ? "interrupted\n"
-                     : found.equal()   ? "every state hash is the same\n"
-                                       : "they differ\n") +
+                     : found.equal()   ? "all state hashes agree\n"
+                                       : "state hashes differ\n") +
                     lines);
     }
     return found.interrupted ? kInterrupted : found.equal() ? kDone : kBadInput;
@@ -139,8 +140,7 @@ int replay(ReplayOptions& options) {
 
 Command addReplay(CLI::App& root) {
     auto options = std::make_shared<ReplayOptions>();
-    CLI::App* app =
-        root.add_subcommand("replay", "Plays a run: as a page for the browser, or in the terminal");
+    CLI::App* app = root.add_subcommand("replay", "Play a run in a browser page or in the terminal");
     app->add_option("FILE", options->file, "Snapshot file of talus run (.mcap)")->required();
     auto* output = app->add_option("-o,--output", options->output,
                                    "Write one self-contained HTML page that plays the run; without it a "
@@ -150,27 +150,26 @@ Command addReplay(CLI::App& root) {
               ->check(CLI::NonNegativeNumber),
           app->add_option("--to", options->choice.to, "Last time in the page [s]")
               ->check(CLI::NonNegativeNumber),
-          app->add_option("--every", options->choice.every, "Only every so many frames go into the page")
+          app->add_option("--every", options->choice.every, "Put only every Nth frame into the page")
               ->check(CLI::Range(1, 1000000000)),
           app->add_flag("--no-contacts", options->without_contacts,
                         "Leave out the full states: a smaller page without forces, joints and water"),
-          app->add_flag("--force", options->force, "Replace the output file even if it is no replay page")})
+          app->add_flag("--force", options->force,
+                        "Replace the output file even if it is not a replay page")})
         option->needs(output);
     app->add_option("--rows", options->rows, "Frames in the printed table")
         ->check(CLI::Range(2, 1000000))
         ->capture_default_str();
-    app->add_flag(
-           "--verify", options->verify,
-           "Compute the run again between its full states and compare every state hash; exit code 2 if "
-           "one differs")
+    app->add_flag("--verify", options->verify,
+                  "Recompute the run between its full states and compare every state hash; exit code 2 if "
+                  "one differs")
         ->excludes(output);
     addCommon(*app, options->common);
     app->footer(
         "Examples:\n  talus replay run.mcap -o run.html\n  talus replay run.mcap\n  talus replay run.mcap "
-        "--verify\n\nThe page needs no network and no other file: open it, send it, keep it with the report. "
-        "A "
-        "link may ask for a\nmoment: run.html#t=0.2&colour=role&joints&select=c1r1s1. The file may be cut or "
-        "still being written: it is played\nas far as it goes.");
+        "--verify\n\nThe page needs no network and no other file. A link can open it at a given time and "
+        "view:\nrun.html#t=0.2&colour=role&joints&select=c1r1s1. A snapshot file that is still being "
+        "written, or was cut off, is\nplayed up to its last whole frame.");
     return {app, [options] { return replay(*options); }};
 }
 

@@ -31,11 +31,12 @@ const char* describe(InitialState start) {
         case InitialState::equilibrium:
             return "starts in equilibrium under weight and water\n";
         case InitialState::held:
-            return "no equilibrium at the start: held by its joints until time 0, then let go\n";
+            return "no equilibrium at the start: joints have unlimited strength until time 0, then their "
+                   "own\n";
         case InitialState::unstressed:
             break;
     }
-    return "starts unstressed: weight and water come all at once\n";
+    return "starts unstressed: weight and water are applied at once\n";
 }
 
 /// Which water runs out, and when: in rock masses also without being asked.
@@ -46,7 +47,7 @@ std::string drainsText(const Model& model) {
         std::snprintf(figure, sizeof figure, "%.4g", aperture);
         if (aperture < kInfinity)
             lines +=
-                field + ": runs out of joints that open wider than " + figure + " m (drains_at_aperture)\n";
+                field + ": drains from joints that open wider than " + figure + " m (drains_at_aperture)\n";
     };
     for (const Water& water : model.waters) add(water.field, water.drains_at_aperture);
     if (model.phreatic) add(model.phreatic->field, model.phreatic->drains_at_aperture);
@@ -90,7 +91,8 @@ struct Options {
 void checkReport(const Options& options) {
     if (options.report.empty()) return;
     if (!options.run.resume.empty())
-        throw BadInput(Error{"--report", "would lack the time before; allowed: without --resume"});
+        throw BadInput(
+            Error{"--report", "the page would lack the time before the restart; allowed: without --resume"});
     requireEnding("--report", options.report, {".html"});
     refuseInput("--report", options.report);
 }
@@ -98,7 +100,8 @@ void checkReport(const Options& options) {
 int runScenario(const Options& all) {
     const RunOptions& options = all.run;
     if (options.scenario.path.empty() == options.resume.empty())
-        throw BadInput(Error{"SCENARIO", "give either a scenario or --resume FILE, which brings its own"});
+        throw BadInput(
+            Error{"SCENARIO", "give either a scenario or --resume FILE, which contains its scenario"});
     std::optional<Resumed> resumed;
     if (!options.resume.empty()) resumed.emplace(readResumed(options));
     const formats::Scenario scenario =
@@ -137,30 +140,26 @@ Command addRun(CLI::App& root) {
         "FILE.mcap for snapshots (talus inspect, replay, export); FILE.csv for a table of energies and the "
         "blocks of run.watch");
     app->add_option("--report", all->report,
-                    "FILE.html: a page of displacements over time with the record that shook the ground, and "
-                    "of every block's at the end");
+                    "FILE.html: a page with displacements over time, the ground motion, and the final "
+                    "displacement of every block");
     app->add_option(
         "--resume", options->resume,
-        "Go on with the run in this .mcap file from its last full state: in place, or with -o in a copy");
+        "Continue the run in this .mcap file from its last full state, in place or, with -o, in a copy");
     app->add_option("--full-every", options->frames_per_full,
-                    "Every so many frames the full state is written: contacts, and what a restart needs")
+                    "Write the full state every Nth frame: contacts, and what a restart needs")
         ->check(CLI::Range(1, 1000000000))
         ->capture_default_str();
     app->add_flag("--force", options->force,
-                  "Replace the output file even if it is finished or of another kind");
+                  "Replace the output file even if it holds a finished run or is of another kind");
     addCommon(*app, options->common);
     app->footer(
         "Examples:\n  talus run slope.toml -o run.mcap\n  talus run --resume run.mcap\n  talus run "
-        "slope.toml -o "
-        "history.csv\n  talus run shaken.toml --report motion.html\n\nA frame is written every "
-        "run.frame_interval_s, by a thread of its own. Before "
-        "compression it "
-        "takes 36 bytes\na block; a full state takes about 240 a block, 350 an interface and 81 a contact "
-        "point. "
-        "Ctrl-C ends the run\nand keeps what was written; so does a killed process, but for its last second. "
-        "A resumed "
-        "run ends in the same\nbits as one that was never interrupted (state_hash), on any number of "
-        "threads.");
+        "slope.toml -o history.csv\n  talus run shaken.toml --report motion.html\n\nA separate thread writes "
+        "a frame every run.frame_interval_s. Before compression a frame takes 36 bytes per block;\na full "
+        "state takes about 240 bytes per block, 350 per interface and 81 per contact point. Ctrl-C ends the "
+        "run and\nkeeps what was written. If the process is killed, at most its last\nsecond is lost. A "
+        "resumed run ends in the same state to the bit (state_hash) as one that was never\ninterrupted, on "
+        "any number of threads.");
     return {app, [all] { return runScenario(*all); }};
 }
 

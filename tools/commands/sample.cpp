@@ -26,7 +26,7 @@ std::string headOf(const formats::Sweep& sweep, const formats::SweepRun& run) {
     std::string head = "# Run " + std::to_string(run.index) + " of the sweep " + sweep.path + " (case " +
                        std::to_string(run.case_index) + ", sample " + std::to_string(run.sample) + ", seed " +
                        std::to_string(sweep.seed) + ", identity " + formats::identityOf(sweep) +
-                       ").\n#   talus " + sweep.analysis() + " computes it again.\n";
+                       ").\n#   talus " + sweep.analysis() + " recomputes it.\n";
     for (char& c : head)
         if (static_cast<unsigned char>(c) < 0x20 && c != '\n') c = ' ';
     return head;
@@ -64,8 +64,8 @@ Command addSample(CLI::App& root) {
     addCommon(*app, options->common, false);
     app->footer(
         "Example:\n  talus sample bench/sweeps/monte-carlo.toml 17 -o run17.toml\n  talus critical-angle "
-        "run17.toml --verbose\n\nThe file reads back as the same model to the last bit, so the result is the "
-        "batch's, state hash included.");
+        "run17.toml --verbose\n\nThe file gives the same model to the last bit, so its result equals that of "
+        "the batch, including the state hash.");
     return {app, [options] { return writeSample(*options); }};
 }
 

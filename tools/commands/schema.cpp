@@ -14,13 +14,12 @@ Command addSchema(CLI::App& root) {
     const auto what = std::make_shared<std::string>("scenario");
     const auto common = std::make_shared<Common>();  // a schema is JSON with --json and without
     addCommon(*app, *common, false);
-    app->add_option("FILE", *what, "Of which file: scenario or sweep")
+    app->add_option("FILE", *what, "Kind of file: scenario or sweep")
         ->check(CLI::IsMember({"scenario", "sweep"}))
         ->capture_default_str();
     app->footer(
         "Example:\n  talus schema > talus-scenario.json\n\nEditors with a TOML plugin (Even Better TOML, "
-        "taplo, "
-        "tombi) complete and check the keys of a file whose\nfirst line is\n  #:schema "
+        "taplo, tombi) complete and check the keys of a file if its\nfirst line is\n  #:schema "
         "./talus-scenario.json");
     return {app, [what, common] {
                 printText(std::string(*what == "sweep" ? kSweepSchema : kScenarioSchema));

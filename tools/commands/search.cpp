@@ -50,13 +50,13 @@ Command addSearch(CLI::App& root, const LoadSearch& search) {
     auto options = std::make_shared<SearchOptions>();
     CLI::App* app = root.add_subcommand(search.name, search.about);
     addScenario(*app, options->scenario);
-    app->add_flag("--verbose", options->verbose,
-                  "Also print every step of the path, every block's motion and the rules of the search");
+    app->add_flag(
+        "--verbose", options->verbose,
+        "Also print every step of the path, the motion of every block and the parameters of the search");
     if (search.follows_groups)
-        app->add_option(
-               "--groups", options->request.groups,
-               "How many groups of blocks to follow: after the answer the path goes on without those "
-               "that have gone")
+        app->add_option("--groups", options->request.groups,
+                        "Number of groups of blocks to find that fail one after the other; each group is "
+                        "removed before the next is sought")
             ->check(CLI::Range(1, 1000));
     addKeepRun(*app, options->request.keep);
     addSearchFiles(*app, options->request.files);
@@ -64,19 +64,19 @@ Command addSearch(CLI::App& root, const LoadSearch& search) {
         return [options, wish] { options->request.upper_bound = wish; };
     };
     CLI::Option* no_bound = app->add_flag_callback("--no-upper-bound,--no-ceiling", beside(Beside::never),
-                                                   "Leave limit analysis out");
-    app->add_flag_callback("--upper-bound,--ceiling", beside(Beside::always),
-                           "Limit analysis beside the answer whatever the size (default: up to " +
-                               std::to_string(kCeilingPointsInSection) +
-                               " contact points in a plane section, " + std::to_string(kCeilingPoints) +
-                               " in space)")
+                                                   "Do not compute the upper bound by limit analysis");
+    app->add_flag_callback(
+           "--upper-bound,--ceiling", beside(Beside::always),
+           "Compute the upper bound by limit analysis for models of any size (default: up to " +
+               std::to_string(kCeilingPointsInSection) + " contact points in a plane section, " +
+               std::to_string(kCeilingPoints) + " in space)")
         ->excludes(no_bound);
     CLI::Option* no_interval = app->add_flag_callback(
         "--no-interval,--no-range", [options] { options->request.interval = false; },
-        "Look for no lower answer by another loading path");
+        "Do not search for a lower answer on another loading path");
     app->add_flag_callback(
            "--interval,--range", [options] { options->request.interval = true; },
-           "The lowest answer by another loading path beside the headline (default)")
+           "Also search for a lower answer on another loading path (default)")
         ->excludes(no_interval);
     addCommon(*app, options->common);
     app->footer(footerOf(search));

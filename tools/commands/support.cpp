@@ -39,9 +39,10 @@ Command addSupport(CLI::App& root) {
     auto options = std::make_shared<SupportOptions>();
     SupportQuestion& question = options->question;
     CLI::App* app = root.add_subcommand(
-        "support", "The pretension of bolts, or the number of a pattern's, that a factor of safety takes");
+        "support",
+        "The pretension of bolts, or the number of bolts of a pattern, that a factor of safety requires");
     addScenario(*app, options->scenario);
-    app->add_option("--factor", question.factor, "The factor of safety that is wanted")
+    app->add_option("--factor", question.factor, "Required factor of safety")
         ->check(CLI::Range(0.01, 99.0))
         ->capture_default_str();
     app->add_option_function<std::string>(
@@ -49,31 +50,27 @@ Command addSupport(CLI::App& root) {
            [&question](const std::string& by) {
                question.by = by == "number" ? DesignedBy::number : DesignedBy::pretension;
            },
-           "What is sought: pretension (default), or number of bolts of a pattern")
+           "What to find: pretension (default), or number of bolts of a pattern")
         ->check(CLI::IsMember({"pretension", "number"}))
         ->type_name("WHAT");
     app->add_option("--bolt", question.bolt, "A [[bolt]] or [[bolt_pattern]] by its name (default: all)")
         ->type_name("NAME");
     app->add_option("--tolerance", question.tolerance,
-                    "Width of the bracket of the pretension, over the yield force")
+                    "Width of the bracket of the pretension, as a share of the yield force")
         ->check(CLI::Range(1e-4, 0.5))
         ->capture_default_str();
     addCommon(*app, options->common);
     app->footer(
         "Example:\n  talus support slope.toml --factor 1.5\n  talus support slope.toml --factor 1.3 --by "
-        "number "
-        "--bolt P\n  talus support slope.toml --json | jq .answer.pretension_n\n\nEach trial is a search for "
-        "the "
-        "factor of safety. By pretension each bolt pulls with one share of its\nyield_force from the start "
-        "and "
-        "with no more, up to all of it, as limit equilibrium counts an anchor; by number\nthe pattern's "
-        "spacing is widened or narrowed, along and up alike and in the end one of them, from an eighth of "
-        "its own\nto as far as one "
-        "bolt is left; along it is the width over the bolts in a row, so that a slice has the force "
-        "per\nmetre of "
-        "a wide slope. The answer is the least that was found to be enough; `set` has the --set options of "
-        "it.\nA factor that is reached without them or not with all they can is a result (exit code 0), an "
-        "undecided one\nis not (3).");
+        "number --bolt P\n  talus support slope.toml --json | jq .answer.pretension_n\n\nEach trial is a "
+        "search for the factor of safety.\n\nBy pretension: each bolt pulls with the same share of its "
+        "yield_force, constant from the start, as limit\nequilibrium counts an anchor. The share is at most "
+        "1.\n\nBy number: the spacing of the pattern is scaled along and up the face alike, and in the end "
+        "one of them alone. It is\nscaled from an eighth of its own value until one bolt is left. The "
+        "spacing along the face is the width over the\nnumber of bolts in a row. A slice then has the force "
+        "per metre of a wide slope.\n\nThe answer is the smallest amount found to be enough; `set` lists its "
+        "--set options. A factor that is reached\nwithout the bolts, or not reached with the largest amount, "
+        "is a result (exit code 0). An undecided one is not (exit code 3).");
     return {app, [options] { return design(*options); }};
 }
 

@@ -43,7 +43,7 @@ int ofScenario(const Common& common, const ScenarioInput& input) {
 Command addTheory(CLI::App& root) {
     auto common = std::make_shared<Common>();
     auto scenario = std::make_shared<ScenarioInput>();
-    CLI::App* app = root.add_subcommand("theory", "The closed formulas, by numbers or for a scenario");
+    CLI::App* app = root.add_subcommand("theory", "Closed formulas, from given numbers or for a scenario");
     addScenario(*app, *scenario, false);
     addCommon(*app, *common, false);
     app->footer(

@@ -110,7 +110,8 @@ int sliding(const Common& common, SlidingOptions options) {
 void addMassOptions(CLI::App& app, theory::SlidingMass& mass) {
     positive(app.add_option("--length", mass.length, "Length x of the mass along the plane [m]"))->required();
     positive(app.add_option("--height", mass.height, "Height h of the mass [m]"))->required();
-    positive(app.add_option("--density", mass.density, "Of the rock [kg/m^3]"))->capture_default_str();
+    positive(app.add_option("--density", mass.density, "Density of the rock [kg/m^3]"))
+        ->capture_default_str();
     positive(app.add_option("--water-density", mass.water_density, "[kg/m^3]"))->capture_default_str();
     notNegative(app.add_option("--water-depth", mass.water_depth, "Depth H of the water behind it [m]"))
         ->capture_default_str();
@@ -120,17 +121,18 @@ void addMassOptions(CLI::App& app, theory::SlidingMass& mass) {
 
 Command addSliding(CLI::App& parent, std::shared_ptr<Common> common) {
     auto options = std::make_shared<SlidingOptions>();
-    CLI::App* app =
-        addFormula(parent, *common, "sliding", "A mass on a plane, water behind it (eqs 10-17, corrected)",
-                   "--length 0.4 --height 0.5 --water-depth 0.35 --friction 19.5 --tilt 10");
+    CLI::App* app = addFormula(parent, *common, "sliding",
+                               "A mass sliding on a plane, with water behind it (eqs 10-17, corrected)",
+                               "--length 0.4 --height 0.5 --water-depth 0.35 --friction 19.5 --tilt 10");
     addMassOptions(*app, options->mass);
     app->add_option("--friction", options->friction_deg, "Friction angle phi [deg]")
         ->required()
         ->check(within(0., 89.));
     notNegative(app->add_option("--cohesion", options->mass.cohesion, "C [Pa]"))->capture_default_str();
-    positive(app->add_option("--gravity", options->mass.gravity, "Matters with cohesion only [m/s^2]"))
+    positive(
+        app->add_option("--gravity", options->mass.gravity, "Gravity; it matters only with cohesion [m/s^2]"))
         ->capture_default_str();
-    app->add_option("--tilt", options->tilt_deg, "Also the factor of safety at this tilt [deg]")
+    app->add_option("--tilt", options->tilt_deg, "Also compute the factor of safety at this tilt [deg]")
         ->check(within(-89., 89.));
     return {app, [common, options] { return sliding(*common, *options); }};
 }
@@ -177,7 +179,7 @@ void rejectWrongCrack(const theory::TensionCrack& slope, const theory::TensionCr
                              "closer, or take a flatter plane"});
     if (slope.crack_water_depth > result.crack_depth)
         throw BadInput(Error{"--water-depth", text(slope.crack_water_depth, 4) +
-                                                  " m is more than the crack's depth of " +
+                                                  " m is more than the depth of the crack, " +
                                                   text(result.crack_depth, 4) + " m"});
 }
 
@@ -215,16 +217,17 @@ Command addCrack(CLI::App& parent, std::shared_ptr<Common> common) {
     app->add_option("--plane", options->plane_deg, "Dip of the failure plane [deg]")
         ->required()
         ->check(within(1., 89.));
-    notNegative(
-        app->add_option("--crest-distance", slope.crest_distance, "Of the crack behind the crest [m]"))
+    notNegative(app->add_option("--crest-distance", slope.crest_distance,
+                                "Distance of the crack behind the crest [m]"))
         ->required();
     app->add_option("--friction", options->friction_deg, "phi [deg]")->required()->check(within(0., 89.));
     notNegative(app->add_option("--cohesion", slope.cohesion, "C [Pa]"))->capture_default_str();
-    positive(app->add_option("--unit-weight", slope.unit_weight, "Of the rock [N/m^3]"))
+    positive(app->add_option("--unit-weight", slope.unit_weight, "Unit weight of the rock [N/m^3]"))
         ->capture_default_str();
     positive(app->add_option("--water-unit-weight", slope.water_unit_weight, "[N/m^3]"))
         ->capture_default_str();
-    notNegative(app->add_option("--water-depth", slope.crack_water_depth, "In the crack [m]"))
+    notNegative(
+        app->add_option("--water-depth", slope.crack_water_depth, "Depth of the water in the crack [m]"))
         ->capture_default_str();
     return {app, [common, options] { return crack(*common, *options); }};
 }
@@ -242,16 +245,15 @@ int drop(const Common& common, const DropOptions& options) {
     const theory::SlidingMass mass{
         options.ratio, 1, options.density, options.water_density, 1, radians(options.friction_deg), 0, 9.81};
     const double tan_phi = std::tan(mass.friction), tilt = theory::criticalTiltSliding(mass);
-    return print(
-        common,
-        {{"tangent_drop", "tan(phi) - tan(beta)", tan_phi - std::tan(tilt), ""},
-         {"share_of_tan_friction_percent", "as a share of tan(phi)", 100 * (1 - std::tan(tilt) / tan_phi),
-          "%"},
-         {"critical_angle_deg", "critical angle", degrees(tilt), "deg"},
-         {"angle_drop_deg", "below the dry one by", options.friction_deg - degrees(tilt), "deg"}},
-        "a fissure full to the top, x/y times as far from the toe as it is deep (eq 17 without its stray g): "
-        "tan(phi) - tan(beta) = rho_w y / (2 rho x). The paper reads the drop of 0.06 as an error of 6 %; of "
-        "tan(phi) it is the share below");
+    return print(common,
+                 {{"tangent_drop", "tan(phi) - tan(beta)", tan_phi - std::tan(tilt), ""},
+                  {"share_of_tan_friction_percent", "as a share of tan(phi)",
+                   100 * (1 - std::tan(tilt) / tan_phi), "%"},
+                  {"critical_angle_deg", "critical angle", degrees(tilt), "deg"},
+                  {"angle_drop_deg", "below the dry one by", options.friction_deg - degrees(tilt), "deg"}},
+                 "a fissure full to the top, x/y times as far from the toe as it is deep (eq 17 without its "
+                 "stray g): tan(phi) - tan(beta) = rho_w y / (2 rho x). The paper takes the drop of 0.06 for "
+                 "an error of 6 %; the share of tan(phi) is given below");
 }
 
 }  // namespace
@@ -263,7 +265,8 @@ Command addDrop(CLI::App& parent, std::shared_ptr<Common> common) {
                    "How much a full fissure lowers the critical angle: the paper's 6 %", "--ratio 3");
     positive(app->add_option("--ratio", options->ratio, "x/y: distance from the toe over depth"))
         ->capture_default_str();
-    positive(app->add_option("--density", options->density, "Of the rock [kg/m^3]"))->capture_default_str();
+    positive(app->add_option("--density", options->density, "Density of the rock [kg/m^3]"))
+        ->capture_default_str();
     positive(app->add_option("--water-density", options->water_density, "[kg/m^3]"))->capture_default_str();
     app->add_option("--friction", options->friction_deg, "phi [deg]")
         ->check(within(0.1, 89.))

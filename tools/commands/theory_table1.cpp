@@ -65,7 +65,7 @@ int table1(const Common& common, const std::vector<double>& friction_deg) {
 Command addTable1(CLI::App& parent, std::shared_ptr<Common> common) {
     auto friction_deg =
         std::make_shared<std::vector<double>>(kPaperFrictionDeg.begin(), kPaperFrictionDeg.end());
-    CLI::App* app = addFormula(parent, *common, "table1", "The paper's Table 1 beside the exact limits",
+    CLI::App* app = addFormula(parent, *common, "table1", "The paper's Table 1 and the exact limits",
                                "--friction 18 19.5 21");
     app->add_option("--friction", *friction_deg, "Friction angles [deg]")
         ->check(within(0, 89))

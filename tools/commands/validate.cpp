@@ -85,7 +85,7 @@ int validate(const ValidateOptions& options) {
 
 Command addValidate(CLI::App& root) {
     auto options = std::make_shared<ValidateOptions>();
-    CLI::App* app = root.add_subcommand("validate", "Read and check a scenario, compute nothing");
+    CLI::App* app = root.add_subcommand("validate", "Read and check a scenario without computing");
     addScenario(*app, options->scenario);
     addCommon(*app, options->common);
     app->footer(

@@ -38,7 +38,7 @@ std::vector<VerificationRow> wantedRows(const VerificationOptions& options) {
     std::erase_if(rows, [&](const VerificationRow& row) { return !isWanted(row, options); });
     if (rows.empty())
         throw BadInput(
-            Error{"--only", "no row's name, section or scenario has \"" + options.only + "\" in it"});
+            Error{"--only", "no row's name, section or scenario contains \"" + options.only + "\""});
     return rows;
 }
 
@@ -81,23 +81,22 @@ int execute(const VerificationOptions& options) {
 }  // namespace
 
 Command addVerification(CLI::App& root) {
-    CLI::App* app = root.add_subcommand("verification",
-                                        "The verification manual: closed forms, other programs' values and "
-                                        "laboratories, computed again");
+    CLI::App* app = root.add_subcommand(
+        "verification",
+        "Verification manual: recompute closed forms, values of other programs and laboratory tests");
     const auto options = std::make_shared<VerificationOptions>();
     app->add_option("--out,-o", options->out, "Folder for the page, the table and the scenarios")
         ->capture_default_str();
     app->add_flag("--quick", options->quick, "Only the rows that take seconds");
-    app->add_flag("--accept-stated", options->accept_stated,
-                  "Exit code 0 if only rows are outside that the table states to be, with their values");
-    app->add_option("--only", options->only, "Only rows whose name, section or scenario has this text in it");
+    app->add_flag(
+        "--accept-stated", options->accept_stated,
+        "Exit code 0 if every row is as the table states, including known values outside their bands");
+    app->add_option("--only", options->only, "Only rows whose name, section or scenario contains this text");
     addCommon(*app, options->common);
     app->footer(
         "Examples:\n  talus verification --quick\n  talus verification --only wedge --json | jq '.rows[] | "
-        "{name, value, "
-        "difference}'\n\nExit code 1: some row is outside its band, which the page shows in red; with "
-        "--accept-stated: "
-        "some row is not as the table states.");
+        "{name, value, difference}'\n\nExit code 1: a row is outside its band (red in the page). With "
+        "--accept-stated: a row is not as the table states.");
     return {app, [options] { return execute(*options); }};
 }
 

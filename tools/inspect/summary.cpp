@@ -66,7 +66,7 @@ Table courseOf(formats::SnapshotReader& reader) {
 
 std::string endOf(const formats::SnapshotReader& reader) {
     const auto end = reader.end();
-    return end ? end->ended : "not: the run is still going on or was killed";
+    return end ? end->ended : "not finished: the run is still going on or was killed";
 }
 
 Json buildJson(const BuildInfo& build) {
@@ -232,7 +232,7 @@ View viewTop(formats::SnapshotReader& reader, std::size_t index, std::size_t top
 View viewVerify(formats::SnapshotReader& reader) {
     const std::vector<std::string> faults = reader.verify();
     View view;
-    view.title = faults.empty() ? "all checksums and hashes hold" : "not sound";
+    view.title = faults.empty() ? "all checksums and hashes are correct" : "not sound";
     view.facts = {{"sound", faults.empty()},
                   {"frames", reader.frames().size()},
                   {"full_states", reader.fulls()},
@@ -276,8 +276,7 @@ Comparison compare(formats::SnapshotReader& a, formats::SnapshotReader& b) {
     if (result.first) return result;
     result.only_here += here.size() - i, result.only_there += there.size() - j;
     if (result.common <= 1 && result.only_here + result.only_there > 0)
-        result.first =
-            formats::Difference{"time", "frames at times of its own", "frames at times of its own"};
+        result.first = formats::Difference{"time", "frames at other times", "frames at other times"};
     return result;
 }
 
@@ -290,7 +289,7 @@ View viewDifference(formats::SnapshotReader& reader, formats::SnapshotReader& ot
     const bool same_blocks = reader.header().names == other.header().names;
     const Comparison found = same_blocks ? compare(reader, other) : Comparison{};
     const bool equal = same_blocks && !found.first;
-    view.title = equal ? "equal to the bit wherever both have a frame" : "they differ";
+    view.title = equal ? "equal to the bit in all frames that both have" : "they differ";
     view.facts = {{"other", other_path},
                   {"same_scenario", same_scenario},
                   {"same_blocks", same_blocks},

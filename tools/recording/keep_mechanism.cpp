@@ -118,9 +118,9 @@ LightFrame frameAt(const LightFrame& start, const std::vector<Velocity>& velocit
 
 std::string remarkOn(const formats::Scenario& scenario, const VariedQuantity& load) {
     return scenario.path +
-           " at the limit of its rigid blocks.\nWritten by talus limit-analysis --keep-mechanism: how the "
-           "blocks move by the linear programme (" +
-           std::string(load.limit) + "), for their first way only. No forces drive them.";
+           " at the limit of rigid blocks.\nWritten by talus limit-analysis --keep-mechanism: the mechanism "
+           "of the linear programme (" +
+           std::string(load.limit) + "), at the beginning of motion only. No forces drive the blocks.";
 }
 
 }  // namespace
@@ -128,9 +128,9 @@ std::string remarkOn(const formats::Scenario& scenario, const VariedQuantity& lo
 void addKeepMechanism(CLI::App& app, KeepMechanismOptions& options) {
     auto* file = app.add_option(
         "--keep-mechanism", options.file,
-        "FILE.mcap: how the blocks move at the limit, as a motion for talus replay, inspect and export");
+        "FILE.mcap: the mechanism at the limit, as a motion for talus replay, inspect and export");
     app.add_flag("--force", options.force,
-                 "Replace the file of --keep-mechanism even if it is finished or of another kind")
+                 "Replace the file of --keep-mechanism even if it holds a finished run or is of another kind")
         ->needs(file);
 }
 
@@ -198,15 +198,19 @@ KeptMechanism MechanismKeeper::keep(const LimitResult& result, const VariedQuant
 
 Json keptMechanismJson(const KeptMechanism& kept) {
     if (kept.file.empty()) return {{"file", nullptr}, {"reason", kept.reason}};
-    return {{"file", kept.file},           {"reason", nullptr},
-            {"mode", toString(kept.mode)}, {"farthest_way_m", number(kept.way)},
-            {"frames", kept.frames},       {"bytes", kept.bytes}};
+    return {{"file", kept.file},
+            {"reason", nullptr},
+            {"mode", toString(kept.mode)},
+            {"farthest_way_m", number(kept.way)},
+            {"farthest_displacement_m", number(kept.way)},
+            {"frames", kept.frames},
+            {"bytes", kept.bytes}};
 }
 
 std::string keptMechanismText(const KeptMechanism& kept) {
     if (kept.file.empty()) return "none: " + kept.reason;
     return kept.file + ": " + toString(kept.mode) + ", " + std::to_string(kept.frames) +
-           " frames up to a way of " + text(kept.way, 3) + " m";
+           " frames up to a displacement of " + text(kept.way, 3) + " m";
 }
 
 }  // namespace talus::tools

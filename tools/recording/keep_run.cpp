@@ -35,10 +35,10 @@ std::string loadText(const KeptRun& kept) {
 
 std::string whyNothing(const SearchResult& result) {
     if (!leftOut(result).empty())
-        return "blocks that fell before were taken out, and the scenario still has them";
+        return "blocks were removed before the answer, but the scenario still has them";
     switch (result.status) {
         case SearchStatus::stable_to_stop:
-            return "the slope stands to the end of the search";
+            return "the slope is stable up to the largest load tried";
         case SearchStatus::interrupted:
             return "the search was interrupted";
         default:
@@ -79,9 +79,9 @@ std::vector<double> factorsOf(const SearchResult& result, const Model& model) {
 std::string remarkOn(const formats::Scenario& scenario, const FailingState& failing, const KeptRun& kept) {
     std::string remark = scenario.path + " as it fails: " + loadText(kept) +
                          ", just beyond the first that fails.\nWritten by talus " + kept.search->name +
-                         " --keep-run. The dashpots in [damping] only take out the rattle of the contacts.";
+                         " --keep-run. The dashpots in [damping] only damp the chatter of contacts.";
     if (scenario.model.hasWater() && failing.state.loads.water_share < 1)
-        remark += "\nIt fails under its weight already: in the kept run no water pushes.";
+        remark += "\nIt already fails under its weight: the kept run has no water pressure.";
     return remark;
 }
 
@@ -98,16 +98,16 @@ void findFarthest(KeptRun& kept) {
 }  // namespace
 
 void addKeepRun(CLI::App& app, KeepRunOptions& options) {
-    auto* file = app.add_option(
-        "--keep-run", options.file,
-        "FILE.mcap: play the failure on with true inertia and keep it for talus replay, inspect and export");
+    auto* file = app.add_option("--keep-run", options.file,
+                                "FILE.mcap: compute the motion after failure with true inertia and keep it "
+                                "for talus replay, inspect and export");
     app.add_option("--keep-run-time", options.seconds,
-                   "Seconds to play on; by default until some block has gone its own size, at most 60 "
-                   "sqrt(size / g)")
+                   "Duration of that motion [s]; default: until a block is displaced by its own size, at "
+                   "most 60 sqrt(size / g)")
         ->check(CLI::PositiveNumber)
         ->needs(file);
     app.add_flag("--force", options.force,
-                 "Replace the file of --keep-run even if it is finished or of another kind")
+                 "Replace the file of --keep-run even if it holds a finished run or is of another kind")
         ->needs(file);
 }
 
@@ -210,7 +210,7 @@ std::vector<std::pair<std::string, std::string>> keptRunLines(const KeptRun& kep
                          text(static_cast<double>(kept.bytes) / 1e6, 2) + " MB, " +
                          text(kept.run.wall_seconds, 2) + " s to compute"}};
     if (!kept.reason.empty()) lines.emplace_back("", kept.reason);
-    lines.emplace_back("", kept.farthest + " went farthest, " + text(kept.farthest_way, 4) + " m");
+    lines.emplace_back("", kept.farthest + " moved farthest, " + text(kept.farthest_way, 4) + " m");
     for (const auto& [role, names] :
          {std::pair{"slides: ", &kept.slides}, {"topples: ", &kept.topples}, {"stays: ", &kept.stays}})
         if (!names->empty()) lines.emplace_back("", role + compactNames(*names));

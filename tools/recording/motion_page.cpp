@@ -57,7 +57,7 @@ Json displacementTable(const formats::Scenario& scenario, const RunResult& resul
                        numberColumn("x [m]", 5), numberColumn("y [m]", 5), numberColumn("z [m]", 5)};
     const std::string caption =
         order.size() > kMostRows
-            ? "The " + std::to_string(kMostRows) + " that went farthest, of " + std::to_string(order.size())
+            ? "The " + std::to_string(kMostRows) + " that moved farthest, of " + std::to_string(order.size())
             : "All blocks that are not fixed, the farthest first";
     return table(caption, columns, std::move(rows));
 }
@@ -148,11 +148,12 @@ Json MotionWatch::report(const formats::Scenario& scenario, const RunResult& res
     if (!order.empty())
         report.opening.push_back(
             paragraph("Block " + scenario.model.blocks[order[0]].name +
-                          " went farthest: " + text(result.displacements[order[0]].norm(), 5) + " m in " +
+                          " moved farthest: " + text(result.displacements[order[0]].norm(), 5) + " m in " +
                           text(result.simulated_seconds, 3) + " s" +
                           (scenario.model.ground_motion.empty() ? "." : ", against the moving ground."),
                       "lead"));
-    if (result.interrupted) report.opening.push_back(paragraph("Interrupted: only so far.", "alert"));
+    if (result.interrupted)
+        report.opening.push_back(paragraph("Interrupted: the page shows the run up to here.", "alert"));
     for (const std::string& warning : result.warnings) report.opening.push_back(paragraph(warning, "alert"));
     Json plots = Json::array({displacements(scenario)});
     if (Json shaking = record(); !shaking.is_null()) plots.push_back(std::move(shaking));
@@ -167,7 +168,7 @@ Json MotionWatch::report(const formats::Scenario& scenario, const RunResult& res
             section("supports", "Supports", "Supports", Json::array({std::move(forces)})));
     }
     report.sections.push_back(
-        section("origin", "Origin", "Where this comes from",
+        section("origin", "Origin", "Provenance",
                 {facts(provenanceFacts(provenance)), file(scenario.path, scenario.text)}));
     return toJson(report);
 }

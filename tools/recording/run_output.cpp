@@ -49,15 +49,15 @@ void refuseToOverwrite(const RunOptions& options) {
     const std::string remedy = "; --force replaces it, or choose another file";
     if (finished && !isHistory(options.output) && wasInterrupted(options.output)) {
         throw BadInput(Error{options.output_option,
-                             "holds a run that was interrupted; talus run --resume goes on with it" + remedy,
+                             "holds a run that was interrupted; talus run --resume continues it" + remedy,
                              options.output});
     }
     if (finished)
         throw BadInput(
             Error{options.output_option, "holds a finished " + std::string(kind) + remedy, options.output});
     if (foreign)
-        throw BadInput(
-            Error{options.output_option, "exists and is no " + std::string(kind) + remedy, options.output});
+        throw BadInput(Error{options.output_option, "exists and is not a " + std::string(kind) + remedy,
+                             options.output});
 }
 
 void noteOtherBuild(const RunOptions& options, const BuildInfo& then) {
@@ -65,9 +65,9 @@ void noteOtherBuild(const RunOptions& options, const BuildInfo& then) {
     if (then.git_hash == now.git_hash && then.compiler == now.compiler && then.build_type == now.build_type &&
         then.instruction_set == now.instruction_set)
         return;
-    note(options.common, "warning: " + options.resume + " was begun by another build (" + then.version +
+    note(options.common, "warning: " + options.resume + " was started by another build (" + then.version +
                              ", " + then.git_hash + ", " + then.compiler + ", " + then.instruction_set +
-                             "): the run goes on, but not to the same bits");
+                             "): the run continues, but not to the same bits");
 }
 
 /// Into a file that is held already, so that nobody writes to it meanwhile. 0, or an errno.
@@ -140,7 +140,7 @@ Resumed readResumed(const RunOptions& options) {
         return resumed;
     }
     throw BadInput(
-        Error{"--resume", "holds no full state to go on from; run the scenario anew", options.resume});
+        Error{"--resume", "holds no full state to continue from; run the scenario again", options.resume});
 }
 
 RunRecorder::RunRecorder(const RunOptions& options, const formats::Scenario& scenario, Resumed* resumed)
@@ -169,8 +169,8 @@ RunRecorder::RunRecorder(const RunOptions& options, const formats::Scenario& sce
 void RunRecorder::openHistory() {
     if (resumed_)
         throw BadInput(Error{"--output",
-                             "is a CSV table, which would lack the time before; allowed with --resume: a "
-                             ".mcap file",
+                             "is a CSV table, which would lack the time before the restart; allowed with "
+                             "--resume: a .mcap file",
                              options_.output});
     formats::OutputFile file = takeOutput(options_.common, options_.output);
     refuseToOverwrite(options_);
@@ -234,8 +234,8 @@ void RunRecorder::finish(const Result<RunResult>& result) {
     }
     throwIfRefused(snapshots_->finish(end));
     if (snapshots_->secondsWaited() > kWorthSaying)
-        note(options_.common, "note: the disk was slower than the run, which waited " +
-                                  text(snapshots_->secondsWaited(), 2) + " s for it");
+        note(options_.common,
+             "note: the run waited " + text(snapshots_->secondsWaited(), 2) + " s for the disk");
 }
 
 std::uint64_t RunRecorder::bytes() const { return snapshots_ ? snapshots_->bytesWritten() : 0; }

@@ -34,7 +34,7 @@ std::size_t frameIndex(const formats::SnapshotReader& reader, const std::string&
     const char* end = words.data() + words.size() - (seconds ? 1 : 0);
     double value = 0;
     const auto read = std::from_chars(words.data(), end, value);
-    if (read.ec != std::errc() || read.ptr != end || !(value >= 0)) throw bad("is no frame");
+    if (read.ec != std::errc() || read.ptr != end || !(value >= 0)) throw bad("is not a frame");
     if (!seconds && words.find_first_of(".eE") == std::string::npos) {
         if (value >= static_cast<double>(frames.size())) throw bad("is beyond the last frame");
         return static_cast<std::size_t>(value);
@@ -63,7 +63,7 @@ FullFrame fullAt(formats::SnapshotReader& reader, std::size_t frame, const std::
     for (std::size_t k = frame + 1; k-- > 0;)
         if (reader.frames()[k].full) return valueOf(reader.full(*reader.frames()[k].full));
     throw BadInput(
-        Error{"--frame", "there is no full state up to this frame, so nothing is known of contacts", path});
+        Error{"--frame", "there is no full state up to this frame, so its contacts are not known", path});
 }
 
 Vec3 get(const VectorList<double>& list, std::size_t k) { return {list.x[k], list.y[k], list.z[k]}; }

@@ -78,7 +78,7 @@ class Follower {
         }
         if (frame.state_hash != goal.hash)
             result_.fault = "t = " + text(goal.time, 6) + " s, step " + std::to_string(goal.step) +
-                            ": the file has " + hashText(goal.hash) + ", computed again it is " +
+                            ": the file has " + hashText(goal.hash) + ", the recomputed run has " +
                             hashText(frame.state_hash);
         ++at_, ++result_.frames;
         if (at_ == task_.goals.size() || !result_.fault.empty()) stop = true;
@@ -110,7 +110,7 @@ void follow(const Model& model, std::optional<FullFrame> full, Task task, Stretc
         if (task.goals.empty() || !result.fault.empty()) return;
         if (follower.met() == 0 && full && full->progress.next_frame == task.goals.front().time) {
             result.fault =
-                "t = " + text(task.goals.front().time, 6) + " s: the run computed again has no such step";
+                "t = " + text(task.goals.front().time, 6) + " s: the recomputed run has no such step";
             return;
         }
         if (full) full->progress.next_frame = task.goals.front().time;

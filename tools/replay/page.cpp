@@ -76,7 +76,7 @@ std::string repacked(formats::SnapshotReader& reader, const std::string& path, c
     const std::vector<std::size_t> frames = chosenFrames(reader, choice);
     if (frames.empty())
         throw BadInput(
-            Error{"--from", "there is no frame in this stretch of time; talus inspect lists them", path});
+            Error{"--from", "there is no frame in this time interval; talus inspect lists the frames", path});
     const TemporaryFile file;
     auto writer = formats::SnapshotWriter::open(file.path());
     throwIfRefused(writer.errors());
@@ -165,8 +165,9 @@ void refuseToReplace(const std::string& page, const std::string& snapshot, bool 
     file.read(start.data(), static_cast<std::streamsize>(start.size()));
     const bool empty = file.gcount() == 0;
     if (!empty && start.find(kMark) == std::string::npos)
-        throw BadInput(Error{
-            "--output", "exists and is no replay page; --force replaces it, or choose another file", page});
+        throw BadInput(Error{"--output",
+                             "exists and is not a replay page; --force replaces it, or choose another file",
+                             page});
 }
 
 }  // namespace talus::tools

@@ -112,21 +112,17 @@ std::string seenText(const KeptRun& kept) {
 
 Json keptSection(const PaperResults& results) {
     const auto made = [](Json blocks) {
-        return section("replays", "Replays", "The failure played", std::move(blocks));
+        return section("replays", "Replays", "Motion after failure", std::move(blocks));
     };
     if (results.kept.empty())
-        return made(
-            Json::array({paragraph("Not in this page: \u201ctalus paper --keep-run\u201d also keeps the "
-                                   "failing runs of the slope dry "
-                                   "and with water in fissure 5 (the paper\u2019s Figs. 4 and 5) and links "
-                                   "to their replays from here. "
-                                   "One slope: \u201ctalus critical-angle SCENARIO --keep-run "
-                                   "failing.mcap\u201d, then \u201ctalus replay "
-                                   "failing.mcap -o failing.html\u201d.")}));
+        return made(Json::array({paragraph(
+            "This page has no failing runs. \u201ctalus paper --keep-run\u201d also keeps the failing runs "
+            "of the slope dry and with water in fissure 5 (the paper\u2019s Figs. 4 and 5) and links to "
+            "their replays. For one slope, use \u201ctalus critical-angle SCENARIO --keep-run "
+            "failing.mcap\u201d, then \u201ctalus replay failing.mcap -o failing.html\u201d.")}));
     Json blocks = Json::array(
-        {paragraph("Let go a few hundredths of a degree beyond the tilt at which it fails, with true "
-                   "inertia, until some "
-                   "block has gone its own height. The pictures show where that ends, to scale.")});
+        {paragraph("Motion with true inertia, a few hundredths of a degree beyond the tilt of failure, until "
+                   "a block is displaced by its own height. The pictures show the final state, to scale.")});
     std::vector<Drawing> pictures;
     for (const PaperKept& kept : results.kept) {
         const PaperCase& what = results.runs[kept.of].what;
@@ -139,7 +135,8 @@ Json keptSection(const PaperResults& results) {
         picture.caption_title = name;
         picture.caption = seenText(kept.run) + " Tilt " + text(degrees(kept.run.failure.load), 3) +
                           "\u00b0, after " + text(kept.run.run.simulated_seconds, 2) + " s " +
-                          kept.run.farthest + " has gone " + text(1000 * kept.run.farthest_way, 0) + " mm.";
+                          kept.run.farthest + " is displaced by " + text(1000 * kept.run.farthest_way, 0) +
+                          " mm.";
         picture.links = {{kept.page + "#colour=role", "Play it"}, {kept.file, "snapshot file"}};
         pictures.push_back(std::move(picture));
     }

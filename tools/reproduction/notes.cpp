@@ -65,10 +65,10 @@ Note dryNote(const PaperResults& results) {
     const double measured = kLaboratory.front().average_deg;
     return {"Dry slope: laboratory " + deg(measured, 1) + ", model " +
                 deg(run ? criticalDeg(*run) : std::nullopt, 2) + " at friction angle 19.5\u00b0",
-            "A dry slope slides at the friction angle of the joint that slides, so the laboratory's "
-            "value is that joint's friction angle, and it lies in the range of 18\u00b0 to 21\u00b0 "
-            "measured on the joints. The model gives every joint the same friction angle; in the "
-            "laboratory the weakest one decides."};
+            "A dry slope slides at the friction angle of the joint that slides. The laboratory's value is "
+            "therefore the friction angle of that joint, and it lies in the range of 18\u00b0 to 21\u00b0 "
+            "measured on the joints. The model gives every joint the same friction angle; in the laboratory "
+            "the weakest one decides."};
 }
 
 Note fissure1Note(const PaperResults& results) {
@@ -104,28 +104,27 @@ Note section5Note(const PaperResults& results) {
     for (const PaperRun* run : runsOf(results, PaperGroup::section5)) {
         (run->what.fissures.size() == 1 ? one : four) = criticalDeg(*run);
     }
-    return {"Fissures 7 to 10: the paper's DEM " + deg(kPaperDemFissures7To10Deg, 1) + ", this model " +
-                deg(four, 2),
-            "With water in fissure 7 alone both agree (" + deg(kPaperDemFissure7Deg, 1) + " and " +
-                deg(one, 2) +
-                "). Water at the same level in fissures 8, 9 and 10 pushes on both walls of each column "
-                "between them with the same force, so the push on the mass in front of fissure 7 stays "
-                "what it was, and longer masses are pushed no harder. The exact limit is therefore the "
-                "same in both cases. The paper's section 5 itself ends by saying that equal water heads "
-                "leave the angle unaffected."};
+    return {
+        "Fissures 7 to 10: the paper's DEM " + deg(kPaperDemFissures7To10Deg, 1) + ", this model " +
+            deg(four, 2),
+        "With water in fissure 7 alone both agree (" + deg(kPaperDemFissure7Deg, 1) + " and " + deg(one, 2) +
+            "). Water at the same level in fissures 8, 9 and 10 pushes with the same force on both walls of "
+            "each column between them. The force on the mass in front of fissure 7 does not change, and the "
+            "force on longer masses is no larger. The exact limit is therefore the same in both cases. The "
+            "paper's section 5 also ends with the statement that equal water heads do not affect the angle."};
 }
 
 Note quarterNote(const PaperResults& results) {
     const PaperRun* run = pointsRun(results, "quarter");
-    return {"The paper's contact points: dry slope " + deg(run ? criticalDeg(*run) : std::nullopt, 2) +
-                " instead of 19.50\u00b0",
-            "With four contact points at the centres of four equal areas a block can only turn about a line "
-            "that lies a quarter of its length inside its edge, and a column overturns when its weight "
-            "passes that line: at atan(0.05/0.25) = 11.31\u00b0 for columns of 0.2 m by 0.5 m. Blocks turn "
-            "about their edge. Points on the edge of the interface, whether four (\"corner\") or nine "
-            "(\"vertex\", the default here), slide at the friction angle, as the laboratory's slope did. The "
-            "angles the paper computed itself are near the laboratory's, so they cannot come from points "
-            "inside the edge."};
+    return {
+        "The paper's contact points: dry slope " + deg(run ? criticalDeg(*run) : std::nullopt, 2) +
+            " instead of 19.50\u00b0",
+        "With four contact points at the centres of four equal areas a block can only turn about a line that "
+        "lies a quarter of its length inside its edge. A column overturns when its weight passes that line: "
+        "at atan(0.05/0.25) = 11.31\u00b0 for columns of 0.2 m by 0.5 m. Real blocks turn about their edge. "
+        "Points on the edge of the interface, whether four (\"corner\") or nine (\"vertex\", the default "
+        "here), slide at the friction angle, as the laboratory's slope did. The angles the paper computed "
+        "itself are near the laboratory's, so they cannot come from points inside the edge."};
 }
 
 std::string laboratorySentence(const PaperResults& results) {

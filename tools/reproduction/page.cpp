@@ -42,11 +42,9 @@ Json slopes(const PaperResults& results) {
     for (const PaperRun* run : runsOf(results, PaperGroup::section5))
         figures.push_back(slopeFigure(*run, "Twelve columns, " + label(run->what), besideText(*run)));
     return section("slopes", "Slopes", "The slope at failure",
-                   {paragraph("Friction angle 19.5\u00b0, each slope at the tilt at which it fails. Moving "
-                              "blocks are shifted the "
-                              "way they moved, enlarged; the gap that opens shows the watered fissure. The "
-                              "first of three slices is "
-                              "drawn."),
+                   {paragraph("Each slope at the tilt at which it fails, for a friction angle of 19.5\u00b0. "
+                              "Moving blocks are drawn with enlarged displacements; the open gap shows the "
+                              "watered fissure. Only the first of three slices is drawn."),
                     drawings(figures, false, slopeColours())});
 }
 
@@ -110,9 +108,8 @@ Json parameterSection(const PaperResults& results) {
     return section(
         "parameters", "Parameters", "What was computed",
         {facts(parameters(results)),
-         paragraph("A case fails when its out-of-balance force stays up and its slip grows, and stands "
-                   "when the force decays and no slip is left over one slowest period; neither is read "
-                   "from a fixed time.")});
+         paragraph("A case fails if neighbouring blocks part by more than the failure displacement before "
+                   "they reach a new equilibrium. The verdict does not depend on a fixed time.")});
 }
 
 Json timing(const PaperResults& results) {
@@ -131,11 +128,10 @@ Json timing(const PaperResults& results) {
 
 /// The scenarios at Table 2's friction angle; the other friction angles differ in that one number.
 Json scenarios(const PaperResults& results) {
-    Json blocks = Json::array({paragraph(
-        "Each case is a scenario file, written beside this page under scenarios/; \u201ctalus critical-angle "
-        "FILE\u201d computes one again. Those at friction angle 19.5\u00b0, the other two differ in that "
-        "number "
-        "only:")});
+    Json blocks = Json::array(
+        {paragraph("Each case is a scenario file in scenarios/ beside this page; \u201ctalus critical-angle "
+                   "FILE\u201d recomputes it. The files for a friction angle of 19.5\u00b0 are listed here; "
+                   "those for the other two angles differ only in that number:")});
     for (const PaperRun& run : results.runs) {
         const bool whole = run.what.group == PaperGroup::table || run.what.group == PaperGroup::section5;
         if (whole && run.what.friction_deg == kTableFrictionDeg)
@@ -147,13 +143,12 @@ Json scenarios(const PaperResults& results) {
 Json opening(const PaperResults& results) {
     Json blocks = Json::array({paragraph(mainResult(results), "lead")});
     if (results.interrupted)
-        blocks.push_back(paragraph("Interrupted: only the cases finished until then are shown.", "alert"));
-    blocks.push_back(paragraph(
-        "A slope of loose blocks on a floor is tilted until it fails, dry and with water in one vertical "
-        "fissure: "
-        "the laboratory test of a paper on fissure water pressure in vertical sliding surfaces, computed "
-        "again with "
-        "rigid blocks (discrete element method, DEM) and set beside the laboratory and the closed formula."));
+        blocks.push_back(paragraph("Interrupted: the page shows the cases finished before that.", "alert"));
+    blocks.push_back(
+        paragraph("A slope of loose blocks on a floor is tilted until it fails, dry and with water in one "
+                  "vertical fissure. This is the laboratory test of a paper on fissure water pressure in "
+                  "vertical sliding surfaces. It is recomputed with rigid blocks (discrete element method, "
+                  "DEM) and compared with the laboratory and the closed formula."));
     return blocks;
 }
 
@@ -171,7 +166,7 @@ Json paperReport(const PaperResults& results) {
     report.sections.push_back(points(results));
     report.sections.push_back(notes("differences", "Differences", "Where laboratory, paper and model differ",
                                     differenceNotes(results)));
-    report.sections.push_back(notes("errata", "Errata", "Slips in the paper\u2019s print", errata()));
+    report.sections.push_back(notes("errata", "Errata", "Misprints in the paper", errata()));
     if (!results.runs.empty()) report.sections.push_back(parameterSection(results));
     report.sections.push_back(timing(results));
     report.sections.push_back(scenarios(results));

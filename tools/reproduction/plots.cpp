@@ -163,11 +163,10 @@ Plot plotDifference(const PaperResults& results) {
     const double range = differenceRange(columns);
     PlotAxis difference = axisOver("DEM \u2212 exact limit (\u00b0)", -range, range, 6);
     difference.domain = {-range, range};
-    Plot plot{
-        "plot-difference", "Difference from the exact limit",
-        "The search ends with a bracket between the last tilt that held and the first that did not; the "
-        "answer is its middle.",
-        PlotAxis{"watered fissure"}, std::move(difference)};
+    Plot plot{"plot-difference", "Difference from the exact limit",
+              "The search ends with a bracket between the last tilt at which the slope stood and the first "
+              "at which it failed; the answer is its middle.",
+              PlotAxis{"watered fissure"}, std::move(difference)};
     // Side by side, apart by symbol as well.
     std::vector<Series> by_friction{
         {"points", "dem-open", "friction angle 18\u00b0", {}, {}, "square", 5, -10},
@@ -188,7 +187,8 @@ Plot plotDifference(const PaperResults& results) {
     plot.series = std::move(by_friction);
     if (!results.runs.empty()) {
         const double half = degrees(results.runs.front().what.scenario.model.analysis.tolerance) / 2;
-        plot.references.push_back({'y', -half, half, "band", "half the search\u2019s bracket either way"});
+        plot.references.push_back(
+            {'y', -half, half, "band", "half the search\u2019s bracket on either side"});
     }
     plot.references.push_back({'y', 0, {}, "theory"});
     return plot;

@@ -164,11 +164,10 @@ Json scatterJson(const Scatter& scatter) {
 }
 
 Plot plotScatter(const Scatter& scatter) {
-    Plot plot{
-        "plot-scatter", "Scatter of the laboratory, computed",
-        "Critical angles of samples in which every interface drew its own friction angle, beside the three "
-        "laboratory tests of each case.",
-        PlotAxis{"watered fissure"}, PlotAxis{"critical angle (\u00b0)", {0, 22}, 2, 0}};
+    Plot plot{"plot-scatter", "Scatter of the laboratory, computed",
+              "Critical angles of samples in which every interface drew its own friction angle, with the "
+              "three laboratory tests of each case.",
+              PlotAxis{"watered fissure"}, PlotAxis{"critical angle (\u00b0)", {0, 22}, 2, 0}};
     Series boxes{"box", "band", "computed: middle half of the samples", {}};
     Series repeats{"points", "laboratory", "laboratory, each test", {}, {}, "circle", 3, 24};
     for (const ScatterCase& one : scatter.cases) {
@@ -191,17 +190,14 @@ Plot plotScatter(const Scatter& scatter) {
 Json scatterSection(const Scatter& scatter) {
     Json blocks = Json::array(), rows = Json::array();
     if (!scatter.complete)
-        blocks.push_back(paragraph("Interrupted: the samples finished until then are shown.", "alert"));
+        blocks.push_back(paragraph("Interrupted: the page shows the samples finished before that.", "alert"));
     blocks.push_back(
         paragraph("Friction angles from 18\u00b0 to 21\u00b0 were measured on the blocks. Here every "
-                  "interface of the slope "
-                  "draws its own from that range, evenly, " +
+                  "interface of the slope draws its own friction angle uniformly from that range, in " +
                   std::to_string(scatter.samples) +
-                  " samples in all, each computed dry and with water in each fissure. What the scatter of "
-                  "friction does to "
-                  "the critical angle is the width of the boxes; where a laboratory test lies outside, "
-                  "friction within that "
-                  "range is not the reason."));
+                  " samples, each computed dry and with water in each fissure. The width of the boxes is the "
+                  "effect of that scatter on the critical angle. Where a laboratory test lies outside, "
+                  "friction within that range does not explain it."));
     blocks.push_back(toJson(plotScatter(scatter)));
     for (const ScatterCase& one : scatter.cases) rows.push_back(tableRow(one));
     blocks.push_back(

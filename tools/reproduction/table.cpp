@@ -163,7 +163,7 @@ std::string alignedTable(const std::vector<Row>& rows, const std::string& indent
 }
 
 std::string terminalTable(const PaperResults& results) {
-    const std::string head = results.interrupted ? "Interrupted: only what was finished is shown.\n\n" : "";
+    const std::string head = results.interrupted ? "Interrupted: only finished cases are shown.\n\n" : "";
     return head + tableSection(results) + '\n' + section5(results) + '\n' + pointsSection(results) + '\n' +
            quarterSection(results) + '\n' + unanswered(results) + timing(results);
 }

@@ -86,10 +86,10 @@ Json pictures(const std::vector<const VerifiedRow*>& rows) {
 }
 
 Json scenarioFiles(const Manual& manual) {
-    Json blocks = Json::array({paragraph(
-        "Each file lies in scenarios/ beside this page, too, and is computed again by the command at its top "
-        "or by "
-        "\u201ctalus critical-angle FILE\u201d, \u201ctalus safety-factor FILE\u201d and their like.")});
+    Json blocks =
+        Json::array({paragraph("Each file is also in scenarios/ beside this page. It is recomputed by the "
+                               "command at its top, or by \u201ctalus critical-angle FILE\u201d, \u201ctalus "
+                               "safety-factor FILE\u201d and similar commands.")});
     std::set<std::string> seen;
     for (const VerifiedRow& row : manual.rows)
         if (const std::string text = scenarioText(row.what);
@@ -102,7 +102,7 @@ std::string countText(const Manual& manual) {
     std::string text = std::to_string(manual.judged()) + " rows are held to a band, " +
                        std::to_string(manual.outside()) + " of them are outside";
     if (manual.outside() == 0) return text + ".";
-    if (manual.unexpected() == 0) return text + ", all of them known, with the reason beside them.";
+    if (manual.unexpected() == 0) return text + ", all of them known; the reason is given for each.";
     return text + "; " + std::to_string(manual.unexpected()) + " rows are not as the table states.";
 }
 
@@ -114,20 +114,18 @@ std::string kindsText(const Manual& manual) {
            std::to_string(counts["published"]) + " are values that other programs or authors published, " +
            std::to_string(counts["laboratory"]) + " were measured in a laboratory, " +
            std::to_string(counts["bound"]) +
-           " are bounds. Those that are no closed forms are held to a range.";
+           " are bounds. References that are not closed forms are held to a range.";
 }
 
 Json opening(const Manual& manual) {
     Json blocks = Json::array({paragraph(countText(manual), "lead"), paragraph(kindsText(manual))});
     if (manual.interrupted)
-        blocks.push_back(paragraph("Interrupted: only the rows computed until then are shown.", "alert"));
+        blocks.push_back(paragraph("Interrupted: only the rows computed before that are shown.", "alert"));
     if (manual.quick) blocks.push_back(paragraph("Only the rows that take seconds (--quick).", "muted"));
-    blocks.push_back(
-        paragraph("A closed form is held to 0.02\u00b0 beyond the bracket of a search, or 0.1 %, where "
-                  "nothing else is said; a bound must "
-                  "not be exceeded; a laboratory's or another program's value is one of several, and its "
-                  "band says what is asked "
-                  "of any of them. Rows that are not judged are set beside for the reader."));
+    blocks.push_back(paragraph(
+        "Unless stated otherwise, a closed form must be met within 0.02\u00b0 beyond the bracket of a "
+        "search, or within 0.1 %. A bound must not be exceeded. A laboratory's or another program's value is "
+        "one of several, and its band covers them. Rows that are not judged are given for comparison."));
     return blocks;
 }
 

@@ -61,13 +61,14 @@ std::vector<std::string> warningsOf(const State& state, const Slope& slope, cons
     tell(jointsThat(state, slope, [](const Joint& joint) { return joint.dilation != 0; }),
          "the dilation of joints is not counted");
     tell(slackBolts(state),
-         "bolts count with their pretension; what they take on beyond it as blocks move is not counted");
+         "bolts count with their pretension; the force that they develop as blocks move is not counted");
     if (const std::size_t points = pointContacts(slope); points > 0)
-        told.push_back(std::to_string(points) +
-                       " contacts of a vertex or of two edges bound motion and have friction, no cohesion");
+        told.push_back(
+            std::to_string(points) +
+            " contacts of a vertex or of two edges restrict motion and have friction but no cohesion");
     if (search.left_out > 0)
         told.push_back(std::to_string(search.left_out) +
-                       " groups of blocks were not judged, for want of time: a weaker one may be among them");
+                       " groups of blocks were not tested, to save time: a weaker one may be among them");
     return told;
 }
 

@@ -92,11 +92,11 @@ std::vector<Error> dilatesTooMuch(const Model& model) {
     for (const Joint& joint : model.joints) {
         if (joint.law == StrengthLaw::coulomb && joint.dilation > joint.friction) {
             constexpr double kDegrees = 180 / M_PI;
-            errors.push_back({fieldOf(joint, "dilation_deg"),
-                              "found " + formatted("%g", joint.dilation * kDegrees) +
-                                  " with an angle of friction of " +
-                                  formatted("%g", joint.friction * kDegrees) +
-                                  ": it gains work as it slides, allowed: at most the angle of friction"});
+            errors.push_back(
+                {fieldOf(joint, "dilation_deg"),
+                 "found " + formatted("%g", joint.dilation * kDegrees) + " with a friction angle of " +
+                     formatted("%g", joint.friction * kDegrees) +
+                     ": the joint would create energy as it slides, allowed: at most the friction angle"});
         }
     }
     return errors;
@@ -141,7 +141,7 @@ std::optional<Error> farAway(const Water& water, const Heights& model) {
     }
     if (level.high <= model.high + reach && level.high >= model.low - reach) return std::nullopt;
     return Error{water.field, "found an elevation of " + formatted("%g", level.high) +
-                                  " m, allowed: near the model, which reaches from " +
+                                  " m, allowed: near the model, which extends from " +
                                   formatted("%.4g", model.low) + " to " + formatted("%.4g", model.high) +
                                   " m"};
 }
@@ -159,7 +159,7 @@ std::optional<Error> tableFarAway(const PhreaticSurface& table, const Heights& m
     if (level.low <= model.high + reach && level.high >= model.low - reach) return std::nullopt;
     return Error{table.field + ".surface",
                  "found a water table at " + formatted("%g", level.low) + " to " +
-                     formatted("%g", level.high) + " m, allowed: near the model, which reaches from " +
+                     formatted("%g", level.high) + " m, allowed: near the model, which extends from " +
                      formatted("%.4g", model.low) + " to " + formatted("%.4g", model.high) + " m"};
 }
 
@@ -220,13 +220,13 @@ std::optional<Error> roundingDecides(const State& state, double load_tolerance,
         [](const Joint& a, const Joint& b) { return a.normal_stiffness < b.normal_stiffness; });
     return Error{fieldOf(*stiffest, "normal_stiffness"),
                  "found " + formatted("%g", stiffest->normal_stiffness) +
-                     " Pa/m, with which rounding leaves the out-of-balance force of block \"" +
+                     " Pa/m, at which rounding keeps the out-of-balance force of block \"" +
                      model.blocks[worst].name + "\" at " + formatted("%.2g", level) +
-                     " of its weight, but a tolerance this fine needs it below " +
+                     " of its weight; this tolerance requires less than " +
                      formatted("%.2g", kMostRounding * load_tolerance) + ", allowed: at most " +
                      formatted("%.1e", stiffest->normal_stiffness * kMostRounding * load_tolerance / level) +
-                     " Pa/m, or a wider tolerance, or no block so small (of a rock mass, a greater "
-                     "min_thickness leaves such pieces with their neighbours)"};
+                     " Pa/m, a wider tolerance, or no block as small (in a rock mass a larger min_thickness "
+                     "merges such pieces with their neighbours)"};
 }
 
 /// The block whose stiffness for its mass makes a history's steps many times shorter than the median block
@@ -239,11 +239,10 @@ std::optional<std::string> slowedByOne(const State& state, bool parallel) {
     const double times = std::sqrt(*highest / median);
     if (!(times > kSlowed)) return std::nullopt;
     const auto block = static_cast<std::size_t>(highest - bounds.begin());
-    return "block \"" + state.geometry->model.blocks[block].name + "\" asks for time steps " +
+    return "block \"" + state.geometry->model.blocks[block].name + "\" requires time steps " +
            formatted("%.0f", times) +
-           " times as short as the median block: a history takes as many times its steps (of a rock mass, a "
-           "greater "
-           "min_thickness leaves such pieces with their neighbours; searches are not slowed)";
+           " times shorter than the median block, so that a run takes that many times more steps. In a rock "
+           "mass a larger min_thickness merges such pieces with their neighbours. Searches are not slowed";
 }
 
 }  // namespace
@@ -302,10 +301,9 @@ std::optional<Error> nothingHolds(const Model& model) {
     const bool held = std::any_of(model.blocks.begin(), model.blocks.end(),
                                   [](const Block& block) { return block.motion != Motion::free; });
     if (held || model.blocks.empty() || !(model.gravity.magnitude > 0)) return std::nullopt;
-    return Error{
-        model.blocks[0].field,
-        "found no fixed or driven block in the model, so all of it falls, allowed: at least one that "
-        "holds the others (fixed = true, or [[rock_mass.fixed]])"};
+    return Error{model.blocks[0].field,
+                 "found no fixed or driven block in the model, so that all blocks fall, allowed: at least "
+                 "one that supports the others (fixed = true, or [[rock_mass.fixed]])"};
 }
 
 std::vector<Error> implausible(const State& state) { return waterFarAway(state); }

@@ -115,14 +115,14 @@ std::optional<Error> otherEnds(const State& state, std::size_t index) {
     const double same = kSame * (ends->high_with_fixed - ends->low_with_fixed);
     const auto differ = [&](double now, double before) { return std::abs(now - before) > same; };
     const auto text = [](double height) { return formatted("%.4g", height) + " m"; };
-    const std::string meant = "; earlier versions took that of the whole joint, fixed rock included, at ";
+    const std::string meant = "; earlier versions used the end of the whole joint, fixed rock included, at ";
     const std::string key =
         water.field + (water.daylight != Water::Daylight::closed ? ".daylights" : levelKey(water));
     if (differ(ends->low, ends->low_with_fixed))
-        return Error{key, "the joint's lower end is where it last bounds a free block, at " +
-                              text(ends->low) + meant + text(ends->low_with_fixed)};
+        return Error{key, "the joint's lower end is its lowest point on a free block, at " + text(ends->low) +
+                              meant + text(ends->low_with_fixed)};
     if (falls && differ(ends->high, ends->high_with_fixed))
-        return Error{key, "the joint's upper end is where it last bounds a free block, at " +
+        return Error{key, "the joint's upper end is its highest point on a free block, at " +
                               text(ends->high) + meant + text(ends->high_with_fixed)};
     return std::nullopt;
 }
@@ -160,11 +160,11 @@ std::optional<std::string> pushedByWater(const State& built, const std::vector<s
         if (share > most) most = share, worst = block;
     }
     if (count == 0) return std::nullopt;
-    return std::to_string(count) + " of the blocks that fall whatever the strength are pushed by water, \"" +
-           wet.geometry->model.blocks[worst].name + "\" by " + formatted("%.2g", most) +
-           " times its weight: a level table presses in full to where its joints daylight; in a slope that "
-           "drains it falls "
-           "towards the face ([[water]] surface), or has a factor below 1";
+    return "water pushes " + std::to_string(count) + " of the blocks that fall whatever the strength, \"" +
+           wet.geometry->model.blocks[worst].name + "\" with " + formatted("%.2g", most) +
+           " times its weight. A level water table acts with its full pressure up to where joints daylight. "
+           "In a slope that drains, the table falls towards the face ([[water]] surface), or its pressure "
+           "has a factor below 1";
 }
 
 std::optional<std::string> pushedAway(const State& state) {
@@ -185,10 +185,9 @@ std::optional<std::string> pushedAway(const State& state) {
         }
         if (waterShare(*before, block) < kPushed) continue;
         return *water + " never drains: block \"" + state.geometry->model.blocks[block].name +
-               "\" has gone " + formatted("%.2g", way.norm()) +
-               " m and the water of its closed joints pushed on; with drains_at_aperture (0.001 m, say) "
-               "joints "
-               "run dry as they open";
+               "\" is displaced by " + formatted("%.2g", way.norm()) +
+               " m, still under the pressure of its closed joints; with drains_at_aperture (for example "
+               "0.001 m) joints drain as they open";
     }
     return std::nullopt;
 }

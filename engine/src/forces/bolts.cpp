@@ -136,7 +136,7 @@ class Build {
         if (chords.size() == 1)
             return refuse(bolt, ".end",
                           "found head and end both in block \"" + nameOf(chords.front().block) +
-                              "\"; allowed: a bolt that goes into another one");
+                              "\"; allowed: a bolt that reaches another block");
         const std::size_t before = state_.bolts.size();
         bolt.grouted ? addGrouted(index, bolt, chords) : addAnchored(index, bolt, chords);
         if (state_.bolts.size() == before)
@@ -369,7 +369,7 @@ Result<std::vector<TieLimit>> limits(const State& state) {
         const Bolt& bolt = state.geometry->model.bolts[static_cast<std::size_t>(segment.bolt)];
         if (segment.law.dowel_stiffness > 0)
             return Error{"", "bolt \"" + bolt.name +
-                                 "\" has a shear_stiffness, and limit analysis is for bolts that only pull"};
+                                 "\" has a shear_stiffness; limit analysis needs bolts without it"};
         const TiedPose b = poseOf(state, segment.block_b);
         all.push_back({{segment.block_a, segment.block_b},
                        b.position + b.turn * segment.at_b,

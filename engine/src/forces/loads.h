@@ -152,8 +152,9 @@ class Build {
         const auto block = static_cast<std::size_t>(load.block);
         if (load.kind == AppliedLoad::Kind::box) return addBox(load, index);
         if (state_.blocks.motion[block] != Motion::free) {
-            errors_.push_back({load.field + ".block", "found \"" + model_.blocks[block].name +
-                                                          "\", which no force moves; allowed: a free block"});
+            errors_.push_back(
+                {load.field + ".block", "found \"" + model_.blocks[block].name +
+                                            "\", which does not move freely; allowed: a free block"});
             return;
         }
         const bool at_point = load.kind == AppliedLoad::Kind::force;
@@ -167,7 +168,7 @@ class Build {
                          (*load.point - geometry.origin - geometry.initial_position.get(block));
         if (!contains(geometry.shape[block], arm, kInReach * geometry.size[block]))
             state_.warnings.push_back(load.field + ": its point lies outside block \"" +
-                                      model_.blocks[block].name + "\", which it follows all the same");
+                                      model_.blocks[block].name + "\" but moves with that block");
         return {load.force, arm * load.force.transpose()};
     }
 
@@ -195,10 +196,9 @@ class Build {
             }
         }
         if (parts_.size() == before && !model_.is_remainder)
-            errors_.push_back(
-                {load.field + ".box",
-                 "no free face of a free block inside it looks this way; allowed: a box with at "
-                 "least a part of one, whose normal is within 60 degrees of `face`"});
+            errors_.push_back({load.field + ".box",
+                               "found no free face of a free block in the box with a normal within 60 "
+                               "degrees of `face`; allowed: a box with at least a part of one"});
     }
 
     static void store(const Part& part, ForceParts& into) {

@@ -321,7 +321,7 @@ std::optional<Error> foldedLine(const PhreaticSurface& surface, const Vec3& down
         if (across.dot(placeOf(surface.line[k + 1], placeOf(surface.line[k], Vec3::Zero()))) <= 0)
             return Error{surface.field + ".surface",
                          "seen along gravity the line folds back behind its point " + std::to_string(k + 1) +
-                             "; allowed: points that follow each other across gravity"};
+                             "; allowed: points in order across the direction of gravity"};
     return std::nullopt;
 }
 
@@ -337,7 +337,7 @@ std::optional<Error> foldedMesh(const PhreaticSurface& surface, const Vec3& down
         if ((at(b) - at(a)).cross(at(c) - at(a)).dot(down) >= 0)
             return Error{surface.field + ".obj", "seen along gravity the surface folds back at " +
                                                      placeText(at(a)) +
-                                                     "; allowed: triangles that all look up"};
+                                                     "; allowed: triangles that all face up"};
     return std::nullopt;
 }
 
@@ -360,7 +360,7 @@ std::optional<Error> tooSmallMesh(const State& state) {
         if (block.motion != Motion::free) continue;
         for (const Vec3& corner : block.shape.vertices)
             if (!isBelowSome(*state.phreatic.cells, corner - state.geometry->origin))
-                return Error{surface.field + ".obj", "does not reach over block \"" + block.name +
+                return Error{surface.field + ".obj", "does not cover block \"" + block.name +
                                                          "\", which has a corner at " + placeText(corner) +
                                                          "; allowed: a surface over all free blocks"};
     }

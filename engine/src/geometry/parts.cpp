@@ -97,8 +97,7 @@ class Joiner {
             if (rootOf(i) != rootOf(0))
                 errors_.push_back(
                     {"[" + std::to_string(i) + "]",
-                     "found a part that shares no face with the others, allowed: parts that lie "
-                     "on each other face to face"});
+                     "found a part that shares no face with the others, allowed: parts that share faces"});
         if (!errors_.empty()) return std::move(errors_);
         return finish();
     }

@@ -25,11 +25,10 @@ double nothing(const State& state) {
 
 Error stepTooLong(const std::string& what, double step, double bound) {
     char text[160];
-    std::snprintf(
-        text, sizeof text,
-        " with a step of %g s; allowed: at most the stability bound of %.3g s (leave the key out to "
-        "have it chosen)",
-        step, bound);
+    std::snprintf(text, sizeof text,
+                  " with a step of %g s; allowed: at most the stability bound of %.3g s (omit the key to "
+                  "have the step chosen)",
+                  step, bound);
     return {"run.time_step_s", what + text};
 }
 
@@ -39,7 +38,7 @@ std::optional<Error> GivenStep::begin(const State& state, double step, double bo
         return std::nullopt;
     }
     if (step <= kMostOverBound * bound) return std::nullopt;
-    return stepTooLong("loads, water, bolts or driven blocks would make the motion explode", step, bound);
+    return stepTooLong("loads, water, bolts or driven blocks would make the motion unstable", step, bound);
 }
 
 std::optional<Error> GivenStep::look(const State& state, double step, double bound, bool parallel) {
@@ -50,8 +49,8 @@ std::optional<Error> GivenStep::look(const State& state, double step, double bou
     const double gained = energy - least_energy_;
     if (gained <= std::max(kMostGained * most_kinetic_, nothing(state))) return std::nullopt;
     char text[100];
-    std::snprintf(text, sizeof text, "the blocks have gained %.2g J out of nothing by t = %g s", gained,
-                  state.time);
+    std::snprintf(text, sizeof text, "the blocks have gained %.2g J from numerical instability by t = %g s",
+                  gained, state.time);
     return stepTooLong(text, step, bound);
 }
 

@@ -94,7 +94,7 @@ void stopDrivenBlocks(State& state) {
         any = true;
         state.blocks.velocity.set(b, Vec3::Zero());
     }
-    if (any) state.warnings.push_back("driven blocks stand still in this analysis");
+    if (any) state.warnings.push_back("driven blocks do not move in this analysis");
 }
 
 /// Strength that is lost for good must not be lost on a way that rock does not go: what is laid on within
@@ -158,8 +158,9 @@ void watchUntilDecided(State& state, QuasiStaticWork& work, Watched& watched, Se
         decided = watched.watch.look(state, settling);
         if (!decided && settling.steps % kStepsPerGlance == 0 && hasGone(state, watched.start)) {
             settling.verdict = Verdict::failing;
-            settling.reason = describe("a block has left its place: out-of-balance force",
-                                       settling.out_of_balance, settling.steps);
+            settling.reason =
+                describe("a block is displaced by more than a tenth of its size: out-of-balance force",
+                         settling.out_of_balance, settling.steps);
             decided = true;
         }
         watched.steps_since_tuning += kStepsPerSample;
@@ -168,9 +169,9 @@ void watchUntilDecided(State& state, QuasiStaticWork& work, Watched& watched, Se
         watched.steps_since_tuning = 0;
     }
     if (!decided) {
-        settling.reason = interrupted(work)
-                              ? "interrupted"
-                              : describe("still moving with", settling.out_of_balance, settling.steps);
+        settling.reason = interrupted(work) ? "interrupted"
+                                            : describe("still moving: out-of-balance force",
+                                                       settling.out_of_balance, settling.steps);
     }
 }
 
@@ -214,8 +215,8 @@ QuasiStaticWork prepare(State& state, const QuasiStatic& settings, const Control
         std::max(kShareOfTolerance * load_tolerance, checks::roundingLevel(state, bounds));
     if (work.out_of_balance_limit > load_tolerance)
         state.warnings.push_back(
-            "stiffness and coordinates, or the blocks that others lie on, are so large that rounding leaves "
-            "the out-of-balance force at " +
+            "stiffness, coordinates, or the blocks that support others are so large that rounding keeps the "
+            "out-of-balance force at " +
             std::to_string(work.out_of_balance_limit) +
             " of the weight: the answer is no more accurate than that");
     work.release = std::min(1.0, work.time_step / (2.0 * work.slow_period));

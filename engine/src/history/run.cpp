@@ -68,7 +68,7 @@ class TimeHistory {
     /// False when it was stopped on the way: then there is no state to go on from.
     bool start() {
         progress_.step_safety = expectsImpacts(state_) ? kImpactStepSafety : kStepSafety;
-        if (control_.progress) control_.progress({"start", 0.0, "weight and water are put on"});
+        if (control_.progress) control_.progress({"start", 0.0, "weight and water are applied"});
         start_ = history::bringToStart(state_, control_, parallel_);
         if (isStopped(control_)) return false;
         state_.springs = Springs::keep_energy;
@@ -328,11 +328,10 @@ class TimeHistory {
         const std::string share =
             weight > 0 ? formatted(", %.2g times the weight of all free blocks", state_.shear_lost / weight)
                        : "";
-        return "joints came apart while they still carried shear: " + formatted("%.3g", state_.shear_lost) +
-               " N, added up over the whole run" + share +
-               ". Where blocks fall or bounce that is as it should be; where they should stand or slide it "
-               "is "
-               "friction lost to rattling: run again with damping.contact (1e-5 s, say) and compare";
+        return "joints opened while they still carried shear: " + formatted("%.3g", state_.shear_lost) +
+               " N, summed over the whole run" + share +
+               ". This is correct where blocks fall or bounce. Where they should stand or slide, chatter has "
+               "taken friction away: run again with damping.contact (for example 1e-5 s) and compare";
     }
 
     State state_;

@@ -53,7 +53,7 @@ bool Watch::look(const State& state, Settling& settling) {
     quiet_steps_ = ratio < limit_ ? quiet_steps_ + kStepsPerSample : 0;
     if (quiet_steps_ >= std::max(steps_per_period_, 2 * kStepsPerSample)) {
         settling.verdict = Verdict::stable;
-        settling.reason = describe("at rest: out-of-balance force stays below", ratio, settling.steps);
+        settling.reason = describe("equilibrium: out-of-balance force stays below", ratio, settling.steps);
         return true;
     }
     if (window_.samples < samples_per_window_) return false;
@@ -95,7 +95,7 @@ bool Watch::closeSpan(Settling& settling, double motion) {
 bool Watch::fails(Settling& settling, const Window& seen) {
     settling.verdict = Verdict::failing;
     settling.out_of_balance = seen.mean();
-    settling.reason = describe("moves on: out-of-balance force stays at", seen.mean(), settling.steps);
+    settling.reason = describe("keeps moving: out-of-balance force stays at", seen.mean(), settling.steps);
     return true;
 }
 

@@ -29,7 +29,7 @@ std::optional<Error> faultOf(const Face& face, const Limits& limits) {
                                   ", allowed: greater than 0 and at most 90 degrees"};
     }
     if (!std::isfinite(face.dip_direction))
-        return Error{"slope", "found a dip direction that is no number, allowed: degrees from north"};
+        return Error{"slope", "found a dip direction that is not a number, allowed: degrees from north"};
     if (!within(limits.friction, 0, kRightAngle + kSameAngle))
         return Error{"friction", "found " + degreesText(limits.friction) + ", allowed: 0 to 90 degrees"};
     if (!within(limits.lateral, 0, kRightAngle + kSameAngle))
@@ -51,7 +51,7 @@ std::optional<Error> faultOf(const std::vector<Pole>& poles, std::size_t sets) {
         if (!(poles[p].weight > 0 && std::isfinite(poles[p].weight)))
             return Error{field, "found a weight that is not positive, allowed: greater than 0"};
         if (!(std::abs(poles[p].normal.norm() - 1) < kSameAngle && poles[p].normal.z() >= -kSameAngle))
-            return Error{field, "found a normal that is no upward unit vector, allowed: one"};
+            return Error{field, "found a normal that is not an upward unit vector, allowed: one that is"};
     }
     return std::nullopt;
 }

@@ -115,7 +115,7 @@ Result<std::vector<std::size_t>> findSets(const Normals& normals, std::size_t co
     if (count < 1 || count > different) {
         return Error{"sets", "found " + std::to_string(count) + ", allowed: 1 to " +
                                  std::to_string(count < 1 ? normals.size() : different) +
-                                 ", no more than there are different planes"};
+                                 ", the number of different planes"};
     }
     Weights each = weights;
     each.resize(normals.size(), 1);

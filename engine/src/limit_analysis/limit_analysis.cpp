@@ -339,7 +339,7 @@ const Joint* curvedJoint(const State& state, const Assembly& assembly) {
 
 std::string curvedText(const Joint& joint) {
     return "joint \"" + joint.name + "\" has law \"" + std::string(toString(joint.law)) +
-           "\", and limit analysis is for straight envelopes (\"coulomb\")";
+           "\"; limit analysis needs straight envelopes (\"coulomb\")";
 }
 
 /// What limit analysis is not made for; "" where there is nothing of it.
@@ -378,8 +378,8 @@ Result<T> withAssembly(const Model& model, const Control& control, const LimitSe
 
 std::string tooManyPoints(std::size_t points, std::size_t most, bool section) {
     return "the model has " + std::to_string(points) + " contact points" +
-           (section ? " in its section" : "") + "; up to " + std::to_string(most) +
-           " limit analysis is made without being asked for";
+           (section ? " in its section" : "") + "; by default limit analysis is computed up to " +
+           std::to_string(most);
 }
 
 constexpr const char* kInterrupted = "limit analysis was interrupted";
@@ -387,9 +387,9 @@ constexpr const char* kInterrupted = "limit analysis was interrupted";
 Ceiling upperEnd(const LimitResult& result) {
     if (std::isfinite(result.upper)) return {result.upper, ""};
     if (result.status == SearchStatus::stable_to_stop)
-        return {std::nullopt, "by limit analysis the assembly stands to the end of the search"};
+        return {std::nullopt, "limit analysis finds the assembly stable up to the largest load tried"};
     return {std::nullopt,
-            result.status == SearchStatus::interrupted ? kInterrupted : "limit analysis ended undecided"};
+            result.status == SearchStatus::interrupted ? kInterrupted : "limit analysis is undecided"};
 }
 
 }  // namespace

@@ -66,9 +66,8 @@ class Placing {
  private:
     Error noFace() const {
         return {pattern_.like.field + ".box",
-                "no free face inside it looks this way; allowed: a box with at least a part of one, whose "
-                "normal is "
-                "within 60 degrees of `face`"};
+                "found no free face in the box with a normal within 60 degrees of `face`; allowed: a box "
+                "with at least a part of one"};
     }
 
     void findParts() {

@@ -54,13 +54,13 @@ class Crossings {
         if (!place) return std::nullopt;
         return Error{triangleField(a), "found a surface that crosses itself: this triangle and " +
                                            triangleField(b) + " meet near " + placeText(*place) +
-                                           ", allowed: a surface that parts inside from outside"};
+                                           ", allowed: a surface that separates inside from outside"};
     }
 
     Error folded(std::size_t a, std::size_t b) const {
         return {triangleField(a), "found a surface folded back onto itself: this triangle lies on " +
                                       triangleField(b) + " near " + placeText(cornerOf(surface_, a, 0)) +
-                                      ", allowed: a surface that parts inside from outside"};
+                                      ", allowed: a surface that separates inside from outside"};
     }
 
     int commonCorners(std::size_t a, std::size_t b) const {

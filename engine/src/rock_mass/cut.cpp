@@ -186,7 +186,7 @@ class Cutter {
     /// Far too many are refused before they fill the memory.
     std::optional<Error> tooMany(double expected, const std::vector<JointPlane>& joints) const {
         if (!(expected > mostExpected())) return std::nullopt;
-        return Error{fieldOfMost(joints), "found joints that cut the region into some " + text(expected) +
+        return Error{fieldOfMost(joints), "found joints that cut the region into about " + text(expected) +
                                               " blocks or more (" + text(kBytesPerBlock * expected / 1e9) +
                                               " GB of memory, " + timeText(expected) +
                                               "), allowed: " + allowedBlocks()};
@@ -217,7 +217,7 @@ class Cutter {
 
     std::string allowedBlocks() const {
         return "at most max_blocks, " + std::to_string(description_.max_blocks) +
-               "; a wider spacing, a smaller region, or a greater max_blocks";
+               "; use a wider spacing, a smaller region, or a larger max_blocks";
     }
 
     bool stopped() const {
@@ -228,7 +228,7 @@ class Cutter {
     Error onTooMany(const JointPlane& joint) const {
         return {fieldOf(description_, joint.joint), "found more than " +
                                                         std::to_string(description_.max_blocks) +
-                                                        " blocks up to here, allowed: " + allowedBlocks()};
+                                                        " blocks so far, allowed: " + allowedBlocks()};
     }
 
     void warnOfCuts() {
@@ -264,7 +264,7 @@ class Cutter {
         if (tally.left_out > 0)
             result_.warnings.push_back(title + ": " + std::to_string(tally.left_out) +
                                        (tally.left_out == 1 ? " cut was" : " cuts were") +
-                                       " left out, as a part would be thinner than " +
+                                       " left out, because a part would be thinner than " +
                                        text(result_.min_thickness) + " m; the first near " +
                                        text(tally.first_place) + ", " + text(tally.first_thickness) +
                                        " m thick");
@@ -341,7 +341,7 @@ class Cutter {
                              " m3, the "
                              "region's is " +
                              text(result_.region_volume) +
-                             " m3: joints too nearly parallel for coordinates this large"};
+                             " m3: joints are too nearly parallel for such large coordinates"};
         return std::move(result_);
     }
 

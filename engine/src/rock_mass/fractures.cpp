@@ -39,13 +39,13 @@ std::vector<Error> numberErrors(const FractureSet& set) {
          "greater than 0");
     want(set.least >= 0 && set.least < set.most && (!power || set.least > 0), ".radius_min",
          numberText(set.least) + " to " + numberText(set.most),
-         "the lesser first, of a power law greater than 0");
+         "the smaller one first, and greater than 0 for a power law");
     want(!power || std::isfinite(set.exponent), ".radius_exponent", numberText(set.exponent),
          "a finite number");
     want(
         set.law != RadiusLaw::lognormal || !(set.radius > 0 && set.deviation > 0) || radiusMoment(set, 0) > 0,
         ".radius_min", numberText(set.least) + " to " + numberText(set.most),
-        "a range in which the law has radii");
+        "a range that contains radii of the law");
     want(!set.fisher || *set.fisher > 0, ".fisher", numberText(set.fisher.value_or(0)), "greater than 0");
     want(!set.p32 || *set.p32 > 0, ".p32", numberText(set.p32.value_or(0)), "greater than 0");
     want(set.p32 || (set.count > 0 && set.count <= kMostFractures), ".count", std::to_string(set.count),
@@ -101,9 +101,9 @@ class Drawing {
                 misses = 0;
             } else if (more > 0 && ++misses > kMostMisses) {
                 return Error{set_.field + ".p32",
-                             "found " + numberText(*set_.p32) + ", but discs so large reach " +
+                             "found " + numberText(*set_.p32) + ", but discs of this size reach " +
                                  numberText(area / surfaceVolume(region_)) +
-                                 " and then far more, allowed: smaller discs, or a count"};
+                                 " and the next one exceeds it by far, allowed: smaller discs, or a count"};
             }
             if (discs.size() > kMostFractures) return tooMany();
         }
@@ -111,9 +111,9 @@ class Drawing {
     }
 
     Error tooMany() const {
-        return {set_.field + ".p32", "found " + numberText(*set_.p32) +
-                                         ", which takes more than a million discs, allowed: fewer, or larger "
-                                         "ones"};
+        return {set_.field + ".p32",
+                "found " + numberText(*set_.p32) +
+                    ", which requires more than a million discs, allowed: a smaller value, or larger discs"};
     }
 
     bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }

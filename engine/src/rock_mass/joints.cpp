@@ -167,9 +167,8 @@ std::optional<Error> appendSet(const RockMass& description, std::size_t index,
         ordered.push_back({plane, std::nullopt, index});
     }
     if (planes.size() + ordered.size() > static_cast<std::size_t>(kMostPlanes))
-        return Error{set.field + ".spacing",
-                     "found more than " + std::to_string(kMostPlanes) +
-                         " planes of all joint sets up to here, allowed: wider spacings"};
+        return Error{set.field + ".spacing", "found more than " + std::to_string(kMostPlanes) +
+                                                 " planes of all joint sets so far, allowed: wider spacings"};
     appendHalving(ordered, 0, ordered.size(), planes);
     return std::nullopt;
 }

@@ -47,8 +47,8 @@ Result<TriangleSurface> boxSurface(const Vec3& min, const Vec3& max) {
 
 Result<TriangleSurface> extrudeProfile(const std::vector<Point>& profile, double y_min, double y_max) {
     if (!(y_min < y_max) || !std::isfinite(y_max - y_min))
-        return Error{
-            "y", "found " + numberText(y_min) + " to " + numberText(y_max) + ", allowed: the lesser first"};
+        return Error{"y", "found " + numberText(y_min) + " to " + numberText(y_max) +
+                              ", allowed: the smaller one first"};
     if (auto errors = profileErrors(profile); !errors.empty()) return errors;
     std::vector<Point> p = profile;
     if (rock_mass::doubleArea(p) < 0) std::reverse(p.begin(), p.end());

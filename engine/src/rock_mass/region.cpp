@@ -57,15 +57,14 @@ class Decomposer {
 
  private:
     static Error crossing() {
-        return {
-            "",
-            "found a surface that crosses itself (its parts do not add up to its volume), allowed: a surface "
-            "that parts inside from outside"};
+        return {"",
+                "found a surface that crosses itself (its parts do not add up to its volume), allowed: a "
+                "surface that separates inside from outside"};
     }
     bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
     static Error interrupted() { return {"", "interrupted"}; }
     static Error tooMany() {
-        return {"", "found a surface with so many reflex edges that it falls into more than " +
+        return {"", "found a surface with so many reflex edges that it is divided into more than " +
                         std::to_string(kMostCells) + " convex parts, allowed: a coarser surface"};
     }
 

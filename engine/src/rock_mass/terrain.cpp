@@ -62,7 +62,7 @@ class Closing {
         for (const OpenEdge& edge : openEdges(surface_))
             if (!leaving.emplace(edge.from, edge).second)
                 return {{triangleField(edge.triangle),
-                         "found a terrain that hangs together in a point only, at " +
+                         "found a terrain whose parts are connected only by a point, at " +
                              placeText(at(edge.from)) + ", allowed: one rim around all of it"}};
         while (!leaving.empty()) {
             Rim rim;
@@ -115,10 +115,9 @@ class Closing {
             const std::int32_t own = piece[static_cast<std::size_t>(surface_.triangles[t][0])];
             if (std::find(known.begin(), known.end(), own) != known.end()) continue;
             known.push_back(own);
-            errors.push_back(
-                {triangleField(t), "found a second piece of terrain, apart from the largest, near " +
-                                       placeText(cornerOf(surface_, t, 0)) +
-                                       ", allowed: one that hangs together"});
+            errors.push_back({triangleField(t),
+                              "found a second piece of terrain, apart from the largest, near " +
+                                  placeText(cornerOf(surface_, t, 0)) + ", allowed: a terrain in one piece"});
         }
         for (std::size_t r = 1; r < rims_.size() && errors.size() < kMostFaults; ++r) {
             const Rim& rim = rims_[r];

@@ -20,14 +20,14 @@ struct LostStrength {
     void (*keep)(Joint& joint);
 };
 constexpr LostStrength kLostStrengths[] = {
-    {search::kHangsOnCohesion, "cohesion",
+    {search::kDependsOnCohesion, "cohesion",
      [](Joint& joint) { joint.residual_cohesion = std::max(joint.residual_cohesion, joint.cohesion); }},
-    {search::kHangsOnTension, "tensile strength",
+    {search::kDependsOnTension, "tensile strength",
      [](Joint& joint) {
          if (joint.tensile_strength > 0)
              joint.softening_displacement = propertyOf(&Joint::softening_displacement).allowed.max;
      }},
-    {search::kHangsOnFriction, "peak friction",
+    {search::kDependsOnFriction, "peak friction",
      [](Joint& joint) { joint.residual_friction = std::max(joint.residual_friction, joint.friction); }}};
 
 /// To the warning of an answer that depends on strength lost so adds the answer for strength that is kept.
@@ -50,7 +50,7 @@ void addKeptStrength(Varied varied, const Model& model, const Control& control, 
         result.wall_seconds += found->wall_seconds;
         result.time.beside += found->wall_seconds;
         if (found->status != SearchStatus::found) return;
-        if (lost.warning == search::kHangsOnCohesion) result.kept_cohesion = found->answer;
+        if (lost.warning == search::kDependsOnCohesion) result.kept_cohesion = found->answer;
         const VariedQuantity& quantity = quantityOf(varied);
         *warning += std::string("; the answer with ") + lost.name +
                     " kept: " + formatted("%.4f", found->answer / quantity.scale) + " " + quantity.unit;

@@ -113,7 +113,7 @@ void Search::stopDrivenBlocks() {
         any = true;
         built_->blocks.velocity.set(b, Vec3::Zero());
     }
-    if (any) built_->warnings.push_back("driven blocks stand still in this analysis");
+    if (any) built_->warnings.push_back("driven blocks do not move in this analysis");
 }
 
 void Search::report(const std::string& stage, double fraction, const std::string& detail) const {

@@ -68,7 +68,7 @@ void Search::addGroups(Course& course) {
         effort(path);
         result_.groups_undecided = next.result == PathResult::lost;
         if (result_.groups_undecided)
-            result_.warnings.push_back("the search for the blocks that go next is undecided");
+            result_.warnings.push_back("the search for the next group to fail is undecided");
         if (next.result != PathResult::failed) return;
         const double factor = 0.5 * (next.bracket.stands + next.bracket.fails);
         going = movingBlocks(next.since.poses().position, next.since.poses().orientation, *next.failing);
@@ -82,14 +82,15 @@ void Search::addGroups(Course& course) {
 void Search::addUpperBound(const Course& course) {
     const bool wanted = control_.upper_bound != Beside::never;
     if (result_.status == SearchStatus::interrupted || !wanted) {
-        result_.upper_bound.reason = wanted ? "the search was interrupted" : "not wanted (--no-upper-bound)";
+        result_.upper_bound.reason =
+            wanted ? "the search was interrupted" : "not computed (--no-upper-bound)";
         return;
     }
     result_.upper_bound = boundOf(course);
     if (!isAbove(result_.low, result_.upper_bound, varied_)) return;
-    result_.warnings.push_back("the answer is above the upper bound of limit analysis, " +
+    result_.warnings.push_back("the answer exceeds the upper bound of limit analysis, " +
                                axis().say(*result_.upper_bound.value) +
-                               ", which is for the shape as built: blocks move before they fail");
+                               ", which holds for the shape as built: blocks move before they fail");
 }
 
 Ceiling Search::boundOf(const Course& course) {
@@ -142,7 +143,7 @@ void Search::addBounds() {
     low_reason = high_reason = "the path of the search";
     if (jammed_at_ > result_.answer) {
         result_.answer_interval->second = jammed_at_;
-        high_reason = "it stands there when it comes from more strength";
+        high_reason = "the slope is stable there on a loading path from more strength";
     }
     if (result_.upper_bound.value && *result_.upper_bound.value > result_.answer_interval->second) {
         result_.answer_interval->second = *result_.upper_bound.value;
@@ -156,7 +157,7 @@ void Search::addBounds() {
 
 void Search::addUnloadedJoints(const Course& course) {
     std::string& low_reason = result_.answer_interval_reasons.first;
-    report("the interval", kPath, "joints that carry nothing at first");
+    report("the interval", kPath, "joints unloaded at first");
     std::vector<BlockGroup> let_go = result_.let_go;
     unloaded_ = unloadedAtFirst();
     result_.let_go = let_go;
@@ -179,7 +180,7 @@ void Search::addUnloadedJoints(const Course& course) {
     *axis_ = own;
     without_friction_ = false;
     const std::string what =
-        "no friction on the " + std::to_string(unloaded_.size()) + " joints that carry nothing at first";
+        "no friction on the " + std::to_string(unloaded_.size()) + " joints unloaded at first";
     const bool has_begun = other.begun.result == PathResult::reached;
     if (has_begun && other.followed.result == PathResult::failed) {
         const double answer = 0.5 * (other.followed.bracket.stands + other.followed.bracket.fails);
@@ -189,7 +190,7 @@ void Search::addUnloadedJoints(const Course& course) {
     } else if (!has_begun && other.begun.result == PathResult::failed) {
         result_.answer_interval->first =
             std::min(result_.answer_interval->first, varied_ == Varied::factor ? other.factor : axis_->start);
-        low_reason = what + ": it does not stand at the start";
+        low_reason = what + ": unstable at the start";
     } else if (other.followed.result == PathResult::lost || other.begun.result == PathResult::lost) {
         low_reason += "; with " + what + " undecided";
     }
@@ -217,14 +218,15 @@ std::optional<double> Search::addAnswerOf(const Model& model, const std::string&
     const Result<SearchResult> other = answerOf(model);
     if (!other) return std::nullopt;
     if (other->status == SearchStatus::interrupted)
-        result_.answer_interval_reasons.first += "; with " + what + " it takes more work than the answer";
+        result_.answer_interval_reasons.first +=
+            "; with " + what + " not completed, because it takes more work than the answer";
     result_.steps += other->steps;
     result_.factors += other->factors;
     auto& [low, high] = *result_.answer_interval;
     auto& [low_reason, high_reason] = result_.answer_interval_reasons;
     if (other->status == SearchStatus::unstable_at_start) {
         low = std::min(low, axis_->start);
-        low_reason = what + ": it does not stand at the start";
+        low_reason = what + ": unstable at the start";
     } else if (other->status == SearchStatus::undecided) {
         low_reason += "; with " + what + " undecided";
     }
@@ -256,8 +258,8 @@ void Search::addElasticity(const Course& course) {
     }
     const std::string what = "joints ten times as stiff";
     if (const auto answer = addAnswerOf(stiff, what))
-        result_.warnings.push_back("the stiffness of the joints matters: with " + what + " the answer is " +
-                                   axis().say(*answer));
+        result_.warnings.push_back("the answer depends on the stiffness of the joints: with " + what +
+                                   " it is " + axis().say(*answer));
 }
 
 void Search::addInterval(const Course& course) {

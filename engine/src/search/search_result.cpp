@@ -71,8 +71,9 @@ void Search::finish(Course& course) {
     }
     if (result_.status == SearchStatus::undecided) {
         result_.warnings.push_back(std::string("Newton's method finds no equilibrium ") +
-                                   (has_begun ? "beyond " + axis().say(result_.low)
-                                              : "as " + std::string(course.begun.stage) + " comes on"));
+                                   (has_begun
+                                        ? "beyond " + axis().say(result_.low)
+                                        : "while the " + std::string(course.begun.stage) + " is applied"));
     }
     if (result_.status == SearchStatus::found) result_.answer = 0.5 * (result_.low + result_.high);
     result_.path = std::move(course.followed.points);
@@ -161,13 +162,17 @@ void Search::nameFallen() {
         if (gone_[b]) result_.fallen_at_start.push_back(model_.blocks[b].name);
     if (result_.fallen_at_start.empty()) return;
     sortNaturally(result_.fallen_at_start);
+    const auto counted = [](std::size_t n, const char* one, const char* more) {
+        return std::to_string(n) + (n == 1 ? one : more);
+    };
     std::string what;
     if (fallen_ > 0)
-        what = std::to_string(fallen_) + " of the blocks fall at the start whatever the strength";
+        what = counted(fallen_, " block falls", " blocks fall") + " at the start whatever the strength";
     if (slivers_ > 0)
-        what += (what.empty() ? "" : ", and ") + std::to_string(slivers_) + " are ill-conditioned slivers";
-    result_.warnings.push_back(what + " (" + result_.fallen_at_start.front() +
-                               " for one): the answer is for the others");
+        what += (what.empty() ? "" : ", and ") + counted(slivers_, " block is an ill-conditioned sliver",
+                                                         " blocks are ill-conditioned slivers");
+    result_.warnings.push_back(what + " (for example " + result_.fallen_at_start.front() +
+                               "): the answer does not include them");
 }
 
 }  // namespace talus::search

@@ -40,31 +40,31 @@ double lostFriction(const State& state) {
 /// Limit equilibrium keeps cohesion to the end; eq 9 does not.
 std::optional<std::string> ofLostCohesion(double lost) {
     if (lost == 0) return std::nullopt;
-    return kHangsOnCohesion + std::string(" where a joint first slips or opens (") +
+    return kDependsOnCohesion + std::string(" where a joint first slips or opens (") +
            formatted("%.0f", 100 * lost) +
-           " % of its area in the failure): with residual_cohesion = cohesion, as limit equilibrium has it, "
-           "it may be "
-           "higher; the ceiling of limit analysis counts it as kept";
+           " % of the area of such joints at failure). With residual_cohesion = cohesion, as in limit "
+           "equilibrium, the answer may be higher. The upper bound of limit analysis assumes that cohesion "
+           "is kept";
 }
 
 /// What tears at once does so at its edge first.
 std::optional<std::string> ofLostTension(double lost) {
     if (lost == 0) return std::nullopt;
-    return kHangsOnTension + std::string(" at once where a joint first opens or slips (") +
+    return kDependsOnTension + std::string(" at once where a joint first opens or slips (") +
            formatted("%.0f", 100 * lost) +
-           " % of its area in the failure): with softening_displacement, over which rock tears, it may be "
-           "higher; the ceiling of limit analysis counts it as kept";
+           " % of the area of such joints at failure). With softening_displacement, over which rock tears, "
+           "the answer may be higher. The upper bound of limit analysis assumes that tensile strength is "
+           "kept";
 }
 
 /// Limit equilibrium counts the peak everywhere at once; a joint slips at one point after the other.
 std::optional<std::string> ofLostFriction(double lost) {
     if (lost == 0) return std::nullopt;
-    return kHangsOnFriction + std::string(" where a joint first slips or opens (") +
+    return kDependsOnFriction + std::string(" where a joint first slips or opens (") +
            formatted("%.0f", 100 * lost) +
-           " % of its area in the failure), one contact point after the other: with residual_friction_deg = "
-           "friction_deg it may be higher, with more contact points lower; the ceiling of limit analysis "
-           "counts "
-           "the peak";
+           " % of the area of such joints at failure), one contact point after the other. The answer may be "
+           "higher with residual_friction_deg = friction_deg, and lower with more contact points. The upper "
+           "bound of limit analysis assumes peak friction";
 }
 
 /// At the start nothing is known of what blocks move at rest, but how far what lies on them presses their
@@ -84,10 +84,9 @@ std::optional<std::string> ofJointsPressedIn(const State& state) {
         }
     }
     if (most <= kPressed * size) return std::nullopt;
-    return "the joints give by " + formatted("%.2g", most) + " m under what lies on them, " +
+    return "the joints close by " + formatted("%.2g", most) + " m under the load on them, " +
            formatted("%.2g", 100 * most / size) +
-           " % of a block: on joints so soft columns lean and overturn by themselves, whatever their "
-           "friction; is "
+           " % of the block size: on such soft joints columns lean and overturn whatever their friction; is "
            "normal_stiffness in Pa/m?";
 }
 

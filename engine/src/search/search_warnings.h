@@ -8,13 +8,13 @@
 
 namespace talus::search {
 
-/// How the warning begins of an answer that hangs on cohesion lost at the first slip.
-inline constexpr const char* kHangsOnCohesion = "the answer hangs on cohesion that is lost";
+/// How the warning begins of an answer that depends on cohesion lost at the first slip.
+inline constexpr const char* kDependsOnCohesion = "the answer depends on cohesion that is lost";
 /// Likewise, on tensile strength.
-inline constexpr const char* kHangsOnTension = "the answer hangs on tensile strength that is lost";
+inline constexpr const char* kDependsOnTension = "the answer depends on tensile strength that is lost";
 
 /// Likewise, on friction beyond the residual one.
-inline constexpr const char* kHangsOnFriction = "the answer hangs on peak friction that is lost";
+inline constexpr const char* kDependsOnFriction = "the answer depends on peak friction that is lost";
 
 /// \param built  the state before the search
 /// \param last   the one it ended in: where the assembly has left its place, if it `fails`

@@ -191,10 +191,9 @@ namespace {
 const std::array kSearches{
     LoadSearch{.name = "critical-angle",
                .about = "The tilt at which the assembly first fails",
-               .details =
-                   "The search runs from analysis.start_deg to analysis.stop_deg until the bracket is "
-                   "analysis.tolerance_deg wide.\nA slope that fails at the start or stands to the end is a "
-                   "result (exit code 0), an undecided one is not (3).",
+               .details = "The search runs from analysis.start_deg to analysis.stop_deg until the bracket is "
+                          "analysis.tolerance_deg wide.\nA slope that fails at the start, or is stable up to "
+                          "stop_deg, is a result (exit code 0). An undecided search is\nnot (exit code 3).",
                .answer = "critical angle",
                .answer_key = "critical_angle_deg",
                .theory_key = "theory_deg",
@@ -221,23 +220,21 @@ const std::array kSearches{
         .follows_groups = true,
         .find = safetyFactor,
         .theory = theoryOfFactor},
-    LoadSearch{
-        .name = "critical-acceleration",
-        .about = "The pseudo-static horizontal acceleration at which the assembly first fails",
-        .details =
-            "Each free block feels the coefficient times its weight, level and towards "
-            "seismic.direction_deg, at the\nscenario's tilt; water stays as it is. The search starts at "
-            "seismic.horizontal (default 0).",
-        .answer = "critical k",
-        .answer_key = "critical_k",
-        .theory_key = "theory_k",
-        .load = &quantityOf(Varied::horizontal),
-        .lowest = 0,
-        .highest = kInfinity,
-        .threshold = std::nullopt,
-        .follows_groups = false,
-        .find = criticalAcceleration,
-        .theory = theoryOfAcceleration}};
+    LoadSearch{.name = "critical-acceleration",
+               .about = "The pseudo-static horizontal acceleration at which the assembly first fails",
+               .details = "Each free block carries a horizontal force towards seismic.direction_deg: the "
+                          "coefficient times its weight. The\ntilt is the scenario's, and water does not "
+                          "change. The search starts at seismic.horizontal (default 0).",
+               .answer = "critical k",
+               .answer_key = "critical_k",
+               .theory_key = "theory_k",
+               .load = &quantityOf(Varied::horizontal),
+               .lowest = 0,
+               .highest = kInfinity,
+               .threshold = std::nullopt,
+               .follows_groups = false,
+               .find = criticalAcceleration,
+               .theory = theoryOfAcceleration}};
 
 }  // namespace
 

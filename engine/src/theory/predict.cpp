@@ -81,11 +81,12 @@ std::vector<std::string> blocksOf(const Model& model, const Section& section, co
 
 std::string reasons(const Section& section) {
     const bool single = section.beds.size() == 1 && section.beds.front().columns.size() == 1;
-    const std::string strength = "strength without a peak, no tension, water at its depth at the start";
+    const std::string strength =
+        "no residual strength below the peak, no tensile strength, and water at its depth at the start";
     return single ? "one free box on a level fixed face; " + strength
-                  : "one stack with fissures that part freely, each bed of one strength, slices alike; " +
+                  : "one stack with fissures that open freely, one strength per bed, and equal slices; " +
                         strength +
-                        "; up to this tilt no column needs its neighbour to stand beyond what frictionless "
+                        "; up to this tilt no column needs more support from its neighbour than frictionless "
                         "fissures can give";
 }
 

@@ -77,7 +77,7 @@ LockReach lockReach(int file) {
 }
 
 std::string lockWarning(LockReach reach) {
-    const std::string advice = "see to it that no other process writes there at the same time";
+    const std::string advice = "make sure that no other process writes there at the same time";
     if (reach == LockReach::none) return "its file system has no locks: " + advice;
     if (reach == LockReach::this_machine)
         return "locks of its network file system do not reach other machines: " + advice;

@@ -196,7 +196,7 @@ void Reader::scan() {
         const bool chunk = opcode == Opcode::chunk;
         if (length > (chunk ? most_chunk_bytes_ : kMostRecordBytes)) {
             addFault(faults_, "the record at byte " + std::to_string(offset) + " is " +
-                                  std::to_string(length) + " bytes long, more than this reader takes");
+                                  std::to_string(length) + " bytes long, more than this reader accepts");
             break;
         }
         if (!source_.read(offset + kRecordHead, length, content) || !scanRecord(opcode, content, offset))
@@ -211,7 +211,7 @@ void Reader::scan() {
         addFault(faults_, "the file has no end: its run is still going on or was killed");
     } else {
         addFault(faults_, "the file is cut or damaged: the last " + std::to_string(source_.size() - offset) +
-                              " of its " + std::to_string(source_.size()) + " bytes are no whole record");
+                              " of its " + std::to_string(source_.size()) + " bytes are not a whole record");
     }
 }
 
@@ -265,7 +265,7 @@ void Reader::scanChunk(View content, std::uint64_t offset) {
     const std::uint64_t room = mostUnpacked(source_.size()) - unpacked_;
     if (has_head && index.uncompressed_size > room) {
         addFault(faults_, "the chunk at byte " + std::to_string(offset) +
-                              " is not read: its file unpacks to more than one of its size can hold");
+                              " is not read: it unpacks to more bytes than a file of this size can hold");
         return;
     }
     unpacked_ += has_head ? index.uncompressed_size : 0;

@@ -68,7 +68,7 @@ class AscReader {
                 return fault(std::string("found no ") + (name[0] == 'd' ? "cellsize" : name) +
                              " before the heights, allowed: ncols, nrows, xllcorner, yllcorner, cellsize");
         for (const char* name : {"dx", "dy"})
-            if (!(header_[name] > 0)) return fault("found a cell of no size, allowed: greater than 0");
+            if (!(header_[name] > 0)) return fault("found a cell without a size, allowed: greater than 0");
         const double columns = header_["ncols"], rows = header_["nrows"];
         if (!(columns >= 2 && rows >= 2 && columns * rows <= kMostCells && columns == std::floor(columns) &&
               rows == std::floor(rows)))

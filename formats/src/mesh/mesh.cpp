@@ -111,8 +111,8 @@ class MeshReader {
             for (int axis : {0, 1}) result_.shift[axis] = kRoundShift * std::floor(low[axis] / kRoundShift);
             note("lies at " + placeText(low) + " m, so [" + numberText(result_.shift.x()) + ", " +
                  numberText(result_.shift.y()) +
-                 ", 0] is taken off its coordinates, and all other coordinates are understood so, too "
-                 "(shift says it otherwise)");
+                 ", 0] is subtracted from its coordinates; all other coordinates are relative to that point, "
+                 "too (set shift for another one)");
         }
         for (Vec3& v : vertices) v = v - result_.shift + Vec3::Zero();
     }
@@ -121,7 +121,7 @@ class MeshReader {
         if (!file_.single_precision || farthest * kSinglePrecision < kTooCoarse * extent) return;
         note("has coordinates of seven digits, which at " + shortText(farthest) + " m are " +
              shortText(2 * farthest * kSinglePrecision) +
-             " m apart: write it in double precision, as text, or with coordinates from nearer by");
+             " m apart: write it in double precision, as text, or with coordinates closer to the origin");
     }
 
     std::vector<Error> repair() {
@@ -148,7 +148,7 @@ class MeshReader {
         }
         auto closed = closeTerrain(surface, *options_.base);
         if (!closed) return told(closed.errors());
-        if (closed->turned) note("has triangles that all look down, and was turned over");
+        if (closed->turned) note("was turned over, because all its triangles face down");
         return std::move(closed->surface);
     }
 
@@ -167,8 +167,8 @@ class MeshReader {
         TriangleSurface coarse = options_.base ? upturned(result_.surface, closed) : std::move(closed);
         coarse = simplifySurface(coarse, *options_.simplify);
         note("was simplified from " + std::to_string(before) + " to " +
-             std::to_string(coarse.triangles.size()) + " triangles, none of it farther than " +
-             shortText(*options_.simplify) + " m from where it was");
+             std::to_string(coarse.triangles.size()) + " triangles; no part of it has moved farther than " +
+             shortText(*options_.simplify) + " m");
         Result<TriangleSurface> result = coarse;
         if (options_.base) {
             auto again = closeTerrain(std::move(coarse), *options_.base);
@@ -177,7 +177,7 @@ class MeshReader {
             result = errors;
         }
         if (result) return result;
-        return Error{"simplify", "the simplified surface is none that parts inside from outside (" +
+        return Error{"simplify", "the simplified surface does not separate inside from outside (" +
                                      result.errors()[0].message + "), allowed: a smaller deviation"};
     }
 
@@ -192,7 +192,7 @@ class MeshReader {
     std::vector<Error> told(std::vector<Error> errors) const {
         // Of a terrain without a base every edge of its rim is told.
         if (!options_.base && !errors.empty() && errors[0].message.find("found an open surface") == 0)
-            errors[0].message += "; of an open terrain give the elevation of its base";
+            errors[0].message += "; for an open terrain give the elevation of its base";
         for (Error& error : errors) {
             if (error.field == "base") continue;
             error.file = path_;

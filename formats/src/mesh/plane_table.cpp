@@ -105,9 +105,9 @@ std::string PlaneTable::allowed(const std::vector<PlaneColumn>& required) const 
         all += (n == 0 ? "" : ", or ") + listed(kNotations[n]) + (n == 2 ? " of the pole" : "");
     for (const PlaneColumn column : others_) {
         if (std::count(required.begin(), required.end(), column) == 0)
-            all += (column == others_.front() && required.empty() ? "; besides " : ", ") + shown(column);
+            all += (column == others_.front() && required.empty() ? "; optional: " : ", ") + shown(column);
     }
-    return all + ", each once, and others";
+    return all + ", each once; other columns are ignored";
 }
 
 bool PlaneTable::readHeader(const std::vector<PlaneColumn>& required) {
@@ -190,8 +190,7 @@ std::optional<Orientation> PlaneTable::byStrike() {
     if (!with_side) {
         const auto angle = number(dip);
         if (angle && quadrant) {
-            fault("found dip " + toml::quoted(text(dip)) + " beside the strike " +
-                      toml::quoted(text(strike)) +
+            fault("found dip " + toml::quoted(text(dip)) + " with the strike " + toml::quoted(text(strike)) +
                       ", allowed: a dip with the side to which the plane dips, such as 45SE",
                   dip);
         }
@@ -201,8 +200,8 @@ std::optional<Orientation> PlaneTable::byStrike() {
     const auto angle = numberIn(with_side->number);
     const auto towards = dipDirectionTowards(*bearing, with_side->towards);
     if (angle && *angle >= 0 && *angle <= 90 && towards) return Orientation{*angle * kDeg, *towards * kDeg};
-    fault("found dip " + toml::quoted(text(dip)) + " beside the strike " + toml::quoted(text(strike)) +
-              ", allowed: 0 to 90 with a side that is not the strike's own, such as 45SE beside N45E",
+    fault("found dip " + toml::quoted(text(dip)) + " with the strike " + toml::quoted(text(strike)) +
+              ", allowed: 0 to 90 with a side that is not the strike's own, such as 45SE with N45E",
           dip);
     return std::nullopt;
 }
@@ -241,8 +240,8 @@ std::optional<Orientation> PlaneTable::orientation() {
         if (!other) return std::nullopt;
         if (normal.cross(upwardNormal(other->dip, other->dip_direction)).norm() <= std::sin(kNotationsAgree))
             continue;
-        fault("found another plane by " + listed(kNotations[notations_[k]]) + " than by " +
-                  listed(kNotations[notations_.front()]) + ", allowed: the same, within 2 degrees",
+        fault("found a plane by " + listed(kNotations[notations_[k]]) + " that differs from the one by " +
+                  listed(kNotations[notations_.front()]) + ", allowed: the same plane within 2 degrees",
               kNotations[notations_[k]].front());
         return std::nullopt;
     }

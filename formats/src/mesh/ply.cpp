@@ -151,7 +151,7 @@ class PlyReader {
                     place[static_cast<Eigen::Index>(axis)] = *value;
                 if (element.name == "face" && property.name.starts_with("vertex_ind")) {
                     if (!(*value >= 0 && *value < static_cast<double>(vertices_.size())))
-                        return fault("found a face with a corner that is none of the " +
+                        return fault("found a face with a corner that is not one of the " +
                                      std::to_string(vertices_.size()) + " vertices before it");
                     corners.push_back(vertices_[static_cast<std::size_t>(*value)]);
                 }

@@ -36,8 +36,8 @@ bool readKinds(PlaneTable& rows, PoleTable& table) {
     }
     if (table.has_weight + table.has_spacing + table.has_scanline <= 1) return true;
     rows.fault(
-        "found more than one of weight, spacing_m and scanline_trend_deg, allowed: one, since each weighs "
-        "the poles");
+        "found more than one of weight, spacing_m and scanline_trend_deg, allowed: one, because each gives "
+        "the weights of the poles");
     return false;
 }
 

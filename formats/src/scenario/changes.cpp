@@ -44,7 +44,7 @@ bool isAbout(const Error& error, const std::string& changed) {
 std::optional<std::string> change(Document& document, const FieldChange& wish) {
     const auto path = toml::parseField(wish.field);
     if (!path) {
-        return "is not the path of a field, allowed: one such as joint.default.friction_deg or "
+        return "is not the path of a field, allowed: a path such as joint.default.friction_deg or "
                "water[0].depth";
     }
     if (wish.value.find_first_of("[{\"") != 0) return document.set(*path, toml::scalarOf(wish.value));
@@ -52,7 +52,7 @@ std::optional<std::string> change(Document& document, const FieldChange& wish) {
     // Behind a line break there may be more than the value.
     if (!parsed || parsed->root().size() != 1) {
         return "found " + toml::quoted(wish.value) +
-               ", allowed: one array, table or text as the file would have it, such as [0.2, 0.1, 0.1], "
+               ", allowed: one array, table or text as written in a file, such as [0.2, 0.1, 0.1], "
                "[\"c1r2s1\"] or \"c1r2s1\"";
     }
     return document.set(*path, *parsed->root().find("value"));

@@ -60,9 +60,10 @@ std::optional<std::string> dustWarning(const RockMassBlocks& blocks) {
     if (dust.size() > kMostNamed) named += ", and " + std::to_string(dust.size() - kMostNamed) + " more";
     const std::string much = shortText(roundedUp(thickest));
     return "rock_mass.region: " + std::to_string(dust.size()) + " of " + std::to_string(all.size()) +
-           " blocks at the surface are dust, smaller than a thousandth of the median block (" +
+           " blocks at the surface are smaller than a thousandth of the median block (" +
            shortText(kDust * *middle) + " m3): " + named + "; simplify = " + much +
-           " smooths ground so rough, min_thickness = " + much + " leaves such pieces with their neighbours";
+           " smooths such rough ground, min_thickness = " + much +
+           " merges such pieces with their neighbours";
 }
 
 }  // namespace talus::formats::scenario

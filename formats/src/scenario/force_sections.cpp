@@ -125,7 +125,7 @@ void readBolts(const ForceReader& from, Model& model) {
         bolt.head = table.vector("head", kCoordinate).value_or(Vec3::Zero());
         bolt.end = table.vector("end", kCoordinate).value_or(Vec3::UnitX());
         if (table.has("end") && bolt.head == bolt.end)
-            table.error("end", "found the place of head, allowed: another one");
+            table.error("end", "found the same point as head, allowed: a different point");
         readBar(table, bolt);
         model.bolts.push_back(std::move(bolt));
     }

@@ -58,7 +58,7 @@ FractureSet readDrawn(TableReader& table) {
 
 void readFile(TableReader& table, const std::string& folder, FractureSetInput& input) {
     for (const std::string& key : table.present(kDrawn))
-        table.error(key, "found " + key + " beside file, which has it already, allowed: one of them");
+        table.error(key, "found " + key + " together with file, which already has it, allowed: one of them");
     const auto file = table.text("file");
     if (!file) return;
     auto discs = readFractures(file->starts_with('/') ? *file : folder + *file);

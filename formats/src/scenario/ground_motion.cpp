@@ -77,11 +77,11 @@ class RecordReader {
         }
         if (!record_.time.empty() && time <= record_.time.back())
             return refuse("found the time " + numberText(time) + " s after " +
-                          numberText(record_.time.back()) + " s, allowed: times that rise");
+                          numberText(record_.time.back()) + " s, allowed: increasing times");
         if (time < 0) return refuse("found the time " + numberText(time) + " s, allowed: at least 0");
         if (record_.time.size() == kMostRows)
             return refuse("found more than " + std::to_string(kMostRows) +
-                          " rows, allowed: at most that many");
+                          " rows, allowed: at most this number");
         record_.time.push_back(time);
         record_.value.push_back(value);
     }
@@ -177,7 +177,7 @@ std::optional<Record> readInline(Report& report, TableReader& table) {
                 rows->at(k).place(), field,
                 "found the time " + numberText(time) + " s" +
                     (record.time.empty() ? ", allowed: at least 0"
-                                         : " after " + numberText(least) + " s, allowed: times that rise"));
+                                         : " after " + numberText(least) + " s, allowed: increasing times"));
             return std::nullopt;
         }
         record.time.push_back(time);

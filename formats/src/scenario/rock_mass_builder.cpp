@@ -46,7 +46,7 @@ class BlockMaker {
             const std::int32_t block = blockAt(blocks_.cut, name.point);
             if (block < 0) {
                 report_.add(name.place, name.field,
-                            "found a point in no block, allowed: a point of the region");
+                            "found a point outside every block, allowed: a point of the region");
                 continue;
             }
             const auto [first, is_new] = named.emplace(block, name.name);
@@ -65,9 +65,8 @@ class BlockMaker {
                 selectBlocks(blocks_.cut, *entry.by_place, kOnPlane * extentOf(input_.description.region));
             if (std::none_of(taken.begin(), taken.end(), [](bool is) { return is; }))
                 report_.add(entry.place, entry.field,
-                            "found no block there to fix: it is cut otherwise, or cut away, allowed: a "
-                            "selection of at "
-                            "least one block");
+                            "found no block there to fix; the joints may cut it differently, or it was cut "
+                            "away, allowed: a selection of at least one block");
             for (std::size_t b = 0; b < taken.size(); ++b) blocks_.fixed[b] = blocks_.fixed[b] || taken[b];
         } else if (!entry.name.empty()) {
             fixByName(entry);
@@ -138,10 +137,10 @@ FiniteCuts summaryOf(const RockMassInput& input, const std::vector<JointCut>& cu
 
 std::optional<std::string> bridgeNote(const FiniteCuts& cuts) {
     if (cuts.are_bridges || !(cuts.beyond > kTold * cuts.area)) return std::nullopt;
-    return "finite joints cut their blocks from side to side: " + shortText(cuts.beyond) + " of " +
+    return "finite joints cut through whole blocks: " + shortText(cuts.beyond) + " of " +
            shortText(cuts.area) +
-           " m2 of these cuts lie beyond the joints and have their strength; with rock_mass.bridge = "
-           "\"NAME\" that part has the strength of the joint NAME, for intact rock";
+           " m2 of these cuts lie beyond the joints and have the strength of the joints; with "
+           "rock_mass.bridge = \"NAME\" that part has the strength of joint NAME, for intact rock";
 }
 
 std::optional<RockMassBlocks> cutBlocks(Report& report, const RockMassInput& input) {

@@ -116,9 +116,9 @@ class RockMassReader {
         if (table.has("polygon")) {
             for (const char* key : {"point", "dip_deg", "dip_direction_deg", "radius"})
                 if (table.has(key))
-                    table.error(key, "found " + std::string(key) +
-                                         " beside polygon, which gives it already, allowed: "
-                                         "one of them");
+                    table.error(key,
+                                "found " + std::string(key) +
+                                    " together with polygon, which already gives it, allowed: one of them");
             joint.polygon = readPolygon(table);
         } else if (!table.isMeant("polygon")) {
             table.require({"point", "dip_deg", "dip_direction_deg"});

@@ -140,9 +140,9 @@ class ScenarioReader {
 
     bool checkCount(Place place, const std::string& field, std::int64_t count) {
         if (count <= most_blocks_) return true;
-        report_.add(place, field,
-                    "found " + std::to_string(count) +
-                        " blocks up to here, allowed: " + std::to_string(most_blocks_));
+        report_.add(
+            place, field,
+            "found " + std::to_string(count) + " blocks so far, allowed: " + std::to_string(most_blocks_));
         return false;
     }
 

@@ -29,7 +29,7 @@ void readDirection(TableReader& table, Gravity& gravity) {
     if (direction->norm() > 0)
         gravity.direction = direction;
     else
-        table.error("direction", "found [0, 0, 0], allowed: a vector of any other length");
+        table.error("direction", "found [0, 0, 0], allowed: a vector with a length greater than 0");
 }
 
 void readGravity(TableReader& root, Model& model, double& tilt_deg) {
@@ -90,10 +90,10 @@ void readRun(TableReader& root, Model& model) {
     run.time_step = table->number("time_step_s", kDuration);
     run.frame_interval = table->number("frame_interval_s", kDuration).value_or(run.frame_interval);
     if (run.time_step && (*run.time_step > 0.5 * run.duration || *run.time_step < run.duration / kMaxSteps)) {
-        table->error("time_step_s", "found " + numberText(*run.time_step) + " s in a run of " +
-                                        numberText(run.duration) +
-                                        " s, allowed: at most half of it and no more than " +
-                                        numberText(kMaxSteps) + " steps; without the key it is chosen");
+        table->error("time_step_s",
+                     "found " + numberText(*run.time_step) + " s in a run of " + numberText(run.duration) +
+                         " s, allowed: at most half of it and no more than " + numberText(kMaxSteps) +
+                         " steps; if the key is omitted, the step is chosen");
     }
     if (run.duration / run.frame_interval > kMaxFrames)
         table->error("frame_interval_s", "found " + numberText(run.frame_interval) + " s in a run of " +

@@ -78,8 +78,8 @@ class StackBuilder {
         auto shape = makeBox(min, max);
         if (!shape) {
             report_.add(stack_.place, stack_.field,
-                        "block " + name +
-                            " has no room between coordinates that large: " + shape.errors().front().message);
+                        "block " + name + " cannot be represented at coordinates this large: " +
+                            shape.errors().front().message);
             return false;
         }
         Block block;

@@ -52,7 +52,7 @@ void warnOfUnnamed(Report& report, const Node& root) {
             const auto meant = nearest(entry.key, {named->begin(), named->end()});
             report.warn(joinField(section, entry.key) +
                         (entry.place.line > 0 ? " (line " + std::to_string(entry.place.line) + ")" : "") +
-                        ": nothing in the file has this " + section + ", so it has no effect" +
+                        ": nothing in the file uses this " + section + ", so it has no effect" +
                         (meant ? ", did you mean " + quoted(*meant) + "?" : ""));
         }
     }

@@ -111,7 +111,7 @@ void appendWaters(Report& report, const std::vector<WaterEntry>& entries, const 
         if (entry.where == WaterEntry::Where::below_surface) {
             if (model.phreatic)
                 report.add(entry.place, entry.surface.field,
-                           "found a second surface, allowed: one, since it wets every joint");
+                           "found a second surface, allowed: one, because it wets every joint");
             model.phreatic = entry.surface;
             continue;
         }

@@ -92,14 +92,14 @@ class WaterReader {
         if (!how) return;
         water.daylight = *how == 0 ? Water::Daylight::straight : Water::Daylight::half_height;
         if (table.has("head"))
-            table.error("daylights", "found daylights beside head, allowed: one or the other");
+            table.error("daylights", "found daylights together with head, allowed: one or the other");
     }
 
     /// The water table of the whole slope.
     std::optional<WaterEntry> readSurface(TableReader& table, WaterEntry& entry) const {
         entry.where = WaterEntry::Where::below_surface;
         for (const std::string& key : table.present({"depth", "elevation", "levels", "daylights"}))
-            table.error(key, "found " + key + " beside a surface, allowed: one or the other");
+            table.error(key, "found " + key + " together with a surface, allowed: one or the other");
         if (table.has("obj"))
             entry.surface.mesh = readSurfaceMesh(table);
         else
@@ -141,7 +141,7 @@ class WaterReader {
             if (!line.empty() && (*point)[0] <= line.back().x)
                 report_.add(list->at(k).place(), field,
                             "found x = " + numberText((*point)[0]) + " after " + numberText(line.back().x) +
-                                ", a line that folds back; allowed: x that rises");
+                                ", a line that folds back; allowed: increasing x");
             line.push_back({(*point)[0], (*point)[1]});
         }
         if (line.size() < 2) table.error("surface", "found fewer than two points, allowed: at least two");
@@ -209,7 +209,7 @@ class WaterReader {
         const auto crack = table.text("crack");
         if (const auto base = table.number("base", kCoordinate)) entry.water.base = *base;
         if (table.has("base") && table.has("head"))
-            table.error("base", "found base beside head, allowed: with a level");
+            table.error("base", "found base together with head, allowed: with a level");
         const auto name = table.text("joint");
         const auto plane = table.integer("plane", {INT32_MIN, INT32_MAX});
         if (!name) return std::nullopt;
@@ -256,7 +256,7 @@ class WaterReader {
         if (!table.has("percent_filled")) return;
         if (percent) entry.filled = *percent / 100;
         if (table.has("daylights"))
-            table.error("daylights", "found daylights beside percent_filled, allowed: peak");
+            table.error("daylights", "found daylights together with percent_filled, allowed: peak");
         table.require({"peak"});
         if (!peak) return;
         constexpr std::array kFalls{Water::Daylight::straight, Water::Daylight::half_height,

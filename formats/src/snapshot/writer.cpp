@@ -198,7 +198,7 @@ Result<SnapshotWriter> SnapshotWriter::continueFile(OutputFile file, std::size_t
         if (!written) return written.errors();
         return SnapshotWriter(std::make_unique<Work>(std::move(file), std::move(*written)));
     }
-    return Error{"", "holds no full state to go on from", path};
+    return Error{"", "holds no full state to continue from", path};
 }
 
 SnapshotWriter::SnapshotWriter(std::unique_ptr<Work> work) : work_(std::move(work)) {}

@@ -133,8 +133,8 @@ class SweepReader {
             auto thresholds = table->numbers(search.load->key, range, std::nullopt);
             if (&search == sweep_.search && thresholds) sweep_.report.thresholds = std::move(*thresholds);
             if (&search != sweep_.search && table->has(search.load->key))
-                table->error(search.load->key,
-                             "found in another analysis, allowed: with \"" + std::string(search.name) + "\"");
+                table->error(search.load->key, "found with another analysis, allowed: with \"" +
+                                                   std::string(search.name) + "\"");
         }
     }
 

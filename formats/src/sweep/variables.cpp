@@ -145,7 +145,7 @@ class VariablesReader {
     void readValues(TableReader& table, Variable& variable) {
         for (const char* key : {"from", "to", "count", "step"})
             if (table.has(key))
-                table.error(key, "found beside `values`, allowed: either `values` or `from` and `to`");
+                table.error(key, "found together with `values`, allowed: either `values` or `from` and `to`");
         const auto array = table.array("values");
         if (!array) return;
         if (array->size() == 0) table.error("values", "found an empty list, allowed: at least one value");
@@ -195,7 +195,7 @@ class VariablesReader {
         if (!(steps >= 0) || steps > static_cast<double>(kMaxValues)) {
             table.error("step", "found a step of " + numberText(*step) + " from " + numberText(from) +
                                     " to " + numberText(to) + ", allowed: at most " +
-                                    std::to_string(kMaxValues) + " values that lead there");
+                                    std::to_string(kMaxValues) + " values, with a step towards the last one");
             return;
         }
         bool integers = true;
@@ -219,7 +219,7 @@ class VariablesReader {
         const bool has_rows = table->has("columns") || table->has("rows");
         if (table->has("file") == has_rows) {
             table->error("file", std::string("found ") +
-                                     (has_rows ? "it beside `columns` and `rows`" : "no rows") +
+                                     (has_rows ? "it together with `columns` and `rows`" : "no rows") +
                                      ", allowed: either `file`, or `columns` and `rows`");
         } else if (has_rows) {
             table->require({"columns", "rows"});
@@ -393,8 +393,8 @@ class VariablesReader {
         else if (d.kind == Distribution::Kind::truncated_normal &&
                  !(d.max > d.mean - kFarTail * d.sd && d.min < d.mean + kFarTail * d.sd))
             table.error("mean",
-                        "found a normal distribution of which nothing is left between min and max, allowed: "
-                        "a range within " +
+                        "found a normal distribution without probability between min and max, allowed: a "
+                        "range within " +
                             numberText(kFarTail) + " standard deviations of the mean");
     }
 

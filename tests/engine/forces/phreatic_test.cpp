@@ -274,7 +274,7 @@ TEST_SUITE("forces") {
         const auto small = buildState(model, false).errors();
         REQUIRE(small.size() == 1);
         CHECK(small[0].field == "water[0].obj");
-        CHECK(small[0].message.find("does not reach over block \"other\"") == 0);
+        CHECK(small[0].message.find("does not cover block \"other\"") == 0);
         model.phreatic->mesh = over({{-20, 5}, {0, 5}, {0.5, 30}, {30, 30}});
         CHECK(buildState(model, false).ok());
         model.gravity.tilt = radians(60);

@@ -135,7 +135,7 @@ TEST_CASE("terrains: each kind of damage is refused with its place, on every gro
         });
         const auto pinch = closeTerrain(pinched, -5);
         REQUIRE_FALSE(pinch.ok());
-        CHECK(pinch.errors()[0].message.find("hangs together in a point only, at " +
+        CHECK(pinch.errors()[0].message.find("connected only by a point, at " +
                                              place(good.vertices[corner])) != std::string::npos);
     }
     checkRefused(*boxSurface(Vec3::Zero(), Vec3::Ones()), "", {"found a closed surface with a base"});

@@ -105,7 +105,7 @@ TEST_CASE("poles: two notations in one table have to agree") {
     checkOne("strike,dip,dip direction\n45,40,135\n", plane(40, 135));
     checkOne("strike,dip,dip direction\n45,40,136\n", plane(40, 136));  // rounded to whole degrees
     checkFault("strike,dip,dip direction\n45,40,315\n", "2:1",
-               "found another plane by strike_deg, dip_deg than by dip_deg");
+               "found a plane by strike_deg, dip_deg that differs from the one by dip_deg");
 }
 
 TEST_CASE("poles: faults are told where they are, all of them") {

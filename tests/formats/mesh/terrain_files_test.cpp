@@ -125,11 +125,11 @@ TEST_CASE("terrain files: every ground makes the same blocks in all formats, and
               folder.write("far.ply", ply(far)), folder.write("far.asc", asc(z, kN, survey))}) {
             const Scenario moved = readGood(rock("mesh = \"" + file + "\", base = -5"));
             checkSameBlocks(model, moved.model);
-            CHECK(mentions(moved.warnings, "[451200, 5412300, 0] is taken off"));
+            CHECK(mentions(moved.warnings, "[451200, 5412300, 0] is subtracted"));
             const Scenario told =
                 readGood(rock("mesh = \"" + file + "\", base = -5, shift = [451200, 5412300, 0]"));
             checkSameBlocks(model, told.model);
-            CHECK_FALSE(mentions(told.warnings, "taken off"));
+            CHECK_FALSE(mentions(told.warnings, "subtracted"));
         }
         const Model half =
             readGood(rock("obj = \"" + folder.write("a.obj", obj(s)) + "\", base = -5, scale = 0.5")).model;
@@ -153,14 +153,14 @@ TEST_CASE("terrain files: what was repaired, turned and simplified is told, and 
     const Scenario turned = readGood(rock("obj = \"" + folder.write("t.obj", obj(s)) + "\", base = -5"));
     CHECK(mentions(turned.warnings,
                    "t.obj was repaired within 1.6e-05 m: 1 duplicate vertex, 0 T-junctions, 0 triangles"));
-    CHECK(mentions(turned.warnings, "t.obj has triangles that all look down, and was turned over"));
+    CHECK(mentions(turned.warnings, "t.obj was turned over, because all its triangles face down"));
     CHECK(
         readBad(rock("obj = \"" + folder.write("t.obj", obj(s)) + "\", base = -5, tolerance = 1e-6")).size() >
         0);
 
     const Scenario rough = readGood(rock("obj = \"" + whole + "\", base = -5"));
-    CHECK(mentions(rough.warnings,
-                   "blocks at the surface are dust, smaller than a thousandth of the median block"));
+    CHECK(
+        mentions(rough.warnings, "blocks at the surface are smaller than a thousandth of the median block"));
     CHECK(mentions(rough.warnings, "; simplify = "));
     const Scenario smooth = readGood(rock("obj = \"" + whole + "\", base = -5, simplify = 0.4"));
     CHECK(mentions(smooth.warnings, "was simplified from 128 to "));
@@ -191,7 +191,7 @@ TEST_CASE("terrain files: faults have their line, their triangle and their place
     CHECK(has(text, " (line "));
     CHECK(has(text, "meet near ("));
     CHECK(has(fault(folder.write("o.obj", obj(good)), {}),
-              "of an open terrain give the elevation of its base"));
+              "for an open terrain give the elevation of its base"));
     const auto low = readMesh(folder.write("o.obj", obj(good)), onBase(3));
     REQUIRE_FALSE(low.ok());
     CHECK(low.errors()[0].field == "base");
@@ -229,7 +229,7 @@ TEST_CASE("terrain files: grids may lack heights at their rim, not inside; their
         "x.asc:5: error: found no yllcorner before the heights");
     bad("ncols 2\nnrow 2\n", "x.asc:2: error: found \"nrow\", did you mean \"nrows\"?");
     bad("ncols two\n", "x.asc:1: error: found \"two\" behind ncols");
-    bad("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 0\n1 2 3 4\n", "found a cell of no size");
+    bad("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 0\n1 2 3 4\n", "found a cell without a size");
     bad("", "found no heights");
 }
 

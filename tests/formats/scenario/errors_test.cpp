@@ -212,7 +212,7 @@ TEST_CASE("scenario errors: stacks") {
     checkFault(
         {properties() + shape + "block = [1e6, 2, 2]\n", 11, "stack[0].block", "found a stack that reaches"});
     checkFault({properties() + shape + "block = [1e-300, 2, 2]\norigin = [1, 0, 0]\n", 7, "stack[0]",
-                "no room between coordinates"});
+                "cannot be represented at coordinates"});
 
     checkFault(inStack("origin = [0, 0]", ".origin", "an array of 3 numbers"));
     checkFault(inStack("origin = [0, 0, \"a\"]", ".origin[2]", "found a string \"a\", allowed: a number"));
@@ -256,8 +256,8 @@ TEST_CASE("scenario errors: stacks") {
                 "found a table, allowed: tables that begin with [[stack]]"});
     checkFault({"stack = [1]\n" + properties(), 1, "stack[0]", "found an integer 1, allowed: tables"});
     const std::string large = "columns = 1000000\nrows = 2\nslices = 1\n";
-    checkFault({properties() + stack("", large), 7, "stack[0]",
-                "found 2000001 blocks up to here, allowed: 2000000"});
+    checkFault(
+        {properties() + stack("", large), 7, "stack[0]", "found 2000001 blocks so far, allowed: 2000000"});
 }
 
 TEST_CASE("scenario errors: blocks placed by hand") {

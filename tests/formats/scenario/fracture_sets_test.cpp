@@ -81,11 +81,11 @@ TEST_CASE("fracture sets: faults are told where they are") {
     fault(plane + "radius = 1\ncount = 3\nradius_exponent = 2\n", 14, ".radius_exponent",
           "only with radius_law = \"power\"");
     fault(plane + "radius_law = \"power\"\nradius_exponent = 2\nradius_min = 3\nradius_max = 2\ncount = 3\n",
-          14, ".radius_min", "found 3 to 2, allowed: the lesser first");
+          14, ".radius_min", "found 3 to 2, allowed: the smaller one first");
     fault("file = \"none.csv\"\n", 10, ".file", "none.csv: error: cannot be opened");
     fault("file = \"" + folder.write("one.csv", "x,y,z,dip,dip_direction,radius\n1,2,3,4,5,6\n") +
               "\"\nradius = 2\n",
-          11, ".radius", "beside file");
+          11, ".radius", "together with file");
     const auto bad = [&](const std::string& text, const std::string& fragment) {
         const auto errors = readBad(rock("file = \"" + folder.write("bad.csv", text) + "\"\n"));
         CHECK(errors[0].field == "fracture_set[0].file");

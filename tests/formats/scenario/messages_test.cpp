@@ -240,12 +240,12 @@ TEST_CASE("scenario messages: joints and materials that nothing has are warned o
     REQUIRE(misspelt.size() == 1);
     CHECK(
         misspelt[0] ==
-        "joint.Bed (line 7): nothing in the file has this joint, so it has no effect, did you mean \"bed\"?");
+        "joint.Bed (line 7): nothing in the file uses this joint, so it has no effect, did you mean \"bed\"?");
     CHECK(warningsOf(joint("wall") + material() + block("one", "joint = \"wall\"\n")).empty());
     const auto spare =
         warningsOf(properties() + "[material.slate]\ndensity = 2600\n" + stack("material = \"granite\"\n"));
     REQUIRE(spare.size() == 1);
-    CHECK(spare[0].find("material.slate (line 7): nothing in the file has this material") == 0);
+    CHECK(spare[0].find("material.slate (line 7): nothing in the file uses this material") == 0);
     // A joint set of the joint's own name, and one that stands for intact rock, have it.
     CHECK(
         warningsOf("[material.rock]\ndensity = 2600\n" + joint("J1") + joint("rock") +

@@ -127,7 +127,8 @@ TEST_CASE("rock mass: faults of the region") {
     fault("", ".box", "missing; one of these is required: box, profile, mesh, stl, obj, ply, asc");
     fault("box = { min = [0, 0, 0], max = [1, 1, 0] }", ".box", "min must be below max");
     fault("profile = [[0, 0], [1, 0], [0, 1]]", ".y", "missing");
-    fault("profile = [[0, 0], [1, 0], [0, 1]], y = [1, 0]", ".y", "found 1 to 0, allowed: the lesser first");
+    fault("profile = [[0, 0], [1, 0], [0, 1]], y = [1, 0]", ".y",
+          "found 1 to 0, allowed: the smaller one first");
     fault("profile = [[0, 0], [1, 1], [1, 0], [0, 1]], y = [0, 1]", ".profile[2]",
           "meets the one behind point [0]");
     fault("stl = \"none.stl\"", ".stl", "none.stl: error: cannot be opened");
@@ -158,7 +159,8 @@ TEST_CASE("rock mass: faults of joints") {
            "found 91, allowed: at least 0");
     single("polygon = [[0, 0, 0], [1, 0, 0]]\n", 10, ".polygon", "found 2 corners");
     single("polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.5]]\n", 10, ".polygon[1]", "off the plane");
-    single("polygon = [[0, 0, 1], [1, 0, 1], [1, 1, 1]]\nradius = 2\n", 11, ".radius", "beside polygon");
+    single("polygon = [[0, 0, 1], [1, 0, 1], [1, 1, 1]]\nradius = 2\n", 11, ".radius",
+           "together with polygon");
 }
 
 TEST_CASE("rock mass: slivers can be refused") {
@@ -176,14 +178,14 @@ TEST_CASE("rock mass: selections and names that find no block") {
     };
     fixed("{ box = { min = [5, 0, 0], max = [6, 1, 1] } }", "", "cut away");
     fixed("{ plane = { point = [0, 0, 0.5], dip_deg = 0, dip_direction_deg = 0 } }", "",
-          "cut otherwise, or cut away");
+          "cut it differently, or it was cut away");
     fixed("{ name = \"b25\" }", ".name", "found the unknown block \"b25\", allowed: \"b1\" to \"b24\"");
     fixed("{ joint = \"beds\" }", ".joint", "found the joint set \"beds\", allowed: a single joint");
     fixed("{ joint = \"bed\" }", ".joint", "did you mean \"beds\"?");
     fixed("{ boundary = \"up\" }", ".boundary", "allowed: \"-x\"");
     fixed("{ side = \"above\" }", ".box", "missing; one of these is required");
     checkFault(rockMass("names = { key = [0, 0, 9] }\n"), 9, "rock_mass.names.key",
-               "found a point in no block");
+               "found a point outside every block");
     checkFault(rockMass("names = { a = [1, 1, 1], b = [2, 1, 1] }\n"), 9, "rock_mass.names.b",
                "named \"a\" already");
 }

@@ -91,9 +91,9 @@ TEST_SUITE("scenario") {
         starts(refused(bolt(kBar + anchored) + bolt(kBar + anchored)),
                "bolt[1].name: found \"A1\" a second time");
         starts(refused("[[bolt]]\nhead = [1.0, 1.0, 1.0]\nend = [1.0, 1.0, 1.0]\n" + kBar + anchored),
-               "bolt[0].end: found the place of head");
+               "bolt[0].end: found the same point as head");
         starts(refused(pattern("box = { min = [-1, 0, 9], max = [1, 4, 12] }\n")),
-               "bolt_pattern[0].box: no free face");
+               "bolt_pattern[0].box: found no free face");
     }
 
     TEST_CASE("a pattern becomes bolts on the free face that looks its way") {
@@ -207,7 +207,7 @@ TEST_SUITE("scenario") {
         starts(refused("[[water]]\nsurface = [[0.0, 1.0]]\n"),
                "water[0].surface: found fewer than two points");
         starts(refused("[[water]]\nsurface = [[0.0, 1.0], [1.0, 1.0]]\ndepth = 1.0\n"),
-               "water[0].depth: found depth beside a surface");
+               "water[0].depth: found depth together with a surface");
         starts(refused("[[water]]\nbetween = [\"top\", \"base\"]\ndepth = 1.0\nfactor = 0.5\n"),
                "water[0].factor: ");
         const std::string one = "[[water]]\nsurface = [[0.0, 1.0], [1.0, 1.0]]\n";

@@ -76,7 +76,7 @@ TEST_CASE("what fails has another colour than what stands and what is fixed, and
     const std::set<std::string> colours{colourOf(svg, "low"), colourOf(svg, "high"), colourOf(svg, "floor")};
     CHECK(colours.size() == 3);
     CHECK(says(svg, ">two.toml: factor of safety 1.2500, sliding</text>"));
-    CHECK(says(svg, "motion drawn 5e+02 times as large"));
+    CHECK(says(svg, "displacements enlarged 5e+02 times"));
     for (const char* words : {">stands<", ">fixed<", ">fails<"}) CHECK(says(svg, words));
 
     SearchResult still = lowSlides();
@@ -96,7 +96,7 @@ TEST_CASE("each group has its colour, and those left out theirs") {
 
     result.groups.clear();
     result.fallen_at_start = {"high"};
-    CHECK(says(picture(result, scenario()), ">fell before, left out<"));
+    CHECK(says(picture(result, scenario()), ">removed before<"));
 }
 
 TEST_CASE("one slice is seen in section, others obliquely; a turn goes about the block's middle") {
@@ -114,7 +114,7 @@ TEST_CASE("where nothing fails the slope is drawn as it is") {
     result.status = SearchStatus::stable_to_stop;
     result.low = 100;
     const std::string svg = picture(result, scenario());
-    CHECK(says(svg, "stands to the end of the search"));
-    CHECK_FALSE(says(svg, "times as large"));
+    CHECK(says(svg, "stable up to the largest load tried"));
+    CHECK_FALSE(says(svg, "displacements enlarged"));
     CHECK_FALSE(says(svg, ">fails"));
 }

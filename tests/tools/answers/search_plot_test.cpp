@@ -88,11 +88,12 @@ TEST_CASE("what comes down from a greater strength is drawn apart") {
     CHECK(plot.y.title == "strengths divided by");
 }
 
-TEST_CASE("the largest load that stands is marked, also where the curve has come down from it") {
+TEST_CASE(
+    "the largest load at which the slope stands is marked, also where the curve has come down from it") {
     const Plot plot =
         searchPlot(factor(), found({{1, 0}, {1.5, 1e-3}, {1.4, 2e-3}, {1.3, 3e-3}}, 1.5), "s.toml", 0);
     const auto stands = std::find_if(plot.series.begin(), plot.series.end(), [](const Series& series) {
-        return series.name == "largest load that stands";
+        return series.name == "largest load at which the slope stands";
     });
     REQUIRE(stands != plot.series.end());
     CHECK(stands->rows.front()[1] == doctest::Approx(1.5));

@@ -162,7 +162,7 @@ TEST_CASE("an empty batch has a report, too") {
     batch.lines.clear();
     const Json report = batchReport(summarise(batch), Json::object());
     CHECK(report["opening"][1]["text"] ==
-          "Not finished: 20 runs are missing. The same command goes on where it was stopped.");
+          "Not finished: 20 runs are missing. Run the same command again to continue.");
     CHECK(blocksOf(report, "response").is_null());
     CHECK(!blocksOf(report, "origin").is_null());
 }

@@ -317,7 +317,7 @@ TEST_CASE("a foreign results.csv is left as it is, its torn last line too") {
     const std::string path = batch.folder.write("out/results.csv", foreign);
     const Outcome outcome = batch.run();
     CHECK(outcome.exit_code == 2);
-    CHECK(outcome.err.find("no table of this sweep's results") != std::string::npos);
+    CHECK(outcome.err.find("not a table of this sweep's results") != std::string::npos);
     CHECK(contentOf(path) == foreign);
     CHECK_FALSE(std::filesystem::exists(batch.out() + "/batch.json"));
 }

@@ -143,7 +143,7 @@ TEST_CASE("inspect: a cut file is read as far as it goes, a damaged one is not s
     REQUIRE(outcome.exit_code == 0);
     CHECK(outcome.json().at("frames").get<int>() < 21);
     CHECK(outcome.json().at("faults").size() == 2);
-    CHECK(outcome.err.find("no whole record") != std::string::npos);
+    CHECK(outcome.err.find("not a whole record") != std::string::npos);
     CHECK(runTalus({"inspect", cut, "--verify"}).exit_code == 2);
     bytes[bytes.size() / 2] ^= 0x10;
     const std::string damaged = folder.write("damaged.mcap", bytes);

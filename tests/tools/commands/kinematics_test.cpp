@@ -251,7 +251,8 @@ TEST_CASE("kinematics: bad input is told, with its place") {
     refused({folder.write("bad.csv", "dip,dd\n95,10\n"), "--slope", "70/180", "--friction", "30"},
             "bad.csv:2:1: error: found dip \"95\"");
     const std::string rock = folder.write("rock.toml", kRock);
-    refused({rock, "--slope", "70/180", "--friction", "30", "--scanline", "10/5"}, "no scanline has met");
+    refused({rock, "--slope", "70/180", "--friction", "30", "--scanline", "10/5"},
+            "not measured along a scanline");
     refused({folder.write("block.toml", blockScenario(0, 30)), "--slope", "70/180", "--friction", "30"},
             "found no joint set in");
     const Outcome json = runTalus({"kinematics", file, "--slope", "95/180", "--friction", "30", "--json"});

@@ -119,7 +119,7 @@ TEST_CASE("a search has its ceiling beside the answer, unless it is left out") {
     const auto without = runTalus({"critical-angle", path, "--no-ceiling", "--json"}).json();
     CHECK(without.at("ceiling").is_null());
     CHECK(without.at("upper_bound").is_null());
-    CHECK(without.at("ceiling_reason") == "not wanted (--no-upper-bound)");
+    CHECK(without.at("ceiling_reason") == "not computed (--no-upper-bound)");
     CHECK(angle.at("upper_bound") == angle.at("ceiling"));
     CHECK(angle.at("answer_interval")[1].get<double>() >= angle.at("critical_angle_deg").get<double>());
     for (const auto& [never, always] :

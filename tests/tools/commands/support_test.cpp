@@ -128,8 +128,8 @@ TEST_CASE("support: a slice shows no spacing wider than itself, and what it show
     const Outcome people = runTalus({"support", folder.write("slice.toml", pinned("2", "[3.0, 1.0]")), "--by",
                                      "number", "--factor", "0.7", "--quiet"});
     CAPTURE(people.out);
-    CHECK(people.out.find(" 1 in a row 2.000 m wide, all together ") != std::string::npos);
-    CHECK(people.out.find("a spacing along wider than that takes a wider slice") != std::string::npos);
+    CHECK(people.out.find(" 1 in a row 2.000 m wide, in all ") != std::string::npos);
+    CHECK(people.out.find("a wider spacing along the face needs a wider slice") != std::string::npos);
     CHECK(people.out.find("active: the factor divides the strength of joints") != std::string::npos);
 }
 

@@ -23,6 +23,7 @@ Vec3 vectorOf(const json& list) { return Vec3(list[0], list[1], list[2]); }
 void checkMotion(SnapshotReader& reader, const json& result) {
     const formats::SnapshotHeader& header = reader.header();
     const double way = result.at("kept_mechanism").at("farthest_way_m");
+    CHECK(result.at("kept_mechanism").at("farthest_displacement_m") == way);
     const std::size_t last = reader.frames().size() - 1;
     for (const std::size_t k : {std::size_t{0}, last / 2, last}) {
         const LightFrame frame = *reader.frame(k);

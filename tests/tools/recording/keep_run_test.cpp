@@ -158,7 +158,7 @@ TEST_CASE("a slope that stands keeps nothing and says so; nothing finished is re
     const Outcome nothing = runTalus({"critical-angle", stands, "--keep-run", file, "--json", "--quiet"});
     CHECK(nothing.exit_code == 0);
     CHECK(nothing.json().at("kept_run").at("file").is_null());
-    CHECK(nothing.json().at("kept_run").at("reason") == "the slope stands to the end of the search");
+    CHECK(nothing.json().at("kept_run").at("reason") == "the slope is stable up to the largest load tried");
     CHECK_FALSE(std::filesystem::exists(file));
     CHECK(runTalus({"critical-angle", stands, "--keep-run", file, "--quiet"})
               .out.find("kept run          none: ") != std::string::npos);

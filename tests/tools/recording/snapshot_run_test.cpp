@@ -107,7 +107,7 @@ TEST_CASE("an interrupted run is resumed in a copy; the file it came from stays"
     const std::string before = contentOf(folder / "a.mcap");
     const Outcome anew = runTalus({"run", scenario, "-o", folder / "a.mcap"});
     CHECK(anew.exit_code == 2);
-    CHECK(anew.err.find("interrupted; talus run --resume goes on with it") != std::string::npos);
+    CHECK(anew.err.find("interrupted; talus run --resume continues it") != std::string::npos);
     const Outcome resumed =
         runTalus({"run", "--resume", folder / "a.mcap", "-o", folder / "b.mcap", "--json"});
     REQUIRE(resumed.exit_code == 0);

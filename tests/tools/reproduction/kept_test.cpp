@@ -95,7 +95,7 @@ TEST_CASE("without kept runs the page says how to get them; a slope that stood i
     CHECK(said(samples::results(), 0).find("talus paper --keep-run") != std::string::npos);
     PaperResults results = samples::results();
     results.kept.push_back({0, "Fig. 4", "failing/dry.mcap", "failing/dry.html", {}});
-    results.kept[0].run.reason = "the slope stands to the end of the search";
-    CHECK(said(results, 1).ends_with("not kept, the slope stands to the end of the search."));
+    results.kept[0].run.reason = "the slope is stable up to the largest load tried";
+    CHECK(said(results, 1).ends_with("not kept, the slope is stable up to the largest load tried."));
     CHECK(keptSection(results)["blocks"].size() == 2);
 }

@@ -87,7 +87,7 @@ class Result:
 class SearchResult(Result):
     """Of ``critical_angle``, ``safety_factor`` or ``critical_acceleration``: beside the answer and its bracket
 
-    - ``path``: the curve, an array of shape (n, 2): displacement of the block that has come farthest [m], load (as the answer)
+    - ``path``: the curve, an array of shape (n, 2): largest displacement of a block [m], load (as the answer)
     - ``answer_interval``, ``answer_interval_reasons``: the lowest and the highest answer found, and how; None without an answer
     - ``failure_displacement``: from which on a failure counts, between neighbours, as a share of the median block size
     - ``answers_by_displacement``: ``displacement``, ``load`` of each other answer that another one would give
