@@ -16,7 +16,10 @@ struct MotionRule {
     /// start.)
     static constexpr double kDeflections = 2.0, kShare = 0.02;
     static constexpr double kToppling = 0.25;  ///< rotation times the moving group's extent, over the way
-    static constexpr double kPure = 0.9;       ///< share of the moving mass that gives the whole its mode
+    /// Of the way: what moves by as much against its neighbours wherever it touches them has no pivot. (A
+    /// slide whose tip runs onto level ground is lifted there, and turns as it goes.)
+    static constexpr double kNoPivot = 0.5;
+    static constexpr double kPure = 0.9;  ///< share of the moving mass that gives the whole its mode
     /// Where nobody knows the deflection at rest: of the smallest free block, whose joints give less by far.
     static constexpr double kDeflectionOfSize = 5e-4;
 };
@@ -30,9 +33,9 @@ struct BlockWay {
     double rotation = 0;           ///< [rad]
     double spin = 0;               ///< of that, about the normal of the joint that carries the block [rad]
     double mass = 0;               ///< [kg]
-    /// Whether it slips wherever it bears on another block: then no point of it is a pivot. (A slide whose tip
-    /// runs onto level ground is lifted there, and turns as it goes.)
-    bool slips_everywhere = false;
+    /// The least that it moves against a neighbour at any of their contact points [m]: nothing at a pivot. 0
+    /// where that is not known.
+    double least_against_others = 0;
 
     double way() const { return translation + rotation * radius; }  ///< of its farthest corner, at most [m]
     /// A turn about the normal opens no joint: the block slides.
@@ -40,8 +43,8 @@ struct BlockWay {
 };
 
 /// Per block: `none` when it stands (or is not free), `toppling` when it turns about a pivot within reach of
-/// the moving group, else `sliding`, also where it turns in the plane of its joint or slips wherever it bears
-/// on others. \param deflection  how
+/// the moving group, else `sliding`, also where it turns in the plane of its joint, or has no pivot on a
+/// neighbour. \param deflection  how
 /// far the assembly has come at rest [m]
 std::vector<FailureMode> motionRoles(const std::vector<BlockWay>& blocks, double deflection);
 

@@ -37,23 +37,23 @@ Vec3 carryingNormal(const State& state, std::size_t b) {
     return normal;
 }
 
-/// Whether all contact points that press on a block slip; not where none does.
-bool slipsEverywhere(const State& state, std::size_t b) {
-    bool bears = false;
-    for (auto k = state.incidence.interface_begin[b]; k < state.incidence.interface_begin[b + 1]; ++k) {
-        const auto i = static_cast<std::size_t>(state.incidence.interface[static_cast<std::size_t>(k)]);
-        if (isIdle(state.interfaces, i)) continue;
-        const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-        for (const ContactPoint& point : contactPoints(state, i)) {
-            if (point.force.normal <= 0) continue;
-            bears = true;
-            const bool slips =
-                point.force.slips ||
-                contact::shearStrength(law, point.area, point.force.normal, point.memory.bond) == 0;
-            if (!slips) return false;
+/// The least that a block moves against another one at any of their contact points, in whatever direction
+/// [m]: nothing, at a pivot. 0 where it touches none.
+double leastAgainstOthers(const Places& from, const State& to, std::size_t b) {
+    double least = kInfinity;
+    for (auto k = to.incidence.interface_begin[b]; k < to.incidence.interface_begin[b + 1]; ++k) {
+        const auto i = static_cast<std::size_t>(to.incidence.interface[static_cast<std::size_t>(k)]);
+        if (isVertexEdge(to.interfaces, i) && isIdle(to.interfaces, i)) continue;
+        const RelativePose was = relativePose(from.position, from.orientation, to.interfaces, i),
+                           is = relativePose(to, i);
+        for (const ContactPoint& point : contactPoints(to, i)) {
+            const Vec3 at(1, point.position.x(), point.position.y());
+            least = std::min(least, Vec3((is.slide_1 - was.slide_1).dot(at),
+                                         (is.slide_2 - was.slide_2).dot(at), (is.gap - was.gap).dot(at))
+                                        .norm());
         }
     }
-    return bears;
+    return least < kInfinity ? least : 0;
 }
 
 BlockWay wayOf(const Places& from, const State& to, std::size_t b) {
@@ -65,7 +65,7 @@ BlockWay wayOf(const Places& from, const State& to, std::size_t b) {
             .spin = std::abs(
                 rotationVector(from.orientation[b], to.blocks.orientation[b]).dot(carryingNormal(to, b))),
             .mass = to.blocks.mass[b],
-            .slips_everywhere = slipsEverywhere(to, b)};
+            .least_against_others = leastAgainstOthers(from, to, b)};
 }
 
 /// Shares of open area and of mobilised friction over a block's contact points.

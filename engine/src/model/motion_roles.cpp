@@ -37,8 +37,9 @@ std::vector<FailureMode> motionRoles(const std::vector<BlockWay>& blocks, double
     std::vector<FailureMode> roles(blocks.size(), FailureMode::none);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (!moving[b]) continue;
-        const bool topples = !blocks[b].slips_everywhere &&
-                             blocks[b].tipping() * extent > MotionRule::kToppling * blocks[b].way();
+        const bool has_pivot = blocks[b].least_against_others < MotionRule::kNoPivot * blocks[b].way();
+        const bool topples =
+            has_pivot && blocks[b].tipping() * extent > MotionRule::kToppling * blocks[b].way();
         roles[b] = topples ? FailureMode::toppling : FailureMode::sliding;
     }
     return roles;

@@ -347,7 +347,7 @@ TEST_CASE(
         blockScenario(
             30, 20,
             "[run]\nduration_s = 1.0\n[[water]]\nbetween = [\"key\", \"floor\"]\nhead = [0.2, 0.1]\n"));
-    CHECK(warns(with({"run", undrained}), "water[0] never drains: block \\\"key\\\" has gone"));
+    CHECK(warns(with({"run", undrained}), "water[0] never drains: block \\\"key\\\" is displaced by"));
 }
 
 TEST_CASE("an interrupted search says so once, with what it knows, and nothing beside an answer it has not") {
