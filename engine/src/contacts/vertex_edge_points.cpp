@@ -360,6 +360,13 @@ bool areParallelSided(const WorldShape& first, const WorldShape& second, double 
     });
 }
 
+/// At least half of the largest distance between two vertices, at most all of it [m].
+double widthOf(const WorldShape& shape) {
+    double most = 0;
+    for (const Vec3& v : shape.vertices) most = std::max(most, (v - shape.vertices[0]).norm());
+    return most;
+}
+
 }  // namespace
 
 bool areApart(const WorldShape& first, const WorldShape& second, double distance) {
@@ -391,8 +398,9 @@ Approach approachOf(const WorldShape& first, const WorldShape& second, const Ver
         return true;
     });
     if (apart) return Approach::apart;
-    // As in findMeeting: parts that touch where their bodies do not, and hardly will.
-    if (most < of_parts - travel - kDeeperThanParts * limits.tie) return Approach::faces;
+    // As in findMeeting: parts that touch where their bodies do not, and will not with what they move and turn.
+    const double deepest = of_parts - travel - kDeeperThanParts * limits.tie;
+    if (most < deepest && most < deepest - turn * (widthOf(first) + widthOf(second))) return Approach::faces;
     return sharpest > most - travel ? Approach::vertex_edge : Approach::faces;
 }
 
