@@ -138,7 +138,7 @@ constexpr Description kScenario[] = {
     {"fracture_set", "discs drawn at random, or read from a file, that cut the rock mass"},
     {"fracture_set[].name", "takes the strength [joint.NAME], if there is one"},
     {"fracture_set[].joint", "its strength, instead of by its name"},
-    {"fracture_set[].file", "discs from a CSV file: x_m, y_m, z_m, dip_deg, dip_direction_deg, radius_m"},
+    {"fracture_set[].file", "discs from a table: x_m, y_m, z_m; an orientation as pole tables have it; radius_m, diameter_m or trace_m"},
     {"fracture_set[].radius_law", "\"constant\" (default), \"lognormal\", \"power\""},
     {"fracture_set[].radius", "constant: of all; lognormal: their mean"},
     {"fracture_set[].radius_deviation", "lognormal: standard deviation"},
