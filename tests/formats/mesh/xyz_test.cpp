@@ -132,7 +132,7 @@ TEST_CASE("points: faults name line, column, what was found and what is allowed"
     CHECK(has(fault("0 0 0\n1e9 1e9 0\n", cellsOf(1)),
               "found 2 points over 1.000000002e+18 cells, allowed: at most 10200; a larger cell"));
     CHECK(has(fault("0 0 0\n1e300 0 0\n", cellsOf(1e-300)), "allowed: at most 10200"));
-    CHECK(has(fault("0 0 0\n", {}), "cell_m: missing; required for points"));
+    CHECK(has(fault("0 0 0\n", {}), "cell_m: found points without a cell size"));
 
     const TemporaryFolder folder;
     const std::string file = folder.write("p.txt", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
@@ -141,7 +141,7 @@ TEST_CASE("points: faults name line, column, what was found and what is allowed"
                " }\n[[joint_set]]\ndip_deg = 30\ndip_direction_deg = 265\nspacing = 3\n";
     };
     CHECK(readGood(region(", cell_m = 1, cell_height = \"median\"")).model.blocks.size() > 0);
-    checkFault({region(""), 8, "rock_mass.region.cell_m", "missing; required for points"});
+    checkFault({region(""), 8, "rock_mass.region.cell_m", "found points without a cell size"});
     checkFault({region(", cell_m = 0"), 8, "rock_mass.region.cell_m", "greater than 0"});
 }
 
