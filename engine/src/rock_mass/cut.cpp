@@ -241,7 +241,9 @@ class Cutter {
                  ++next)
                 add(tallies_[next], tally);
             for (std::size_t k = joint; k < next; ++k) idle += tallies_[k].cuts + tallies_[k].left_out == 0;
-            warnOf(titleOf(description_, joint), tally, idle, next - joint, isOfNetwork(joint));
+            // Those that end at another set are laid out over the region's box, beyond the region, too.
+            if (isOfNetwork(joint) && !isDisc(joint) && idle < next - joint) idle = 0;
+            warnOf(titleOf(description_, joint), tally, idle, next - joint, isDisc(joint));
             joint = next;
         }
     }
@@ -249,6 +251,10 @@ class Cutter {
     bool isOfNetwork(std::size_t joint) const {
         const std::size_t sets = description_.sets.size();
         return joint >= sets && description_.singles[joint - sets].of_network;
+    }
+
+    bool isDisc(std::size_t joint) const {
+        return isOfNetwork(joint) && description_.singles[joint - description_.sets.size()].radius;
     }
 
     static void add(const Tally& other, Tally& sum) {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "mesh/builder.h"
+#include "mesh/grid.h"
 #include "toml/wording.h"
 
 namespace talus::formats {
@@ -25,7 +26,7 @@ class AscReader {
     Result<FileSurface> read() {
         if (auto fault = readHeader()) return *fault;
         if (auto fault = readHeights()) return *fault;
-        addTriangles();
+        mesh::addSquares({columns_, rows_, vertices_, heights_, line_}, builder_);
         return builder_.finish();
     }
 
@@ -115,27 +116,6 @@ class AscReader {
         if (vertices_.size() == wanted) return std::nullopt;
         return fault("found " + std::to_string(vertices_.size()) + " heights, allowed: ncols times nrows, " +
                      std::to_string(wanted));
-    }
-
-    /// From the south-west on: squares with all four heights; a square that lacks one is no part of the
-    /// terrain.
-    void addTriangles() {
-        const auto height = [&](std::int32_t v) { return heights_[static_cast<std::size_t>(v)]; };
-        for (std::size_t row = rows_ - 1; row-- > 0;)
-            for (std::size_t column = 0; column + 1 < columns_; ++column) {
-                const std::size_t at = row * columns_ + column;
-                const std::int32_t nw = vertices_[at], ne = vertices_[at + 1], sw = vertices_[at + columns_],
-                                   se = vertices_[at + columns_ + 1];
-                if (std::min({nw, ne, sw, se}) < 0) continue;
-                const int line = line_[row];
-                if (std::abs(height(sw) - height(ne)) <= std::abs(height(se) - height(nw))) {
-                    builder_.triangle({sw, se, ne}, line);
-                    builder_.triangle({sw, ne, nw}, line);
-                } else {
-                    builder_.triangle({sw, se, nw}, line);
-                    builder_.triangle({se, ne, nw}, line);
-                }
-            }
     }
 
     Words words_;

@@ -15,6 +15,21 @@ std::int32_t SurfaceBuilder::vertex(const Vec3& position) {
 void SurfaceBuilder::triangle(const std::array<std::int32_t, 3>& corners, int line) {
     file_.surface.triangles.push_back(corners);
     file_.lines.push_back(line);
+    file_.solid.push_back(solid_);
+}
+
+void SurfaceBuilder::beginSolid(std::string name) {
+    solid_ = static_cast<std::int32_t>(file_.solids.size());
+    file_.solids.push_back(std::move(name));
+}
+
+void SurfaceBuilder::continueSolid(const std::string& name) {
+    const auto [known, is_new] =
+        solid_of_name_.try_emplace(name, static_cast<std::int32_t>(file_.solids.size()));
+    if (is_new)
+        beginSolid(name);
+    else
+        solid_ = known->second;
 }
 
 bool SurfaceBuilder::face(const std::vector<std::int32_t>& corners, int line) {

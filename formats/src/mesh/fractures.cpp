@@ -1,5 +1,6 @@
 #include "talus/formats/fractures.h"
 
+#include <array>
 #include <numbers>
 
 #include "mesh/plane_table.h"
@@ -16,22 +17,37 @@ using enum PlaneColumn;
 
 constexpr double kDeg = std::numbers::pi / 180;
 
-/// One size of the disc: its radius, or its diameter.
-bool hasOneSize(PlaneTable& rows) {
-    if (rows.has(radius) != rows.has(diameter)) return true;
-    rows.fault(rows.has(radius) ? "found radius_m and diameter_m, allowed: one of them"
-                                : "found no size of the discs, allowed: radius_m or diameter_m");
-    return false;
+/// How a table may state the size of a disc. A trace is taken as a chord through the centre: the smallest
+/// disc that has it.
+struct Size {
+    PlaneColumn column;
+    std::string_view title;
+    double radii;  ///< how many radii it is long
+};
+constexpr std::array kSizes{Size{radius, "radius_m", 1}, Size{diameter, "diameter_m", 2},
+                            Size{trace, "trace_m", 2}};
+
+/// The one size that the table has; none, or several, are a fault.
+const Size* sizeOf(PlaneTable& rows) {
+    const Size* own = nullptr;
+    std::string found;
+    for (const Size& size : kSizes) {
+        if (!rows.has(size.column)) continue;
+        found += (found.empty() ? "" : " and ") + std::string(size.title);
+        own = own == nullptr ? &size : own;
+    }
+    if (own != nullptr && found == own->title) return own;
+    rows.fault(own == nullptr ? "found no size of the discs, allowed: radius_m, diameter_m or trace_m"
+                              : "found " + found + ", allowed: one of them");
+    return nullptr;
 }
 
-void readRow(PlaneTable& rows, std::vector<Fracture>& fractures) {
+void readRow(PlaneTable& rows, const Size& size, std::vector<Fracture>& fractures) {
     const auto at_x = rows.number(x), at_y = rows.number(y), at_z = rows.number(z);
     const auto plane = rows.orientation();
-    const auto size = rows.number(rows.has(radius) ? radius : diameter);
-    if (at_x && at_y && at_z && plane && size) {
-        fractures.push_back(
-            {{*at_x, *at_y, *at_z}, plane->dip, plane->dip_direction, rows.has(radius) ? *size : *size / 2});
-    }
+    const auto length = rows.number(size.column);
+    if (at_x && at_y && at_z && plane && length)
+        fractures.push_back({{*at_x, *at_y, *at_z}, plane->dip, plane->dip_direction, *length / size.radii});
 }
 
 }  // namespace
@@ -54,10 +70,10 @@ Result<std::vector<Fracture>> readFractures(const std::string& path) {
 }
 
 Result<std::vector<Fracture>> parseFractures(const std::string& text, const std::string& path) {
-    PlaneTable rows(path, text, {x, y, z, radius, diameter});
+    PlaneTable rows(path, text, {x, y, z, radius, diameter, trace});
     std::vector<Fracture> fractures;
-    if (rows.readHeader({x, y, z}) && hasOneSize(rows))
-        while (rows.next()) readRow(rows, fractures);
+    const Size* size = rows.readHeader({x, y, z}) ? sizeOf(rows) : nullptr;
+    while (size != nullptr && rows.next()) readRow(rows, *size, fractures);
     if (!rows.faults().empty()) return rows.faults();
     return fractures;
 }

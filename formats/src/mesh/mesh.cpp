@@ -1,4 +1,4 @@
-// From a file's triangles to a closed surface: scaled, shifted, repaired, simplified, closed.
+// From a file's triangles to a closed surface: scaled, shifted, repaired, mended, simplified, closed.
 
 #include "talus/formats/mesh.h"
 
@@ -8,6 +8,9 @@
 #include <optional>
 
 #include "mesh/builder.h"
+#include "mesh/mend_notes.h"
+#include "mesh/mesh_format.h"
+#include "mesh/solids.h"
 #include "toml/file_text.h"
 #include "toml/wording.h"
 
@@ -16,56 +19,16 @@ namespace talus::formats {
 namespace {
 
 using mesh::FileSurface;
+using mesh::placeText;
+using mesh::shortText;
 using toml::numberText;
 
 constexpr double kSevenDigits = 1e-6;  // of the extent: default tolerance of the repair
+constexpr double kMended = 1e-4;       // of the extent: the same where a surface is to be mended
+constexpr double kSmallHole = 0.05;    // of the extent: holes no wider are closed, if they are to be mended
 constexpr double kSinglePrecision = 0x1p-24;
 constexpr double kTooCoarse = 1e-4;  // of the extent: coordinates that are no finer are told
 constexpr double kRoundShift = 100;  // [m]
-
-Error unknownEnding(const std::string& path) {
-    return {"", "found " + toml::quoted(path) + ", allowed: a file that ends in .stl, .obj, .ply or .asc"};
-}
-
-/// One of the formats; by_name where the name tells none.
-MeshFormat formatOf(const std::string& path, MeshFormat format) {
-    if (format != MeshFormat::by_name) return format;
-    std::string end = path.substr(path.size() - std::min<std::size_t>(4, path.size()));
-    for (char& c : end) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    constexpr std::pair<std::string_view, MeshFormat> kEndings[]{{".stl", MeshFormat::stl},
-                                                                 {".obj", MeshFormat::obj},
-                                                                 {".ply", MeshFormat::ply},
-                                                                 {".asc", MeshFormat::asc}};
-    for (const auto& [ending, known] : kEndings)
-        if (end == ending) return known;
-    return format;
-}
-
-Result<FileSurface> surfaceOf(const std::string& bytes, const std::string& path, MeshFormat format) {
-    switch (formatOf(path, format)) {
-        case MeshFormat::stl:
-            return mesh::readStl(bytes, mesh::SurfaceBuilder(path));
-        case MeshFormat::obj:
-            return mesh::readObj(bytes, mesh::SurfaceBuilder(path));
-        case MeshFormat::ply:
-            return mesh::readPly(bytes, mesh::SurfaceBuilder(path));
-        case MeshFormat::asc:
-            return mesh::readAsc(bytes, mesh::SurfaceBuilder(path));
-        case MeshFormat::by_name:
-            break;
-    }
-    return unknownEnding(path);
-}
-
-std::string shortText(double value, int digits = 6) {
-    char buffer[40];
-    return {buffer,
-            std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr};
-}
-
-std::string placeText(const Vec3& p) {
-    return "(" + shortText(p.x(), 10) + ", " + shortText(p.y(), 10) + ", " + shortText(p.z(), 10) + ")";
-}
 
 std::string counted(std::size_t count, const char* one, const char* many) {
     return std::to_string(count) + (count == 1 ? one : many);
@@ -76,11 +39,8 @@ class MeshReader {
     MeshReader(const std::string& path, const MeshOptions& options) : path_(path), options_(options) {}
 
     Result<MeshSurface> read(const std::string& bytes) {
-        auto file = surfaceOf(bytes, path_, options_.format);
-        if (!file) return file.errors();
-        file_ = std::move(*file);
-        place();
-        if (auto errors = repair(); !errors.empty()) return errors;
+        if (auto errors = begin(bytes); !errors.empty()) return errors;
+        mend(result_.surface);
         auto closed = close(result_.surface);
         if (!closed) return closed.errors();
         if (options_.simplify && *options_.simplify > 0) {
@@ -91,7 +51,40 @@ class MeshReader {
         return std::move(result_);
     }
 
+    Result<MeshSolids> readSolids(const std::string& bytes) {
+        if (auto errors = begin(bytes); !errors.empty()) return errors;
+        std::vector<std::int32_t> solid;
+        for (const std::size_t source : source_) solid.push_back(file_.solid[source]);
+        auto parts = mesh::solidsOf(result_.surface, solid, file_.solids);
+        if (!parts) return told(parts.errors());
+        MeshSolids solids;
+        std::vector<Error> errors;
+        const std::vector<std::size_t> whole = std::move(source_);
+        for (mesh::SolidPart& part : *parts) {
+            source_.clear();
+            for (const std::size_t own : part.source) source_.push_back(whole[own]);
+            mend(part.surface);
+            for (Error& error : told(checkSurface(part.surface))) errors.push_back(std::move(error));
+            solids.solids.push_back({std::move(part.name), std::move(part.surface)});
+        }
+        if (!errors.empty()) return errors;
+        solids.shift = result_.shift;
+        solids.notes = std::move(result_.notes);
+        return solids;
+    }
+
  private:
+    /// As the file has it, near the origin, with its vertices merged.
+    std::vector<Error> begin(const std::string& bytes) {
+        auto file = mesh::surfaceOf(bytes, path_, options_);
+        if (!file) return file.errors();
+        file_ = std::move(*file);
+        for (const std::string& what : file_.notes) note(what);
+        noteUnit();
+        place();
+        return repair();
+    }
+
     /// Into metres and near the origin.
     void place() {
         auto& vertices = file_.surface.vertices;
@@ -117,6 +110,12 @@ class MeshReader {
         for (Vec3& v : vertices) v = v - result_.shift + Vec3::Zero();
     }
 
+    void noteUnit() {
+        if (!file_.metres || std::abs(*file_.metres / options_.scale - 1) < 1e-6) return;
+        note("has a unit of " + shortText(*file_.metres) + " m by its header, and was read with " +
+             shortText(options_.scale) + " m (scale says it otherwise)");
+    }
+
     void noteDigits(double farthest, double extent) {
         if (!file_.single_precision || farthest * kSinglePrecision < kTooCoarse * extent) return;
         note("has coordinates of seven digits, which at " + shortText(farthest) + " m are " +
@@ -126,7 +125,7 @@ class MeshReader {
 
     std::vector<Error> repair() {
         if (file_.surface.triangles.empty()) return {{"", "found no triangles, allowed: a surface", path_}};
-        const double tolerance = options_.tolerance.value_or(kSevenDigits * surfaceExtent(file_.surface));
+        const double tolerance = repairTolerance();
         SurfaceRepair repaired = repairSurface(file_.surface, tolerance);
         source_ = std::move(repaired.source);
         result_.surface = std::move(repaired.surface);
@@ -137,6 +136,26 @@ class MeshReader {
                  counted(repaired.dropped, " triangle without a width", " triangles without a width") +
                  "; the first at " + placeText(repaired.place));
         return {};
+    }
+
+    double repairTolerance() const {
+        return options_.tolerance.value_or((options_.mend ? kMended : kSevenDigits) *
+                                           surfaceExtent(file_.surface));
+    }
+
+    void mend(TriangleSurface& surface) {
+        if (!options_.mend) return;
+        const double largest = options_.largest_hole.value_or(kSmallHole * surfaceExtent(surface));
+        MendedSurface mended =
+            mendSurface(surface, {repairTolerance(), largest, options_.base.has_value() || options_.open});
+        for (std::size_t& source : mended.source)
+            if (source != MendedSurface::kMade) source = source_[source];
+        source_ = std::move(mended.source);
+        for (const std::string& what : mesh::mendNotes(mended, largest)) note(what);
+        open_holes_ = mended.too_wide.empty()
+                          ? ""
+                          : "; repair closes holes no wider than largest_hole, " + shortText(largest) + " m";
+        surface = std::move(mended.surface);
     }
 
     /// The surface as the region's boundary.
@@ -193,12 +212,13 @@ class MeshReader {
         // Of a terrain without a base every edge of its rim is told.
         if (!options_.base && !errors.empty() && errors[0].message.find("found an open surface") == 0)
             errors[0].message += "; for an open terrain give the elevation of its base";
+        if (!errors.empty()) errors[0].message += open_holes_;
         for (Error& error : errors) {
             if (error.field == "base") continue;
             error.file = path_;
             if (const auto own = triangleIn(error.field, 0)) {
-                error.line = file_.lines[source_[*own]];
-                error.message = "triangle " + std::to_string(source_[*own] + 1) + ": " + error.message;
+                if (!isMade(*own)) error.line = file_.lines[source_[*own]];
+                error.message = triangleText(*own) + ": " + error.message;
             }
             error.field.clear();
             nameTriangles(error.message);
@@ -217,15 +237,21 @@ class MeshReader {
         return triangle < source_.size() ? std::optional(triangle) : std::nullopt;
     }
 
+    bool isMade(std::size_t triangle) const { return source_[triangle] == MendedSurface::kMade; }
+    std::string triangleText(std::size_t triangle) const {
+        return isMade(triangle) ? "a triangle that closes a hole"
+                                : "triangle " + std::to_string(source_[triangle] + 1);
+    }
+
     void nameTriangles(std::string& message) const {
         for (std::size_t at = message.find(kTriangles); at != std::string::npos;
              at = message.find(kTriangles, at + 1)) {
             const auto triangle = triangleIn(message, at);
             if (!triangle) continue;
-            const int line = file_.lines[source_[*triangle]];
-            message.replace(at, message.find(']', at) + 1 - at,
-                            "triangle " + std::to_string(source_[*triangle] + 1) +
-                                (line > 0 ? " (line " + std::to_string(line) + ")" : ""));
+            const int line = isMade(*triangle) ? 0 : file_.lines[source_[*triangle]];
+            message.replace(
+                at, message.find(']', at) + 1 - at,
+                triangleText(*triangle) + (line > 0 ? " (line " + std::to_string(line) + ")" : ""));
         }
     }
 
@@ -234,20 +260,32 @@ class MeshReader {
     const std::string& path_;
     const MeshOptions& options_;
     FileSurface file_;
-    std::vector<std::size_t> source_;  ///< of each repaired triangle
+    std::vector<std::size_t> source_;  ///< of each repaired triangle, kMade where it closes a hole
+    std::string open_holes_;           ///< what errors say where holes were too wide to be closed
     MeshSurface result_;
 };
 
 }  // namespace
 
 Result<MeshSurface> readMesh(const std::string& path, const MeshOptions& options) {
-    if (formatOf(path, options.format) == MeshFormat::by_name) return unknownEnding(path);
+    if (mesh::formatOf(path, options.format) == MeshFormat::by_name) return mesh::unknownEnding(path);
     const auto bytes = toml::readFileText(path);
     return bytes ? parseMesh(*bytes, path, options) : bytes.errors();
 }
 
 Result<MeshSurface> parseMesh(const std::string& bytes, const std::string& path, const MeshOptions& options) {
     return MeshReader(path, options).read(bytes);
+}
+
+Result<MeshSolids> readSolids(const std::string& path, const MeshOptions& options) {
+    if (mesh::formatOf(path, options.format) == MeshFormat::by_name) return mesh::unknownEnding(path);
+    const auto bytes = toml::readFileText(path);
+    return bytes ? parseSolids(*bytes, path, options) : bytes.errors();
+}
+
+Result<MeshSolids> parseSolids(const std::string& bytes, const std::string& path,
+                               const MeshOptions& options) {
+    return MeshReader(path, options).readSolids(bytes);
 }
 
 }  // namespace talus::formats

@@ -1,5 +1,5 @@
 // Wavefront OBJ: `v x y z` and `f a b c ...`, each corner `vertex`, `vertex/texture` or
-// `vertex/texture/normal`, counted from 1, or backwards from -1.
+// `vertex/texture/normal`, counted from 1, or backwards from -1; `o` and `g` tell solids apart.
 
 #include <charconv>
 
@@ -25,6 +25,7 @@ class ObjReader {
                 if (auto fault = readVertex()) return *fault;
             if (word == "f")
                 if (auto fault = readFace()) return *fault;
+            if (word == "o" || word == "g") builder_.continueSolid(std::string(words_.next()));
         }
         return builder_.finish();
     }

@@ -41,6 +41,7 @@ constexpr std::array<Column, kPlaneColumns> kColumns{
      {"z", "_m", "", -1e6, 1e6},
      {"radius", "_m", "", 0, 1e6, true},
      {"diameter", "_m", "", 0, 2e6, true},
+     {"trace", "_m", " tracelength lengthoftrace ", 0, 2e6, true},
      {"set", "", " setid setno setnumber setname jointset family ", 0, 0},
      {"spacing", "_m", " setspacing truespacing normalspacing ", 0, 1e6, true},
      {"weight", "", " weighting ", 0, 1e12, true},

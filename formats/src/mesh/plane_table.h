@@ -28,6 +28,7 @@ enum class PlaneColumn : std::uint8_t {
     z,
     radius,
     diameter,
+    trace,
     set,
     spacing,
     weight,
@@ -35,7 +36,7 @@ enum class PlaneColumn : std::uint8_t {
     scanline_trend,
     scanline_plunge
 };
-inline constexpr std::size_t kPlaneColumns = 19;
+inline constexpr std::size_t kPlaneColumns = 20;
 
 struct Orientation {
     double dip = 0, dip_direction = 0;  ///< [rad]

@@ -57,7 +57,9 @@ class TextReader {
             } else if (word == "facet") {
                 corners_.clear();
                 facet_line_ = words_.line();
-            } else if (!word.empty() && word != "outer" && word != "solid" && word != "endsolid") {
+            } else if (word == "solid") {
+                builder_.beginSolid(std::string(words_.next()));
+            } else if (!word.empty() && word != "outer" && word != "endsolid") {
                 return builder_.fault(words_.line(),
                                       "found " + toml::quoted(word) +
                                           ", allowed: facet, outer loop, vertex, endloop, endfacet");

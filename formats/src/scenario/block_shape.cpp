@@ -1,5 +1,8 @@
 #include "scenario/block_shape.h"
 
+#include <algorithm>
+
+#include "scenario/mending.h"
 #include "scenario/places.h"
 #include "talus/formats/mesh.h"
 #include "talus/formats/scenario.h"
@@ -12,6 +15,7 @@ namespace {
 // Keeps the hull of a hostile list of points from taking minutes; real blocks have tens of vertices.
 constexpr std::size_t kMaxVertices = 1000;
 constexpr std::size_t kMaxParts = 1000;
+constexpr std::size_t kMaxSolidName = 60;  // bytes
 
 using Shape = std::optional<Polyhedron>;
 
@@ -74,16 +78,40 @@ Shape readParts(Report& report, TableReader& table) {
     return std::nullopt;
 }
 
-Shape readMesh(Report& report, TableReader& table, const std::string& folder) {
+const std::vector<std::string> kMeshOptions{"scale", "tolerance", "repair", "largest_hole", "layer"};
+
+MeshOptions readOptions(TableReader& table) {
     MeshOptions options;
     options.scale = table.number("scale", kPositive).value_or(1);
+    options.tolerance = table.number("tolerance", kLength);
+    readMending(table, options);
+    options.layer = table.text("layer");
+    return options;
+}
+
+std::string pathOf(const std::string& file, const std::string& folder) {
+    return file.starts_with('/') ? file : folder + file;
+}
+
+void warn(Report& report, TableReader& table, const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) report.warn(table.fieldOf("mesh") + ": " + note);
+}
+
+Shape readMesh(Report& report, TableReader& table, const std::string& folder) {
+    const MeshOptions options = readOptions(table);
     const auto file = table.text("mesh");
     if (!file) return std::nullopt;
-    const auto mesh = take(
-        table, "mesh", talus::formats::readMesh(file->starts_with('/') ? *file : folder + *file, options));
+    const auto mesh = take(table, "mesh", talus::formats::readMesh(pathOf(*file, folder), options));
     if (!mesh) return std::nullopt;
-    for (const std::string& note : mesh->notes) report.warn(table.fieldOf("mesh") + ": " + note);
+    warn(report, table, mesh->notes);
     return take(table, "mesh", solidOf(mesh->surface));
+}
+
+/// Options of a mesh stand only beside one.
+void checkOptions(TableReader& table) {
+    if (table.has("mesh")) return;
+    for (const std::string& key : table.present(kMeshOptions))
+        table.error(key, "found " + key + " without mesh, allowed: only together with a mesh");
 }
 
 }  // namespace
@@ -91,8 +119,7 @@ Shape readMesh(Report& report, TableReader& table, const std::string& folder) {
 std::optional<Polyhedron> readShape(Report& report, TableReader& table, const std::string& folder) {
     static const std::vector<std::string> kKeys{"box", "vertices", "parts", "mesh"};
     const std::vector<std::string> given = table.present(kKeys);
-    if (table.has("scale") && !table.has("mesh"))
-        table.error("scale", "found scale without mesh, allowed: only together with a mesh");
+    checkOptions(table);
     if (given.size() > 1) {
         table.error(given[1], "found both " + given[0] + " and " + given[1] + ", allowed: one of them");
         return std::nullopt;
@@ -106,6 +133,54 @@ std::optional<Polyhedron> readShape(Report& report, TableReader& table, const st
     if (given[0] == "box") return readBox(table);
     if (given[0] == "vertices") return readHull(report, table);
     return given[0] == "parts" ? readParts(report, table) : readMesh(report, table, folder);
+}
+
+namespace {
+
+/// Names of blocks are short and print everywhere.
+bool isFitName(std::string_view name) {
+    return !name.empty() && name.size() <= kMaxSolidName &&
+           std::all_of(name.begin(), name.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+}  // namespace
+
+std::vector<NamedShape> readSolidShapes(Report& report, TableReader& table, const std::string& folder) {
+    for (const char* key : {"box", "vertices", "parts"})
+        if (table.has(key))
+            table.error(key, "found " + std::string(key) +
+                                 " beside each_solid, allowed: each_solid only together with a mesh");
+    checkOptions(table);
+    const MeshOptions options = readOptions(table);
+    const auto file = table.text("mesh");
+    if (!file) {
+        if (!table.isMeant("mesh")) table.require({"mesh"});
+        return {};
+    }
+    auto solids = take(table, "mesh", readSolids(pathOf(*file, folder), options));
+    if (!solids) return {};
+    warn(report, table, solids->notes);
+    std::vector<NamedShape> shapes;
+    for (const MeshSolids::Solid& solid : solids->solids) {
+        const std::string name = isFitName(solid.name) ? solid.name : std::to_string(shapes.size() + 1);
+        auto shape = solidOf(solid.surface);
+        if (shape) {
+            shapes.push_back({name, std::move(*shape)});
+            continue;
+        }
+        for (const Error& error : shape.errors())
+            table.error("mesh", "solid " + quoted(name) + ": " + error.message);
+    }
+    return shapes;
+}
+
+const std::vector<std::string>& shapeKeys() {
+    static const std::vector<std::string> kKeys = [] {
+        std::vector<std::string> keys{"box", "vertices", "parts", "mesh", "each_solid"};
+        keys.insert(keys.end(), kMeshOptions.begin(), kMeshOptions.end());
+        return keys;
+    }();
+    return kKeys;
 }
 
 }  // namespace talus::formats::scenario

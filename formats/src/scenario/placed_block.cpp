@@ -20,29 +20,43 @@ void readMotion(TableReader& table, Block& block) {
 
 }  // namespace
 
-PlacedBlock readPlacedBlock(Report& report, const FieldNode& entry, const Materials& materials,
-                            const Joints& joints, const std::string& folder) {
-    TableReader table(report, entry.node, entry.field,
-                      {"name", "box", "vertices", "parts", "mesh", "scale", "material", "joint", "fixed",
-                       "driven", "velocity"});
+std::vector<PlacedBlock> readPlacedBlocks(Report& report, const FieldNode& entry, const Materials& materials,
+                                          const Joints& joints, const std::string& folder) {
+    std::vector<std::string> keys{"name"};
+    keys.insert(keys.end(), shapeKeys().begin(), shapeKeys().end());
+    keys.insert(keys.end(), {"material", "joint", "fixed", "driven", "velocity"});
+    TableReader table(report, entry.node, entry.field, keys);
+    const bool is_many = table.boolean("each_solid").value_or(false);
     table.require({"name"});
     PlacedBlock placed;
     Block& block = placed.block;
     placed.place = table.place();
     placed.name_place = table.placeOf("name");
-    const auto name = table.name("name", false);
+    const auto name = table.name("name", is_many);
     placed.name_known = name.has_value();
     block.name = name.value_or("");
     block.field = entry.field;
-    if (auto shape = readShape(report, table, folder)) block.shape = std::move(*shape);
+    std::vector<NamedShape> shapes;
+    if (is_many) {
+        shapes = readSolidShapes(report, table, folder);
+        placed.name_known = !shapes.empty();
+    } else if (auto shape = readShape(report, table, folder)) {
+        shapes.push_back({"", std::move(*shape)});
+    }
     readMotion(table, block);
     if (const auto material = readMaterial(report, table, materials)) {
         block.material = *material;
         block.density = materials.densities[static_cast<std::size_t>(*material)];
     }
-    if (const auto joint = readJoint(report, table, "joint", joints))
-        block.face_joint.assign(block.shape.faces.size(), *joint);
-    return placed;
+    const auto joint = readJoint(report, table, "joint", joints);
+    if (shapes.empty()) return {placed};
+    std::vector<PlacedBlock> all(shapes.size(), placed);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        all[k].block.name += shapes[k].name;
+        all[k].block.shape = std::move(shapes[k].shape);
+        if (joint) all[k].block.face_joint.assign(all[k].block.shape.faces.size(), *joint);
+    }
+    return all;
 }
 
 }  // namespace talus::formats::scenario

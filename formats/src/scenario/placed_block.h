@@ -1,5 +1,5 @@
 #pragma once
-// [[block]]: one block placed by hand.
+// [[block]]: one block placed by hand, or all solids of a mesh file.
 
 #include "scenario/properties.h"
 #include "scenario/reading.h"
@@ -7,7 +7,7 @@
 
 namespace talus::formats::scenario {
 
-/// What a [[block]] table says; the block is complete when the table has no errors.
+/// A block of a [[block]] table; it is complete when the table has no errors.
 struct PlacedBlock {
     Block block;
     Place place;
@@ -15,8 +15,9 @@ struct PlacedBlock {
     bool name_known = false;
 };
 
-/// \param folder of the scenario, where mesh files are looked for
-PlacedBlock readPlacedBlock(Report& report, const FieldNode& entry, const Materials& materials,
-                            const Joints& joints, const std::string& folder);
+/// One, or with `each_solid = true` one for each solid of its mesh, named by the key `name`, which may be
+/// empty, and the solid's own name or number. \param folder of the scenario, where mesh files are looked for
+std::vector<PlacedBlock> readPlacedBlocks(Report& report, const FieldNode& entry, const Materials& materials,
+                                          const Joints& joints, const std::string& folder);
 
 }  // namespace talus::formats::scenario

@@ -20,7 +20,7 @@ RockJoint jointOf(const RockMass& rock, const CutPlane& plane) {
     }
     const SingleJoint& single = rock.singles[plane.joint - rock.sets.size()];
     joint.set = !single.name.empty() ? single.name : single.of_network ? single.field : "single joints";
-    if (single.of_network) {
+    if (single.of_network && single.radius) {
         joint.disc = {single.point, single.dip, single.dip_direction, *single.radius};
         joint.area_inside = areaInside(*joint.disc, rock.region);
     }
@@ -39,6 +39,7 @@ Result<std::vector<RockJoint>> rockJoints(const Scenario& scenario) {
     const auto slash = scenario.path.rfind('/');
     auto rock = readRockMass(report, root, materials, joints,
                              slash == std::string::npos ? "" : scenario.path.substr(0, slash + 1));
+    if (rock && report.clean()) appendEndingSets(report, *rock);
     if (rock && report.clean()) appendFractures(report, *rock);
     if (!report.clean()) return report.errors();
     std::vector<RockJoint> all;

@@ -8,6 +8,8 @@
 #include "scenario/directory.h"
 #include "scenario/properties.h"
 #include "scenario/reading.h"
+#include "scenario/slope_turn.h"
+#include "talus/ending_sets.h"
 #include "talus/fractures.h"
 #include "talus/model.h"
 #include "talus/rock_mass.h"
@@ -37,6 +39,13 @@ struct FractureSetInput {
     std::vector<Fracture> from_file{};
 };
 
+/// A joint_set with `ends_at`, until the other joint is known.
+struct EndingSetInput {
+    EndingSet ending;
+    std::string other;  ///< its name
+    Place place;        ///< of that
+};
+
 /// What the tables say.
 struct RockMassInput {
     RockMass description;
@@ -46,13 +55,16 @@ struct RockMassInput {
     std::vector<FixedEntry> fixed;
     std::vector<PointName> names;
     std::vector<FractureSetInput> fracture_sets{};
+    std::vector<EndingSetInput> ending_sets{};
     std::int32_t material = 0;
     double density = 0;      ///< of that material [kg/m^3]
     std::int32_t joint = 0;  ///< strength of faces no joint made
     std::optional<std::int32_t>
         bridge{};  ///< of the rock between finite joints; none: their strength goes on
     std::optional<std::size_t> max_blocks{};
-    bool has_mesh = false;  ///< its region is one from a file
+    bool has_mesh = false;                         ///< its region is one from a file
+    SlopeTurn turn{};                              ///< of a profile
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< bounds of the region before it is turned [m]
     Place place;
 };
 
@@ -70,8 +82,9 @@ std::optional<RockMassInput> readRockMass(Report& report, TableReader& root, con
                                           const Joints& joints, const std::string& folder);
 
 struct Region {
-    TriangleSurface surface;
+    TriangleSurface surface;  ///< not turned yet
     bool is_mesh = false;
+    SlopeTurn turn{};
 };
 
 /// The surface that rock_mass.region means; nothing when that is reported. \param table  rock_mass
@@ -82,6 +95,12 @@ std::int32_t readStrength(Report& report, TableReader& table, const std::string&
 
 void readFractureSets(Report& report, TableReader& root, const Joints& joints, const std::string& folder,
                       RockMassInput& input);
+
+/// Finds the joints at which sets end.
+void resolveEndingSets(Report& report, RockMassInput& input);
+
+/// Their joints become single joints. \pre the input has no faults
+void appendEndingSets(Report& report, RockMassInput& input);
 
 /// Draws the fracture sets; their discs become single joints. \pre the input has no faults
 void appendFractures(Report& report, RockMassInput& input);

@@ -33,6 +33,7 @@ class RockMassReader {
         readProperties(table);
         for (const FieldNode& entry : root.tables("joint_set")) readSet(entry);
         for (const FieldNode& entry : root.tables("single_joint")) readSingle(entry);
+        resolveEndingSets(report_, input_);
         readFractureSets(report_, root, joints_, folder_, input_);
         readBridge(table);
         for (const FieldNode& entry : table.tables("fixed")) readFixed(entry);
@@ -60,11 +61,19 @@ class RockMassReader {
         if (auto region = readRegion(report_, table, folder_)) {
             input_.description.region = std::move(region->surface);
             input_.has_mesh = region->is_mesh;
+            input_.turn = region->turn;
         }
-        const auto& vertices = input_.description.region.vertices;
+        auto& vertices = input_.description.region.vertices;
         if (vertices.empty()) return;
-        low_ = high_ = vertices[0];
-        for (const Vec3& v : vertices) low_ = low_.cwiseMin(v), high_ = high_.cwiseMax(v);
+        Vec3 low = vertices[0], high = low;
+        for (const Vec3& v : vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
+        input_.low = low;
+        input_.high = high;
+        if (!input_.turn.isTurned()) return;
+        for (Vec3& v : vertices) v = input_.turn(v);
+        report_.warn(table.fieldOf("region") +
+                     ".slope_azimuth_deg: the profile is turned about the vertical through the origin; "
+                     "gravity.tilt_deg and critical-angle still tilt towards -x (270 degrees)");
     }
 
     // --- joints
@@ -85,15 +94,17 @@ class RockMassReader {
     void readSet(const FieldNode& entry) {
         TableReader table(report_, entry.node, entry.field,
                           {"name", "dip_deg", "dip_direction_deg", "spacing", "origin", "offset",
-                           "spacing_law", "spacing_spread", "fisher", "joint"});
+                           "spacing_law", "spacing_spread", "fisher", "joint", "ends_at"});
         table.require({"dip_deg", "dip_direction_deg", "spacing"});
         JointSet set;
         set.field = entry.field;
-        set.name = readName(table, input_.description.sets.size());
+        const auto other = table.text("ends_at");
+        set.name =
+            other ? table.name("name", false).value_or("") : readName(table, input_.description.sets.size());
         set.dip = table.number("dip_deg", kDipDeg).value_or(0) * kRadPerDeg;
         set.dip_direction = table.number("dip_direction_deg", kDipDirectionDeg).value_or(0) * kRadPerDeg;
         set.spacing = table.number("spacing", kSize).value_or(1);
-        set.origin = table.vector("origin", kCoordinate).value_or(low_);
+        set.origin = table.vector("origin", kCoordinate).value_or(input_.turn(input_.low));
         set.offset = table.number("offset", kCoordinate).value_or(0);
         set.law = static_cast<SpacingLaw>(
             table.choice("spacing_law", {"constant", "uniform", "exponential"}).value_or(0));
@@ -104,7 +115,12 @@ class RockMassReader {
                         "found a spread without a uniform law, allowed: only with spacing_law = \"uniform\"");
         set.fisher = table.number("fisher", kFisher);
         set.joint = readStrength(report_, table, set.name, joints_);
-        input_.description.sets.push_back(std::move(set));
+        if (!other) return input_.description.sets.push_back(std::move(set));
+        for (const std::string& key : table.present({"origin", "offset"}))
+            table.error(key, "found " + key +
+                                 " beside ends_at, by which the set begins anew between each two planes, "
+                                 "allowed: one of them");
+        input_.ending_sets.push_back({{std::move(set)}, *other, table.placeOf("ends_at")});
     }
 
     void readSingle(const FieldNode& entry) {
@@ -253,8 +269,8 @@ class RockMassReader {
         const auto boundary = table.choice("boundary", kBoundaries);
         if (!boundary) return false;
         selection.kind = BlockSelection::Kind::touching;
-        selection.point = *boundary % 2 == 0 ? low_ : high_;
-        selection.upward_normal = Vec3::Unit(static_cast<Eigen::Index>(*boundary / 2));
+        selection.point = input_.turn(*boundary % 2 == 0 ? input_.low : input_.high);
+        selection.upward_normal = input_.turn(Vec3::Unit(static_cast<Eigen::Index>(*boundary / 2)));
         return true;
     }
 
@@ -278,7 +294,6 @@ class RockMassReader {
     const Joints& joints_;
     std::string folder_;
     RockMassInput input_;
-    Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  ///< bounds of the region [m]
 };
 
 }  // namespace

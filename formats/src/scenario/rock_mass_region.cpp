@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "scenario/mending.h"
 #include "scenario/rock_mass.h"
 #include "talus/formats/mesh.h"
 #include "talus/formats/scenario.h"
@@ -7,6 +10,7 @@ namespace talus::formats::scenario {
 namespace {
 
 constexpr std::size_t kMaxProfile = 1000;
+constexpr Interval kAzimuthDeg{-360, 360, false, false};
 using Surface = std::optional<TriangleSurface>;
 
 /// Faults of a mesh file are told at the key that names it, with their own place in front.
@@ -46,10 +50,37 @@ std::optional<std::vector<Eigen::Vector2d>> readPoints(Report& report, TableRead
     return points;
 }
 
-Surface readProfile(Report& report, TableReader& region) {
+/// Height of the ground at either end of a profile, at its least and its greatest x.
+std::pair<double, double> endsOf(const std::vector<Eigen::Vector2d>& profile) {
+    const auto ground = [&](double x) {
+        double highest = -kMaxLength;
+        for (const auto& point : profile)
+            if (point.x() == x) highest = std::max(highest, point.y());
+        return highest;
+    };
+    const auto [least, greatest] = std::minmax_element(
+        profile.begin(), profile.end(), [](const auto& a, const auto& b) { return a.x() < b.x(); });
+    return {ground(least->x()), ground(greatest->x())};
+}
+
+/// `slope_azimuth_deg`: which way the side of the lower end looks.
+SlopeTurn readTurn(TableReader& region, const std::vector<Eigen::Vector2d>& profile) {
+    const auto azimuth = region.number("slope_azimuth_deg", kAzimuthDeg);
+    if (!azimuth || profile.empty()) return {};
+    const auto [at_least_x, at_greatest_x] = endsOf(profile);
+    if (at_least_x == at_greatest_x)
+        region.error("slope_azimuth_deg",
+                     "found a profile whose ground is as high at its least as at its greatest x (" +
+                         numberText(at_least_x) +
+                         " m), allowed: one with a lower end, which the slope faces");
+    return {*azimuth, at_greatest_x < at_least_x};
+}
+
+Surface readProfile(Report& report, TableReader& region, SlopeTurn& turn) {
     region.require({"y"});
     const auto y = region.numbers("y", kCoordinate, 2);
     const auto points = readPoints(report, region);
+    turn = readTurn(region, points.value_or(std::vector<Eigen::Vector2d>{}));
     if (!points || !y) return std::nullopt;
     const auto surface = extrudeProfile(*points, (*y)[0], (*y)[1]);
     if (surface) return *surface;
@@ -67,13 +98,13 @@ bool isWithinRange(const TriangleSurface& surface) {
     return true;
 }
 
-const std::vector<std::pair<std::string, MeshFormat>> kMeshKeys{{"mesh", MeshFormat::by_name},
-                                                                {"stl", MeshFormat::stl},
-                                                                {"obj", MeshFormat::obj},
-                                                                {"ply", MeshFormat::ply},
-                                                                {"asc", MeshFormat::asc}};
+const std::vector<std::pair<std::string, MeshFormat>> kMeshKeys{
+    {"mesh", MeshFormat::by_name}, {"stl", MeshFormat::stl}, {"obj", MeshFormat::obj},
+    {"ply", MeshFormat::ply},      {"asc", MeshFormat::asc}, {"dxf", MeshFormat::dxf},
+    {"xyz", MeshFormat::xyz}};
 /// Keys that say what to make of a mesh.
-const std::vector<std::string> kMeshOptions{"scale", "shift", "base", "tolerance", "simplify"};
+const std::vector<std::string> kMeshOptions{"scale",  "shift",        "base",  "tolerance", "simplify",
+                                            "repair", "largest_hole", "layer", "cell_m",    "cell_height"};
 
 Surface readMeshFile(Report& report, TableReader& region, const std::string& key, MeshFormat kind,
                      const std::string& folder) {
@@ -85,8 +116,12 @@ Surface readMeshFile(Report& report, TableReader& region, const std::string& key
     options.base = region.number("base", kCoordinate);
     options.tolerance = region.number("tolerance", kLength);
     options.simplify = region.number("simplify", kLength);
+    readMending(region, options);
+    options.layer = region.text("layer");
+    options.cell = region.number("cell_m", kSize);
+    if (const auto height = region.choice("cell_height", {"mean", "median"})) options.median = *height == 1;
     const auto file = region.text(key);
-    if (!file) return std::nullopt;
+    if (!file || (region.has("cell_m") && !options.cell)) return std::nullopt;
     auto mesh = readMesh(file->starts_with('/') ? *file : folder + *file, options);
     if (!mesh) {
         for (Error error : mesh.errors()) {
@@ -106,21 +141,26 @@ Surface readMeshFile(Report& report, TableReader& region, const std::string& key
 }  // namespace
 
 std::optional<Region> readRegion(Report& report, TableReader& table, const std::string& folder) {
-    std::vector<std::string> shapes{"box", "profile"}, keys{"box", "profile", "y"};
+    std::vector<std::string> shapes{"box", "profile"}, keys{"box", "profile", "y", "slope_azimuth_deg"};
     for (const auto& [key, kind] : kMeshKeys) shapes.push_back(key), keys.push_back(key);
     keys.insert(keys.end(), kMeshOptions.begin(), kMeshOptions.end());
     auto region = table.table("region", keys);
     if (!region || !region->requireOneOf(shapes)) return std::nullopt;
-    if (region->has("y") && !region->has("profile"))
-        region->error("y", "found y without profile, allowed: only together with profile");
+    for (const std::string key : {"y", "slope_azimuth_deg"})
+        if (region->has(key) && !region->has("profile"))
+            region->error(key, "found " + key + " without profile, allowed: only together with profile");
     if (region->has("box") || region->has("profile"))
         for (const std::string& key : region->present(kMeshOptions))
             region->error(key, "found " + key + " without a mesh, allowed: only together with a mesh");
-    const auto made = [](Surface surface, bool is_mesh) {
-        return surface ? std::optional(Region{std::move(*surface), is_mesh}) : std::nullopt;
+    const auto made = [](Surface surface, bool is_mesh, const SlopeTurn& turn = {}) {
+        return surface ? std::optional(Region{std::move(*surface), is_mesh, turn}) : std::nullopt;
     };
     if (region->has("box")) return made(readBox(*region), false);
-    if (region->has("profile")) return made(readProfile(report, *region), false);
+    if (region->has("profile")) {
+        SlopeTurn turn;
+        auto surface = readProfile(report, *region, turn);
+        return made(std::move(surface), false, turn);
+    }
     for (const auto& [key, kind] : kMeshKeys)
         if (region->has(key)) return made(readMeshFile(report, *region, key, kind, folder), true);
     return std::nullopt;

@@ -82,8 +82,10 @@ class ScenarioReader {
             if (!checkCount(stack.place, stack.field, count)) return;
         }
         for (const FieldNode& entry : root_.tables("block")) {
-            placed_.push_back(readPlacedBlock(report_, entry, materials_, joints_, folder_));
-            if (!checkCount(placed_.back().place, entry.field, ++count)) return;
+            for (PlacedBlock& placed : readPlacedBlocks(report_, entry, materials_, joints_, folder_))
+                placed_.push_back(std::move(placed));
+            const auto own = static_cast<std::int64_t>(placed_.size());
+            if (!checkCount(placed_.back().place, entry.field, count + own)) return;
         }
         checkThereAreBlocks();
     }
@@ -95,7 +97,10 @@ class ScenarioReader {
         if (!rock_) return;
         rock_->description.max_blocks = rock_->max_blocks.value_or(static_cast<std::size_t>(most_blocks_));
         rock_->description.stop = stop_;
+        if (rock_->turn.isGiven() && !isGiven("seismic", "direction_deg"))
+            model_.seismic.azimuth = rock_->turn.azimuth();
         rock_->description.progress = progress_;
+        if (report_.clean()) appendEndingSets(report_, *rock_);
         if (report_.clean()) appendFractures(report_, *rock_);
         if (report_.clean()) rock_blocks_ = cutBlocks(report_, *rock_);
         if (!rock_blocks_) return directory.setIncomplete();
@@ -127,6 +132,11 @@ class ScenarioReader {
             if (waters[i].crack) walls[i].crack = walls_of(*waters[i].crack, std::nullopt);
         }
         return walls;
+    }
+
+    bool isGiven(std::string_view section, std::string_view key) const {
+        const auto node = root_.find(section);
+        return node && node->kind() == Kind::table && node->find(key);
     }
 
     void placeForces() {

@@ -103,12 +103,30 @@ class WaterReader {
         if (table.has("obj"))
             entry.surface.mesh = readSurfaceMesh(table);
         else
-            entry.surface.line = readLine(table);
+            takeLine(readLine(table), entry.surface);
         entry.surface.factor = table.number("factor", {0, 10, true, false}).value_or(1);
         entry.surface.density = entry.water.density;
         entry.surface.drains_at_aperture = entry.water.drains_at_aperture;
         entry.surface.field = entry.water.field;
         return entry;
+    }
+
+    /// Of a turned profile it lies along the slope, too, as a surface that reaches over all of it.
+    void takeLine(std::vector<PhreaticSurface::Point> line, PhreaticSurface& surface) const {
+        if (line.empty() || rock_ == nullptr || !rock_->turn.isTurned()) {
+            surface.line = std::move(line);
+            return;
+        }
+        const double margin = (rock_->high - rock_->low).maxCoeff();
+        line.insert(line.begin(), {std::min(line.front().x, rock_->low.x()) - margin, line.front().z});
+        line.push_back({std::max(line.back().x, rock_->high.x()) + margin, line.back().z});
+        for (const PhreaticSurface::Point& point : line)
+            for (const double y : {rock_->low.y() - margin, rock_->high.y() + margin})
+                surface.mesh.vertices.push_back(rock_->turn({point.x, y, point.z}));
+        for (std::int32_t k = 0; k + 1 < static_cast<std::int32_t>(line.size()); ++k) {
+            surface.mesh.triangles.push_back({2 * k, 2 * k + 2, 2 * k + 3});
+            surface.mesh.triangles.push_back({2 * k, 2 * k + 3, 2 * k + 1});
+        }
     }
 
     /// `obj = "FILE"`, beside the scenario: an open surface.

@@ -144,8 +144,42 @@ TEST_CASE("fractures: any notation of the plane, a diameter for the radius") {
     const auto fault = [](const std::string& text) {
         return parseFractures(text, "f.csv").errors()[0].message;
     };
-    CHECK(fault("x,y,z,dip,dd\n1,2,3,4,5\n").find("radius_m or diameter_m") != std::string::npos);
+    CHECK(fault("x,y,z,dip,dd\n1,2,3,4,5\n").find("radius_m, diameter_m or trace_m") != std::string::npos);
     CHECK(fault("x,y,z,dip,dd,radius,diameter\n1,2,3,4,5,1,2\n").find("one of them") != std::string::npos);
+    CHECK(fault("x,y,z,dip,dd,trace,diameter\n1,2,3,4,5,1,2\n") ==
+          "found diameter_m and trace_m, allowed: one of them");
     CHECK(fault("x,y,dip,dd,radius\n1,2,3,4,5\n").find("allowed: x_m, y_m, z_m, and dip_deg") !=
           std::string::npos);
+}
+
+TEST_CASE("fractures: one disc in every notation, size and separator") {
+    const std::string rows[] = {
+        "x_m,y_m,z_m,dip_deg,dip_direction_deg,radius_m\n1.5,2,3,40,135,2.5\n",
+        "trace_m;dip_deg;strike_deg;z_m;y_m;x_m\n5;40;45;3;2;1,5\n",
+        "X\tY\tZ\tTrend (deg)\tPlunge (deg)\tDiameter (m)\n1,5\t2\t3\t315\t50\t5\n",
+        "x,y,z,strike,dip,trace length (m)\n1.5,2,3,N45E,40SE,5\n",
+        "x,y,z,nx,ny,nz,radius\n1.5,2,3,0.45451947767204,-0.45451947767204,0.76604444311898,2.5\n"};
+    for (const std::string& text : rows) {
+        CAPTURE(text);
+        const auto discs = parseFractures(text, "f.csv");
+        REQUIRE(discs.ok());
+        REQUIRE(discs->size() == 1);
+        CHECK((*discs)[0].centre == Vec3(1.5, 2, 3));
+        CHECK((*discs)[0].radius == 2.5);
+        CHECK((*discs)[0].dip == doctest::Approx(40 * kDeg).epsilon(1e-12));
+        CHECK((*discs)[0].dip_direction == doctest::Approx(135 * kDeg).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("fractures: faults name line and column, what was found and what is allowed") {
+    const auto fault = [](const std::string& text) {
+        const auto discs = parseFractures(text, "f.csv");
+        REQUIRE_FALSE(discs.ok());
+        return format(discs.errors()[0]);
+    };
+    CHECK(fault("x,y,z,dip,dd,trace_m\n1,2,3,4,5,0\n") ==
+          "f.csv:2:11: error: found trace \"0\", allowed: a number greater than 0 and at most 2000000");
+    CHECK(fault("x;y;z;dip;dd;trace_m\n1,5;2;3;4;5;1,5\n1.5;2;3;95;5;1\n")
+              .starts_with("f.csv:3:9: error: found dip \"95\", allowed: a number of at least 0"));
+    CHECK(fault("x,y,z,strike,trace_m\n1,2,3,4,5\n").starts_with("f.csv:1: error: found columns"));
 }

@@ -135,8 +135,8 @@ TEST_CASE("blocks by hand: faults of parts and meshes are told where they are") 
                          "found both box and parts"));
     checkFault(bodyFault(kAngle + "scale = 2\n", 11, ".scale", "only together with a mesh"));
     checkFault(bodyFault("mesh = \"none.obj\"\n", 9, ".mesh", "none.obj: error: cannot be opened"));
-    checkFault(bodyFault("mesh = \"none.dxf\"\n", 9, ".mesh",
-                         "allowed: a file that ends in .stl, .obj, .ply or .asc"));
+    checkFault(bodyFault("mesh = \"none.dwg\"\n", 9, ".mesh",
+                         "allowed: a file that ends in .stl, .obj, .ply, .dxf, .asc or .xyz"));
     const test::TemporaryFolder folder;
     TriangleSurface open = angleSurface();
     open.triangles.pop_back();

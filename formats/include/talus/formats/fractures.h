@@ -17,9 +17,10 @@ std::string fracturesCsv(const std::vector<std::pair<std::string, Fracture>>& fr
 
 /// Reads such a file: columns in any order, with or without their unit, others passed over, commas,
 /// semicolons or tabs between them, decimal commas unless commas part the columns; lines that begin with #
-/// too. The orientation in any notation of readPoles (poles.h); `diameter_m` may stand in place of
-/// `radius_m`. Errors, up to 20 of them: the file cannot be read; a column that is missing or twice there; a
-/// row of another length, or with something that is no number or out of range, with its line.
+/// too. The orientation in any notation of readPoles (poles.h). In place of `radius_m` may stand
+/// `diameter_m`, or `trace_m`, a trace's length, which is taken as the diameter. Errors, up to 20 of them:
+/// the file cannot be read; a column that is missing or twice there; a row of another length, or with
+/// something that is no number or out of range, with its line.
 Result<std::vector<Fracture>> readFractures(const std::string& path);
 /// The same for text already in memory; `path` is used in messages.
 Result<std::vector<Fracture>> parseFractures(const std::string& text, const std::string& path);

@@ -1,6 +1,6 @@
 #pragma once
-// Surfaces from mesh files (STL and PLY as text or binary, Wavefront OBJ) and height grids (ESRI ASCII):
-// closed ones, or open terrains that are given sides and a base.
+// Surfaces from mesh files (STL and PLY as text or binary, Wavefront OBJ, DXF as text), height grids (ESRI
+// ASCII) and points: closed ones, or open terrains that are given sides and a base.
 
 #include <optional>
 #include <string>
@@ -12,11 +12,13 @@
 namespace talus::formats {
 
 enum class MeshFormat : std::uint8_t {
-    by_name,  ///< .stl, .obj, .ply or .asc, in capitals or not
+    by_name,  ///< .stl, .obj, .ply, .asc, .dxf or .xyz, in capitals or not
     stl,
     obj,
     ply,
-    asc
+    asc,
+    dxf,
+    xyz  ///< points, thinned to a height grid
 };
 
 /// What to make of a file's surface. Lengths in metres, after scaling.
@@ -32,12 +34,30 @@ struct MeshOptions {
     std::optional<double> tolerance;
     std::optional<double> simplify;  ///< deviation that is allowed (simplifySurface)
     bool open = false;               ///< it is to stay an open terrain, all of whose triangles look up
+    /// Doubled triangles are left out, triangles turned to face alike, small holes closed (mendSurface); the
+    /// tolerance is then 1e-4 of the extent unless it is given
+    bool mend = false;
+    std::optional<double> largest_hole{};  ///< that is closed; default 0.05 of the extent
+    std::optional<std::string> layer{};    ///< of DXF: only its faces
+    std::optional<double> cell{};          ///< of points: side of the grid's cells
+    bool median = false;                   ///< of points: height of a cell; else the mean
 };
 
 struct MeshSurface {
     TriangleSurface surface;  ///< closed, unless it was to stay open
     Vec3 shift = Vec3::Zero();
     std::vector<std::string> notes;  ///< what was repaired, shifted or simplified, for the user
+};
+
+/// The solids of a file, each a closed surface that faces outwards.
+struct MeshSolids {
+    struct Solid {
+        std::string name;  ///< of its own; "" where the file names none
+        TriangleSurface surface;
+    };
+    std::vector<Solid> solids;  ///< in the order of the file
+    Vec3 shift = Vec3::Zero();
+    std::vector<std::string> notes;
 };
 
 /// Reads a closed surface, or an open terrain and closes it. Vertices with equal coordinates are one; faces
@@ -50,5 +70,12 @@ Result<MeshSurface> readMesh(const std::string& path, const MeshOptions& options
 /// The same for a file's bytes in memory; `path` is used in messages and by its ending.
 Result<MeshSurface> parseMesh(const std::string& bytes, const std::string& path,
                               const MeshOptions& options = {});
+
+/// Reads solids that the file tells apart by name (`o` or `g` of OBJ, `solid` of STL, polyface meshes and
+/// layers of DXF), or that do not touch. Errors: as readMesh; solids without names that touch.
+Result<MeshSolids> readSolids(const std::string& path, const MeshOptions& options = {});
+/// The same for a file's bytes in memory.
+Result<MeshSolids> parseSolids(const std::string& bytes, const std::string& path,
+                               const MeshOptions& options = {});
 
 }  // namespace talus::formats
