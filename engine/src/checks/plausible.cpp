@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "checks/closed_volumes.h"
 #include "checks/loose_blocks.h"
 #include "checks/water_warnings.h"
 #include "measure/words.h"
@@ -308,7 +309,11 @@ std::optional<Error> nothingHolds(const Model& model) {
         "holds the others (fixed = true, or [[rock_mass.fixed]])"};
 }
 
-std::vector<Error> implausible(const State& state) { return waterFarAway(state); }
+std::vector<Error> implausible(const State& state) {
+    std::vector<Error> errors = waterFarAway(state);
+    if (errors.empty()) errors = openVolumes(state);
+    return errors;
+}
 
 std::vector<std::string> doubts(const State& state) {
     const Model& model = state.geometry->model;
