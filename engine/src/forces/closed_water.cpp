@@ -86,19 +86,19 @@ Levels levelsOf(const State& state, std::size_t water, const TableHeight& height
 }
 
 /// The level of a volume, from a guess: secants between bounds, halving where they leave those.
+/// \param rounding  of `excess`: a level whose excess is no larger is found
 /// \pre  excess(low) <= 0 <= excess(high)
 template <class Excess>
-double findLevel(const Excess& excess, Levels within, double guess) {
-    constexpr double kRounding = std::numeric_limits<double>::epsilon();
-    const double height = within.high - within.low;
+double findLevel(const Excess& excess, Levels within, double guess, double rounding) {
     double level = std::clamp(guess, within.low, within.high), at_level = excess(level);
-    double before = level + (at_level > 0 ? -1 : 1) * kFirstStep * height, at_before = excess(before);
-    for (int k = 0; k < kMostSteps && at_level != 0; ++k) {
+    if (std::abs(at_level) <= rounding) return level;
+    double before = level + (at_level > 0 ? -1 : 1) * kFirstStep * (within.high - within.low);
+    double at_before = excess(before);
+    for (int k = 0; k < kMostSteps && std::abs(at_level) > rounding; ++k) {
         (at_level > 0 ? within.high : within.low) = level;
-        const double slope = (at_level - at_before) / (level - before);
-        double next = level - at_level / slope;
+        double next = level - at_level * (level - before) / (at_level - at_before);
         if (!(next > within.low && next < within.high)) next = 0.5 * (within.low + within.high);
-        if (std::abs(next - level) <= kRounding * std::max(std::abs(level), height)) return next;
+        if (next == level) break;
         before = level, at_before = at_level;
         level = next, at_level = excess(level);
     }
@@ -119,8 +119,9 @@ void settle(State& state, std::size_t water) {
         closed.level[water] = within.high;
         return;
     }
-    closed.level[water] =
-        findLevel([&](double level) { return volumeAt(level) - volume; }, within, closed.level[water]);
+    const double rounding = std::numeric_limits<double>::epsilon() * most;
+    closed.level[water] = findLevel([&](double level) { return volumeAt(level) - volume; }, within,
+                                    closed.level[water], rounding);
 }
 
 /// Up to the present time.
