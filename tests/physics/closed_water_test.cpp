@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "support/closed_fissure.h"
-#include "support/verification.h"
 #include "talus/analysis.h"
 #include "talus/simulation.h"
 
@@ -31,11 +30,11 @@ Slide slideOf(Model model, const char* block = "slide") {
     return {*result, result->watch[0].displacement.norm(), result->waters[0].level};
 }
 
-/// Slowly: near the critical drag of the water's spring.
-Model slowly(Model model, double duration = 0.6) {
-    model.damping.mass = 45;
-    model.run.duration = duration;
-    model.run.frame_interval = duration;
+/// Slowly: with the critical drag of the water's spring, for twelve of its times.
+Model slowly(const ClosedFissure& fissure) {
+    Model model = fissure.model();
+    model.damping.mass = fissure.criticalDrag();
+    model.run.duration = model.run.frame_interval = 24 / model.damping.mass;
     return model;
 }
 
@@ -46,7 +45,7 @@ TEST_SUITE("physics") {
         for (const double opening : {0.002, 0.005}) {
             ClosedFissure fissure;
             fissure.opening = opening;
-            const Slide slide = slideOf(slowly(fissure.model(), opening > 0.003 ? 1.0 : 0.6));
+            const Slide slide = slideOf(slowly(fissure));
             MESSAGE("opening " << opening << ": slid " << slide.way << ", exact " << fissure.slowStop()
                                << ", level " << slide.level);
             CHECK(slide.way == doctest::Approx(fissure.slowStop()).epsilon(5e-3));
@@ -149,7 +148,7 @@ TEST_SUITE("physics") {
     TEST_CASE("closed volume: a supply keeps the slide going that a bag alone stops") {
         ClosedFissure fissure;
         const double stop = fissure.slowStop();
-        Model model = slowly(fissure.model(), 0.6);
+        Model model = slowly(fissure);
         model.waters[0].inflow = {{0.0, 0.002}};
         model.waters[0].overflow = 0.35;
         const Slide slide = slideOf(model);

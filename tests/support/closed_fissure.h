@@ -39,6 +39,12 @@ struct ClosedFissure {
         return root([&](double d) { return excess(d); });
     }
 
+    /// The critical drag of the water's spring where it stops, as Damping::mass [1/s].
+    double criticalDrag() const {
+        const double d = slowStop(), step = 1e-3 * d;
+        return 2 * std::sqrt((excess(d - step) - excess(d + step)) / (2 * step));
+    }
+
     /// Where it stops without damping: the integral of the excess is used up [m].
     double freeStop() const {
         const auto work = [&](double d) {  // Simpson's rule

@@ -45,11 +45,13 @@ void turn(State& state, std::size_t block, const Vec3& through, double angle) {
 /// Potential energy of the water: rho g (H V - integral of V(L) dL), along gravity above level 0.
 double potential(State& state) {
     updateWater(state);
-    const double level = state.closed.level[0];
-    constexpr int kParts = 4000;  // Simpson's rule
+    constexpr int kParts = 4000;      // Simpson's rule
+    constexpr double kEmpty = -0.02;  // [m] where a tilted table leaves the room behind the block dry, too
+    const double level = state.closed.level[0], height = level - kEmpty;
     double sum = volumeBelow(state, 0, level);
-    for (int k = 1; k < kParts; ++k) sum += (k % 2 == 0 ? 2 : 4) * volumeBelow(state, 0, level * k / kParts);
-    const double integral = sum * level / (3 * kParts);
+    for (int k = 1; k < kParts; ++k)
+        sum += (k % 2 == 0 ? 2 : 4) * volumeBelow(state, 0, kEmpty + height * k / kParts);
+    const double integral = sum * height / (3 * kParts);
     return 1000 * 9.81 * std::cos(state.load.tilt) * (level * state.closed.volume[0] - integral);
 }
 
