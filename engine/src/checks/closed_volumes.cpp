@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "forces/closed_water.h"
 #include "measure/words.h"
 #include "model/over_time.h"
+#include "step/time_step.h"
 
 namespace talus::checks {
 namespace {
@@ -37,7 +39,45 @@ std::optional<Error> openVolume(const State& state, std::size_t index) {
                                               "; allowed: a fissure with walls on both sides up to there"};
 }
 
+// Of the square of the highest frequency that bounds the time step. A step takes up to 0.85 of that bound, so
+// that a share of 0.38 more is where it becomes unstable.
+constexpr double kStiff = 0.1;
+
+/// Sum of K / m over the blocks that bound a water. The level falls by a d / (b w) when one wall of area a
+/// recedes by d, b the opening and w the width of the fissure, so K = rho g a^2 / (b w) [1/s^2].
+double waterFrequency(const State& state, std::size_t index) {
+    const Water& water = state.geometry->model.waters[index];
+    std::vector<double> walls(state.blocks.size(), 0.0);
+    for (std::size_t w = state.wet.water_begin[index]; w < state.wet.water_begin[index + 1]; ++w)
+        walls[static_cast<std::size_t>(state.wet.block[w])] += state.wet.moments[w].area;
+    double sum = 0;
+    for (std::size_t b = 0; b < walls.size(); ++b)
+        if (state.blocks.motion[b] == Motion::free) sum += walls[b] * walls[b] / state.blocks.mass[b];
+    return water.density * state.geometry->model.gravity.magnitude * sum /
+           (water.opening * state.closed.width[index]);
+}
+
 }  // namespace
+
+std::vector<Error> stiffVolumes(const State& state, bool parallel) {
+    const Model& model = state.geometry->model;
+    std::vector<Error> stiff;
+    if (state.closed.size() == 0) return stiff;
+    const std::vector<double> bounds = frequencyBounds(state, parallel);
+    const double highest = bounds.empty() ? 0.0 : *std::max_element(bounds.begin(), bounds.end());
+    for (std::size_t water = 0; water < model.waters.size(); ++water) {
+        if (!model.waters[water].closed) continue;
+        const double times = waterFrequency(state, water) / (kStiff * highest);
+        if (!(times > 1)) continue;
+        stiff.push_back({model.waters[water].field + ".opening",
+                         "found " + formatted("%g", model.waters[water].opening) +
+                             " m, with which the water is nearly as stiff as the joints, and the time step "
+                             "may be too long for it; allowed: at least " +
+                             formatted("%.1e", model.waters[water].opening * times) +
+                             " m, or a shorter run.time_step_s"});
+    }
+    return stiff;
+}
 
 std::vector<Error> openVolumes(const State& state) {
     const Model& model = state.geometry->model;

@@ -14,6 +14,10 @@ namespace talus::checks {
 /// `buildState` gives it
 std::vector<Error> openVolumes(const State& state);
 
+/// Those whose opening is so small that the water is a stiff spring for a history's time step, which follows
+/// from the stiffness of joints.
+std::vector<Error> stiffVolumes(const State& state, bool parallel);
+
 /// One line per closed volume for an analysis that holds its level.
 std::vector<std::string> levelsHeld(const Model& model);
 

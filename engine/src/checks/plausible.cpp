@@ -335,6 +335,8 @@ std::vector<std::string> doubts(const State& state) {
 std::vector<std::string> doubtsOfHistory(const State& state, bool parallel) {
     std::vector<std::string> told = doubts(state);
     if (auto slowed = slowedByOne(state, parallel)) told.push_back(std::move(*slowed));
+    for (const Error& stiff : stiffVolumes(state, parallel))
+        told.push_back(stiff.field + ": " + stiff.message);
     return told;
 }
 

@@ -209,6 +209,19 @@ TEST_SUITE("engine") {
         CHECK(checks::openVolumes(*buildState(flat, false)).empty());
     }
 
+    TEST_CASE("closed water: an opening with which the water is stiffer than the joints") {
+        ClosedFissure fissure;
+        const auto doubts = [&] {
+            return checks::stiffVolumes(*buildState(fissure.model(1e8), false), false);
+        };
+        CHECK(doubts().empty());
+        fissure.opening = 1e-7;
+        const auto stiff = doubts();
+        REQUIRE(stiff.size() == 1);
+        CHECK(stiff[0].field == "water[0].opening");
+        CHECK(stiff[0].message.find("nearly as stiff as the joints") != std::string::npos);
+    }
+
     TEST_CASE("the integral of a table over time is exact, in parts as at once") {
         const std::vector<LevelPoint> table{{1, 2}, {2, 4}, {4, 0}};
         CHECK(integralOver(table, 0, 1) == 2);
