@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "support/closed_fissure.h"
+#include "support/relative.h"
 #include "support/verification.h"
 #include "talus/simulation.h"
 
@@ -23,7 +24,7 @@ TEST_SUITE("slow: physics") {
             const double way = result->watch.at(0).displacement.norm();
             const double exact = slow ? fissure.slowStop() : fissure.freeStop();
             MESSAGE("slid " << way << ", exact " << exact << ", level " << result->waters.at(0).level);
-            CHECK(way == doctest::Approx(exact).epsilon(slow ? 0.01 : 0.02));
+            CHECK(way == near(exact, slow ? 0.01 : 0.02));
             // The columns behind the fissure stand.
             for (std::size_t b = 0; b < model.blocks.size(); ++b)
                 if (model.blocks[b].name.starts_with("c5"))

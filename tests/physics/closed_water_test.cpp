@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "support/closed_fissure.h"
+#include "support/relative.h"
 #include "talus/analysis.h"
 #include "talus/simulation.h"
 
@@ -30,9 +31,16 @@ Slide slideOf(Model model, const char* block = "slide") {
     return {*result, result->watch[0].displacement.norm(), result->waters[0].level};
 }
 
+/// A dashpot takes out what rattles as the block is released; what slides does not feel it.
+Model withoutRattling(const ClosedFissure& fissure) {
+    Model model = fissure.model();
+    model.damping.contact = 3e-5;
+    return model;
+}
+
 /// Slowly: with the critical drag of the water's spring, for twelve of its times.
 Model slowly(const ClosedFissure& fissure) {
-    Model model = fissure.model();
+    Model model = withoutRattling(fissure);
     model.damping.mass = fissure.criticalDrag();
     model.run.duration = model.run.frame_interval = 24 / model.damping.mass;
     return model;
@@ -48,15 +56,15 @@ TEST_SUITE("physics") {
             const Slide slide = slideOf(slowly(fissure));
             MESSAGE("opening " << opening << ": slid " << slide.way << ", exact " << fissure.slowStop()
                                << ", level " << slide.level);
-            CHECK(slide.way == doctest::Approx(fissure.slowStop()).epsilon(5e-3));
+            CHECK(slide.way == near(fissure.slowStop(), 1e-3));
             // Without what the tilt of the table adds: V / (b + d) = H, tan(beta) = tan(phi) - ...
             const double h = std::sqrt(2 * 2.7 * 0.6 * 0.5 *
                                        (std::tan(radians(19.5)) - std::tan(radians(fissure.tilt_deg))));
-            CHECK(h == doctest::Approx(0.3031).epsilon(1e-3));
-            CHECK(slide.level == doctest::Approx(h).epsilon(3e-3));
-            CHECK(slide.way == doctest::Approx(opening * (0.35 / h - 1)).epsilon(2e-2));
+            CHECK(h == near(0.3031, 1e-3));
+            CHECK(slide.level == near(h, 1e-3));
+            CHECK(slide.way == near(opening * (0.35 / h - 1), 2e-2));
             CHECK(slide.result.waters[0].volume ==
-                  doctest::Approx(fissure.volume()).epsilon(1e-3));  // joints give by 1e-6 m before the start
+                  near(fissure.volume(), 1e-3));  // joints give by 1e-6 m before the start
         }
     }
 
@@ -64,16 +72,16 @@ TEST_SUITE("physics") {
         for (const double opening : {0.002, 0.005}) {
             ClosedFissure fissure;
             fissure.opening = opening;
-            Model model = fissure.model();
+            Model model = withoutRattling(fissure);
             model.run.duration = 0.5;
             model.run.frame_interval = 0.5;
             const Slide slide = slideOf(model);
             MESSAGE("opening " << opening << ": slid " << slide.way << ", exact " << fissure.freeStop()
                                << ", level " << slide.level);
-            CHECK(slide.way == doctest::Approx(fissure.freeStop()).epsilon(5e-3));
+            CHECK(slide.way == near(fissure.freeStop(), 2e-3));
             // In closed form without the tilt of the table: (b + d) / b = (H0 / H)^2.
-            CHECK(slide.way == doctest::Approx(opening * 0.333).epsilon(1.5e-2));
-            CHECK(slide.level == doctest::Approx(0.2626).epsilon(5e-3));
+            CHECK(slide.way == near(opening * 0.333, 1.5e-2));
+            CHECK(slide.level == near(0.2625, 3e-3));
         }
     }
 
@@ -83,12 +91,12 @@ TEST_SUITE("physics") {
             fissure.friction_deg = 0;
             fissure.tilt_deg = tilt_deg;
             Model model = fissure.model(1e10);
-            model.run.duration = 0.05;
+            model.run.duration = 0.1;
             model.run.frame_interval = 0.005;
-            double worst = 0, farthest = 0, first = 0;
+            double worst = 0, farthest = 0, first = 0, kinetic = 0;
             model.run.watch = {"slide"};
             const auto result = run(model, {}, [&](const HistoryRecord& record) {
-                const double d = record.watch[0].displacement.norm();
+                const double d = -record.watch[0].displacement.x();
                 const double beta = fissure.tilt();
                 // Of the water, along gravity above the fissure's foot: a rectangle b H (through the foot), and
                 // the room between x = 0 and -d, the table at H - x tan(beta); its centroids' heights.
@@ -105,15 +113,15 @@ TEST_SUITE("physics") {
                 const double total =
                     record.kinetic_energy + record.elastic_energy + record.gravity_energy + water;
                 if (record.step == 0) first = total;
-                worst =
-                    std::max(worst, std::abs(total - first) / std::max(1e-12, record.kinetic_energy + 1e-3));
+                worst = std::max(worst, std::abs(total - first));
+                kinetic = record.kinetic_energy;
                 farthest = std::max(farthest, d);
             });
             REQUIRE(result.ok());
-            MESSAGE("tilt " << tilt_deg << ": moved " << farthest << " m, energy off by " << worst
-                            << " of the kinetic energy");
+            MESSAGE("tilt " << tilt_deg << ": moved " << farthest << " m, energy off by " << worst << " J of "
+                            << kinetic << " J");
             CHECK(farthest > 1e-3);
-            CHECK(worst < 2e-3);
+            CHECK(worst < 3e-4 * kinetic);
         }
     }
 
@@ -135,13 +143,18 @@ TEST_SUITE("physics") {
             CAPTURE(t);
             REQUIRE(record.waters.size() == 1);
             const WaterReport& water = record.waters[0];
-            CHECK(water.level == doctest::Approx(std::min(0.2, in / fissure.opening)).epsilon(1e-9));
-            CHECK(water.volume + water.run_over == doctest::Approx(in * fissure.width).epsilon(1e-11));
+            if (t == 0) {
+                CHECK(water.level == 0);
+                CHECK(water.volume == 0);
+                return;
+            }
+            CHECK(water.level == near(std::min(0.2, in / fissure.opening), 1e-9));
+            CHECK(water.volume + water.run_over == near(in * fissure.width, 1e-11));
             if (in / fissure.opening < 0.2) CHECK(water.run_over <= 1e-18);
         });
         for (const Error& error : result.errors()) FAIL_CHECK(error.message);
         REQUIRE(result.ok());
-        CHECK(result->waters[0].level == doctest::Approx(0.2));
+        CHECK(result->waters[0].level == near(0.2, 1e-12));
         CHECK(result->waters[0].run_over > 0);
     }
 

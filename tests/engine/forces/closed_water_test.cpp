@@ -14,6 +14,7 @@
 #include "frame/frame.h"
 #include "model/over_time.h"
 #include "support/closed_fissure.h"
+#include "support/relative.h"
 
 using namespace talus;
 using namespace talus::test;
@@ -67,8 +68,8 @@ TEST_SUITE("engine") {
         CHECK(closedWaterReports(state).empty());
 
         state = begun(fissure.model());
-        CHECK(state.closed.volume[0] == doctest::Approx(fissure.volume()).epsilon(1e-12));
-        CHECK(state.closed.width[0] == doctest::Approx(fissure.width));
+        CHECK(state.closed.volume[0] == near(fissure.volume(), 1e-12));
+        CHECK(state.closed.width[0] == near(fissure.width, 1e-12));
         for (const double d : {1e-5, 0.001, 0.01, 0.1}) {
             CAPTURE(d);
             State moved = state;
@@ -76,11 +77,11 @@ TEST_SUITE("engine") {
             updateWater(moved);
             const double h = moved.closed.level[0], t = std::tan(fissure.tilt());
             CHECK(fissure.opening * h + d * h + 0.5 * d * d * t ==
-                  doctest::Approx(fissure.volume() / fissure.width).epsilon(1e-12));
+                  near(fissure.volume() / fissure.width, 1e-12));
             const double at_block = fissure.depthAtBlock(d);
             const double thrust =
                 0.5 * 1000 * 9.81 * std::cos(fissure.tilt()) * at_block * at_block * fissure.width;
-            CHECK(waterOn(moved, kSlide).force.x() == doctest::Approx(-thrust).epsilon(1e-9));
+            CHECK(waterOn(moved, kSlide).force.x() == near(-thrust, 1e-9));
             CHECK(moved.closed.run_over[0] == 0);
         }
     }
@@ -91,7 +92,7 @@ TEST_SUITE("engine") {
         model.waters[0].closed = true;
         model.waters[0].opening = 0.002;
         State state = begun(model);
-        CHECK(state.closed.width[0] == doctest::Approx(0.3));
+        CHECK(state.closed.width[0] == near(0.3, 1e-12));
         // The middle slice of the front column opens by 3 mm, its upper blocks by 1 mm more.
         for (std::size_t b = 1; b < model.blocks.size(); ++b) {
             const std::string& name = model.blocks[b].name;
@@ -101,7 +102,7 @@ TEST_SUITE("engine") {
         updateWater(state);
         // b 0.3 H + 0.1 (0.003 * 0.1 + 0.004 (H - 0.1)) = b 0.3 * 0.2
         const double h = (0.002 * 0.3 * 0.2 - 0.1 * 0.1 * (0.003 - 0.004)) / (0.002 * 0.3 + 0.1 * 0.004);
-        CHECK(state.closed.level[0] == doctest::Approx(h).epsilon(1e-12));
+        CHECK(state.closed.level[0] == near(h, 1e-12));
         CHECK(waterOn(state, 1).force.x() < 0);
     }
 
@@ -126,13 +127,13 @@ TEST_SUITE("engine") {
                     move(moved, kSlide, {step, 0, 0});
                 },
                 1e-5);
-            CHECK(along == doctest::Approx(water.force.x()).epsilon(2e-3));
+            CHECK(along == near(water.force.x(), 2e-3));
             const Vec3 foot = edge - Vec3(0.004, 0, 0);
             const Vec3 arm = state.blocks.position.get(kSlide) - foot;
             const double moment = water.torque.y() + arm.cross(water.force).y();
             const double about =
                 difference([&](State& moved, double step) { turn(moved, kSlide, foot, step); }, 1e-5);
-            CHECK(about == doctest::Approx(moment).epsilon(5e-3));
+            CHECK(about == near(moment, 5e-3));
         }
     }
 
@@ -144,14 +145,13 @@ TEST_SUITE("engine") {
         CHECK(state.closed.level[0] < 0.1);
         move(state, kSlide, {0.01, 0, 0});
         updateWater(state);
-        CHECK(state.closed.level[0] == doctest::Approx(0.35).epsilon(1e-9));
+        CHECK(state.closed.level[0] == near(0.35, 1e-9));
         move(state, kSlide,
              {0.001, 0, 0});  // half of the opening: it would stand at 0.7 m, in walls of 0.5 m
         updateWater(state);
-        CHECK(state.closed.level[0] == doctest::Approx(0.5).epsilon(1e-12));
+        CHECK(state.closed.level[0] == near(0.5, 1e-12));
         CHECK(state.closed.run_over[0] > 0);
-        CHECK(state.closed.run_over[0] + state.closed.volume[0] ==
-              doctest::Approx(fissure.volume()).epsilon(1e-12));
+        CHECK(state.closed.run_over[0] + state.closed.volume[0] == near(fissure.volume(), 1e-12));
         const double left = state.closed.volume[0];
         updateWater(state);
         CHECK(state.closed.volume[0] == left);
@@ -226,11 +226,11 @@ TEST_SUITE("engine") {
         const std::vector<LevelPoint> table{{1, 2}, {2, 4}, {4, 0}};
         CHECK(integralOver(table, 0, 1) == 2);
         CHECK(integralOver(table, 1, 2) == 3);
-        CHECK(integralOver(table, 0, 9) == doctest::Approx(2 + 3 + 4));
-        CHECK(integralOver(table, 1.5, 3) == doctest::Approx(0.5 * 0.5 * (3 + 4) + 0.5 * (4 + 2)));
+        CHECK(integralOver(table, 0, 9) == near(2 + 3 + 4, 1e-12));
+        CHECK(integralOver(table, 1.5, 3) == near(0.5 * 0.5 * (3 + 4) + 0.5 * (4 + 2), 1e-12));
         CHECK(integralOver({{0, 3}}, 2, 4) == 6);
         double sum = 0;
         for (int k = 0; k < 50; ++k) sum += integralOver(table, 0.1 * k, 0.1 * (k + 1));
-        CHECK(sum == doctest::Approx(integralOver(table, 0, 5)).epsilon(1e-14));
+        CHECK(sum == near(integralOver(table, 0, 5), 1e-14));
     }
 }

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "support/models.h"
+#include "support/relative.h"
 
 using namespace talus;
 using namespace talus::test;
@@ -56,19 +57,19 @@ TEST_SUITE("engine") {
                     CAPTURE(tilt);
                     const double volume =
                         sweptBelow(wall(), wallFrame(), moved(gap, angle), tiltedTable(tilt, 0.3));
-                    CHECK(volume == doctest::Approx(byStrips(gap, angle, tilt, 0.3)).epsilon(3e-4));
+                    CHECK(volume == near(byStrips(gap, angle, tilt, 0.3), 3e-4));
                 }
     }
 
     TEST_CASE("enclosed volume: none as built, negative where the wall advances, all of it under water") {
         const WaterTable table = tiltedTable(0.25, 0.3);
         CHECK(sweptBelow(wall(), wallFrame(), wallFrame(), table) == 0);
-        CHECK(areaBelow(wall(), wallFrame(), table) == doctest::Approx(0.3 * kWidth));
+        CHECK(areaBelow(wall(), wallFrame(), table) == near(0.3 * kWidth, 1e-12));
         const double d = 1e-3;
         const double exact = kWidth * (0.3 * d - 0.5 * d * d * std::tan(0.25));
-        CHECK(sweptBelow(wall(), wallFrame(), moved(-d, 0), table) == doctest::Approx(-exact).epsilon(1e-12));
+        CHECK(sweptBelow(wall(), wallFrame(), moved(-d, 0), table) == near(-exact, 1e-12));
         CHECK(sweptBelow(wall(), wallFrame(), moved(d, 0), tiltedTable(0, 9)) ==
-              doctest::Approx(d * kHeight * kWidth).epsilon(1e-12));
+              near(d * kHeight * kWidth, 1e-12));
         CHECK(sweptBelow(wall(), wallFrame(), moved(d, 0), tiltedTable(0, -1)) == 0);
     }
 
@@ -77,6 +78,6 @@ TEST_SUITE("engine") {
         const double gap = 0.01, step = 1e-6;
         const auto volume = [&](double at) { return sweptBelow(wall(), wallFrame(), moved(at, 0), table); };
         const double wet = kWidth * (0.3 + gap * std::tan(0.3));
-        CHECK((volume(gap + step) - volume(gap - step)) / (2 * step) == doctest::Approx(wet).epsilon(1e-7));
+        CHECK((volume(gap + step) - volume(gap - step)) / (2 * step) == near(wet, 1e-7));
     }
 }
