@@ -23,6 +23,8 @@
 // the hydrostatic pressure is its derivative (L. D. Landau and E. M. Lifshitz, Fluid Mechanics, section 3).
 // That is exact where walls move along n0. Where they also move along themselves by t, the lower edge of
 // the room moves with them, and its share of the energy, p s t per m of that edge, is left out.
+// Nor is the room exact where the table no longer reaches the plane at the start: a gap s so wide that
+// s tan(gamma) exceeds the level. Little water stands there.
 
 #include <cmath>
 
