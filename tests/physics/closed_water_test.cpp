@@ -190,4 +190,27 @@ TEST_SUITE("physics") {
             }));
         }
     }
+
+    TEST_CASE("closed volume: the failure that a search found is played on with a level that falls") {
+        ClosedFissure fissure;
+        Model model = fissure.model();
+        model.analysis.start = 0;
+        Control control;
+        control.keep_failing_state = true;
+        const auto search = criticalAngle(model, control);
+        REQUIRE(search.ok());
+        REQUIRE(search->failing != nullptr);
+        model.gravity.tilt = search->failing->load;
+        model.damping.contact = search->failing->contact_damping;
+        model.run.duration = 1;
+        model.run.frame_interval = 0.05;
+        std::vector<double> levels;
+        RunOutput output;
+        output.light = [&](LightFrame&& frame) { levels.push_back(frame.water.level[0]); };
+        const auto result = runFailing(model, {}, output, *search->failing, 0.05);
+        REQUIRE(result.ok());
+        REQUIRE(levels.size() > 2);
+        CHECK(levels.front() == near(0.35, 1e-9));
+        CHECK(levels.back() < 0.999 * levels.front());
+    }
 }
