@@ -14,8 +14,8 @@
 namespace talus {
 namespace {
 
-// Of the height of the fissure: the first step of the search for a level, small against every block.
-constexpr double kFirstStep = 1e-4;
+// Of the surface of the fissure as built: a first slope that is far too small would leap over every bound.
+constexpr double kLeastSlope = 0.1;
 // Halving alone takes 53 steps from the height of a fissure to the last bit of a level.
 constexpr int kMostSteps = 200;
 
@@ -85,22 +85,28 @@ Levels levelsOf(const State& state, std::size_t water, const TableHeight& height
                                            heights.levelOf(std::min(top[0], top[1])))};
 }
 
-/// The level of a volume, from a guess: secants between bounds, halving where they leave those.
+/// The level of a volume, from a guess: secants between bounds, halving where they leave those. The highest
+/// where even that is too low, which is looked at only when a secant comes so far.
+/// \param slope     of `excess`, roughly
 /// \param rounding  of `excess`: a level whose excess is no larger is found
-/// \pre  excess(low) <= 0 <= excess(high)
+/// \pre  excess(low) <= 0
 template <class Excess>
-double findLevel(const Excess& excess, Levels within, double guess, double rounding) {
-    double level = std::clamp(guess, within.low, within.high), at_level = excess(level);
-    if (std::abs(at_level) <= rounding) return level;
-    double before = level + (at_level > 0 ? -1 : 1) * kFirstStep * (within.high - within.low);
-    double at_before = excess(before);
+double findLevel(const Excess& excess, Levels within, double guess, double slope, double rounding) {
+    const double highest = within.high;
+    bool looked = false;
+    double level = std::clamp(guess, within.low, highest), at_level = excess(level);
     for (int k = 0; k < kMostSteps && std::abs(at_level) > rounding; ++k) {
         (at_level > 0 ? within.high : within.low) = level;
-        double next = level - at_level * (level - before) / (at_level - at_before);
+        double next = level - at_level / slope;
+        if (next >= highest && !looked) {
+            looked = true;
+            if (level == highest || excess(highest) <= 0) return highest;
+        }
         if (!(next > within.low && next < within.high)) next = 0.5 * (within.low + within.high);
         if (next == level) break;
-        before = level, at_before = at_level;
-        level = next, at_level = excess(level);
+        const double at_next = excess(next);
+        slope = (at_next - at_level) / (next - level);
+        level = next, at_level = at_next;
     }
     return level;
 }
@@ -112,16 +118,19 @@ void settle(State& state, std::size_t water) {
     const TableHeight heights = tableHeight(state, water, state.load.tilt);
     const auto volumeAt = [&](double level) { return volumeUnder(state, water, {up, heights.at(level)}); };
     const Levels within = levelsOf(state, water, heights, up);
-    const double most = volumeAt(within.high), volume = closed.volume[water];
-    if (volume >= most) {
-        closed.run_over[water] += volume - most;
-        closed.volume[water] = most;
-        closed.level[water] = within.high;
-        return;
-    }
-    const double rounding = std::numeric_limits<double>::epsilon() * most;
-    closed.level[water] = findLevel([&](double level) { return volumeAt(level) - volume; }, within,
-                                    closed.level[water], rounding);
+    const double volume = closed.volume[water], guess = closed.level[water];
+    // Of the fissure as built, a prism; what it holds now may be more.
+    const double surface = state.geometry->model.waters[water].opening * closed.width[water];
+    const double capacity = surface * (within.high - within.low);
+    const double slope = guess > within.low && volume > 0 ? volume / (guess - within.low) : surface;
+    const double rounding = std::numeric_limits<double>::epsilon() * std::max(capacity, volume);
+    const double level = findLevel([&](double at) { return volumeAt(at) - volume; }, within, guess,
+                                   std::max(slope, kLeastSlope * surface), rounding);
+    closed.level[water] = level;
+    if (level < within.high) return;
+    const double most = volumeAt(within.high);
+    closed.run_over[water] += std::max(0.0, volume - most);
+    closed.volume[water] = std::min(volume, most);
 }
 
 /// Up to the present time.

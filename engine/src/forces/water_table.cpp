@@ -11,7 +11,16 @@ Vec3 initialPoint(const State& state, std::size_t w, const Vec2& v) {
     return state.geometry->initial_position.get(b) + state.geometry->initial_orientation.matrix(b) * own;
 }
 
-Vec3 tablePoint(const State& state, std::size_t water, double depth, const Vec3& down) {
+namespace {
+
+/// What depths count from: a joint plane's lowest wet point, and up along its steepest line.
+struct Foot {
+    Vec3 lowest = Vec3::Zero(), up = Vec3::UnitZ();
+
+    Vec3 at(double depth) const { return lowest + depth * up; }
+};
+
+Foot footOf(const State& state, std::size_t water, const Vec3& down) {
     Vec3 lowest = Vec3::Zero(), normal = Vec3::Zero();
     double deepest = -kInfinity;
     const EndWalls ends(*state.geometry, state.geometry->model.waters[water]);
@@ -29,15 +38,21 @@ Vec3 tablePoint(const State& state, std::size_t water, double depth, const Vec3&
     }
     const Vec3 steepest = -down + down.dot(normal) * normal;
     const Vec3 up = steepest.norm() > 1e-9 ? Vec3(steepest.normalized()) : Vec3(-down);
-    return lowest + depth * up;
+    return {lowest, up};
+}
+
+}  // namespace
+
+Vec3 tablePoint(const State& state, std::size_t water, double depth, const Vec3& down) {
+    return footOf(state, water, down).at(depth);
 }
 
 TableHeight tableHeight(const State& state, std::size_t water, double tilt) {
     const Vec3 down = downward(state.geometry->model.gravity, tilt);
     if (state.geometry->model.waters[water].kind == Water::Level::elevation)
         return {down.dot(state.geometry->origin), 1};
-    const double at_zero = -down.dot(tablePoint(state, water, 0, down));
-    return {at_zero, -down.dot(tablePoint(state, water, 1, down)) - at_zero};
+    const Foot foot = footOf(state, water, down);
+    return {-down.dot(foot.lowest), -down.dot(foot.up)};
 }
 
 }  // namespace talus
