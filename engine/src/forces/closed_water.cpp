@@ -47,9 +47,9 @@ void eachWall(const State& state, std::size_t water, const Each& each) {
 
 Vec3 upNow(const State& state) { return -downward(state.geometry->model.gravity, state.load.tilt); }
 
-/// Whether a wall looks the same way as the first of its water.
-bool looksAhead(const State& state, std::size_t water, std::size_t w) {
-    return wallAtStart(state, w).e3.dot(wallAtStart(state, state.wet.water_begin[water]).e3) > 0;
+/// Which way the first wall of a water looks, as built: others look the same way, or stand opposite.
+Vec3 aheadOf(const State& state, std::size_t water) {
+    return wallAtStart(state, state.wet.water_begin[water]).e3;
 }
 
 double volumeUnder(const State& state, std::size_t water, const WaterTable& table) {
@@ -72,17 +72,20 @@ struct Levels {
 Levels levelsOf(const State& state, std::size_t water, const TableHeight& heights, const Vec3& up) {
     double low = kInfinity;
     std::array<double, 2> top{-kInfinity, -kInfinity};  // of both sides
+    const Vec3 ahead = aheadOf(state, water);
     eachWall(state, water, [&](std::size_t w) {
         const FaceFrame start = wallAtStart(state, w), now = wallNow(state, w);
-        double& side = top[looksAhead(state, water, w) ? 0 : 1];
+        double& side = top[start.e3.dot(ahead) > 0 ? 0 : 1];
         for (const Vec2& v : wetPolygon(state.wet, w)) {
             const double was = up.dot(start.toWorld(v));
             low = std::min({low, was, up.dot(now.toWorld(v))});
             side = std::max(side, was);
         }
     });
-    return {heights.levelOf(low), std::min(state.geometry->model.waters[water].overflow,
-                                           heights.levelOf(std::min(top[0], top[1])))};
+    const auto [lower, upper] = std::minmax(top[0], top[1]);
+    const double end = lower > -kInfinity ? lower : upper;  // in what is left of a model one side may be gone
+    return {heights.levelOf(low),
+            std::min(state.geometry->model.waters[water].overflow, heights.levelOf(end))};
 }
 
 /// The level of a volume, from a guess: secants between bounds, halving where they leave those. The highest
@@ -145,7 +148,7 @@ void takeInflow(State& state, std::size_t water) {
 
 /// Horizontal extent of a water's walls along their joint [m].
 double widthOf(const State& state, std::size_t water, const Vec3& up) {
-    const Vec3 along = wallAtStart(state, state.wet.water_begin[water]).e3.cross(up).normalized();
+    const Vec3 along = aheadOf(state, water).cross(up).normalized();
     double low = kInfinity, high = -kInfinity;
     eachWall(state, water, [&](std::size_t w) {
         const FaceFrame start = wallAtStart(state, w);
@@ -234,11 +237,11 @@ void rememberClosedWater(State& state, std::span<const ForceArray> arrays) {
 Enclosure enclosureOf(const State& state, std::size_t water, double level) {
     const WaterTable table{upNow(state), tableHeight(state, water, state.load.tilt).at(level)};
     Enclosure enclosure;
-    const Vec3 normal = wallAtStart(state, state.wet.water_begin[water]).e3;
-    enclosure.dip = std::acos(std::min(1.0, std::abs(normal.dot(table.up))));
+    const Vec3 ahead = aheadOf(state, water);
+    enclosure.dip = std::acos(std::min(1.0, std::abs(ahead.dot(table.up))));
     eachWall(state, water, [&](std::size_t w) {
-        enclosure.below[looksAhead(state, water, w) ? 0 : 1] +=
-            areaBelow(wetPolygon(state.wet, w), wallAtStart(state, w), table);
+        const FaceFrame start = wallAtStart(state, w);
+        enclosure.below[start.e3.dot(ahead) > 0 ? 0 : 1] += areaBelow(wetPolygon(state.wet, w), start, table);
     });
     return enclosure;
 }
