@@ -52,15 +52,25 @@ Vec3 aheadOf(const State& state, std::size_t water) {
     return wallAtStart(state, state.wet.water_begin[water]).e3;
 }
 
+/// Walls in fixed rock hold no volume where the joint does not reach so far (EndWalls): how deep a model is cut
+/// changes nothing.
+EndWalls endsOf(const State& state, std::size_t water) {
+    return {*state.geometry, state.geometry->model.waters[water]};
+}
+
 double volumeUnder(const State& state, std::size_t water, const WaterTable& table) {
-    double walls = 0, swept = 0;
+    std::array<double, 2> walls{};  // of both sides
+    double swept = 0;
+    const EndWalls ends = endsOf(state, water);
+    const Vec3 ahead = aheadOf(state, water);
     eachWall(state, water, [&](std::size_t w) {
         const Polygon wall = wetPolygon(state.wet, w);
         const FaceFrame start = wallAtStart(state, w);
-        walls += areaBelow(wall, start, table);
+        if (ends.counts(state.wet.block[w]))
+            walls[start.e3.dot(ahead) > 0 ? 0 : 1] += areaBelow(wall, start, table);
         swept += sweptBelow(wall, start, wallNow(state, w), table);
     });
-    return state.geometry->model.waters[water].opening * 0.5 * walls + swept;
+    return state.geometry->model.waters[water].opening * std::max(walls[0], walls[1]) + swept;
 }
 
 /// Levels between which a volume is looked for [m].
@@ -73,12 +83,14 @@ Levels levelsOf(const State& state, std::size_t water, const TableHeight& height
     double low = kInfinity;
     std::array<double, 2> top{-kInfinity, -kInfinity};  // of both sides
     const Vec3 ahead = aheadOf(state, water);
+    const EndWalls ends = endsOf(state, water);
     eachWall(state, water, [&](std::size_t w) {
         const FaceFrame start = wallAtStart(state, w), now = wallNow(state, w);
         double& side = top[start.e3.dot(ahead) > 0 ? 0 : 1];
+        const bool holds = ends.counts(state.wet.block[w]);
         for (const Vec2& v : wetPolygon(state.wet, w)) {
             const double was = up.dot(start.toWorld(v));
-            low = std::min({low, was, up.dot(now.toWorld(v))});
+            if (holds) low = std::min({low, was, up.dot(now.toWorld(v))});
             side = std::max(side, was);
         }
     });
@@ -150,7 +162,9 @@ void takeInflow(State& state, std::size_t water) {
 double widthOf(const State& state, std::size_t water, const Vec3& up) {
     const Vec3 along = aheadOf(state, water).cross(up).normalized();
     double low = kInfinity, high = -kInfinity;
+    const EndWalls ends = endsOf(state, water);
     eachWall(state, water, [&](std::size_t w) {
+        if (!ends.counts(state.wet.block[w])) return;
         const FaceFrame start = wallAtStart(state, w);
         for (const Vec2& v : wetPolygon(state.wet, w)) {
             const double x = along.dot(start.toWorld(v));

@@ -13,7 +13,7 @@
 // The second term is the surface of the water, which is not normal to a wall that leans or to a tilted one.
 // The volume below a table at the height L is
 //
-//   V(L) = b A(L) + sum of V_w(L),     A: half of the walls of both sides below L, as built
+//   V(L) = b A(L) + sum of V_w(L),     A: the walls of one side below L, as built, of the larger side
 //
 // so that dV at a fixed table is the integral of the walls' advance over what is wet of them. Water of a
 // constant volume and level L has the potential energy U = rho g integral of z dV, and with dV = 0

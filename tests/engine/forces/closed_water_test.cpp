@@ -106,6 +106,29 @@ TEST_SUITE("engine") {
         CHECK(waterOn(state, 1).force.x() < 0);
     }
 
+    TEST_CASE("closed water: how deep a model is cut into fixed rock changes nothing") {
+        const ClosedFissure fissure;
+        const auto levelAfter = [&](double depth_of_rock, double d) {
+            Model model = fissure.model();
+            model.blocks[0].shape = *makeBox({-5, -5, -depth_of_rock - 1}, {20, 5, -depth_of_rock});
+            model.blocks.push_back(box("base", {0, 0, -depth_of_rock}, {0.6, 0.1, 0}, 2700, Motion::fixed));
+            model.blocks.push_back(
+                box("behind", {0.6, 0, -depth_of_rock}, {1.0, 0.1, 0}, 2700, Motion::fixed));
+            Water water = fissureAt(model, fissure.length, fissure.filled);
+            water.base = -kInfinity;
+            water.closed = water.ends_at_free_blocks = true;
+            water.opening = fissure.opening;
+            model.waters = {water};
+            State state = begun(model);
+            move(state, kSlide, {-d, 0, 0});
+            updateWater(state);
+            CHECK(state.closed.volume[0] == near(fissure.volume(), 1e-12));
+            return state.closed.level[0];
+        };
+        CHECK(levelAfter(0.5, 0.003) == near(levelAfter(2.0, 0.003), 1e-12));
+        CHECK(levelAfter(0.5, 0.003) < 0.2);
+    }
+
     TEST_CASE("closed water: pressure is the derivative of the water's potential energy") {
         for (const double tilt_deg : {0.0, 16.0}) {
             ClosedFissure fissure;
