@@ -98,8 +98,8 @@ TEST_SUITE("physics") {
             const auto result = run(model, {}, [&](const HistoryRecord& record) {
                 const double d = -record.watch[0].displacement.x();
                 const double beta = fissure.tilt();
-                // Of the water, along gravity above the fissure's foot: a rectangle b H (through the foot), and
-                // the room between x = 0 and -d, the table at H - x tan(beta); its centroids' heights.
+                // Of the water, heights along gravity above the fissure's foot: a strip b wide at x = 0, and the
+                // room from x = 0 to -d below the table at z = H - x tan(beta).
                 const double h = record.waters[0].level, t = std::tan(beta);
                 const double b = fissure.opening, w = fissure.width;
                 const auto potential = [&](double x) {  // of a strip at x: integral of z cos + x sin over z

@@ -52,8 +52,8 @@ Vec3 aheadOf(const State& state, std::size_t water) {
     return wallAtStart(state, state.wet.water_begin[water]).e3;
 }
 
-/// Walls in fixed rock hold no volume where the joint does not reach so far (EndWalls): how deep a model is cut
-/// changes nothing.
+/// Walls in fixed rock hold no volume where the joint does not reach so far (EndWalls): how deep a model is
+/// cut changes nothing.
 EndWalls endsOf(const State& state, std::size_t water) {
     return {*state.geometry, state.geometry->model.waters[water]};
 }

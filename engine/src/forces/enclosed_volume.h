@@ -15,8 +15,9 @@
 //
 //   V(L) = b A(L) + sum of V_w(L),     A: the walls of one side below L, as built, of the larger side
 //
-// so that dV at a fixed table is the integral of the walls' advance over what is wet of them. Water of a
-// constant volume and level L has the potential energy U = rho g integral of z dV, and with dV = 0
+// so that dV at a fixed table is the integral of -n . dx over what is wet of the walls, n their outward
+// normal. Water of a constant volume and level L has the potential energy U = rho g integral of z dV, and
+// with dV = 0
 //
 //   dU = -(sum over walls) integral of p (-n . dx) dA,     p = rho g (L - z):
 //
