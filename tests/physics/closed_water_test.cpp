@@ -98,7 +98,7 @@ TEST_SUITE("physics") {
             const auto result = run(model, {}, [&](const HistoryRecord& record) {
                 const double d = -record.watch[0].displacement.x();
                 const double beta = fissure.tilt();
-                // Of the water, heights along gravity above the fissure's foot: a strip b wide at x = 0, and the
+                // Of the water, heights along gravity above the fissure: a strip b wide at x = 0, and the
                 // room from x = 0 to -d below the table at z = H - x tan(beta).
                 const double h = record.waters[0].level, t = std::tan(beta);
                 const double b = fissure.opening, w = fissure.width;
