@@ -52,6 +52,23 @@ TEST_SUITE("determinism") {
         checkRestarts(scenarioModel(runScenarioText()), 8);
     }
 
+    TEST_CASE("restart: a closed volume of water that falls, is filled and runs over") {
+        const Model model = scenarioModel(
+            "[gravity]\ntilt_deg = 14.0\n[run]\nduration_s = 0.04\nframe_interval_s = 0.001\n"
+            "[damping]\ncontact = 1e-5\n[material.rock]\ndensity = 2700.0\n"
+            "[joint.default]\nnormal_stiffness = 1e8\nshear_stiffness = 1e8\nfriction_deg = 15.0\n"
+            "[[stack]]\ncolumns = 2\nrows = 3\nslices = 2\nblock = [0.2, 0.1, 0.1]\n"
+            "[[water]]\nfissure = 1\ndepth = 0.25\nvolume = \"closed\"\nopening = 0.001\n"
+            "inflow = [[0.0, 0.0], [0.01, 0.0], [0.02, 0.05]]\noverflow = 0.25\n");
+        const Recorded whole = record(model, 8);
+        REQUIRE(whole.result.ok());
+        REQUIRE(whole.result->waters.size() == 1);
+        CHECK(whole.result->waters[0].run_over > 0);
+        const auto& lights = whole.lights;
+        CHECK(lights[8].water.level[0] < 0.9999 * lights[0].water.level[0]);
+        checkRestarts(model, 8);
+    }
+
     TEST_CASE("restart: cubes that tumble onto each other by their edges and corners") {
         Model model = floorModel(30, 1e8);
         for (int k = 0; k < 6; ++k)

@@ -55,6 +55,24 @@ TEST_SUITE("determinism") {
         }
     }
 
+    TEST_CASE("a closed volume of water: the same bits for 1 and 2 threads") {
+        Model model = slidingSlope();
+        model.waters[0].closed = true;
+        model.waters[0].opening = 0.002;
+        model.waters[0].inflow = {{0.0, 0.01}};
+        model.run.start = RunSettings::Start::unstressed;
+        model.run.duration = 5e-4;
+        const auto one = run(model, {.threads = 1}, RunOutput{}),
+                   two = run(model, {.threads = 2}, RunOutput{});
+        REQUIRE(one.ok());
+        REQUIRE(two.ok());
+        CHECK(one->state_hash == two->state_hash);
+        REQUIRE(one->waters.size() == 1);
+        CHECK(one->waters[0].level == two->waters[0].level);
+        CHECK(one->waters[0].volume == two->waters[0].volume);
+        CHECK(one->waters[0].level != 0.4);
+    }
+
     TEST_CASE("a copied state goes on to the same bits") {
         Model model = slidingSlope();
         State state = *buildState(model, false);

@@ -53,6 +53,17 @@ Json largestJson(const formats::Scenario& scenario, const RunResult& result) {
             {"displacement_m", number(result.displacements[block].norm())}};
 }
 
+/// Closed volumes at the end.
+Json watersJson(const RunResult& result) {
+    Json waters = Json::array();
+    for (const WaterReport& water : result.waters)
+        waters.push_back({{"name", water.name},
+                          {"level_m", number(water.level)},
+                          {"volume_m3", number(water.volume)},
+                          {"run_over_m3", number(water.run_over)}});
+    return waters;
+}
+
 }  // namespace
 
 Json runJson(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,
@@ -73,6 +84,7 @@ Json runJson(const RunOptions& options, const formats::Scenario& scenario, const
          scenario.model.ground_motion.empty() ? Json(nullptr) : displacementsJson(scenario, result)},
         {"largest_displacement", largestJson(scenario, result)}};
     addSupports(result.supports, json);
+    if (!result.waters.empty()) json["waters"] = watersJson(result);
     json["interrupted"] = result.interrupted;
     json["warnings"] = warningsJson(scenario, result.warnings);
     json["output"] = options.output.empty() ? Json(nullptr) : Json(options.output);

@@ -92,6 +92,15 @@ struct Water {
     bool ends_at_free_blocks = false;
     /// instead: the interface of two blocks, both walls
     std::optional<std::pair<std::int32_t, std::int32_t>> pair;
+    /// In time histories the level follows from the volume that the walls enclose
+    /// (forces/closed_water.h); searches hold it as filled.
+    bool closed = false;
+    double opening = 0;  ///< closed: width of the fissure while its walls stand as built [m]
+    /// closed: flows in over time [m^3/s per m of the fissure's horizontal width]; empty: nothing does
+    std::vector<LevelPoint> inflow{};
+    /// closed: depth or elevation, as the level is given, above which it runs over [m]; infinite: it runs
+    /// over where its walls end
+    double overflow = kInfinity;
     std::string field{};  ///< "water[0]", for messages
 };
 

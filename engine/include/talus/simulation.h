@@ -36,6 +36,14 @@ struct BlockReport {
     double rotation = 0;               ///< angle turned since the start [rad]
 };
 
+/// A water whose level follows from its volume (Water::closed), at the end of a step.
+struct WaterReport {
+    std::string name;     ///< as messages call it: "water[0]"
+    double level = 0;     ///< depth or elevation, as the scenario gives it [m]
+    double volume = 0;    ///< [m^3]
+    double run_over = 0;  ///< in all, above its overflow [m^3]
+};
+
 /// One record of a run's history.
 struct HistoryRecord {
     double time = 0;  ///< [s]
@@ -46,6 +54,7 @@ struct HistoryRecord {
     double out_of_balance = 0;  ///< largest out-of-balance force of a free block over its weight
     std::vector<BlockReport> watch;
     std::vector<Supports> supports;
+    std::vector<WaterReport> waters{};          ///< closed volumes alone
     std::optional<Vec3> ground_acceleration{};  ///< where a record moves the fixed blocks [m/s^2]
 };
 
@@ -67,7 +76,8 @@ struct RunResult {
     double wall_seconds = 0;
     std::vector<BlockReport> watch;
     std::vector<Supports> supports;
-    std::vector<Vec3> displacements;  ///< of each block's centroid since the start [m]
+    std::vector<WaterReport> waters{};  ///< closed volumes alone
+    std::vector<Vec3> displacements;    ///< of each block's centroid since the start [m]
     bool interrupted = false;
     bool began = true;  ///< false: interrupted on the way to its start, and nothing was handed out
     std::vector<std::string> warnings;  ///< what left the valid range, if anything did

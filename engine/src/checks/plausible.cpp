@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "checks/closed_volumes.h"
 #include "checks/loose_blocks.h"
 #include "checks/water_warnings.h"
 #include "measure/words.h"
@@ -306,7 +307,11 @@ std::optional<Error> nothingHolds(const Model& model) {
                  "one that supports the others (fixed = true, or [[rock_mass.fixed]])"};
 }
 
-std::vector<Error> implausible(const State& state) { return waterFarAway(state); }
+std::vector<Error> implausible(const State& state) {
+    std::vector<Error> errors = waterFarAway(state);
+    if (errors.empty()) errors = openVolumes(state);
+    return errors;
+}
 
 std::vector<std::string> doubts(const State& state) {
     const Model& model = state.geometry->model;
@@ -328,6 +333,8 @@ std::vector<std::string> doubts(const State& state) {
 std::vector<std::string> doubtsOfHistory(const State& state, bool parallel) {
     std::vector<std::string> told = doubts(state);
     if (auto slowed = slowedByOne(state, parallel)) told.push_back(std::move(*slowed));
+    for (const Error& stiff : stiffVolumes(state, parallel))
+        told.push_back(stiff.field + ": " + stiff.message);
     return told;
 }
 

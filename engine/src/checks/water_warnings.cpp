@@ -28,6 +28,7 @@ std::optional<std::string> undrainedOn(const State& state, std::size_t block) {
     const double never = state.geometry->length_scale;  // a joint that opens so wide is none
     for (std::size_t w = 0; w < state.wet.size(); ++w) {
         const Water& water = model.waters[static_cast<std::size_t>(state.wet.water[w])];
+        if (water.closed) continue;  // falls as its joint opens
         if (state.wet.block[w] == static_cast<std::int32_t>(block) && water.drains_at_aperture >= never)
             return water.field;
     }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "forces/bolts.h"
+#include "forces/closed_water.h"
 #include "forces/ground_motion.h"
 #include "forces/loads.h"
 #include "forces/phreatic.h"
@@ -22,6 +23,7 @@ Wrench waterOnBlock(const State& state, const ForceParts&, std::size_t block) {
     return waterOn(state, block);
 }
 
+constexpr ForceMemory kWaterMemory{closedWaterMemory, rememberClosedWater};
 constexpr ForceMemory kPhreaticMemory{phreatic::memory, phreatic::remember};
 
 constexpr TyingForce kBoltTies{bolts::ties,         bolts::between, bolts::springsOn,
@@ -35,7 +37,8 @@ constexpr BlockForce kBlockForces[] = {
      .blocks = wetBlocksOf,
      .on = waterOnBlock,
      .update = updateWater,
-     .look = drainWater},
+     .look = drainWater,
+     .memory = &kWaterMemory},
     {.name = "phreatic",
      .build = phreatic::build,
      .blocks = phreatic::blocks,

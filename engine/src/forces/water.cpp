@@ -5,7 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "forces/closed_water.h"
 #include "forces/contact_forces.h"
+#include "forces/water_table.h"
 #include "forces/wet_walls.h"
 #include "geometry/pressure.h"
 #include "model/gravity.h"
@@ -17,35 +19,6 @@ namespace {
 
 constexpr double kStalePose = 1e-7;  // of the block's radius: a wall that moved less keeps its wrench
 constexpr double kSharedWet = 1e-9;  // of the smaller wet part: more in common is an overlap
-
-Vec3 initialPoint(const State& state, std::size_t w, const Vec2& v) {
-    const auto b = static_cast<std::size_t>(state.wet.block[w]);
-    const Vec3 own = state.wet.origin.get(w) + v.x() * state.wet.e1.get(w) + v.y() * state.wet.e2.get(w);
-    return state.geometry->initial_position.get(b) + state.geometry->initial_orientation.matrix(b) * own;
-}
-
-/// A point of the water table whose level is a depth up the joint plane's steepest line from its lowest wet
-/// point, as the joint lay at the start.
-Vec3 tablePoint(const State& state, std::size_t water, double depth, const Vec3& down) {
-    Vec3 lowest = Vec3::Zero(), normal = Vec3::Zero();
-    double deepest = -kInfinity;
-    const EndWalls ends(*state.geometry, state.geometry->model.waters[water]);
-    for (std::size_t w = state.wet.water_begin[water]; w < state.wet.water_begin[water + 1]; ++w) {
-        if (!ends.counts(state.wet.block[w])) continue;
-        for (const Vec2& v : wetPolygon(state.wet, w)) {
-            const Vec3 x = initialPoint(state, w, v);
-            if (down.dot(x) <= deepest) continue;
-            deepest = down.dot(x);
-            lowest = x;
-            const Mat3 turn =
-                state.geometry->initial_orientation.matrix(static_cast<std::size_t>(state.wet.block[w]));
-            normal = turn * state.wet.e1.get(w).cross(state.wet.e2.get(w));
-        }
-    }
-    const Vec3 steepest = -down + down.dot(normal) * normal;
-    const Vec3 up = steepest.norm() > 1e-9 ? Vec3(steepest.normalized()) : Vec3(-down);
-    return lowest + depth * up;
-}
 
 LinearPressure pressureOnPatch(const State& state, std::size_t w, const PressureField& field,
                                const Mat3& turn, const Vec3& position) {
@@ -298,7 +271,7 @@ PressureField pressureField(const State& state, std::size_t index, const Load& l
     const double unit_weight = water.density * g * load.water_share;
     const Vec3 down = downward(state.geometry->model.gravity, load.tilt);
     if (water.kind == Water::Level::head) return {unit_weight * -down.z(), Vec3::Zero()};
-    const double level = levelAt(water, load.time);
+    const double level = levelNow(state, index, load.time);
     const Vec3 table = water.kind == Water::Level::elevation ? Vec3(-level * down - state.geometry->origin)
                                                              : tablePoint(state, index, level, down);
     // Depth below the table along gravity: down . (x - table).
@@ -349,6 +322,7 @@ std::optional<MovedEnds> movedEnds(const State& state, std::size_t water) {
 std::vector<Error> buildWater(State& state) {
     makeWalls(state);
     std::vector<Error> errors = dryErrors(state);
+    if (errors.empty()) buildClosedWater(state);
     const double tilt = state.load.tilt;
     if (const auto start = state.geometry->model.analysis.start; errors.empty() && start && *start != tilt) {
         state.load.tilt = *start;
@@ -368,9 +342,9 @@ void rebuildPairWater(State& state) {
 
 void updateWater(State& state) {
     if (state.wet.size() == 0) return;
+    updateClosedWater(state);
     for (std::size_t water = 0; water < state.pressure.size(); ++water) {
-        const WaterLoad load{state.load.tilt, state.load.water_share,
-                             levelAt(state.geometry->model.waters[water], state.load.time),
+        const WaterLoad load{state.load.tilt, state.load.water_share, levelNow(state, water, state.load.time),
                              state.drained[water] != 0};
         const bool changed = !(load == state.water_load[water]);
         if (changed) state.pressure[water] = pressureField(state, water, state.load);

@@ -27,7 +27,7 @@ void rebuildPairWater(State& state);
 /// Brings the wrenches up to date where the load, the level or the block's pose changed; nothing to do
 /// otherwise.
 /// Reads:  load, poses, drained
-/// Writes: wet.force, wet.moment
+/// Writes: wet.force, wet.moment; of closed volumes what closed_water.h says
 void updateWater(State& state);
 
 /// Blocks with wet walls, ascending.

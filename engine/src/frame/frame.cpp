@@ -5,6 +5,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "forces/closed_water.h"
 #include "forces/contact_forces.h"
 #include "forces/sum.h"
 #include "forces/water.h"
@@ -14,7 +15,6 @@
 #include "geometry/parts.h"
 #include "measure/measure.h"
 #include "model/gravity.h"
-#include "model/over_time.h"
 #include "state/block_motion.h"
 
 namespace talus {
@@ -56,7 +56,7 @@ double shownTilt(const State& state) {
 void addWaterLevels(const State& state, WaterLevels& levels) {
     const auto& waters = state.geometry->model.waters;
     for (std::size_t w = 0; w < waters.size(); ++w) {
-        levels.level.push_back(levelAt(waters[w], state.load.time));
+        levels.level.push_back(levelNow(state, w, state.load.time));
         levels.drained.push_back(state.drained[w]);
         const PressureField field = pressureField(state, w, state.load);
         const double unit_weight = field.gradient.norm();

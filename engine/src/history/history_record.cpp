@@ -1,5 +1,6 @@
 #include "history/history_record.h"
 
+#include "forces/closed_water.h"
 #include "forces/ground_motion.h"
 #include "forces/sum.h"
 #include "measure/measure.h"
@@ -36,6 +37,7 @@ HistoryRecord recordOf(const State& state, const std::vector<std::size_t>& watch
     record.out_of_balance = outOfBalanceRatio(state);
     for (std::size_t b : watched) record.watch.push_back(reportOn(state, b));
     record.supports = supportReports(state);
+    record.waters = closedWaterReports(state);
     if (state.load.shaken) record.ground_acceleration = groundAcceleration(state);
     return record;
 }

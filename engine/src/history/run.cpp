@@ -13,6 +13,7 @@
 #include "checks/water_warnings.h"
 #include "contacts/update.h"
 #include "failure/failure.h"
+#include "forces/closed_water.h"
 #include "forces/sum.h"
 #include "frame/frame.h"
 #include "history/given_step.h"
@@ -164,6 +165,7 @@ class TimeHistory {
 
     void beginFrames() {
         sayBegun();
+        beginClosedWater(state_);
         updateForces(state_, parallel_);
         progress_.next_frame = settings_.frame_interval;
         progress_.frames = 1;
@@ -311,6 +313,7 @@ class TimeHistory {
         result.state_hash = stateHash(state_);
         for (std::size_t b : watched_) result.watch.push_back(history::reportOn(state_, b));
         result.supports = supportReports(state_);
+        result.waters = closedWaterReports(state_);
         for (std::size_t b = 0; b < state_.blocks.size(); ++b)
             result.displacements.push_back(history::reportOn(state_, b).displacement);
         result.interrupted = interrupted_;

@@ -12,6 +12,20 @@ double valueAt(const std::vector<LevelPoint>& table, double time) {
     return table.back().value;
 }
 
+double integralOver(const std::vector<LevelPoint>& table, double from, double to) {
+    double sum = 0, time = from, value = valueAt(table, from);
+    const auto addUpTo = [&](double next) {
+        const double there = valueAt(table, next);
+        sum += 0.5 * (value + there) * (next - time);
+        time = next;
+        value = there;
+    };
+    for (const LevelPoint& point : table)
+        if (point.time > from && point.time < to) addUpTo(point.time);
+    addUpTo(to);
+    return sum;
+}
+
 double levelAt(const Water& water, double time) {
     return water.level.empty() ? 0.0 : valueAt(water.level, time);
 }

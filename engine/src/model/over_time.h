@@ -10,6 +10,9 @@ namespace talus {
 /// The value of a table over time: linear between its entries, constant beyond. \pre there are some
 double valueAt(const std::vector<LevelPoint>& table, double time);
 
+/// The integral of that from one time to a later one, exact. \pre as of valueAt
+double integralOver(const std::vector<LevelPoint>& table, double from, double to);
+
 /// Depth or elevation of a water [m]; 0 where it has none.
 double levelAt(const Water& water, double time);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "build/build.h"
+#include "checks/closed_volumes.h"
 #include "checks/loose_blocks.h"
 #include "checks/plausible.h"
 #include "equilibrium/release.h"
@@ -89,6 +90,7 @@ std::vector<Error> Search::build() {
     if (takeOutOfModel(slivers, &slivers_)) return build();
     if (auto errors = checks::implausibleSearch(*built_, imbalance, bounds); !errors.empty()) return errors;
     for (std::string& doubt : checks::doubts(*built_)) built_->warnings.push_back(std::move(doubt));
+    for (std::string& held : checks::levelsHeld(*rest_)) built_->warnings.push_back(std::move(held));
     warnOfLooseBlocks();
     stopDrivenBlocks();
     built_->searches_around = true;

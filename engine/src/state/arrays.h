@@ -210,6 +210,19 @@ struct WaterLoad {
     friend bool operator==(const WaterLoad&, const WaterLoad&) = default;
 };
 
+/// Waters whose level follows from a volume (forces/closed_water.h), one entry per water of the model; empty
+/// where none does.
+struct ClosedWaters {
+    std::vector<std::uint8_t> begun;  ///< 1: the volume counts; until then the level is as filled
+    std::vector<double> volume;       ///< in the fissure [m^3]
+    std::vector<double> level;        ///< depth or elevation, as the scenario gives it [m]
+    std::vector<double> time;         ///< up to which the inflow is in the volume [s]
+    std::vector<double> run_over;     ///< since the volume began [m^3]
+    std::vector<double> width;        ///< horizontal, of the walls as built; follows from the model [m]
+
+    std::size_t size() const { return begun.size(); }
+};
+
 /// Which interfaces and wet patches push on each block, in a fixed order (compressed rows).
 struct Incidence {
     std::vector<std::int64_t> interface_begin;
@@ -301,7 +314,8 @@ struct State {
     std::vector<std::uint8_t> drained;    ///< per water: 1 once it has run out through an open joint
     std::vector<PressureField> pressure;  ///< per water, for `water_load`
     std::vector<WaterLoad> water_load;    ///< per water: what its wrenches were computed for
-    PositionArray search_position;        ///< poses at the last neighbour search
+    ClosedWaters closed{};
+    PositionArray search_position;  ///< poses at the last neighbour search
     QuaternionArray search_orientation;
     double search_margin = 0;  ///< gap up to which that search made interfaces [m]
     /// A search is around the blocks that have gone far; poses at the last one are of each block its own.

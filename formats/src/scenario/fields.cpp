@@ -20,6 +20,8 @@ constexpr std::array kOtherUnits{Unit{"", "depth", "m"},
                                  Unit{"", "elevation", "m"},
                                  Unit{"", "head", "m"},
                                  Unit{"", "base", "m"},
+                                 Unit{"water", "overflow", "m"},
+                                 Unit{"water", "inflow", "m^3/s per m"},
                                  Unit{"stack", "block", "m"},
                                  Unit{"", "origin", "m"},
                                  Unit{"", "offset", "m"},
@@ -79,8 +81,9 @@ std::string unitOf(std::string_view field) {
     if (key.ends_with("_deg")) return "deg";
     if (key.ends_with("_s")) return "s";
     if (key.ends_with("_m")) return "m";
-    for (const auto& unit : {otherUnit(field, key), unitIn(kJointProperties, key),
-                             unitIn(kGravityFields, key), unitIn(kWaterFields, key)})
+    for (const auto& unit :
+         {otherUnit(field, key), unitIn(kJointProperties, key), unitIn(kGravityFields, key),
+          unitIn(kWaterFields, key), unitIn(kClosedWaterFields, key)})
         if (unit) return std::string(*unit);
     std::optional<std::string_view> of_section;
     eachNumberSection([&](std::string_view, const auto& fields, auto) {

@@ -62,6 +62,11 @@ inline constexpr std::array kWaterFields{
     NumberField<Water>{"density", &Water::density, "kg/m^3", kFluidDensity, kFluidDensitySlip},
     NumberField<Water>{"drains_at_aperture", &Water::drains_at_aperture, "m", kSize}};
 
+/// What one with `volume = "closed"` has beside.
+inline constexpr std::array kClosedWaterFields{NumberField<Water>{"opening", &Water::opening, "m", kSize}};
+// A river of 10 m depth brings some 30 m^3/s per m; what flows into a fissure is far less.
+inline constexpr Interval kInflow{0, 100, false, false};  ///< [m^3/s per m]
+
 /// Sections that hold nothing but such numbers, each with what holds them in the model: calls with its name,
 /// its fields and that. The reader, overrides and units iterate over them.
 template <class Each>

@@ -48,11 +48,13 @@ class WaterReader {
             report_, node.node, node.field,
             {"fissure", "stack",     "between", "block",     "face",  "joint",          "plane",
              "depth",   "elevation", "levels",  "head",      "base",  "density",        "drains_at_aperture",
-             "surface", "obj",       "factor",  "daylights", "crack", "percent_filled", "peak"});
+             "surface", "obj",       "factor",  "daylights", "crack", "percent_filled", "peak",
+             "volume",  "opening",   "inflow",  "overflow"});
         WaterEntry entry;
         entry.place = table.place();
         entry.water.field = node.field;
-        if (rock_ != nullptr && !table.has("fissure") && !table.has("block"))
+        readVolume(table, entry.water);
+        if (rock_ != nullptr && !entry.water.closed && !table.has("fissure") && !table.has("block"))
             entry.water.drains_at_aperture = kOpenRock;
         readNumbers(table, kWaterFields, entry.water);
         if (!table.requireOneOf({"fissure", "between", "block", "joint", "surface", "obj"}))
@@ -84,6 +86,53 @@ class WaterReader {
         if (!table.has("between")) refuse("joint", {"daylights"});
         refuse("joint", {"percent_filled"});
         refuse("percent_filled", {"crack", "peak"});
+    }
+
+    /// Whether the level follows from a volume, and what flows into it.
+    void readVolume(TableReader& table, Water& water) const {
+        const auto volume = table.choice("volume", {"held", "closed"});
+        water.closed = volume && *volume == 1;
+        readNumbers(table, kClosedWaterFields, water);
+        water.inflow = readInflow(table);
+        const bool by_elevation = table.has("elevation");
+        if (const auto over = table.number("overflow", by_elevation ? kCoordinate : kLength))
+            water.overflow = *over;
+        if (!table.has("volume") || volume) checkVolume(table, water);
+    }
+
+    static void checkVolume(TableReader& table, const Water& water) {
+        if (!water.closed) {
+            for (const std::string& key : table.present({"opening", "inflow", "overflow"}))
+                table.error(key, "found " + key + " without volume = \"closed\", allowed: only with it");
+            return;
+        }
+        table.require({"opening"});
+        for (const std::string& key : table.present({"between", "block", "surface", "obj", "levels", "head",
+                                                     "daylights", "percent_filled", "drains_at_aperture"}))
+            table.error(key, "found " + key +
+                                 " beside volume = \"closed\", allowed: fissure or joint, with depth or "
+                                 "elevation");
+    }
+
+    /// `inflow = NUMBER`, or over time.
+    std::vector<LevelPoint> readInflow(TableReader& table) const {
+        const auto node = table.find("inflow");
+        const bool is_number = node && node->kind() != Kind::array;
+        if (!is_number) {
+            if (auto over_time = readTable(report_, table, "inflow", kInflow, "m3/s per m"); node)
+                return over_time;
+        }
+        const auto constant = table.number("inflow", kInflow);
+        if (!constant) return {};
+        return {{0, *constant}};
+    }
+
+    /// \pre its level was read
+    static void checkOverflow(TableReader& table, const Water& water) {
+        if (!water.closed || water.level.empty() || !(water.overflow < water.level[0].value)) return;
+        table.error("overflow", "found " + numberText(water.overflow) + ", allowed: at least the " +
+                                    (water.kind == Water::Level::elevation ? "elevation, " : "depth, ") +
+                                    numberText(water.level[0].value));
     }
 
     /// How the pressure falls towards a lower end that lies open.
@@ -186,6 +235,7 @@ class WaterReader {
 
     std::optional<WaterEntry> readStackJoint(TableReader& table, WaterEntry& entry) const {
         readLevel(report_, table, {"depth", "elevation", "levels"}, entry.water);
+        checkOverflow(table, entry.water);
         const double base = table.number("base", kLength).value_or(0);
         const auto index = readStackName(table);
         const auto fissure = table.integer("fissure", {0, fissureLimit(index)});
@@ -223,6 +273,7 @@ class WaterReader {
     std::optional<WaterEntry> readRockJoint(TableReader& table, WaterEntry& entry) const {
         entry.where = WaterEntry::Where::rock_joint;
         readLevel(report_, table, {"elevation", "depth", "levels", "head", "percent_filled"}, entry.water);
+        checkOverflow(table, entry.water);
         readFilled(table, entry);
         const auto crack = table.text("crack");
         if (const auto base = table.number("base", kCoordinate)) entry.water.base = *base;
@@ -249,6 +300,9 @@ class WaterReader {
         }
         entry.plane = plane;
         const bool is_set = entry.rock_joint < rock_->description.sets.size();
+        if (is_set && !plane && entry.water.closed)
+            table.error("joint", "found a closed volume in all planes of the joint set " + quoted(*name) +
+                                     ", allowed: plane = NUMBER for one of them");
         if (plane && !is_set)
             table.error("plane",
                         "found plane with the single joint " + quoted(*name) + ", allowed: with a joint set");

@@ -203,6 +203,16 @@ constexpr Description kScenario[] = {
     {"water[].base", "lower end of the water, above the floor; default the joint's lowest point"},
     {"water[].drains_at_aperture", "aperture beyond which the joint drains for good; default never"},
     {"water[].density", "default 1000"},
+    {"water[].volume",
+     "\"held\" (default): the level stays as given; \"closed\": in talus run it follows from the volume that "
+     "the walls of the fissure enclose"},
+    {"water[].opening", "closed volume: width of the fissure while its walls stand as built"},
+    {"water[].inflow",
+     "closed volume: flows in, per m of the fissure's horizontal width, or over time: [time s, m3/s per m]; "
+     "default none"},
+    {"water[].overflow",
+     "closed volume: level above which it runs over, measured like the depth or the elevation; default the "
+     "upper end of the fissure's lower wall"},
     {"water[].surface", "phreatic surface: points [x, z] of a line that is extruded along y [m]"},
     {"water[].obj",
      "phreatic surface from a mesh (OBJ) over all free blocks; path relative to the scenario's folder"},

@@ -389,6 +389,51 @@ TEST_CASE("scenario errors: water") {
     checkFault({"joint = {}\n" + material() + stack(), 1, "joint", "missing; required: [joint.default]"});
 }
 
+TEST_CASE("scenario errors: closed volumes of water") {
+    const std::string closed = "fissure = 1\ndepth = 0.05\nvolume = \"closed\"\n";
+    checkFault(inWater(closed, 1, ".opening", "missing"));
+    checkFault(inWater(closed + "opening = 0\n", 5, ".opening", "found 0, allowed: greater than 0"));
+    checkFault(inWater("fissure = 1\ndepth = 0.05\nvolume = \"open\"\n", 4, ".volume",
+                       "found \"open\", allowed: \"held\", \"closed\""));
+    for (const std::string key : {"opening", "inflow", "overflow"})
+        for (const std::string held : {"", "volume = \"held\"\n"})
+            checkFault(inWater("fissure = 1\ndepth = 0.05\n" + key + " = 0.08\n" + held, 4, "." + key,
+                               "found " + key + " without volume = \"closed\", allowed: only with it"));
+    const std::string good = closed + "opening = 0.002\n";
+    checkFault(inWater(good + "inflow = -1\n", 6, ".inflow", "found -1, allowed: at least 0"));
+    checkFault(inWater(good + "inflow = \"rain\"\n", 6, ".inflow", "found a string \"rain\""));
+    checkFault(inWater(good + "inflow = []\n", 6, ".inflow",
+                       "found an empty array, allowed: [[time s, m3/s per m], ...]"));
+    checkFault(inWater(good + "inflow = [[0, 1], [0, 2]]\n", 6, ".inflow[1]", "found the time 0"));
+    checkFault(
+        inWater(good + "overflow = 0.04\n", 6, ".overflow", "found 0.04, allowed: at least the depth, 0.05"));
+    checkFault(inWater(good + "drains_at_aperture = 0.001\n", 6, ".drains_at_aperture",
+                       "found drains_at_aperture beside volume = \"closed\", allowed: fissure or joint"));
+    const std::string end = "volume = \"closed\"\nopening = 0.002\n";
+    checkFault(inWater("fissure = 1\nlevels = [[0, 0.05]]\n" + end, 3, ".levels", "found levels beside"));
+    checkFault(inWater("between = [\"c1r1s1\", \"c2r1s1\"]\ndepth = 0.05\n" + end, 2, ".between",
+                       "found between beside volume = \"closed\""));
+    checkFault(inWater("block = \"c1r1s1\"\nface = \"+x\"\ndepth = 0.05\n" + end, 2, ".block",
+                       "found block beside volume = \"closed\""));
+}
+
+TEST_CASE("scenario errors: a closed volume in a fissure that is not bounded is found by the engine") {
+    const auto faultOf = [](const std::string& stack_keys, const std::string& keys) {
+        const Scenario scenario = readGood(properties() + stack(stack_keys) + "[[water]]\n" + keys +
+                                           "volume = \"closed\"\nopening = 0.002\n");
+        const auto errors = placed(scenario, checkModel(scenario.model));
+        CAPTURE(all(errors));
+        REQUIRE(errors.size() == 1);
+        CHECK(errors[0].field == "water[0].volume");
+        CHECK(errors[0].line > 0);
+        return errors[0].message;
+    };
+    for (const char* free_face : {"fissure = 0\ndepth = 0.05\n", "fissure = 3\ndepth = 0.05\n"})
+        CHECK(faultOf("", free_face).find("found a fissure that is not bounded") != std::string::npos);
+    CHECK(faultOf("heights = [1, 2, 2]\n", "fissure = 1\ndepth = 0.08\n").find("below the level") !=
+          std::string::npos);
+}
+
 TEST_CASE(
     "scenario errors: water that overlaps other water is found by the engine, and has its place in the "
     "file") {

@@ -52,6 +52,11 @@ void checkSame(const Model& a, const Model& b) {
         CHECK(a.waters[w].head == b.waters[w].head);
         CHECK(a.waters[w].density == b.waters[w].density);
         CHECK(a.waters[w].drains_at_aperture == b.waters[w].drains_at_aperture);
+        CHECK(a.waters[w].opening == b.waters[w].opening);
+        CHECK(a.waters[w].overflow == b.waters[w].overflow);
+        REQUIRE(a.waters[w].inflow.size() == b.waters[w].inflow.size());
+        for (std::size_t k = 0; k < a.waters[w].inflow.size(); ++k)
+            CHECK(a.waters[w].inflow[k].value == b.waters[w].inflow[k].value);
     }
     CHECK(a.gravity.tilt == b.gravity.tilt);
     CHECK(a.gravity.magnitude == b.gravity.magnitude);
@@ -155,6 +160,10 @@ TEST_CASE("materials, gravity, damping and water") {
     checkOverrides(slope(), {{"damping.contact", 1e-6}, {"damping.local", 0.3}});
     checkOverrides(slope(), {{"water[0].depth", 0.0123}, {"water[1].elevation", 0.031}});
     checkOverrides(slope(), {{"water[2].head[0]", 0.2}, {"water[2].head[1]", 0.0}});
+    checkOverrides(slope() +
+                       "[[water]]\nfissure = 3\nbase = 0.05\ndepth = 0.01\nvolume = \"closed\"\n"
+                       "opening = 0.002\ninflow = 1e-3\noverflow = 0.02\n",
+                   {{"water[4].opening", 0.003}, {"water[4].inflow", 2e-3}, {"water[4].overflow", 0.03}});
     checkOverrides(slope(), {{"water[1].density", 1030}, {"water[3].drains_at_aperture", 0.001}});
 }
 
@@ -165,7 +174,8 @@ TEST_CASE("what a model does not hold as it is needs the reader, and so does wha
          {"stack[0].columns", "run.duration_s", "joint.none.cohesion", "joint.default.fricton_deg",
           "joint.bed.friction_deg", "water[3].depth", "water[0].elevation", "water[9].depth",
           "water[2].head[2]", "water[0].base", "material.sand.density", "gravity.tilt", "water[0", "",
-          "joint.default@20deg.cohesion", "analysis.stop_deg"}) {
+          "joint.default@20deg.cohesion", "analysis.stop_deg", "water[0].opening", "water[0].inflow",
+          "water[0].overflow"}) {
         CAPTURE(field);
         CHECK_FALSE(canOverride(scenario, field));
         CHECK_FALSE(applyOverride(scenario, field, 1));

@@ -106,6 +106,20 @@ TEST_CASE("rock mass: water stands on the faces a joint made") {
     CHECK(checkModel(one).empty());
 }
 
+TEST_CASE("rock mass: a closed volume of water stands in one plane, and does not drain of itself") {
+    const std::string closed = "[[water]]\njoint = \"across\"\nvolume = \"closed\"\nopening = 0.01\n";
+    const Model model = readGood(rockMass(grid() + closed + "plane = 2\ndepth = 1.5\n")).model;
+    CHECK(model.waters.at(0).closed);
+    CHECK(model.waters[0].drains_at_aperture == kInfinity);
+    CHECK(checkModel(model).empty());
+    const auto all = parseScenario(rockMass(grid() + closed + "elevation = 2\n"), "slope.toml");
+    REQUIRE(all.errors().size() == 1);
+    CHECK(all.errors()[0].field == "water[0].joint");
+    CHECK(all.errors()[0].message ==
+          "found a closed volume in all planes of the joint set \"across\", allowed: plane = NUMBER for one "
+          "of them");
+}
+
 TEST_CASE("rock mass: a block that is not convex is one block of several parts") {
     const Model model =
         readGood(rockMass("names = { toe = [1.1, 0.5, 0.9] }\n",

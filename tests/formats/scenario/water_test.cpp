@@ -152,4 +152,22 @@ TEST_CASE("scenario water: a table of triangles from a file, and what is wrong w
     CHECK_FALSE(read("fissure = 1\ndepth = 0.1\ndaylights = \"straight\"\n").ok());
 }
 
+TEST_CASE("scenario water: a closed volume and what flows into it") {
+    const std::string closed = "fissure = 1\ndepth = 0.05\nvolume = \"closed\"\nopening = 0.002\n";
+    Water water = watered(closed).waters[0];
+    CHECK(water.closed);
+    CHECK(water.opening == 0.002);
+    CHECK(water.inflow.empty());
+    CHECK(water.overflow == kInfinity);
+    water = watered(closed + "inflow = 1e-4\noverflow = 0.08\n").waters[0];
+    REQUIRE(water.inflow.size() == 1);
+    CHECK(water.inflow[0].value == 1e-4);
+    CHECK(water.overflow == 0.08);
+    water = watered(closed + "inflow = [[0, 0], [2, 1e-3]]\n").waters[0];
+    REQUIRE(water.inflow.size() == 2);
+    CHECK(water.inflow[1].time == 2);
+    CHECK(water.inflow[1].value == 1e-3);
+    CHECK_FALSE(watered("fissure = 1\ndepth = 0.05\nvolume = \"held\"\n").waters[0].closed);
+}
+
 }  // namespace talus::formats
