@@ -126,8 +126,10 @@ class SearchPicture {
 
     std::string remark() const {
         if (enlarged_ == 0) return "";
-        char text[48];
-        std::snprintf(text, sizeof text, "motion drawn %.2g times as large", enlarged_);
+        char text[64];
+        const double unit = std::pow(10.0, std::floor(std::log10(enlarged_)) - 1);  // two digits
+        std::snprintf(text, sizeof text, "motion drawn %g times as large",
+                      unit * std::round(enlarged_ / unit));
         return text;
     }
 
