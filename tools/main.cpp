@@ -80,9 +80,9 @@ std::string unknownCommand(const std::string& word, const std::vector<Command>& 
 std::vector<Command> addCommands(CLI::App& root) {
     std::vector<Command> commands{addPaper(root)};
     for (const LoadSearch& search : loadSearches()) commands.push_back(addSearch(root, search));
-    for (const auto add :
-         {addRun, addReplay, addInspect, addExport, addBatch, addSample, addMerge, addValidate, addBlocks,
-          addTheory, addKinematics, addLimitAnalysis, addKeyBlocks, addSupport, addVerification, addSchema})
+    for (const auto add : {addRun, addReplay, addInspect, addExport, addBatch, addSample, addMerge,
+                           addValidate, addBlocks, addTheory, addKinematics, addLimitAnalysis, addKeyBlocks,
+                           addReport, addSupport, addVerification, addSchema})
         commands.push_back(add(root));
     return commands;
 }

@@ -32,8 +32,8 @@ const std::vector<House>& houses() {
         {"formats/src",
          {"files", "toml", "mesh", "scenario", "sweep", "schema", "history", "mcap", "snapshot", "export"}},
         {"tools",
-         {"cli", "report", "schemas", "recording", "inspect", "replay", "answers", "batch", "reproduction",
-          "verification", "python", "commands"}},
+         {"cli", "report", "schemas", "recording", "inspect", "replay", "answers", "slope_report", "batch",
+          "reproduction", "verification", "python", "commands"}},
     };
     return all;
 }

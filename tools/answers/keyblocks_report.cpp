@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "answers/factor_volume.h"
 #include "cli/block_names.h"
 #include "cli/json.h"
 #include "cli/provenance.h"
 #include "cli/scenario.h"
 #include "cli/text.h"
-#include "report/table.h"
 
 namespace talus::tools {
 
@@ -78,46 +78,56 @@ std::string row(std::string label, const std::string& content) {
     return label + content + "\n";
 }
 
-std::string modeText(const Sliding& sliding) {
-    std::string joints;
-    for (const std::string& joint : sliding.joints) joints += (joints.empty() ? "" : " and ") + joint;
-    if (sliding.mode == SlidingMode::falls) return sliding.direction.z() > 0 ? "is lifted" : "falls";
-    return (sliding.mode == SlidingMode::wedge ? "wedge on " : "slides on ") + joints;
-}
-
 std::string padded(const std::string& cell, std::size_t width, bool left) {
     const std::string pad(width - std::min(width, cell.size()), ' ');
     return left ? cell + pad : pad + cell;
 }
 
-std::string groupTable(const KeyBlockResult& result, std::size_t rows) {
-    constexpr std::size_t kNames = 4;  // of a group's blocks, before "and N more"
-    using Cells = std::array<std::string, 6>;
-    std::vector<Cells> lines{{"factor", "mode", "trend/plunge", "m3", "t", "blocks"}};
-    for (std::size_t k = 0; k < std::min(rows, result.groups.size()); ++k) {
-        const MovingGroup& group = result.groups[k];
-        const Line line = lineOf(group.sliding.direction);
-        lines.push_back({text(group.sliding.factor, 4), modeText(group.sliding),
-                         text(line.trend, 1) + "/" + text(line.plunge, 1), text(group.volume, 3),
-                         text(group.mass / 1000, 2),
-                         (group.carries.empty() ? "" : "* ") + compactNames(group.blocks, kNames)});
-    }
-    constexpr std::array<bool, 6> kLeft{false, true, false, false, false, true};
-    std::array<std::size_t, 6> width{};
-    for (const Cells& cells : lines)
-        for (std::size_t c = 0; c < cells.size(); ++c) width[c] = std::max(width[c], cells[c].size());
+/// Aligned columns; the first line is the header.
+template <std::size_t N>
+std::string aligned(const std::vector<std::array<std::string, N>>& lines, const std::array<bool, N>& left) {
+    std::array<std::size_t, N> width{};
+    for (const auto& cells : lines)
+        for (std::size_t c = 0; c < N; ++c) width[c] = std::max(width[c], cells[c].size());
     std::string out;
-    for (const Cells& cells : lines) {
+    for (const auto& cells : lines) {
         std::string line;
-        for (std::size_t c = 0; c < cells.size(); ++c)
-            line += (c > 0 ? "  " : "") + padded(cells[c], width[c], kLeft[c]);
+        for (std::size_t c = 0; c < N; ++c) line += (c > 0 ? "  " : "") + padded(cells[c], width[c], left[c]);
         line.erase(line.find_last_not_of(' ') + 1);
         out += line + "\n";
     }
     return out;
 }
 
+constexpr std::size_t kNames = 4;  // of a group's blocks, before "and N more"
+
+std::string groupTable(const KeyBlockResult& result, std::size_t rows) {
+    std::vector<std::array<std::string, 6>> lines{{"factor", "mode", "trend/plunge", "m3", "t", "blocks"}};
+    for (std::size_t k = 0; k < std::min(rows, result.groups.size()); ++k) {
+        const MovingGroup& group = result.groups[k];
+        lines.push_back({text(group.sliding.factor, 4), modeText(group.sliding),
+                         trendPlungeText(group.sliding.direction), text(group.volume, 3),
+                         text(group.mass / 1000, 2),
+                         (group.carries.empty() ? "" : "* ") + compactNames(group.blocks, kNames)});
+    }
+    return aligned<6>(lines, {false, true, false, false, false, true});
+}
+
+std::string curveTable(const KeyBlockResult& result) {
+    std::vector<std::array<std::string, 5>> lines{{"m3 or more", "t", "factor", "mode", "blocks"}};
+    for (const MovingGroup* group : shownPoints(result))
+        lines.push_back({text(group->volume, 3), text(group->mass / 1000, 2), text(group->sliding.factor, 4),
+                         modeText(group->sliding), compactNames(group->blocks, kNames)});
+    return aligned<5>(lines, {false, false, false, true, true});
+}
+
 }  // namespace
+
+std::string trendPlungeText(const Vec3& direction) {
+    const Line line = lineOf(direction);
+    constexpr double kShown = 0.05;  // of a plunge: less is level, with no sign
+    return text(line.trend, 1) + "/" + text(std::abs(line.plunge) < kShown ? 0.0 : line.plunge, 1);
+}
 
 Json keyBlocksJson(const KeyBlockResult& result, const Common& common, const formats::Scenario& scenario) {
     Json blocks = Json::array(), groups = Json::array();
@@ -125,6 +135,7 @@ Json keyBlocksJson(const KeyBlockResult& result, const Common& common, const for
     for (const MovingGroup& group : result.groups) groups.push_back(groupJson(group));
     return {{"blocks", std::move(blocks)},
             {"moving_groups", std::move(groups)},
+            {"factor_volume", factorVolumeJson(result)},
             {"directions", result.directions},
             {"groups_judged", result.groups_judged},
             {"wall_seconds", number(result.wall_seconds)},
@@ -149,6 +160,9 @@ std::string keyBlocksText(const KeyBlockResult& result, const std::string& scena
                           std::to_string(result.directions) + " directions" +
                           (result.interrupted ? ", interrupted" : "") + "; the lowest factors of safety:");
     out += result.groups.empty() ? row("", "none can move") : "\n" + groupTable(result, rows) + "\n";
+    if (!result.factor_volume.empty())
+        out += row("factor, volume", "the least factor of a failure of at least so much:") + "\n" +
+               curveTable(result) + "\n";
     const bool any_carries = std::any_of(result.groups.begin(), result.groups.end(),
                                          [](const MovingGroup& group) { return !group.carries.empty(); });
     if (any_carries)

@@ -15,4 +15,7 @@ Json keyBlocksJson(const KeyBlockResult& result, const Common& common, const for
 /// Counts, the groups with the least factors, what is not covered. \param rows  groups to show
 std::string keyBlocksText(const KeyBlockResult& result, const std::string& scenario, std::size_t rows);
 
+/// Degrees: "268.1/28.0", clockwise from +y and below the horizontal.
+std::string trendPlungeText(const Vec3& direction);
+
 }  // namespace talus::tools

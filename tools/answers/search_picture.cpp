@@ -126,8 +126,10 @@ class SearchPicture {
 
     std::string remark() const {
         if (enlarged_ == 0) return "";
-        char text[48];
-        std::snprintf(text, sizeof text, "displacements enlarged %.2g times", enlarged_);
+        char text[64];
+        const double unit = std::pow(10.0, std::floor(std::log10(enlarged_)) - 1);  // two digits
+        std::snprintf(text, sizeof text, "displacements enlarged %g times",
+                      unit * std::round(enlarged_ / unit));
         return text;
     }
 

@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answers/search_lines.h"
 #include "answers/search_plot.h"
 #include "answers/support_report.h"
-#include "cli/block_names.h"
 #include "cli/failures.h"
 #include "cli/json.h"
 #include "cli/provenance.h"
 #include "cli/scenario.h"
-#include "cli/signals.h"
 #include "cli/text.h"
-#include "report/numbers.h"
-#include "talus/limit_analysis.h"
 
 namespace talus::tools {
 
@@ -24,41 +21,17 @@ std::string statusText(SearchStatus status) {
     return toString(status == SearchStatus::interrupted ? SearchStatus::undecided : status);
 }
 
-bool wasInterrupted(const SearchResult& result) {
-    // A probe that was cut short is undecided, too.
-    return result.status == SearchStatus::interrupted ||
-           (result.status == SearchStatus::undecided && stopRequested());
-}
-
-/// A load, or a difference of loads, without its unit.
-std::string figureOf(const SearchReport& report, double load) {
-    return loadFigure(report.search, load, report.search.load->decimals);
-}
-
-/// The upper bound, where the answer lies above it: at most by what its bracket leaves open, as a rule.
-std::optional<double> boundBelow(const SearchReport& report) {
-    const SearchResult& result = report.result;
-    const auto& bound = result.upper_bound.value;
-    return result.status == SearchStatus::found && bound && *bound < result.answer ? bound : std::nullopt;
-}
-
-/// The middle of a bracket that an upper bound cuts through is told no higher than the bound: the answer is
-/// below both.
-std::string answerFigure(const SearchReport& report, double load) {
-    const auto bound = boundBelow(report);
-    const bool cuts = bound && *bound >= report.result.low && load <= report.result.answer;
-    return figureOf(report, cuts ? std::min(load, *bound) : load);
-}
-
-/// " deg" or "".
-std::string unitOf(const SearchReport& report) {
-    return *report.search.load->unit == '\0' ? "" : " " + std::string(report.search.load->unit);
-}
-
 /// A line of the table: the label in its column, then the content.
-std::string row(const std::string& label, const std::string& content) {
+std::string row(const ResultLine& line) {
     constexpr std::size_t kColumn = 18;
-    return label + std::string(kColumn - std::min(kColumn - 1, label.size()), ' ') + content + "\n";
+    return line.label + std::string(kColumn - std::min(kColumn - 1, line.label.size()), ' ') + line.content +
+           "\n";
+}
+
+std::string rows(const ResultLines& lines) {
+    std::string table;
+    for (const ResultLine& line : lines) table += row(line);
+    return table;
 }
 
 /// The text filled up with spaces to `width`, on its left (figures) or right (words).
@@ -67,113 +40,6 @@ std::string figure(const std::string& content, std::size_t width) {
 }
 std::string word(const std::string& content, std::size_t width) {
     return content + std::string(width - std::min(width, content.size()), ' ');
-}
-
-std::string scientific(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.1e", value);
-    return buffer;
-}
-
-/// "stands at 19.498, fails at 19.508"; an open end is left out. What an interrupted search has seen moving
-/// may still come to rest.
-std::string bracketText(const SearchReport& report) {
-    const bool stands = std::isfinite(report.result.low), fails = std::isfinite(report.result.high);
-    if (!stands && !fails) return "nothing is known yet";
-    return (stands ? "stands at " + figureOf(report, report.result.low) : "") +
-           (stands && fails ? ", " : "") +
-           (fails ? (wasInterrupted(report.result) ? "seems to fail at " : "fails at ") +
-                        figureOf(report, report.result.high)
-                  : "");
-}
-
-/// The headline's interval: the lowest and the highest answer found.
-std::string intervalText(const SearchReport& report) {
-    const auto& interval = report.result.answer_interval;
-    if (!interval) return "";
-    return ", interval " + answerFigure(report, interval->first) + " to " +
-           answerFigure(report, interval->second);
-}
-
-std::string answerText(const SearchReport& report) {
-    const SearchResult& result = report.result;
-    const std::string unit = unitOf(report);
-    switch (result.status) {
-        case SearchStatus::found:
-            return answerFigure(report, result.answer) + unit + intervalText(report) + "  (" +
-                   bracketText(report) + ")";
-        case SearchStatus::unstable_at_start:
-            return "none: unstable at the start of the search, " + figureOf(report, result.high) + unit;
-        case SearchStatus::stable_to_stop:
-            return "none: stable up to the largest load tried, " + figureOf(report, result.low) + unit;
-        case SearchStatus::interrupted:
-        case SearchStatus::undecided:
-            break;
-    }
-    return (wasInterrupted(result) ? "interrupted; so far: " : "undecided: ") + bracketText(report);
-}
-
-std::string theoryText(const SearchReport& report) {
-    if (!report.theory && report.result.limit_equilibrium) {
-        const LimitEquilibrium& limit = *report.result.limit_equilibrium;
-        return row("limit equilibrium", figureOf(report, limit.value) + "  (" + limit.kind +
-                                            ", translation only: " + compactNames(limit.blocks) + ")");
-    }
-    if (!report.theory) {
-        return row("theory",
-                   report.cut_short ? "none found before the interruption" : "no closed formula applies");
-    }
-    std::string line = figureOf(report, report.theory->value) + unitOf(report);
-    if (report.result.status == SearchStatus::found)
-        line += "  (computed minus theory: " + figureOf(report, report.result.answer - report.theory->value) +
-                ")";
-    return row("theory", line) + row("", report.theory->prediction.formula);
-}
-
-/// Where the figures would have the answer above its bound, how that can be; a warning tells of more than
-/// that.
-std::string aboveText(const SearchReport& report) {
-    const SearchResult& result = report.result;
-    const auto bound = boundBelow(report);
-    if (!bound || figureOf(report, result.answer) == figureOf(report, *bound) ||
-        isAbove(result.low, result.upper_bound, report.search.load->varied))
-        return "";
-    if (*bound >= result.low) return "; it lies in the answer's bracket";
-    return "; the answer is higher by " + figureOf(report, result.answer - *bound) + unitOf(report) +
-           ", because joints deform before they fail";
-}
-
-std::string upperBoundText(const SearchReport& report) {
-    const Ceiling& bound = report.result.upper_bound;
-    return row("upper bound", bound.value ? figureOf(report, *bound.value) + unitOf(report) +
-                                                "  (limit analysis, joints that open as they slide" +
-                                                aboveText(report) + ")"
-                                          : "none: " + bound.reason);
-}
-
-std::string intervalReasons(const SearchReport& report) {
-    const auto& [low, high] = report.result.answer_interval_reasons;
-    if (!report.result.answer_interval) return "";
-    return row("interval", "low: " + low) + row("", "high: " + high);
-}
-
-/// The answers by other failure displacements, where they differ.
-std::string displacementText(const SearchReport& report) {
-    std::string answers;
-    for (const DisplacementAnswer& other : report.result.answers_by_displacement)
-        answers += (answers.empty() ? "" : ", ") + scientific(other.displacement) + ": " +
-                   figureOf(report, other.load);
-    if (answers.empty()) return "";
-    return row("by displacement",
-               answers + "  (answers for other failure displacements, as shares of a block; here " +
-                   scientific(report.result.failure_displacement) + ")");
-}
-
-std::string cohesionText(const SearchReport& report) {
-    const std::optional<double>& kept = report.result.kept_cohesion;
-    if (!kept) return "";
-    return row("cohesion kept", figureOf(report, *kept) + unitOf(report) +
-                                    "  (the answer if joints kept it as they slip, as in limit equilibrium)");
 }
 
 /// [low, high] where another loading path gives less, else null.
@@ -189,69 +55,6 @@ Json intervalJson(const SearchReport& report) {
     if (!interval) return nullptr;
     const double scale = report.search.load->scale;
     return {number(interval->first / scale), number(interval->second / scale)};
-}
-
-std::string movingText(const SearchResult& result) {
-    if (result.moving_blocks.empty()) return "none";
-    const std::string of =
-        result.motions.empty() ? "" : " of " + std::to_string(result.motions.size()) + " free";
-    return std::to_string(result.moving_blocks.size()) + of + ": " + compactNames(result.moving_blocks);
-}
-
-std::string percentText(double share) {
-    constexpr double kLeastTold = 1e-4;
-    return (share < kLeastTold ? "less than 0.01" : text(100 * share, share < 0.01 ? 2 : 1)) + " %";
-}
-
-/// An answer that is one of a small part of the slope says so, with the way to the rest.
-std::string smallPartText(const SearchReport& report) {
-    constexpr double kSmall = 0.05;
-    const double share = massShare(report.scenario.model, report.result.moving_blocks);
-    if (!report.search.follows_groups || report.result.groups.size() > 1 || !(share > 0 && share < kSmall))
-        return "";
-    return row("", "these have " + percentText(share) +
-                       " of the free blocks' mass; --groups 4 finds the groups that fail next; "
-                       "analysis.least_mass_share removes such small groups before the answer");
-}
-
-std::string fallenText(const SearchResult& result) {
-    if (result.fallen_at_start.empty()) return "";
-    return row("fallen at start",
-               std::to_string(result.fallen_at_start.size()) + ": " + compactNames(result.fallen_at_start));
-}
-
-std::string betweenText(const SearchReport& report, const BlockGroup& group) {
-    if (group.low == group.high) return "at " + figureOf(report, group.factor) + unitOf(report);
-    return "between " + figureOf(report, group.low) + " and " + figureOf(report, group.high) + unitOf(report);
-}
-
-/// What failed before and was too little to be the answer.
-std::string letGoText(const SearchReport& report) {
-    std::string rows;
-    for (const BlockGroup& group : report.result.let_go) {
-        const std::string share = percentText(massShare(report.scenario.model, group.blocks));
-        rows += row(rows.empty() ? "removed before" : "",
-                    betweenText(report, group) + ": " + std::to_string(group.blocks.size()) + " with " +
-                        share + " of the mass: " + compactNames(group.blocks));
-    }
-    return rows;
-}
-
-/// The groups after the first, which is the answer.
-std::string groupsText(const SearchResult& result) {
-    std::string rows;
-    for (std::size_t k = 1; k < result.groups.size(); ++k)
-        rows += row("then fail",
-                    "at " + text(result.groups[k].factor, 4) + ": " + compactNames(result.groups[k].blocks));
-    return rows;
-}
-
-std::string supportsText(const SearchResult& result) {
-    std::string rows;
-    for (const SupportTexts& kind : supportTexts(result.supports))
-        for (const std::string& line : kind.lines)
-            rows += row(&line == &kind.lines.front() ? kind.kind : "", line);
-    return rows;
 }
 
 std::string costText(const SearchResult& result) {
@@ -469,23 +272,17 @@ Json searchJson(const SearchReport& report) {
 
 std::string searchText(const SearchReport& report, bool verbose) {
     const SearchResult& result = report.result;
+    std::string table = row({"scenario", report.scenario.path}) + rows(answerLines(report));
     // Without an answer there is nothing beside it.
-    const std::string beside = wasInterrupted(result)
-                                   ? ""
-                                   : theoryText(report) + upperBoundText(report) + cohesionText(report) +
-                                         intervalReasons(report) + displacementText(report) +
-                                         row("failure mode", toString(result.mode)) +
-                                         row("moving blocks", movingText(result)) + smallPartText(report);
-    std::string table = row("scenario", report.scenario.path) +
-                        row(report.search.answer, answerText(report)) + beside + fallenText(result) +
-                        letGoText(report) + groupsText(result) + supportsText(result) +
-                        row("model", sizeText(result)) + row("cost", costText(result)) +
-                        row("state hash", hashText(result.state_hash));
-    for (const std::string& warning : result.warnings) table += row("warning", warning);
+    if (!wasInterrupted(result))
+        table += rows(besideLines(report)) + rows(intervalLines(report)) + rows(failureLines(report));
+    table += rows(groupLines(report)) + rows(supportLines(report)) + row({"model", sizeText(result)}) +
+             row({"cost", costText(result)}) + row({"state hash", hashText(result.state_hash)});
+    for (const std::string& warning : result.warnings) table += row({"warning", warning});
     if (report.kept)
-        for (const auto& [label, content] : keptRunLines(*report.kept)) table += row(label, content);
+        for (const auto& [label, content] : keptRunLines(*report.kept)) table += row({label, content});
     for (const DrawnFile& drawn : report.drawn)
-        table += row(drawn.key, drawn.file.empty() ? "none: " + drawn.reason : drawn.file);
+        table += row({drawn.key, drawn.file.empty() ? "none: " + drawn.reason : drawn.file});
     if (verbose) table += probeTable(report) + motionTable(result) + rulesTable();
     return table;
 }

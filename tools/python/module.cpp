@@ -51,6 +51,7 @@ PYBIND11_MODULE(_core, module) {
     addScenarios(module);
     addAnalyses(module);
     addKinematics(module);
+    addReport(module);
     addSimulation(module);
     addSnapshots(module);
 }

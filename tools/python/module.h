@@ -9,6 +9,7 @@ namespace talus::python {
 void addScenarios(pybind11::module_& module);   ///< Scenario, read, parse
 void addAnalyses(pybind11::module_& module);    ///< search, limit_analysis, run, batch
 void addKinematics(pybind11::module_& module);  ///< kinematics
+void addReport(pybind11::module_& module);      ///< report
 void addSimulation(pybind11::module_& module);  ///< Simulation
 void addSnapshots(pybind11::module_& module);   ///< Snapshots
 

@@ -49,6 +49,7 @@ struct PlotAxis {
     int decimals = -1;  ///< of tick labels; -1: as many as they need
     std::vector<std::string> categories{};
     bool first_on_top = false;
+    bool logarithmic = false;  ///< drawn by svg.h only; `domain` is given and positive
 };
 
 struct Plot {

@@ -55,10 +55,14 @@ struct Scale {
         return axis.categories.empty() ? axis.domain.at(1)
                                        : static_cast<double>(axis.categories.size()) - 0.5;
     }
-    double at(double value) const { return from + (value - low()) / (high() - low()) * (to - from); }
+    double at(double value) const {
+        if (axis.logarithmic) return from + std::log(value / low()) / std::log(high() / low()) * (to - from);
+        return from + (value - low()) / (high() - low()) * (to - from);
+    }
 
     /// Where there are ticks, and what stands there.
     std::vector<std::pair<double, std::string>> ticks() const {
+        if (axis.logarithmic) return decades();
         std::vector<std::pair<double, std::string>> ticks;
         for (std::size_t i = 0; i < axis.categories.size(); ++i)
             ticks.emplace_back(static_cast<double>(i), axis.categories[i]);
@@ -67,6 +71,20 @@ struct Scale {
                  ++i)
                 ticks.emplace_back(i * axis.step,
                                    typeset(text(i * axis.step + 0.0, std::max(0, axis.decimals))));
+        return ticks;
+    }
+
+    /// 1, 2 and 5 times powers of ten; over many decades the powers alone.
+    std::vector<std::pair<double, std::string>> decades() const {
+        constexpr double kFew = 3.2;
+        const bool few = std::log10(high() / low()) < kFew;
+        std::vector<std::pair<double, std::string>> ticks;
+        for (double power = std::floor(std::log10(low())); std::pow(10, power) <= high(); ++power)
+            for (const double digit : {1.0, 2.0, 5.0}) {
+                const double value = digit * std::pow(10, power);
+                if ((digit > 1 && !few) || value < low() || value > high()) continue;
+                ticks.emplace_back(value, typeset(text(value, std::max(0, static_cast<int>(-power)))));
+            }
         return ticks;
     }
 };

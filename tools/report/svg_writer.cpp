@@ -2,51 +2,13 @@
 
 #include <utility>
 
-#include "cli/json.h"
 #include "cli/text.h"
+#include "report/markup.h"
 
 namespace talus::tools {
 namespace {
 
 std::string px(double value) { return text(value, 1); }
-
-/// Text made safe for XML, attributes included. What XML has no way to write (control characters,
-/// U+FFFE, U+FFFF) is replaced by U+FFFD.
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char letter : validUtf8(std::string(text))) {
-        switch (letter) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            case '\'':
-                safe += "&#39;";
-                break;
-            case '\t':
-            case '\n':
-            case '\r':
-                safe += letter;
-                break;
-            default:
-                const bool is_control = static_cast<unsigned char>(letter) < 0x20;
-                const bool ends_noncharacter =
-                    safe.ends_with("\xEF\xBF") && (letter == '\xBE' || letter == '\xBF');
-                safe += is_control          ? "\xEF\xBF\xBD"
-                        : ends_noncharacter ? std::string(1, '\xBD')
-                                            : std::string(1, letter);
-        }
-    }
-    return safe;
-}
 
 }  // namespace
 
@@ -91,7 +53,7 @@ void SvgWriter::label(Spot at, const std::string& words, const char* anchor, con
     body_ += "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + "\" text-anchor=\"" + anchor + "\" class=\"" +
              look + '"' +
              (turn.empty() ? "" : " transform=\"rotate(" + turn + " " + px(at.x) + " " + px(at.y) + ")\"") +
-             ">" + escaped(words) + "</text>\n";
+             ">" + escapedMarkup(words) + "</text>\n";
 }
 
 std::string SvgWriter::file(double width, double height, std::string_view title, std::string_view description,
@@ -99,16 +61,16 @@ std::string SvgWriter::file(double width, double height, std::string_view title,
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
            "role=\"img\" width=\"" +
            px(width) + "\" height=\"" + px(height) + "\" viewBox=\"0 0 " + px(width) + " " + px(height) +
-           "\">\n<title>" + escaped(title) + "</title>\n" +
-           (description.empty() ? "" : "<desc>" + escaped(description) + "</desc>\n") + "<style>" +
+           "\">\n<title>" + escapedMarkup(title) + "</title>\n" +
+           (description.empty() ? "" : "<desc>" + escapedMarkup(description) + "</desc>\n") + "<style>" +
            std::string(style) + "</style>\n<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n" + body_ +
            "</svg>\n";
 }
 
 void SvgWriter::element(const std::string& name, const std::string& attributes, const std::string& role,
                         const std::string& tip) {
-    body_ += "<" + name + " " + attributes + " class=\"" + escaped(role) + '"' +
-             (tip.empty() ? "/>\n" : "><title>" + escaped(tip) + "</title></" + name + ">\n");
+    body_ += "<" + name + " " + attributes + " class=\"" + escapedMarkup(role) + '"' +
+             (tip.empty() ? "/>\n" : "><title>" + escapedMarkup(tip) + "</title></" + name + ">\n");
 }
 
 }  // namespace talus::tools

@@ -75,12 +75,16 @@ struct MovingGroup {
 
 struct KeyBlockSettings {
     std::size_t most_groups = 100;  ///< groups to return, those with the least factors
+    bool factor_volume = true;      ///< the curve of factor and volume, too
 };
 
 struct KeyBlockResult {
     std::vector<KeyBlock> blocks;  ///< one per free block, in the order of the model
     std::vector<MovingGroup>
         groups;  ///< ascending by factor; of equal factors the heavier first; no two of the same blocks
+    /// The curve of factor and volume. Both rise along it: the first group of at least a volume has the least
+    /// factor of all that were judged, carry no others and have at least that volume.
+    std::vector<MovingGroup> factor_volume;
     std::size_t directions = 0;     ///< tried for every block
     std::size_t groups_judged = 0;  ///< different ones
     bool interrupted = false;       ///< `control` asked to stop: groups are those found so far

@@ -52,27 +52,29 @@ std::vector<std::string> namesOf(const Model& model, const std::vector<std::size
     return names;
 }
 
-std::vector<MovingGroup> movingGroups(const Slope& slope, const Model& model, const GroupSearch& search) {
+std::vector<MovingGroup> movingGroups(const Slope& slope, const Model& model,
+                                      const std::vector<Group>& groups) {
     BodyMaker maker(slope, model.joints);
-    std::vector<MovingGroup> groups;
-    for (const Group& group : search.groups) {
-        MovingGroup moving{.blocks = namesOf(model, group.members),
-                           .carries = namesOf(model, group.carried),
-                           .sliding = maker.detailsOf(group.members),
-                           .mass = group.mass};
-        for (const std::size_t block : group.members) moving.volume += slope.volume[block];
-        groups.push_back(std::move(moving));
-    }
-    return groups;
+    std::vector<MovingGroup> moving;
+    for (const Group& group : groups)
+        moving.push_back({.blocks = namesOf(model, group.members),
+                          .carries = namesOf(model, group.carried),
+                          .sliding = maker.detailsOf(group.members),
+                          .volume = group.volume,
+                          .mass = group.mass});
+    return moving;
 }
 
-KeyBlockResult analyse(State& state, bool parallel, const Control& control, std::size_t most) {
+KeyBlockResult analyse(State& state, bool parallel, const Control& control,
+                       const KeyBlockSettings& settings) {
     const Model& model = state.geometry->model;
     const Slope slope = slopeOf(state);
     KeyBlockResult result;
     result.blocks = keyBlocksOf(slope, model, parallel);
-    const GroupSearch search = leastGroups(slope, model.joints, most, parallel, control);
-    result.groups = movingGroups(slope, model, search);
+    const GroupSearch search =
+        leastGroups(slope, model.joints, settings.most_groups, settings.factor_volume, parallel, control);
+    result.groups = movingGroups(slope, model, search.groups);
+    result.factor_volume = movingGroups(slope, model, search.curve);
     result.directions = search.directions;
     result.groups_judged = search.judged;
     result.interrupted = search.interrupted;
@@ -123,14 +125,14 @@ Result<KeyBlockResult> keyBlocks(const Model& model, const Control& control,
         std::vector<Error> errors = checks::implausible(*state);
         if (auto falls = checks::nothingHolds(model)) errors.push_back(std::move(*falls));
         if (!errors.empty()) return errors;
-        result = analyse(*state, parallel, control, settings.most_groups);
+        result = analyse(*state, parallel, control, settings);
         result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
     });
 }
 
 Result<std::optional<LeastGroup>> leastGroup(const Model& model, const Control& control) {
-    auto found = keyBlocks(model, control);
+    auto found = keyBlocks(model, control, {.factor_volume = false});
     if (!found) return found.errors();
     if (found->interrupted) return Error{"", "interrupted while groups of blocks were sought"};
     for (MovingGroup& group : found->groups)

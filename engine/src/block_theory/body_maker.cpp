@@ -46,7 +46,10 @@ Group BodyMaker::groupOf(const std::vector<std::size_t>& members) {
     Group group;
     group.sliding = judgeBriefly(bodyOf(members), joints_);
     group.identity = identityOf(members);
-    for (const std::size_t block : members) group.mass += slope_.mass[block];
+    for (const std::size_t block : members) {
+        group.mass += slope_.mass[block];
+        group.volume += slope_.volume[block];
+    }
     if (group.sliding.mode != SlidingMode::none) group.members = members;
     return group;
 }

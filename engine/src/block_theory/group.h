@@ -13,6 +13,7 @@ struct Group {
     std::vector<std::size_t> members;
     Sliding sliding;             ///< without planes and joints
     double mass = 0;             ///< [kg]
+    double volume = 0;           ///< [m^3]
     std::uint64_t identity = 0;  ///< a hash of the members, whatever their order
     /// Blocks that it carries (BodyMaker::settled) and that cannot move with it.
     std::vector<std::size_t> carried{};

@@ -9,6 +9,7 @@
 #include "block_theory/closures.h"
 #include "block_theory/directions.h"
 #include "block_theory/growth.h"
+#include "block_theory/volume_front.h"
 #include "state/caller.h"
 #include "state/range.h"
 
@@ -49,18 +50,20 @@ std::vector<std::vector<std::size_t>> piecesOf(const Slope& slope, const std::ve
 /// What one direction, or one share of the own ones, gives.
 struct Part {
     explicit Part(std::size_t most) : raw(kSettled), best(most) {}
-    BestGroups raw;   ///< as judged
-    BestGroups best;  ///< with all that they carry
-    std::size_t judged = 0, left_out = 0;
+    BestGroups raw;                ///< as judged
+    BestGroups best;               ///< with all that they carry
+    VolumeFront raw_curve, curve;  ///< the same two, by volume
+    std::size_t judged = 0, left_out = 0, curve_left_out = 0;
 };
 
 class Search {
  public:
-    Search(const Slope& slope, const std::vector<Joint>& joints, std::size_t most, bool parallel,
+    Search(const Slope& slope, const std::vector<Joint>& joints, std::size_t most, bool curve, bool parallel,
            const Control& control)
         : slope_(slope),
           joints_(joints),
           most_(std::max(most, kMostGrown)),
+          wants_curve_(curve),
           parallel_(parallel),
           control_(control),
           best_(most_),
@@ -82,6 +85,7 @@ class Search {
         found_.directions = directions_.everywhere.size();
         found_.groups = best_.take();
         if (found_.groups.size() > most) found_.groups.resize(most);
+        found_.curve = curve_.take();
         return std::move(found_);
     }
 
@@ -95,13 +99,17 @@ class Search {
             forRange(n, 1, parallel_, [&](Range range) {
                 for (std::size_t k = range.begin; k < range.end; ++k) {
                     body(first + k, parts[k]);
-                    settle(parts[k], std::max(kSettlingWork / count, kLeastSettlingWork));
+                    const std::size_t work = std::max(kSettlingWork / count, kLeastSettlingWork);
+                    settle(parts[k], work);
+                    if (wants_curve_) settleCurve(parts[k], work);
                 }
             });
             for (Part& part : parts) {
+                if (wants_curve_) addToCurve(part);
                 best_.add(std::move(part.best));
                 found_.judged += part.judged;
                 found_.left_out += part.left_out;
+                found_.curve_left_out += part.curve_left_out;
             }
             found_.interrupted = isStopped(control_);
             report(static_cast<double>(first + n) / static_cast<double>(count));
@@ -120,8 +128,10 @@ class Search {
             if (slope_.free[b]) judge({b}, maker, part);
     }
 
-    static void judge(const std::vector<std::size_t>& members, BodyMaker& maker, Part& part) {
-        part.raw.add(maker.groupOf(members));
+    void judge(const std::vector<std::size_t>& members, BodyMaker& maker, Part& part) const {
+        Group group = maker.groupOf(members);
+        if (wants_curve_ && part.raw_curve.wants(group)) part.raw_curve.add(group);
+        part.raw.add(std::move(group));
         ++part.judged;
     }
 
@@ -136,6 +146,30 @@ class Search {
             else
                 part.best.add(maker.settled(std::move(group), &known));
         }
+    }
+
+    /// Those that are the weakest of at least their volume. What is left out says nothing of the list.
+    void settleCurve(Part& part, std::size_t work) const {
+        BodyMaker maker(slope_, joints_);
+        maker.allow(work);
+        std::unordered_set<std::uint64_t> known;
+        for (Group& group : part.raw_curve.take()) {
+            if (maker.isUsedUp())
+                ++part.curve_left_out;
+            else
+                add(maker.settled(std::move(group), &known), part.curve);
+        }
+    }
+
+    /// What a group that carries others presses with is not counted, so its factor is not that of a failure.
+    static void add(Group group, VolumeFront& curve) {
+        if (group.carried.empty()) curve.add(std::move(group));
+    }
+
+    void addToCurve(Part& part) {
+        curve_.add(std::move(part.curve));
+        for (const Group& group : part.best.sorted())
+            if (curve_.wants(group)) add(group, curve_);
     }
 
     void along(const Vec3& direction, std::size_t visits, Part& part) const {
@@ -194,9 +228,10 @@ class Search {
     const Slope& slope_;
     const std::vector<Joint>& joints_;
     std::size_t most_;
-    bool parallel_;
+    bool wants_curve_, parallel_;
     const Control& control_;
     BestGroups best_;
+    VolumeFront curve_{};
     Directions directions_;
     GroupSearch found_{};
     /// Of the progress, 0..1, as it was on a slope of 100,000 blocks.
@@ -207,9 +242,9 @@ class Search {
 
 }  // namespace
 
-GroupSearch leastGroups(const Slope& slope, const std::vector<Joint>& joints, std::size_t most, bool parallel,
-                        const Control& control) {
-    return Search(slope, joints, most, parallel, control).run(most);
+GroupSearch leastGroups(const Slope& slope, const std::vector<Joint>& joints, std::size_t most, bool curve,
+                        bool parallel, const Control& control) {
+    return Search(slope, joints, most, curve, parallel, control).run(most);
 }
 
 }  // namespace talus::keyblocks

@@ -10,10 +10,12 @@
 namespace talus::keyblocks {
 
 struct GroupSearch {
-    std::vector<Group> groups;   ///< in that order, as BestGroups keeps them
-    std::size_t directions = 0;  ///< tried for every block
-    std::size_t judged = 0;      ///< bodies, each once a direction
-    std::size_t left_out = 0;    ///< closures not looked at, for want of time
+    std::vector<Group> groups;       ///< in that order, as BestGroups keeps them
+    std::vector<Group> curve;        ///< those that carry no others, as VolumeFront keeps them
+    std::size_t directions = 0;      ///< tried for every block
+    std::size_t judged = 0;          ///< bodies, each once a direction
+    std::size_t left_out = 0;        ///< closures not looked at, for want of time
+    std::size_t curve_left_out = 0;  ///< groups of the curve alone, likewise
     bool interrupted = false;
 };
 
@@ -28,7 +30,8 @@ struct GroupSearch {
 /// Those that may be listed take along what they carry (BodyMaker::settled).
 /// The factor of each is exact for its body. That no weaker group exists is not proved: their number grows
 /// exponentially.
-GroupSearch leastGroups(const Slope& slope, const std::vector<Joint>& joints, std::size_t most, bool parallel,
-                        const Control& control);
+/// \param curve  the weakest by volume, too; it changes nothing of `groups`
+GroupSearch leastGroups(const Slope& slope, const std::vector<Joint>& joints, std::size_t most, bool curve,
+                        bool parallel, const Control& control);
 
 }  // namespace talus::keyblocks

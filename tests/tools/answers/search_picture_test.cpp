@@ -76,7 +76,7 @@ TEST_CASE("what fails has another colour than what stands and what is fixed, and
     const std::set<std::string> colours{colourOf(svg, "low"), colourOf(svg, "high"), colourOf(svg, "floor")};
     CHECK(colours.size() == 3);
     CHECK(says(svg, ">two.toml: factor of safety 1.2500, sliding</text>"));
-    CHECK(says(svg, "displacements enlarged 5e+02 times"));
+    CHECK(says(svg, "displacements enlarged 500 times"));
     for (const char* words : {">stands<", ">fixed<", ">fails<"}) CHECK(says(svg, words));
 
     SearchResult still = lowSlides();

@@ -34,6 +34,7 @@ __all__ = [
     "limit_analysis",
     "load",
     "open",
+    "report",
     "run",
     "safety_factor",
 ]
@@ -145,6 +146,29 @@ def kinematics(source, *, slope, friction, lateral=20.0, sets=0, scanline=None, 
             net=net,
             contours=contours,
             counting_area=counting_area,
+        )
+    )
+
+
+def report(model, output, *, figures=None, analysis=None, slope=None, groups=1, sensitivity=None, threads=0, progress=None):
+    """One page about a slope (.html), its figures as SVG and CSV beside it: ``page``, ``figures``, ``search``, ``key_blocks``.
+
+    figures: their folder, by default FILE_figures beside the page. analysis: "safety-factor", "critical-angle" or
+    "critical-acceleration", by default that of the scenario. slope: dip and dip direction of the stereonet's face [degrees],
+    by default that of the model. groups: how many a search for a factor of safety follows. sensitivity: search again with
+    friction and stiffness less and more by so many percent.
+    """
+    return Result.of_json(
+        _core.report(
+            _model(model),
+            output=_path_of(output),
+            figures=_path_of(figures) if figures is not None else "",
+            analysis=analysis or "",
+            slope="" if slope is None else f"{float(slope[0])}/{float(slope[1])}",
+            groups=groups,
+            sensitivity=sensitivity,
+            threads=threads,
+            progress=progress,
         )
     )
 

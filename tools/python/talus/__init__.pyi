@@ -236,6 +236,18 @@ def kinematics(
     contours: str = "fisher",
     counting_area: float = 1.0,
 ) -> Result: ...
+def report(
+    model: Model | _Path,
+    output: _Path,
+    *,
+    figures: _Path | None = None,
+    analysis: str | None = None,
+    slope: tuple[float, float] | None = None,
+    groups: int = 1,
+    sensitivity: float | None = None,
+    threads: int = 0,
+    progress: _Progress | None = None,
+) -> Result: ...
 def run(
     model: Model | _Path | None = None,
     output: _Path | None = None,

@@ -1,0 +1,43 @@
+#pragma once
+// A page without scripts: text, tables and figures as HTML in one file that needs nothing else, for the
+// screen and for A4 paper. (page.h has the page of batches, which draws its data in the browser.)
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace talus::tools {
+
+struct HtmlColumn {
+    std::string title;
+    bool words = false;  ///< set to the left; figures to the right
+};
+
+class HtmlPage {
+ public:
+    void section(const std::string& id, std::string_view title);  ///< a heading that begins one
+    void heading(std::string_view title);                         ///< within a section
+    /// \param look  a class of the style: "lead", "muted", "alert"
+    void paragraph(std::string_view text, std::string_view look = "");
+    /// Terms and what they are; a row without a term goes on with the one before.
+    void facts(const std::vector<std::pair<std::string, std::string>>& items);
+    void list(const std::vector<std::string>& items);
+    void table(std::string_view caption, const std::vector<HtmlColumn>& columns,
+               const std::vector<std::vector<std::string>>& rows);
+    /// A text as it is, folded up on the screen and left out on paper.
+    void textFile(std::string_view name, std::string_view text);
+    /// An SVG file as part of the page. \param id  of the element, once a page
+    void figure(const std::string& id, std::string_view svg, std::string_view caption);
+
+    std::string html(std::string_view title) const;
+
+ private:
+    std::string body_;
+};
+
+/// An SVG file as an element of a page that has others: its style, which a page would take for its own,
+/// holds inside the element only, and so does the name of its clip path.
+std::string svgElement(std::string_view svg, const std::string& id);
+
+}  // namespace talus::tools

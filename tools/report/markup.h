@@ -1,0 +1,13 @@
+#pragma once
+// Text inside XML and HTML.
+
+#include <string>
+#include <string_view>
+
+namespace talus::tools {
+
+/// Text made safe for XML and HTML, attributes included. What XML has no way to write (control characters,
+/// U+FFFE, U+FFFF) is replaced by U+FFFD.
+std::string escapedMarkup(std::string_view text);
+
+}  // namespace talus::tools

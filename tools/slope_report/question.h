@@ -1,0 +1,38 @@
+#pragma once
+// What a report is about: which search answers it, and what its stereonet takes for face and friction.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "answers/kinematics.h"
+#include "talus/formats/scenario.h"
+#include "talus/searches.h"
+
+namespace talus::tools {
+
+/// A choice, and the reason that the page states.
+template <class T>
+struct Chosen {
+    T value{};
+    std::string because{};
+};
+
+/// The search that a report is about. The one asked for; else the one whose range or tolerance stands under
+/// [analysis]; else the critical angle of a scenario with gravity.tilt_deg; else the factor of safety. Throws
+/// BadInput for a name that is none. \param wish  a search's name, or empty
+Chosen<const LoadSearch*> analysisOf(const formats::Scenario& scenario, const std::string& wish);
+
+/// The face that the stereonet tests: the one given ("65/270"), else that of the model (face.h). Nothing
+/// where the model has no such faces. Throws BadInput.
+std::optional<Chosen<kinematics::Face>> netFace(const formats::Scenario& scenario, const std::string& wish);
+
+/// The least friction angle of the joints of the model that have friction [rad].
+Chosen<double> netFriction(const Model& model);
+
+/// SHA-256 of the scenario's text and of each file that it names and that was read: {name, digest}.
+std::vector<std::pair<std::string, std::string>> inputDigests(const formats::Scenario& scenario);
+
+}  // namespace talus::tools
