@@ -18,7 +18,7 @@ std::vector<std::pair<std::string, std::string>> provenanceItems(const SlopeRepo
     Json facts = provenance(report.search.common, scenario.path);
     facts.erase("threads");
     auto items = provenanceFacts(facts);
-    for (const auto& [name, digest] : inputDigests(scenario)) items.emplace_back("sha256 of " + name, digest);
+    for (const auto& [name, digest] : inputDigests(scenario)) items.emplace_back("xxh128 of " + name, digest);
     items.emplace_back("state hash", hashText(report.search.result.state_hash));
     return items;
 }

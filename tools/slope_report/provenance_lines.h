@@ -12,7 +12,7 @@ namespace talus::tools {
 
 std::string fileName(const SlopeReport& report);  ///< of the scenario, without its folder
 
-/// {version, git hash, ..., SHA-256 of each input}
+/// {version, git hash, ..., XXH128 of each input}
 std::vector<std::pair<std::string, std::string>> provenanceItems(const SlopeReport& report);
 
 /// The same as comment lines of CSV.

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "cli/failures.h"
-#include "cli/sha256.h"
+#include "cli/input_hash.h"
 #include "cli/text.h"
 #include "slope_report/face.h"
 #include "talus/formats/inputs.h"
@@ -96,13 +96,13 @@ Chosen<double> netFriction(const Model& model) {
 std::vector<std::pair<std::string, std::string>> inputDigests(const formats::Scenario& scenario) {
     namespace fs = std::filesystem;
     std::vector<std::pair<std::string, std::string>> digests{
-        {fs::path(scenario.path).filename().string(), sha256(scenario.text)}};
+        {fs::path(scenario.path).filename().string(), xxh128(scenario.text)}};
     const fs::path folder = fs::path(scenario.path).parent_path();
     for (const std::string& name : quoted(scenario.text)) {
         const fs::path path = folder / name;
         if (!name.empty() && formats::isInput(path.string()) &&
             path.lexically_normal() != fs::path(scenario.path).lexically_normal())
-            digests.emplace_back(name, sha256(contentOf(path)));
+            digests.emplace_back(name, xxh128(contentOf(path)));
     }
     return digests;
 }

@@ -32,7 +32,7 @@ std::optional<Chosen<kinematics::Face>> netFace(const formats::Scenario& scenari
 /// The least friction angle of the joints of the model that have friction [rad].
 Chosen<double> netFriction(const Model& model);
 
-/// SHA-256 of the scenario's text and of each file that it names and that was read: {name, digest}.
+/// XXH128 of the scenario's text and of each file that it names and that was read: {name, digest}.
 std::vector<std::pair<std::string, std::string>> inputDigests(const formats::Scenario& scenario);
 
 }  // namespace talus::tools
