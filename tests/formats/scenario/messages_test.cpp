@@ -238,9 +238,9 @@ TEST_CASE("scenario messages: joints and materials that nothing has are warned o
     const auto misspelt =
         warningsOf(properties() + joint("Bed") + block("bed") + stack("origin = [5, 0, 0]\n"));
     REQUIRE(misspelt.size() == 1);
-    CHECK(
-        misspelt[0] ==
-        "joint.Bed (line 7): nothing in the file uses this joint, so it has no effect, did you mean \"bed\"?");
+    CHECK(misspelt[0] ==
+          "joint.Bed (line 7): nothing in the file uses this joint, so it has no effect, did you mean "
+          "\"bed\"?");
     CHECK(warningsOf(joint("wall") + material() + block("one", "joint = \"wall\"\n")).empty());
     const auto spare =
         warningsOf(properties() + "[material.slate]\ndensity = 2600\n" + stack("material = \"granite\"\n"));
