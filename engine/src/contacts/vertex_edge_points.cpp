@@ -398,7 +398,8 @@ Approach approachOf(const WorldShape& first, const WorldShape& second, const Ver
         return true;
     });
     if (apart) return Approach::apart;
-    // As in findMeeting: parts that touch where their bodies do not, and will not with what they move and turn.
+    // As in findMeeting: parts that touch where their bodies do not, and will not with what they move and
+    // turn.
     const double deepest = of_parts - travel - kDeeperThanParts * limits.tie;
     if (most < deepest && most < deepest - turn * (widthOf(first) + widthOf(second))) return Approach::faces;
     return sharpest > most - travel ? Approach::vertex_edge : Approach::faces;
