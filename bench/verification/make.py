@@ -449,6 +449,28 @@ Plane failure of a slope 60 m high (E. Hoek and J. W. Bray, Rock slope engineeri
           f'between = ["slide", "base"]\nhead = [{depth}, 0.0]\n')
 
 
+def sau_mau_ping():
+    """Without a crack; water by a distribution of Hoek and Bray, an earthquake by its coefficient."""
+    height, back = 60.0, 60.0 / math.tan(rad(35))
+    profile = [(0, -5), (back + 60, -5), (back + 60, height), (height / math.tan(rad(50)), height), (0, 0)]
+    for water, shaken, factor in ((False, 0, 1.6494), (True, 0, 0.9803), (False, 0.08, 1.43), (True, 0.08, 0.8295)):
+        name = f"sau-mau-ping-{'wet' if water else 'dry'}" + ("-shaken" if shaken else "")
+        what = "full of water, the pressure greatest at half height" if water else "dry"
+        write(name, f"""
+Plane failure of the slope of Sau Mau Ping without a crack (E. Hoek and J. W. Bray, Rock slope engineering): 60 m high, face 50
+degrees, plane 35 degrees, cohesion 100 kPa, friction angle 35 degrees, 2,700 kg/m3; {what}{f", k_h {shaken}" if shaken else ""}.
+A slice 1 m thick. Limit equilibrium, [C A + (W (cos p - k sin p) - U) tan phi] / [W (sin p + k cos p)]: factor of safety
+{factor:.4f}, to be met within 0.3 %.
+  talus safety-factor bench/verification/{name}.toml""",
+              "[material.rock]\ndensity = 2700.0\n",
+              joint("default", 0, 1e10, 1e10), joint("plane", 35, 1e10, 1e10, 100e3),
+              "[rock_mass]\nregion = { y = [0.0, 1.0], profile = [" + ", ".join(point(*p) for p in profile) + "] }\n"
+              'fixed = [{ boundary = "-z" }, { boundary = "+x" }]\n',
+              '[[single_joint]]\nname = "plane"\npoint = [0.0, 0.0, 0.0]\ndip_deg = 35\ndip_direction_deg = 270\n',
+              f"[seismic]\nhorizontal = {shaken}\n" if shaken else "",
+              '[[water]]\njoint = "plane"\npercent_filled = 100.0\npeak = "half-height"\n' if water else "")
+
+
 def daylighting():
     crack, foot = 10.928203230, 7.652010281
     corners = [(0, 0, 0), (0, 1, 0), (crack, 1, foot), (crack, 0, foot)]
@@ -553,6 +575,6 @@ density = 2600.0
 
 if __name__ == "__main__":
     for figure in (columns, arches, brick_walls, goodman_bray, goodman_bray_held, alejano_alonso, barla_table, slabs,
-                   bilinear_slab, parallel_slabs, rock_bridges, plane_blocks, large_slopes, wedge, high_slope, daylighting, short_cable, earthquakes,
+                   bilinear_slab, parallel_slabs, rock_bridges, plane_blocks, large_slopes, wedge, high_slope, sau_mau_ping, daylighting, short_cable, earthquakes,
                    rock_slopes):
         figure()

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "support/models.h"
+#include "support/verification.h"
+#include "talus/analysis.h"
 #include "talus/formats/scenario.h"
 #include "talus/limit_analysis.h"
 
@@ -72,5 +74,18 @@ TEST_SUITE("physics") {
         checkCeiling("backward-toppling", Varied::factor, 1.80, 0.02);
         checkCeiling("wedge-hoek-bray", Varied::factor, 1.7407, 0.15);
         checkCeiling("wedge-phi-40", Varied::factor, 1.275, 0.15);
+    }
+
+    TEST_CASE("limit analysis beside an answer counts the scenario's earthquake and its water") {
+        for (const char* name : {"sau-mau-ping-dry", "sau-mau-ping-wet", "sau-mau-ping-dry-shaken",
+                                 "sau-mau-ping-wet-shaken", "hoek-bray-crack-0m-shaken"}) {
+            CAPTURE(name);
+            const auto found = safetyFactor(verification(name));
+            REQUIRE(found.ok());
+            REQUIRE((found->status == SearchStatus::found));
+            REQUIRE(found->upper_bound.value.has_value());
+            // A plane without dilation: the slide is the mechanism of both.
+            CHECK(*found->upper_bound.value == doctest::Approx(found->answer).epsilon(2e-3));
+        }
     }
 }

@@ -420,7 +420,9 @@ namespace limit {
 
 Ceiling ceilingOf(State& state, Varied load, bool always, const Control& control,
                   const LimitSettings& settings) {
+    // A search's state may be without them: it puts them on step by step.
     state.load.gravity_share = state.load.water_share = 1;
+    state.load.horizontal = state.geometry->model.seismic.horizontal;
     const Assembly assembly = assemble(state, settings.left_out);
     if (const std::string why = whyNot(state, assembly); !why.empty()) return {std::nullopt, why};
     const std::size_t most = assembly.plane_section ? kCeilingPointsInSection : kCeilingPoints;

@@ -59,10 +59,10 @@ TEST_CASE("solids: told apart by name where they touch, in every format") {
     const std::string stl = stlText(boxAt(0), "left") + stlText(boxAt(1), "right");
     const std::string dxf = dxfText(dxfPolyface(boxAt(0), "left") + dxfPolyface(boxAt(1), "right"));
     const std::string faces = dxfText(dxfFaces(boxAt(0), "left") + dxfFaces(boxAt(1), "right"));
-    for (const auto& [text, name] : {std::pair(obj, "a.obj"), std::pair(stl, "a.stl"),
-                                     std::pair(dxf, "a.dxf"), std::pair(faces, "a.dxf")}) {
-        CAPTURE(name);
-        const MeshSolids solids = readGoodSolids(text, name);
+    for (const auto& file : {std::pair(obj, "a.obj"), std::pair(stl, "a.stl"), std::pair(dxf, "a.dxf"),
+                             std::pair(faces, "a.dxf")}) {
+        CAPTURE(file.second);
+        const MeshSolids solids = readGoodSolids(file.first, file.second);
         CHECK(namesOf(solids) == std::vector<std::string>{"left", "right"});
         for (const auto& solid : solids.solids) {
             CHECK(surfaceVolume(solid.surface) == doctest::Approx(1).epsilon(1e-14));
