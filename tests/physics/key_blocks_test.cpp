@@ -403,7 +403,8 @@ TEST_SUITE("physics") {
             const auto sets = allSets(model);
             const KeyBlockResult result = found(model);
             CAPTURE(k);
-            for (const auto& [volume, factor] : sets) {
+            for (const auto& set : sets) {
+                const double volume = set.first;
                 const double least = leastOfAllSets(sets, volume), curve = leastOnCurve(result, volume);
                 CAPTURE(volume);
                 CHECK(curve >= least * (1 - 1e-9));
