@@ -15,6 +15,9 @@ using namespace talus::test;
 
 namespace {
 
+// The answer, and nothing beside it.
+const Control kAlone{.interval = false, .upper_bound = Beside::never};
+
 struct Variant {
     const char* name;
     SearchRules rules;
@@ -35,7 +38,7 @@ template <class Analysis>
 double spread(const Model& model, const Analysis& analysis, double unit) {
     double low = kInfinity, high = -kInfinity;
     for (const Variant& variant : kVariants) {
-        const SearchResult result = *analysis(model, Control{}, variant.rules);
+        const SearchResult result = *analysis(model, kAlone, variant.rules);
         MESSAGE(std::string(variant.name)
                 << ": " << result.answer * unit << " " << std::string(toString(result.mode)) << ", "
                 << result.steps << " steps");
@@ -70,7 +73,7 @@ TEST_SUITE("slow: physics") {
         for (const double start_deg : {0.0, 1.0, 2.0, 3.3, 5.0}) {
             CAPTURE(start_deg);
             model.analysis.start = radians(start_deg);
-            const SearchResult found = *criticalAngle(model);
+            const SearchResult found = *criticalAngle(model, kAlone);
             MESSAGE("from " << start_deg << ": " << degrees(found.answer) << " degrees");
             CHECK((found.status == SearchStatus::found));
             low = std::min(low, degrees(found.answer));
@@ -85,7 +88,7 @@ TEST_SUITE("slow: physics") {
         const Model one = stackModel(1, 5, 1, 30, size), many = stackModel(1, 5, 210, 30, size);
         using Search = Result<SearchResult> (*)(const Model&, const Control&, const SearchRules&);
         for (const Search search : {Search(criticalAngle), Search(criticalAcceleration)}) {
-            const SearchResult alone = *search(one, {}, {}), together = *search(many, {}, {});
+            const SearchResult alone = *search(one, kAlone, {}), together = *search(many, kAlone, {});
             MESSAGE(alone.answer << " and " << together.answer << ", " << together.probes.size()
                                  << " points, " << together.factors << " factorisations");
             CHECK((together.status == SearchStatus::found));
@@ -110,7 +113,7 @@ TEST_SUITE("slow: physics") {
         double low = kInfinity, high = -kInfinity;
         for (const double tolerance_deg : {0.05, 0.01, 0.005, 0.001}) {
             model.analysis.tolerance = radians(tolerance_deg);
-            const SearchResult found = *criticalAngle(model);
+            const SearchResult found = *criticalAngle(model, kAlone);
             MESSAGE(tolerance_deg << " deg wide: " << degrees(found.answer));
             CHECK((found.status == SearchStatus::found));
             CHECK(found.high - found.low <= model.analysis.tolerance * (1 + 1e-9));
