@@ -183,11 +183,11 @@ ResultLines letGoText(const SearchReport& report) {
     ResultLines rows;
     for (const BlockGroup& group : report.result.let_go) {
         const std::string share = percentText(massShare(report.scenario.model, group.blocks));
+        const char* what = rows.empty() ? "removed before" : "";
         rows = std::move(rows) +
-               line(rows.empty() ? "removed before" : "",
-                    betweenText(report, group) + ": " + std::to_string(group.blocks.size()) + " with " +
-                        share + " of the mass, " + amountText(group.volume, group.mass) + ": " +
-                        compactNames(group.blocks));
+               line(what, betweenText(report, group) + ": " + std::to_string(group.blocks.size()) + " with " +
+                              share + " of the mass, " + amountText(group.volume, group.mass) + ": " +
+                              compactNames(group.blocks));
     }
     return rows;
 }
