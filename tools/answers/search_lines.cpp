@@ -38,7 +38,7 @@ ResultLines operator+(ResultLines lines, const ResultLines& more) {
 }
 
 /// "stands at 19.498, fails at 19.508"; an open end is left out. What an interrupted search has seen moving
-/// may still come to rest.
+/// may still reach equilibrium.
 std::string bracketText(const SearchReport& report) {
     const bool stands = std::isfinite(report.result.low), fails = std::isfinite(report.result.high);
     if (!stands && !fails) return "nothing is known yet";
