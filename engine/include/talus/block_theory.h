@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "talus/analysis.h"
+#include "talus/control.h"
 #include "talus/model.h"
 #include "talus/result.h"
 

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "talus/analysis.h"
+#include "talus/control.h"
 #include "talus/model.h"
 #include "talus/polyhedron.h"
 #include "talus/result.h"

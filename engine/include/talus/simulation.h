@@ -19,13 +19,17 @@
 #include <type_traits>
 #include <vector>
 
-#include "talus/analysis.h"
+#include "talus/control.h"
 #include "talus/frame.h"
 #include "talus/model.h"
+#include "talus/model_check.h"
 #include "talus/result.h"
 #include "talus/supports.h"
+#include "talus/water_report.h"
 
 namespace talus {
+
+struct FailingState;  // talus/analysis.h
 
 /// One watched block, at the end of a step.
 struct BlockReport {
@@ -34,14 +38,6 @@ struct BlockReport {
     Vec3 velocity = Vec3::Zero();      ///< [m/s]
     Vec3 displacement = Vec3::Zero();  ///< of the centroid since the start [m]
     double rotation = 0;               ///< angle turned since the start [rad]
-};
-
-/// A water whose level follows from its volume (Water::closed), at the end of a step.
-struct WaterReport {
-    std::string name;     ///< as messages call it: "water[0]"
-    double level = 0;     ///< depth or elevation, as the scenario gives it [m]
-    double volume = 0;    ///< [m^3]
-    double run_over = 0;  ///< in all, above its overflow [m^3]
 };
 
 /// One record of a run's history.
@@ -158,26 +154,5 @@ class Simulation {
     explicit Simulation(std::unique_ptr<History> history);
     std::unique_ptr<History> history_;
 };
-
-/// What a model looks like to the engine, before anything moves.
-struct ModelCheck {
-    std::vector<std::string> warnings;  ///< what is allowed but hardly meant
-    std::size_t interfaces = 0;         ///< of faces, edges or vertices that touch
-    std::size_t contact_points = 0;     ///< of these
-    std::size_t idle_interfaces = 0;  ///< kept ready where vertices and edges may meet before the next search
-};
-
-/// Checks what needs geometry: blocks that overlap, water on faces that are not there, pairs that do not
-/// touch. Empty when the model can be built. \param found  if given, takes what was found on the way
-std::vector<Error> checkModel(const Model& model, const Control& control = {}, ModelCheck* found = nullptr);
-
-/// Two blocks that share at least one interface at the start, and the joint between them.
-struct TouchingPair {
-    std::int32_t block_a = 0, block_b = 0;  ///< a < b
-    std::int32_t joint = 0;                 ///< of the first interface they share
-};
-
-/// All pairs that touch, in the order of their blocks. Errors: as of checkModel.
-Result<std::vector<TouchingPair>> touchingPairs(const Model& model);
 
 }  // namespace talus

@@ -5,7 +5,7 @@
 
 #include "block_theory/group.h"
 #include "block_theory/slope.h"
-#include "talus/analysis.h"
+#include "talus/control.h"
 
 namespace talus::keyblocks {
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "state/arrays.h"
-#include "talus/analysis.h"
+#include "talus/control.h"
 #include "talus/result.h"
 
 namespace talus {

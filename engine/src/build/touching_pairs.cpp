@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "build/build.h"
-#include "talus/simulation.h"
+#include "talus/model_check.h"
 
 namespace talus {
 

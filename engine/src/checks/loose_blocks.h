@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "state/arrays.h"
-#include "talus/analysis.h"
+#include "talus/model.h"
 
 namespace talus::checks {
 

@@ -10,7 +10,7 @@
 #include "contacts/face_pairs.h"
 #include "contacts/near_pairs.h"
 #include "state/arrays.h"
-#include "talus/analysis.h"
+#include "talus/control.h"
 
 namespace talus {
 

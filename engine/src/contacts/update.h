@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "state/arrays.h"
-#include "talus/analysis.h"
+#include "talus/control.h"
 #include "talus/result.h"
 
 namespace talus {

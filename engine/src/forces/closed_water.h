@@ -19,7 +19,7 @@
 
 #include "state/arrays.h"
 #include "talus/frame.h"
-#include "talus/simulation.h"
+#include "talus/water_report.h"
 
 namespace talus {
 

@@ -2,7 +2,7 @@
 // Where a time history starts from.
 
 #include "state/arrays.h"
-#include "talus/analysis.h"
+#include "talus/control.h"
 #include "talus/simulation.h"
 
 namespace talus::history {

@@ -14,7 +14,7 @@
 
 #include "history/watch.h"
 #include "state/arrays.h"
-#include "talus/analysis.h"
+#include "talus/control.h"
 
 namespace talus::history {
 

@@ -5,8 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "talus/analysis.h"
-
 namespace talus::limit {
 
 /// Columns one after the other, each with its entries that are not zero.

@@ -1,7 +1,7 @@
 #pragma once
 // What long work asks of its caller now and then: whether to go on.
 
-#include "talus/analysis.h"
+#include "talus/control.h"
 
 namespace talus {
 
