@@ -4,15 +4,13 @@
 #include <cstdint>
 #include <string>
 
+#include "talus/angles.h"  // degrees(), radians()
+
 namespace talus::tools {
 
 void printText(const std::string& text);         ///< on stdout; throws FileRefused
 void printResult(const std::string& text);       ///< the same for people: a terminal gets lines that fit it
 std::string hashText(std::uint64_t state_hash);  ///< 16 hex digits
 std::string text(double value, int decimals);    ///< fixed notation, locale-free
-
-constexpr double kDegree = 0.017453292519943295;  ///< [rad]
-constexpr double degrees(double radians) { return radians / kDegree; }
-constexpr double radians(double degrees) { return degrees * kDegree; }
 
 }  // namespace talus::tools

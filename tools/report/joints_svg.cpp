@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "cli/text.h"
 #include "report/net.h"
 #include "report/svg_writer.h"
+#include "talus/angles.h"
 #include "talus/pole_statistics.h"
 
 namespace talus::tools {
@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kNet = 240, kMargin = 44, kLegend = 380;  // radius of the net and beside it [px]
 constexpr double kPanel = 360, kPlotHeight = 300;          // of a distribution [px]
-constexpr double kDeg = 180 / std::numbers::pi;
 /// Colour-blind safe (Okabe and Ito), those that show on white.
 constexpr std::size_t kColours = 7;
 constexpr std::string_view kStyle = R"css(
@@ -59,8 +58,8 @@ std::string words(const Poles& poles) {
     const kinematics::FisherStatistics statistics = kinematics::fisherStatistics(poles.normals);
     const auto [dip, direction] = dipOf(statistics.mean);
     std::string line = poles.set + ": " + std::to_string(poles.normals.size()) +
-                       (poles.normals.size() == 1 ? " pole, " : " poles, mean ") + text(dip * kDeg, 0) + "/" +
-                       text(direction * kDeg, 0);
+                       (poles.normals.size() == 1 ? " pole, " : " poles, mean ") + text(degrees(dip), 0) +
+                       "/" + text(degrees(direction), 0);
     if (statistics.k) line += ", K " + text(*statistics.k, 1);
     return line;
 }
@@ -135,7 +134,7 @@ std::string stereonetSvg(const std::vector<formats::RockJoint>& joints, std::str
             if (!drawn.emplace(std::lround(100 * at.x), std::lround(100 * at.y)).second) continue;
             const auto [dip, direction] = dipOf(normal);
             svg.symbol("circle", at, 4, "pole " + number("set", s),
-                       sets[s].set + " " + text(dip * kDeg, 1) + "/" + text(direction * kDeg, 1));
+                       sets[s].set + " " + text(degrees(dip), 1) + "/" + text(degrees(direction), 1));
         }
         const double left = 2 * (kMargin + kNet) + 20;
         svg.symbol("circle", {left, line - 4}, 5, "pole " + number("set", s));

@@ -1,4 +1,5 @@
 #include "report/net.h"
+#include "talus/angles.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -8,7 +9,6 @@ namespace talus::tools {
 
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180;
 constexpr int kPieces = 180;  ///< straight pieces of a curve
 
 }  // namespace
@@ -60,18 +60,19 @@ std::vector<Spot> Net::cone(double angle) const {
     std::vector<Spot> spots;
     const double r = radius_ * radiusOf(angle);
     for (int k = 0; k <= kPieces; ++k)
-        spots.push_back({middle_.x + r * std::cos(2 * k * kDeg), middle_.y + r * std::sin(2 * k * kDeg)});
+        spots.push_back(
+            {middle_.x + r * std::cos(2 * k * kDegree), middle_.y + r * std::sin(2 * k * kDegree)});
     return spots;
 }
 
 void Net::draw(SvgWriter& svg, const std::string& words) const {
-    for (const double angle : {30.0, 60.0}) svg.shape(cone(angle * kDeg), true, "grid");
+    for (const double angle : {30.0, 60.0}) svg.shape(cone(angle * kDegree), true, "grid");
     for (int k = 0; k < 4; ++k) {
-        const double a = 45.0 * k * kDeg;
+        const double a = 45.0 * k * kDegree;
         svg.line({middle_.x - radius_ * std::cos(a), middle_.y - radius_ * std::sin(a)},
                  {middle_.x + radius_ * std::cos(a), middle_.y + radius_ * std::sin(a)}, "grid");
     }
-    svg.shape(cone(90 * kDeg), true, "frame");
+    svg.shape(cone(90 * kDegree), true, "frame");
     svg.label({middle_.x, middle_.y - radius_ - 8}, "N", "middle", "caption");
     svg.label({middle_.x, middle_.y + radius_ + 20}, words, "middle", "small");
 }

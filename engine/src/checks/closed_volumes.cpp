@@ -1,7 +1,6 @@
 #include "checks/closed_volumes.h"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "measure/words.h"
 #include "model/over_time.h"
 #include "step/time_step.h"
+#include "talus/angles.h"
 
 namespace talus::checks {
 namespace {
@@ -25,7 +25,7 @@ std::optional<Error> openVolume(const State& state, std::size_t index) {
     const double filled = levelAt(water, 0);
     const bool runs_over = water.overflow < kInfinity && water.overflow > filled;
     const Enclosure enclosure = enclosureOf(state, index, runs_over ? water.overflow : filled);
-    const double dip_deg = enclosure.dip * 180 / std::numbers::pi;
+    const double dip_deg = degrees(enclosure.dip);
     if (dip_deg < kLeastDip)
         return Error{water.field + ".volume", "found a closed volume in a joint that dips by " +
                                                   formatted("%.3g", dip_deg) + " deg, allowed: at least " +

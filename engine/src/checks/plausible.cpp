@@ -15,6 +15,7 @@
 #include "measure/words.h"
 #include "state/incidence.h"
 #include "step/time_step.h"
+#include "talus/angles.h"
 
 namespace talus::checks {
 namespace {
@@ -92,11 +93,10 @@ std::vector<Error> dilatesTooMuch(const Model& model) {
     std::vector<Error> errors;
     for (const Joint& joint : model.joints) {
         if (joint.law == StrengthLaw::coulomb && joint.dilation > joint.friction) {
-            constexpr double kDegrees = 180 / M_PI;
             errors.push_back(
                 {fieldOf(joint, "dilation_deg"),
-                 "found " + formatted("%g", joint.dilation * kDegrees) + " with a friction angle of " +
-                     formatted("%g", joint.friction * kDegrees) +
+                 "found " + formatted("%g", degrees(joint.dilation)) + " with a friction angle of " +
+                     formatted("%g", degrees(joint.friction)) +
                      ": the joint would create energy as it slides, allowed: at most the friction angle"});
         }
     }

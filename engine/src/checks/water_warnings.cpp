@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "forces/phreatic.h"
 #include "forces/sum.h"
@@ -10,6 +9,7 @@
 #include "measure/words.h"
 #include "model/gravity.h"
 #include "state/block_motion.h"
+#include "talus/angles.h"
 
 namespace talus::checks {
 namespace {
@@ -54,7 +54,7 @@ const char* levelKey(const Water& water) {
 }
 
 std::string atTilt(const Model& model) {
-    const double tilt_deg = model.gravity.tilt * 180 / std::numbers::pi;
+    const double tilt_deg = degrees(model.gravity.tilt);
     return tilt_deg == 0 ? ""
                          : " (heights along gravity at a tilt of " + formatted("%.4g", tilt_deg) + " deg)";
 }

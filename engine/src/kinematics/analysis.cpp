@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "talus/angles.h"
 #include "talus/kinematics.h"
 #include "talus/rock_mass.h"
 
@@ -13,11 +14,10 @@ namespace talus::kinematics {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
-constexpr double kDeg = std::numbers::pi / 180;
 
 std::string degreesText(double angle) {
     char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.6g", angle / kDeg);
+    std::snprintf(buffer, sizeof buffer, "%.6g", degrees(angle));
     return buffer;
 }
 

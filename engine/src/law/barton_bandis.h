@@ -7,13 +7,13 @@
 #include <cmath>
 #include <vector>
 
+#include "talus/angles.h"
 #include "talus/joint_values.h"
 
 namespace talus::contact {
 
 struct BartonBandis {
     static constexpr bool kStraight = false;
-    static constexpr double kDegree = 3.14159265358979323846 / 180;
 
     static double strength(const Joint& joint, double normal_stress) {
         if (!(normal_stress > 0)) return 0;

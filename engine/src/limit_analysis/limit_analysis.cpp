@@ -16,6 +16,7 @@
 #include "model/gravity.h"
 #include "state/caller.h"
 #include "state/threads.h"
+#include "talus/angles.h"
 #include "talus/searches.h"
 
 namespace talus {
@@ -115,7 +116,7 @@ class LimitSearch {
 
     /// How much farther gravity can turn, with the water of this tilt; nothing where the solver gave up.
     std::optional<double> wayOn(double tilt, double least, double most, Side side) {
-        report("tilt " + formatted("%.4f deg", tilt * 180 / M_PI));
+        report("tilt " + formatted("%.4f deg", degrees(tilt)));
         const Loads present = loadsAt(tilt);
         const Vec3 now = bodyAcceleration(state_),
                    turning(now.z(), 0, -now.x());  // its derivative by the tilt

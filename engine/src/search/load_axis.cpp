@@ -4,11 +4,11 @@
 
 #include "law/joint_laws.h"
 #include "measure/words.h"
+#include "talus/angles.h"
 
 namespace talus::search {
 namespace {
 
-constexpr double kInDegrees = 180.0 / M_PI;
 // The driving force is at most the weight, and mostly a few tenths of it: a change of the strength by a share
 // amounts to at least a tenth of that share of the weight.
 constexpr double kLeastDriving = 0.1;
@@ -37,7 +37,7 @@ LoadAxis tiltAxis(const Model& model, const SearchRules& rules) {
     axis.loading.imbalance = axis.loading.cell;  // forces over weight change like the tilt [rad]
     axis.loading.apply = [](State& state, double tilt) { state.load.tilt = tilt; };
     axis.longest_step = rules.step_tilt;
-    axis.say = [](double tilt) { return formatted("tilt %.4f deg", kInDegrees * tilt); };
+    axis.say = [](double tilt) { return formatted("tilt %.4f deg", degrees(tilt)); };
     return axis;
 }
 

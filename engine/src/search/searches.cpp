@@ -8,12 +8,11 @@
 #include "checks/loose_blocks.h"
 #include "model/gravity.h"
 #include "state/caller.h"
+#include "talus/angles.h"
 
 namespace talus {
 
 namespace {
-
-constexpr double kDegree = 0.017453292519943295;  // [rad]
 
 std::optional<TheoryFigure> theoryOfTilt(const Model& model, const std::atomic<bool>*) {
     auto prediction = theory::predict(model);
@@ -89,8 +88,6 @@ std::optional<TheoryFigure> theoryOfAcceleration(const Model& model, const std::
     return TheoryFigure{(1 - seismic.vertical) * std::tan(more), std::move(*prediction)};
 }
 
-constexpr double inDegrees(double radians) { return radians / kDegree; }
-
 /// A search of the tilted model starts and ends where it did.
 void tilt(Model& model, double value) {
     model.analysis.start = model.analysis.start.value_or(model.gravity.tilt);
@@ -109,15 +106,15 @@ std::optional<double> directionAlong(const Model& m) {
 constexpr std::array kTiltWritten{
     ScenarioNumber{"analysis", "start_deg", -1,
                    [](const Model& m) -> std::optional<double> {
-                       return inDegrees(m.analysis.start.value_or(m.gravity.tilt) - turnedInto(m));
+                       return degrees(m.analysis.start.value_or(m.gravity.tilt) - turnedInto(m));
                    }},
     ScenarioNumber{
         "analysis", "stop_deg", -1,
-        [](const Model& m) -> std::optional<double> { return inDegrees(m.analysis.stop - turnedInto(m)); }},
+        [](const Model& m) -> std::optional<double> { return degrees(m.analysis.stop - turnedInto(m)); }},
     ScenarioNumber{"gravity", "tilt_deg", -1,
                    [](const Model& m) -> std::optional<double> {
                        if (m.gravity.direction) return std::nullopt;
-                       return inDegrees(m.gravity.tilt);
+                       return degrees(m.gravity.tilt);
                    }},
     ScenarioNumber{"gravity", "direction", 0, directionAlong<0>},
     ScenarioNumber{"gravity", "direction", 1, directionAlong<1>},

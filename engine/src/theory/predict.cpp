@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "measure/natural_order.h"
+#include "talus/angles.h"
 #include "talus/theory.h"
 #include "theory/mechanisms.h"
 #include "theory/section.h"
@@ -15,7 +16,6 @@ namespace {
 
 constexpr double kJustBelow = 1e-6;      ///< the model must stand this much below its critical tilt [rad]
 constexpr double kSteepest = 1.5533430;  ///< 89 deg: beyond it "tilt" means nothing [rad]
-constexpr double kDegree = 0.017453292519943295;
 
 std::string number(double value) {
     char text[32];
@@ -38,7 +38,7 @@ std::string massName(const Section& section, const Mechanism& mechanism) {
 std::string slidingFormula(const Mass& mass, const Body& toe) {
     const double uplift = toe.uplift;  // only a single block has any
     const bool lifted = uplift > 0;
-    const std::string friction = "phi = " + number(std::atan(toe.tan_friction) / kDegree) + " deg";
+    const std::string friction = "phi = " + number(degrees(std::atan(toe.tan_friction))) + " deg";
     const std::string thrust = ", V = " + kilonewtons(mass.thrust) + " (water thrust over cos(beta))";
     const std::string forces = friction + ", W = " + kilonewtons(mass.weight) +
                                (mass.thrust != 0 ? thrust : "") +

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <utility>
 
+#include "talus/angles.h"
 #include "talus/formats/csv.h"
 
 namespace talus::formats {
@@ -17,7 +18,6 @@ namespace {
 
 constexpr std::string_view kFirstLine = "# talus history\n";
 constexpr std::string_view kLastLine = "# end: ";
-constexpr double kDegree = 0.017453292519943295;  // [rad]
 
 /// Shortest text that reads back to the same bits.
 void appendNumber(std::string& line, double value) {

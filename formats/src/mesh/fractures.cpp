@@ -1,9 +1,9 @@
 #include "talus/formats/fractures.h"
 
 #include <array>
-#include <numbers>
 
 #include "mesh/plane_table.h"
+#include "talus/angles.h"
 #include "talus/formats/csv.h"
 #include "toml/file_text.h"
 #include "toml/wording.h"
@@ -14,8 +14,6 @@ namespace {
 
 using toml::numberText;
 using enum PlaneColumn;
-
-constexpr double kDeg = std::numbers::pi / 180;
 
 /// How a table may state the size of a disc. A trace is taken as a chord through the centre: the smallest
 /// disc that has it.
@@ -56,7 +54,7 @@ std::string fracturesCsv(const std::vector<std::pair<std::string, Fracture>>& fr
     std::string text = "x_m,y_m,z_m,dip_deg,dip_direction_deg,radius_m,set\n";
     for (const auto& [set, f] : fractures) {
         for (const double value :
-             {f.centre.x(), f.centre.y(), f.centre.z(), f.dip / kDeg, f.dip_direction / kDeg, f.radius})
+             {f.centre.x(), f.centre.y(), f.centre.z(), f.dip / kDegree, f.dip_direction / kDegree, f.radius})
             text += numberText(value) + ",";
         text += csvField(set) + "\n";
     }

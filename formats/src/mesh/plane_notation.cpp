@@ -2,18 +2,17 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "files/csv_line.h"
 #include "files/number.h"
+#include "talus/angles.h"
 
 namespace talus::formats {
 
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180;
 constexpr double kTellsNothing = 0.2;  ///< cos: within some 11 degrees of the strike no side is meant
 constexpr std::array<std::pair<std::string_view, double>, 8> kCompass{
     {{"N", 0}, {"NE", 45}, {"E", 90}, {"SE", 135}, {"S", 180}, {"SW", 225}, {"W", 270}, {"NW", 315}}};
@@ -103,7 +102,7 @@ std::optional<QuadrantDip> quadrantDip(std::string_view text) {
 }
 
 std::optional<double> dipDirectionTowards(double strike, double towards) {
-    const double side = std::cos((strike + 90 - towards) * kDeg);
+    const double side = std::cos((strike + 90 - towards) * kDegree);
     if (std::abs(side) < kTellsNothing) return std::nullopt;
     return turned(strike + (side > 0 ? 90 : -90));
 }

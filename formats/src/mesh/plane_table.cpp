@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "files/number.h"
 #include "mesh/plane_notation.h"
+#include "talus/angles.h"
 #include "talus/formats/csv.h"
 #include "talus/fractures.h"
 #include "talus/rock_mass.h"
@@ -17,9 +17,8 @@ namespace {
 
 using toml::numberText;
 
-constexpr double kDeg = std::numbers::pi / 180;
 /// Two notations of one plane may differ by the rounding of both to whole degrees, not by more.
-constexpr double kNotationsAgree = 2 * kDeg;
+constexpr double kNotationsAgree = 2 * kDegree;
 
 /// A column: what it is called here, its unit, what else people call it, and what it may hold.
 struct Column {
@@ -178,7 +177,7 @@ std::optional<double> PlaneTable::number(PlaneColumn column) {
 std::optional<Orientation> PlaneTable::byDipDirection() {
     const auto angle = number(dip), towards = number(dip_direction);
     if (!angle || !towards) return std::nullopt;
-    return Orientation{*angle * kDeg, *towards * kDeg};
+    return Orientation{*angle * kDegree, *towards * kDegree};
 }
 
 /// By the right-hand rule, the dip direction 90 degrees clockwise of the strike; or with the quadrant towards
@@ -196,11 +195,12 @@ std::optional<Orientation> PlaneTable::byStrike() {
                   dip);
         }
         if (!angle || quadrant) return std::nullopt;
-        return Orientation{*angle * kDeg, turned(*bearing + 90) * kDeg};
+        return Orientation{*angle * kDegree, turned(*bearing + 90) * kDegree};
     }
     const auto angle = numberIn(with_side->number);
     const auto towards = dipDirectionTowards(*bearing, with_side->towards);
-    if (angle && *angle >= 0 && *angle <= 90 && towards) return Orientation{*angle * kDeg, *towards * kDeg};
+    if (angle && *angle >= 0 && *angle <= 90 && towards)
+        return Orientation{*angle * kDegree, *towards * kDegree};
     fault("found dip " + toml::quoted(text(dip)) + " with the strike " + toml::quoted(text(strike)) +
               ", allowed: 0 to 90 with a side that is not the strike's own, such as 45SE with N45E",
           dip);
@@ -210,7 +210,7 @@ std::optional<Orientation> PlaneTable::byStrike() {
 std::optional<Orientation> PlaneTable::byPole() {
     const auto towards = number(trend), down = number(plunge);
     if (!towards || !down) return std::nullopt;
-    return Orientation{(90 - *down) * kDeg, turned(*towards + 180) * kDeg};
+    return Orientation{(90 - *down) * kDegree, turned(*towards + 180) * kDegree};
 }
 
 std::optional<Orientation> PlaneTable::byNormal() {

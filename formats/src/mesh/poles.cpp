@@ -1,9 +1,9 @@
 #include "talus/formats/poles.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "mesh/plane_table.h"
+#include "talus/angles.h"
 #include "talus/formats/csv.h"
 #include "talus/rock_mass.h"
 #include "toml/file_text.h"
@@ -14,12 +14,11 @@ namespace {
 
 using enum PlaneColumn;
 
-constexpr double kDeg = std::numbers::pi / 180;
 /// Rows and their quantities together; far more than can be tested in pairs.
 constexpr std::size_t kMostMeasured = 1'000'000;
 
 Vec3 lineTowards(double trend_deg, double plunge_deg) {
-    const double trend_rad = trend_deg * kDeg, plunge_rad = plunge_deg * kDeg;
+    const double trend_rad = trend_deg * kDegree, plunge_rad = plunge_deg * kDegree;
     return {std::cos(plunge_rad) * std::sin(trend_rad), std::cos(plunge_rad) * std::cos(trend_rad),
             -std::sin(plunge_rad)};
 }

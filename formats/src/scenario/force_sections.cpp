@@ -7,6 +7,7 @@
 
 #include "scenario/ground_motion.h"
 #include "scenario/places.h"
+#include "talus/angles.h"
 #include "talus/bolts.h"
 
 namespace talus::formats::scenario {
@@ -132,15 +133,14 @@ void readBolts(const ForceReader& from, Model& model) {
 }
 
 void readGrid(TableReader& table, BoltPattern& pattern) {
-    constexpr double kRadian = 0.017453292519943295;
     table.require({"box", "face", "spacing", "length", "plunge_deg", "trend_deg"});
     if (const auto box = readCorners(table, "box")) pattern.box_min = box->min, pattern.box_max = box->max;
     pattern.direction = readDirection(table, "face").value_or(pattern.direction);
     if (const auto spacing = table.numbers("spacing", kPositive, 2))
         pattern.spacing_along = (*spacing)[0], pattern.spacing_up = (*spacing)[1];
     pattern.length = table.number("length", kPositive).value_or(1);
-    pattern.plunge = kRadian * table.number("plunge_deg", {-90, 90, false, false}).value_or(0);
-    pattern.trend = kRadian * table.number("trend_deg", {-360, 360, false, false}).value_or(0);
+    pattern.plunge = kDegree * table.number("plunge_deg", {-90, 90, false, false}).value_or(0);
+    pattern.trend = kDegree * table.number("trend_deg", {-360, 360, false, false}).value_or(0);
 }
 
 void readBoltPatterns(const ForceReader& from, Model& model) {
