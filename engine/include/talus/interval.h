@@ -1,5 +1,5 @@
 #pragma once
-// Numbers that a quantity may be.
+// The allowed range of a quantity.
 
 #include <cmath>
 #include <limits>
@@ -25,7 +25,7 @@ struct Interval {
     static constexpr Interval notNegative() { return {.min = 0}; }
 };
 
-/// Numbers between two that a quantity hardly ever is, but often would be in another unit.
+/// Range of values that suggest another unit: rare in the quantity's own unit, common in that one.
 struct Slip {
     double above = 0, below = 0;
     std::string_view unit{};  ///< "g/cm3"

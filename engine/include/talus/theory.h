@@ -29,11 +29,11 @@ double factorOfSafetySliding(const SlidingMass& mass, double tilt);
 double criticalTiltToppling(double length, double height, double density, double water_depth,
                             double water_density = 1000);
 
-/// What the formulas say of a model, when they apply to it.
+/// The formulas' prediction for a model to which they apply.
 struct Prediction {
     double critical_tilt = 0;           ///< [rad]
     bool topples = false;               ///< else slides
-    std::string formula;                ///< which, with its numbers, for people
+    std::string formula;                ///< which, with its numbers, in words
     std::string applies_because;        ///< the assumptions met
     std::vector<std::string> blocks{};  ///< that move, sorted
 

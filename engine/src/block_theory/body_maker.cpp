@@ -16,7 +16,7 @@ std::uint64_t mixed(std::uint64_t block) {
 }
 
 constexpr double kRounding = 1e-9;  ///< of factors
-/// Turns in which a group takes along only those that it carries and that need it most; then all at once, for
+/// Rounds in which a group takes along only the carried blocks that need it most; then all at once, to save
 /// time.
 constexpr int kOneByOne = 30;
 
@@ -85,7 +85,7 @@ double BodyMaker::factorWithoutInside(std::size_t block) {
 }
 
 BodyMaker::Carried BodyMaker::carriedBy(const Group& group) {
-    constexpr std::size_t kMembersPerNeighbour = 8;  // marked in the time that a neighbour is judged
+    constexpr std::size_t kMembersPerNeighbour = 8;  // marked while a neighbour is judged
     work_left_ -= std::min(work_left_, group.members.size() / kMembersPerNeighbour);
     bodyOf(group.members);
     seen_.clear();
@@ -110,7 +110,7 @@ Group BodyMaker::settled(Group group, std::unordered_set<std::uint64_t>* known) 
         if (carried.empty()) return group;
         double least = kInfinity;
         for (const auto& [block, factor] : carried) least = std::min(least, factor);
-        // With those that need it most the group may be so weak that it carries no others.
+        // With the blocks that need it most the group may be too weak to carry others.
         const double most = turn < kOneByOne ? least * (1 + kRounding) : kInfinity;
         std::vector<std::size_t> members = group.members;
         seen_.clear();

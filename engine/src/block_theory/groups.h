@@ -14,7 +14,7 @@ struct GroupSearch {
     std::vector<Group> curve;        ///< those that carry no others, as VolumeFront keeps them
     std::size_t directions = 0;      ///< tried for every block
     std::size_t judged = 0;          ///< bodies, each once a direction
-    std::size_t left_out = 0;        ///< closures not looked at, for want of time
+    std::size_t left_out = 0;        ///< closures not visited, by the work limit
     std::size_t curve_left_out = 0;  ///< groups of the curve alone, likewise
     bool interrupted = false;
 };

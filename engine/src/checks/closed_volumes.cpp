@@ -13,11 +13,11 @@
 namespace talus::checks {
 namespace {
 
-// Of the larger side: by how much the walls of both sides may differ below the level. Joints of rock masses
-// that are cut block by block agree to some 1e-6; a neighbour that ends below the level lacks far more.
+// Share of the larger side by which the walls of the two sides may differ below the level. Joints cut block
+// by block agree to some 1e-6; a neighbour that ends below the level differs by far more.
 constexpr double kSameSides = 0.01;
-// [deg] In a flatter joint the surface of the water is more than six times as wide as its opening, and the
-// volume hangs on how level the table is.
+// [deg] In a flatter joint the water surface is more than six times as wide as the opening, and the volume
+// depends on small tilts of the table.
 constexpr double kLeastDip = 10;
 
 std::optional<Error> openVolume(const State& state, std::size_t index) {
@@ -39,8 +39,8 @@ std::optional<Error> openVolume(const State& state, std::size_t index) {
                                               "; allowed: a fissure with walls on both sides up to there"};
 }
 
-// Of the square of the highest frequency that bounds the time step. A step takes up to 0.85 of that bound, so
-// that a share of 0.38 more is where it becomes unstable.
+// Share of the squared highest frequency that bounds the time step. A step takes up to 0.85 of that bound, so
+// 0.38 more makes it unstable.
 constexpr double kStiff = 0.1;
 
 /// Sum of K / m over the blocks that bound a water. The level falls by a d / (b w) when one wall of area a

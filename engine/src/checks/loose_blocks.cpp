@@ -18,7 +18,7 @@
 namespace talus::checks {
 namespace {
 
-/// New index of each block, -1 for those that are gone.
+/// New index of each block, -1 for removed ones.
 std::vector<std::int32_t> renumbered(const std::vector<char>& gone) {
     std::vector<std::int32_t> index;
     std::int32_t next = 0;

@@ -16,10 +16,10 @@ struct FacePairLimits {
     double max_gap = 0;            ///< of the patch's nearest point [m]
     double max_overlap = 0;        ///< [m], positive; smaller than a block is thick
     double max_angle = 0;          ///< between the two planes [rad]
-    double min_area_share = 1e-6;  ///< of the smaller face; a patch of less is no interface
-    /// Share of the patch's size below which its corners are merged or straightened: two outlines that
-    /// coincide but for their elastic displacements would else give mid-edge corners, hence contact points,
-    /// that come and go.
+    double min_area_share = 1e-6;  ///< of the smaller face; a smaller patch is no interface
+    /// Share of the patch's size below which its corners are merged or straightened. Otherwise outlines that
+    /// differ only by elastic displacements would give corners, and so contact points, that appear and
+    /// vanish.
     double outline_tolerance = 1e-6;
 };
 

@@ -5,11 +5,12 @@
 namespace talus::equilibrium {
 namespace {
 
-// That a system is taken to need: iterations then take over at some 200 free blocks in space, in a tenth to a
-// quarter less time.
+// Iterations that a system is assumed to need: they then replace factors at some 200 free blocks in space,
+// with a tenth to a quarter less time.
 constexpr double kIterations = 15;
 constexpr int kDirectAfterFailure = 8;
-// Iterations after which complete factors are worth it, times kIterations; and the most where they are not.
+// Iterations, times kIterations, after which complete factors are cheaper; and the most iterations where they
+// are not.
 constexpr double kMostOfDirect = 30;
 constexpr std::size_t kMostIterations = 300;
 

@@ -14,10 +14,10 @@
 namespace talus::equilibrium {
 namespace {
 
-// Of eps |x| k A / (m g): what rounding of the coordinates leaves of the out-of-balance force, sums over
-// contact points included.
+// Times eps |x| k A / (m g): out-of-balance force by rounding of the coordinates, sums over contact points
+// included.
 constexpr double kRounding = 4;
-// Of a cell: the difference of loads from which the derivative by the load follows.
+// Of a cell: load difference for the derivative by the load.
 constexpr double kLoadDifference = 1e-3;
 
 }  // namespace
