@@ -8,7 +8,7 @@ namespace talus {
 namespace {
 
 // Sine below which two edges count as parallel: their cross product would be rounding. Any unit vector is a
-// valid axis, so a poor one can never report an overlap away; it only adds nothing.
+// valid axis, so a poor one cannot hide an overlap; it only finds nothing new.
 constexpr double kParallel = 1e-8;
 
 bool isParallel(const Vec3& a, const Vec3& b) { return a.cross(b).squaredNorm() < kParallel * kParallel; }

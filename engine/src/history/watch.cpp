@@ -67,7 +67,7 @@ bool Watch::closeWindow(const State& state, Settling& settling) {
         window_.mean() > limit_ && last_window_.samples > 0 && window_.motion > kSteady * last_window_.motion;
     const bool flat = steady && window_.most - window_.least < kFlat * window_.mean() &&
                       window_.mean() > (1.0 - kFlat) * last_window_.mean();
-    // The speed tells what the noise of the force hides: where a spring acts it falls, however slow the mode.
+    // The speed shows what the noise of the force hides: it falls where a spring acts, however slow the mode.
     const bool even = steady && last_window_.motion > 0 &&
                       std::abs(window_.motion - last_window_.motion) < kEven * last_window_.motion &&
                       window_.mean() > (1.0 - kLevel) * last_window_.mean();
@@ -108,7 +108,7 @@ void DragTuner::tune(State& state, double ratio, double slow_period) {
         stiffness -= u.dot(outOfBalance(state, b, g).force - force_[b]);
         inertia += u.squaredNorm() / state.blocks.inverse_mass[b];
     }
-    // Motion that meets no resistance is a failure, and needs its drag to stay free of rattle.
+    // Motion without resistance is a failure, and keeps its drag to stay free of chatter.
     const double slowest = kSlowestMotion * slow_period;
     const double period = stiffness > 0 ? 2.0 * M_PI * std::sqrt(inertia / stiffness) : kInfinity;
     setDrag(state, ratio, period < slowest ? std::max(period, slow_period) : slow_period);

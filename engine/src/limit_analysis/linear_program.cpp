@@ -115,8 +115,8 @@ Outcome LinearProgram::solveDual() {
     return outcomeOf(solver_->model) == Outcome::optimal ? solvePrimal() : outcomeOf(solver_->model);
 }
 
-/// Asked again until it has nothing left to do: now and then CLP stops short of the optimum where many bases
-/// give the same forces.
+/// Repeated until it makes no more steps: where many bases give the same forces, CLP sometimes stops before
+/// the optimum.
 Outcome LinearProgram::solvePrimal() {
     constexpr int kMostTimes = 5;
     if (!solver_->is_sound) return Outcome::failed;

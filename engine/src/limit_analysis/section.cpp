@@ -12,7 +12,7 @@ namespace {
 constexpr double kSame = 1e-7;   // of the length scale: places that are the same but for rounding
 constexpr double kEqual = 1e-9;  // of a weight
 
-/// A place as a whole number; the offset keeps places on a round grid from the border between two numbers.
+/// A place as a whole number; the offset keeps places on a round grid off the border between two numbers.
 std::int64_t cellOf(double place, double width) { return std::llround(place / width + 0.381966); }
 
 /// Which body of the section, and which slice, each body is.

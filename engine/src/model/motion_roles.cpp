@@ -7,9 +7,8 @@
 namespace talus {
 namespace {
 
-/// Diagonal of the box around the moving blocks: the length that makes a rotation comparable with a
-/// translation. A block that turns about a pivot within reach of the moving group topples; one whose pivot is
-/// far away slides.
+/// Diagonal of the box around the moving blocks: it makes a rotation comparable with a translation. A block
+/// that turns about a pivot within reach of the moving group topples; one whose pivot is far away slides.
 double movingExtent(const std::vector<BlockWay>& blocks, const std::vector<char>& moving) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     Vec3 low = Vec3::Constant(kFar), high = Vec3::Constant(-kFar);

@@ -1,4 +1,4 @@
-// Where the cuts of finite joints go on beyond the joints, through intact rock.
+// Rock bridges: where the cuts of finite joints continue beyond the joints, through intact rock.
 
 #include <algorithm>
 #include <map>
@@ -22,7 +22,7 @@ struct CutFace {
 
 /// The faces one joint made.
 struct Sides {
-    std::vector<CutFace> above, below;  ///< they look down on the joint's plane, and up
+    std::vector<CutFace> above, below;  ///< those that face down onto the joint's plane, and up
 };
 
 std::map<std::size_t, Reach> finiteJoints(const RockMass& description) {

@@ -1,6 +1,5 @@
 // Where a surface crosses itself: an edge that goes through the inside of a triangle, from one side to the
-// other. Two triangles in general position cross only so. What merely comes near (1e-9 of the extent) is left
-// alone.
+// other. Two triangles in general position cross only so. Near misses (1e-9 of the extent) do not count.
 
 #include <cmath>
 #include <optional>
@@ -14,7 +13,7 @@ namespace talus::rock_mass {
 namespace {
 
 constexpr double kNear = 1e-9;     // of the extent
-constexpr double kSlender = 1e3;   // times that: narrower triangles do not know their plane so well
+constexpr double kSlender = 1e3;   // times that: the plane of a narrower triangle is not known so well
 constexpr double kFolded = 1e-12;  // 1 + cosine of the angle between the normals of neighbours
 
 class Crossings {

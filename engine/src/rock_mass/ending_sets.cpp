@@ -18,7 +18,8 @@ constexpr double kParallel = 1e-6;                 // sine of the angle between 
 constexpr double kNarrow = 1e-9;                   // of the region's size: no rectangle
 constexpr std::uint64_t kStream = 0x656e64696e67;  // of random numbers that no other set has
 
-/// What lies between two planes of the other joint; one side is open at either end [m along its normal].
+/// A slab between two planes of the other joint; the first and last slab are open on one side [m along its
+/// normal].
 struct Slab {
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     std::int64_t number = 0;  ///< of the plane at its lower side; of the lowest slab one less than the first
@@ -122,7 +123,7 @@ class Ending {
         if (along.norm() < kParallel) return;  // a scattered one that follows the other joint
         const Vec3 strike = along.normalized(), up = plane.normal.cross(strike);
         const Vec3 centre = middle_ - plane.height(middle_) * plane.normal;
-        // Up the plane, heights across the other joint rise, or fall, in proportion.
+        // Up the plane, the distance from the other joint changes linearly.
         const double slope = across_.dot(up), at = across_.dot(centre);
         const double a = (slab.low - at) / slope, b = (slab.high - at) / slope;
         const double low = std::max(std::min(a, b), -reach_), high = std::min(std::max(a, b), reach_);
@@ -152,7 +153,7 @@ class Ending {
     const RockMass& description_;
     Vec3 across_ = Vec3::UnitZ();  ///< normal of the other joint
     Vec3 middle_ = Vec3::Zero();   ///< of the region's box [m]
-    double reach_ = 0;             ///< farther than anything of the region from there [m]
+    double reach_ = 0;             ///< farther than any point of the region from there [m]
     std::vector<SingleJoint> joints_;
 };
 

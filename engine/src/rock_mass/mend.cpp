@@ -99,7 +99,7 @@ class Mending {
         return all;
     }
 
-    /// In each piece as most of it does.
+    /// In each piece to the side of its majority.
     void faceAlike() {
         const auto beside = neighbours();
         enum class Sense : std::uint8_t { unknown, kept, turned };

@@ -65,8 +65,8 @@ class Repair {
             for (std::int32_t& corner : triangle) corner = same[static_cast<std::size_t>(corner)];
     }
 
-    /// What is no wider than the tolerance (twice its area over its longest side). The two triangles beside
-    /// such a one then meet in its corners, or in a T-junction.
+    /// Triangles no wider than the tolerance (twice the area over the longest side). The two triangles beside
+    /// such a one then meet at its corners, or in a T-junction.
     void dropNarrow() {
         keepIf([&](std::size_t t) {
             const auto& [a, b, c] = result_.surface.triangles[t];
@@ -107,7 +107,7 @@ class Repair {
         bool any = false;
         std::vector<bool> divided(result_.surface.triangles.size());
         for (const OpenEdge& edge : open) {
-            if (divided[edge.triangle]) continue;  // its other edges are another round's
+            if (divided[edge.triangle]) continue;  // its other edges are treated in another round
             const auto between = cornersOn(edge, corners);
             if (between.empty()) continue;
             divided[edge.triangle] = any = true;

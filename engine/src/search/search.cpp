@@ -24,7 +24,7 @@ using checks::areTied, checks::freeMass, checks::kMostLoose, checks::looseShare,
     checks::movingBlocks, checks::touchesSomething, checks::withoutBlocks;
 using equilibrium::Released;
 
-// Failure displacements that every answer is told for.
+// Failure displacements for which every answer is reported.
 constexpr std::array kDisplacements{1e-4, 3e-4, 1e-3, 3e-3, 1e-2};
 constexpr double kStrongest = 0.1;  // of the factors tried
 
@@ -252,7 +252,7 @@ bool Search::raiseTo(Course& course, double target) {
     Followed followed = followPath(path, axis(), follow);
     effort(path);
     const bool stands = followed.result == PathResult::reached;
-    if (course.is_followed) {  // the way to the scenario's own strength comes before
+    if (course.is_followed) {  // the path to the scenario's own strength comes before
         const auto prepend = [](auto& before, auto& after) {
             before.insert(before.end(), after.begin(), after.end());
             after = std::move(before);
@@ -267,7 +267,7 @@ bool Search::raiseTo(Course& course, double target) {
 }
 
 double Search::progressOf(double load, double from, double target) {
-    // Most searches end long before their target: the bar slows down and never stands.
+    // Most searches end long before their target: the progress bar slows down and never stops.
     const double way = std::abs(load - from) / std::max(0.1 * std::abs(target - from), 0.2);
     return way / (1 + way);
 }

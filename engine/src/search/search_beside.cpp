@@ -20,13 +20,13 @@ namespace {
 using checks::areTied, checks::freeMass, checks::massOf, checks::movingBlocks, checks::numbersOf;
 using equilibrium::Released;
 
-// Of the answer: what elastic joints change by less is as good as with rigid ones.
+// Of the answer: a smaller effect of elastic joints is negligible.
 constexpr double kElasticEffect = 0.01;
 // Of the block size: blocks that move by less before they fail change lever arms by less than that share.
 constexpr double kLeans = 1e-3;
-// Factorisations that an answer beside the answer may take beyond those of the answer: next to no time.
+// Factorisations that a secondary answer may take beyond those of the answer: negligible time.
 constexpr std::int64_t kLeastEffort = 1000;
-constexpr double kStiffer = 10;  // what users try to see whether stiffness matters
+constexpr double kStiffer = 10;  // usual variation of stiffness in sensitivity studies
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void Search::addGroups(Course& course) {
         auto before = path.place();
         if (equilibrium::release(path, load, path.parting(), displacements_[counts_] + rules_.jolt) !=
             Released::rests) {
-            // What does not stand without them goes with them.
+            // Blocks that are unstable without them fail with them.
             going = movingBlocks(before.state, path.state());
             BlockGroup also = groupOf(going, load);
             BlockGroup& last = result_.groups.back();

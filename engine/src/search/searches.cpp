@@ -48,8 +48,8 @@ class ReducedTheory {
 };
 
 /// The strength reduction at which the predicted critical tilt is the model's own tilt. Nothing where no
-/// formula applies, and nothing where overturning decides: strength has no part in that. The formulas may be
-/// silent for strong joints (columns lean) and for weak ones (water pushes uphill), so the first factor that
+/// formula applies, or where overturning governs, which does not depend on strength. The formulas may not
+/// apply to strong joints (columns lean) or to weak ones (water pushes uphill), so the first factor that
 /// slides is sought upwards.
 std::optional<TheoryFigure> theoryOfFactor(const Model& model, const std::atomic<bool>* stop) {
     constexpr double kLowest = 0.02, kHighest = 50, kRatio = 1.05;
@@ -97,7 +97,7 @@ void tilt(Model& model, double value) {
     model.gravity.tilt = value;
 }
 
-/// What a scenario with `gravity.direction` has turned into that.
+/// A value derived from a scenario's `gravity.direction`.
 double turnedInto(const Model& m) { return m.gravity.direction ? m.gravity.tilt : 0.0; }
 
 template <int Axis>

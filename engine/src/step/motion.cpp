@@ -68,7 +68,7 @@ void gather(State& state, Range range, double dt) {
 }
 
 void gatherAndDrift(State& state, Range range, double dt) {
-    // Blocks: what the first pass brought in is still in the second cache for the other.
+    // Blocks per piece: those loaded by the first pass are still in the second-level cache for the other.
     constexpr std::size_t kPiece = 512;
     const MotionView view = motionView(state, dt);
     for (std::size_t begin = range.begin; begin < range.end; begin += kPiece) {

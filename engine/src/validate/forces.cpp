@@ -16,19 +16,19 @@ namespace {
 constexpr double kSame = 1e-9;    // of the sum of magnitudes
 constexpr double kPlace = 1e-10;  // of the patch's size: rounding of places, which stiffness makes a force
 
-/// What the contact points of an interface add up to.
+/// Sums over the contact points of an interface.
 struct PointSum {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< on b; about the interface's origin [N, N m]
     double magnitude = 0;                              ///< of the forces, all of one sign [N]
     double energy = 0;                                 ///< of the springs' lengths [J]
     double rounding = 0;                               ///< of that, from the rounding of places [J]
-    bool dilates = false;  ///< it may have slipped, which the next call of the law feels
+    bool dilates = false;  ///< it may have slipped, which affects the next call of the law
 };
 
 double affineAt(const Vec3& f, const Eigen::Vector2d& at) { return f.x() + at.x() * f.y() + at.y() * f.z(); }
 
-/// What it takes to bring a closed contact point's springs to the lengths they have [J]: not by way of their
-/// forces, which elasticEnergy takes. Where strength cuts a force, that tells the length.
+/// Energy to bring a closed contact point's springs to their lengths [J], independent of their forces, which
+/// elasticEnergy uses. Where strength limits a force, the limit gives the length.
 double normalEnergy(const contact::JointLaw& law, const ContactPoint& point) {
     const contact::PointForce& force = point.force;
     if (force.open) return 0;
