@@ -9,7 +9,7 @@
 
 namespace talus::mcap {
 
-/// What the file holds so far; a file that is continued starts from what a reader found in it.
+/// Content of the file so far; a continued file starts from what a reader found in it.
 struct Written {
     std::uint64_t size = 0;      ///< [bytes]
     std::uint32_t data_crc = 0;  ///< of all of them

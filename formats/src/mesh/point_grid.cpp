@@ -174,8 +174,8 @@ class Thinner {
                 if (!isOfLargest(r, c)) return empty(r * grid_.columns + c);
     }
 
-    /// Where four squares meet and only two opposite ones are whole, the surface would hang together in a
-    /// point. \return whether there was such a place
+    /// Where four squares meet and only two opposite ones are whole, the surface would be joined in a point
+    /// only. \return whether there was such a place
     bool partCorners() {
         bool any = false;
         for (std::size_t row = 1; row + 1 < grid_.rows; ++row)

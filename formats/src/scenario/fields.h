@@ -27,7 +27,7 @@ struct NumberField {
 // Geotechnical centrifuges reach some 1000 g.
 inline constexpr Interval kGravity{0, 1e5};
 inline constexpr Slip kGravitySlip{9700, 9900, "mm/s^2"};
-// The lightest blocks anybody piles are of foam, 10 kg/m^3; osmium has 22590.
+// The lightest model blocks are of foam, 10 kg/m^3; osmium has 22590.
 inline constexpr Interval kDensity{10, 30000};
 inline constexpr Slip kDensitySlip{0, 100, "g/cm3, t/m3 or kN/m3"};
 // From gases to mercury (13546).

@@ -14,7 +14,8 @@ namespace talus::formats {
 namespace scenario {
 namespace {
 
-/// What a field stands for in a model. `put` takes the value in the file's unit and says whether it could.
+/// The target of a field in a model. `put` takes the value in the file's unit and returns whether it is
+/// allowed.
 struct Target {
     Interval allowed;
     std::function<bool(Scenario&, double)> put;
@@ -34,8 +35,8 @@ void settle(Scenario& scenario, std::size_t base) {
     }
 }
 
-/// Not the friction that bed levels are compared with, which decides whether they are joints of their own;
-/// nor a joint that others are mixed of.
+/// Not the friction that decides whether bed levels have their own joints; nor a joint from which others are
+/// mixed.
 std::optional<Target> jointTarget(const Scenario& scenario, const JointField& field) {
     const auto p = jointProperty(field.key);
     const auto& joints = scenario.model.joints;

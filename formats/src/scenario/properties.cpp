@@ -75,7 +75,7 @@ std::vector<EnvelopePoint> readEnvelope(Report& report, TableReader& table) {
     return envelope;
 }
 
-/// Nothing when it is none that there is.
+/// Nothing when there is no such one.
 std::optional<StrengthLaw> readLaw(TableReader& table) {
     static const std::vector<std::string> names(kStrengthLawNames.begin(), kStrengthLawNames.end());
     if (!table.has(kLaw)) return StrengthLaw::coulomb;
@@ -193,7 +193,7 @@ std::int32_t Joints::withBridge(std::int32_t base, std::int32_t rock, double sha
                                     ? std::atan((1 - part) * std::tan(own) + part * std::tan(of_rock))
                                     : (1 - part) * own + part * of_rock;
     }
-    // The share without a peak has none to lose: what there is of it softens as where it is.
+    // The part without peak strength has none to lose: the mixture softens as the part that has one.
     joint.softening_displacement =
         std::max(joints_[index].softening_displacement, joints_[other].softening_displacement);
     return derive(base, JointOrigin::Kind::bridge, JointProperties{}.set(), std::move(joint));

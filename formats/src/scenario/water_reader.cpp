@@ -14,8 +14,8 @@ namespace talus::formats::scenario {
 namespace {
 
 // [m]: joints of rock masses that open wider run dry in time histories unless an entry says otherwise. Stiff
-// joints open by some hundredths of a millimetre before anything moves; water held behind a block that is on
-// its way would shoot it off.
+// joints open by some hundredths of a millimetre before failure; water kept behind a moving block would eject
+// it.
 constexpr double kOpenRock = 1e-3;
 
 void readLevel(Report& report, TableReader& table, const std::vector<std::string>& kinds, Water& water) {

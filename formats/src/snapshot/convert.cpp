@@ -127,7 +127,7 @@ constexpr const char* kTypeName<fb::Frame> = "talus.snapshot.Frame";
 template <>
 constexpr const char* kTypeName<fb::Full> = "talus.snapshot.Full";
 
-/// The message where it lies; nullptr when its bytes are not one.
+/// The message in place; nullptr when its bytes are not one.
 template <class Table>
 const Table* verified(const mcap::Bytes& bytes) {
     flatbuffers::Verifier verifier(bytes.data(), bytes.size());
@@ -255,7 +255,7 @@ bool putValues(const std::vector<double>& values, std::string_view key, std::vec
     return true;
 }
 
-/// What an older file does not have stays as Joint{} has it; what a later one has beside is left.
+/// Values missing in an older file keep the defaults of Joint{}; unknown ones of a later file are ignored.
 bool fromMessage(const fb::JointsT& m, std::vector<Joint>& joints) {
     for (const std::string& name : m.name) joints.emplace_back().name = name;
     for (const JointColumn& column : kJointColumns)

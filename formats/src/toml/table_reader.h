@@ -39,7 +39,7 @@ struct FieldNode {
     Node node;
 };
 
-// One node each; `field` names it in messages. A number that looks like a slip in the unit is told so: beside
+// One node each; `field` names it in messages. A number that looks like another unit is reported so: beside
 // the fault, or as a warning where it is allowed.
 std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Interval& range,
                                  const Slip& slip = {});
@@ -50,7 +50,7 @@ std::optional<std::vector<double>> readNumbers(Report& report, Node node, const 
                                                const Interval& range, std::optional<std::size_t> length);
 std::optional<Vec3> readVector(Report& report, Node node, const std::string& field, const Interval& range);
 
-/// Writes down what is asked, where somebody listens.
+/// Records the query, if wanted.
 template <class What>
 void ask(Report& report, const std::string& field, const What& what) {
     if (report.questions() != nullptr) report.questions()->ask(field, what());

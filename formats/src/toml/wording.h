@@ -1,5 +1,5 @@
 #pragma once
-// How messages word what was found and what is allowed.
+// Wording of found and allowed values in messages.
 
 #include <optional>
 #include <string>
