@@ -14,10 +14,10 @@ namespace talus::tools {
 
 namespace {
 
-/// Stronger failures are not drawn, unless there are no others: of use is what lies near 1.
+/// Failures of larger factors are not drawn, unless there are no others: factors near 1 matter.
 constexpr double kMostDrawn = 5;
 constexpr double kFromZero = 0.5, kBelow = 0.95;  ///< a curve above this factor is drawn from near its least
-constexpr std::size_t kShortCurve = 12;           ///< points that a table shows all of
+constexpr std::size_t kShortCurve = 12;           ///< curves of up to so many points are shown in full
 constexpr double kWiden = 1.15;                   ///< of the volumes, beyond the ends of the curve
 
 Json direction(const Vec3& direction) { return direction.norm() > 0 ? vector(direction) : Json(nullptr); }

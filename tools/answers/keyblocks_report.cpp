@@ -41,7 +41,7 @@ Json planeJson(const SlidingPlane& plane) {
             {"resistance_n", number(plane.resistance)}};
 }
 
-/// What a block alone and a group have in common.
+/// Common part of a single block and a group.
 void addSliding(const Sliding& sliding, double volume, double mass, Json& json) {
     const bool moves = sliding.mode != SlidingMode::none;
     const Line line = lineOf(sliding.direction);

@@ -38,7 +38,7 @@ Json watchJson(const RunResult& result) {
     return watch;
 }
 
-/// Of every block that moves; the farthest is the figure one asks for after an earthquake.
+/// Displacement of every block that moves; the largest is the usual result after an earthquake.
 Json displacementsJson(const formats::Scenario& scenario, const RunResult& result) {
     Json all = Json::object();
     for (std::size_t b = 0; b < result.displacements.size(); ++b)

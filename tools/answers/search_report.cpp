@@ -163,8 +163,7 @@ Json theoryJson(const SearchReport& report) {
             {"applies_because", prediction.applies_because}};
 }
 
-/// What a formula says of this load; where none recognises the model, block theory. Null where neither
-/// applies.
+/// The load by a closed formula; where none applies, by block theory. Null where neither applies.
 Json limitEquilibriumJson(const SearchReport& report) {
     if (!report.theory && report.result.limit_equilibrium) {
         const LimitEquilibrium& limit = *report.result.limit_equilibrium;
@@ -273,7 +272,7 @@ Json searchJson(const SearchReport& report) {
 std::string searchText(const SearchReport& report, bool verbose) {
     const SearchResult& result = report.result;
     std::string table = row({"scenario", report.scenario.path}) + rows(answerLines(report));
-    // Without an answer there is nothing beside it.
+    // Without an answer there are no secondary results.
     if (!wasInterrupted(result))
         table += rows(besideLines(report)) + rows(intervalLines(report)) + rows(failureLines(report));
     table += rows(groupLines(report)) + rows(supportLines(report)) + row({"model", sizeText(result)}) +

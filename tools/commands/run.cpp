@@ -1,4 +1,4 @@
-// talus run: time history of a scenario, or of one that was begun earlier and goes on.
+// talus run: time history of a scenario, new or resumed.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -39,7 +39,7 @@ const char* describe(InitialState start) {
     return "starts unstressed: weight and water are applied at once\n";
 }
 
-/// Which water runs out, and when: in rock masses also without being asked.
+/// Which water drains, and when: in rock masses also by default.
 std::string drainsText(const Model& model) {
     std::string lines;
     const auto add = [&](const std::string& field, double aperture) {

@@ -1,4 +1,4 @@
-// talus verification: every row of bench/verification/rows.csv computed again, beside what it should be.
+// talus verification: every row of bench/verification/rows.csv computed again, beside its reference.
 
 #include <CLI/CLI.hpp>
 #include <chrono>

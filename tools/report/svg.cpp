@@ -60,7 +60,7 @@ struct Scale {
         return from + (value - low()) / (high() - low()) * (to - from);
     }
 
-    /// Where there are ticks, and what stands there.
+    /// Places and labels of ticks.
     std::vector<std::pair<double, std::string>> ticks() const {
         if (axis.logarithmic) return decades();
         std::vector<std::pair<double, std::string>> ticks;

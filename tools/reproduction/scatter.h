@@ -29,7 +29,7 @@ struct Scatter {
 };
 
 /// Computes `samples` samples of bench/paper/sweeps/laboratory-scatter.toml in `folder`, where sweep,
-/// scenario and rows stay: the same call goes on where it was stopped. Throws FileRefused, BadInput.
+/// scenario and rows stay: the same call continues where it was stopped. Throws FileRefused, BadInput.
 Scatter computeScatter(std::uint64_t samples, const std::string& folder, const Common& common);
 
 Json scatterJson(const Scatter& scatter);

@@ -22,7 +22,7 @@ const char* motionName(Motion motion) {
     return motion == Motion::fixed ? "fixed" : motion == Motion::driven ? "driven" : "free";
 }
 
-/// What becomes of each block: "fails", "fails as group 2", "failed before", "stands".
+/// Outcome of each block: "fails", "fails as group 2", "failed before", "stands".
 std::unordered_map<std::string, std::string> fates(const SearchResult& result) {
     std::unordered_map<std::string, std::string> fates;
     for (const std::string& name : leftOut(result)) fates[name] = "failed before";

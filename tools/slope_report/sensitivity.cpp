@@ -15,8 +15,7 @@ namespace talus::tools {
 
 namespace {
 
-/// What strength reduction divides, but no cohesion: the tangents of friction angles, and the factors of laws
-/// that are curves.
+/// Strength without cohesion: the tangents of friction angles, and the factors of laws that are curves.
 void changeFriction(Model& model, double factor) {
     for (Joint& joint : model.joints)
         for (const JointProperty& property : kJointProperties) {

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 bool isStopped(const Control& control) { return control.stop != nullptr && control.stop->load(); }
 
-/// As talus kinematics, whose faults say here why there is no stereonet.
+/// As talus kinematics; its faults are the reason for a missing stereonet.
 void addKinematics(const formats::Scenario& scenario, const SlopeReportRequest& request,
                    SlopeReport& report) {
     const auto face = netFace(scenario, request.slope);
