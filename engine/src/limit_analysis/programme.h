@@ -2,10 +2,9 @@
 // The linear programme of an assembly under given loads.
 //
 //   rows      three or six equations a body (over its weight, torques over its weight and radius too), so
-//   that all numbers
-//             are of size one; a lighter body than a thousandth of the mean counts as that heavy
+//             that all numbers are of size one; the least weight counted is a thousandth of the mean
 //             one limit a point with cohesion
-//   columns the lack of balance, a pair of signs for each equation
+//   columns   the lack of balance, a pair of signs for each equation
 //             the growing load's multiplier
 //             the pull of each bolt, up to its strength
 //             forces along the edges of each point's pyramid, all pushing; with cohesion also its blunt end
