@@ -38,7 +38,7 @@ bool wantsJson(int argc, char** argv) {
                        [](const char* word) { return std::strcmp(word, "--json") == 0; });
 }
 
-/// Prints faults to both readers: lines for people on stderr, with --json an object for programs on stdout.
+/// Prints faults as text on stderr and, with --json, as an object on stdout.
 int report(const std::vector<Error>& errors, bool json, int exit_code) {
     for (const Error& error : errors) std::fprintf(stderr, "%s\n", formats::format(error).c_str());
     if (json) printJson(errorsJson(errors));
@@ -146,7 +146,7 @@ int runTool(int argc, char** argv, bool json) {
     return execute(commands);
 }
 
-/// What the environment asks for is had, or refused.
+/// Settings of the environment hold, or are refused.
 void checkInstructionSet() {
     const char* wanted = std::getenv(kInstructionSetVariable);
     if (wanted == nullptr || buildInfo().instruction_set == wanted) return;

@@ -1,5 +1,5 @@
-// Searches of more than a thousand free blocks, which let go what has too little mass to be the answer
-// without closing in on it.
+// Searches of more than a thousand free blocks, which remove failures of too little mass without refining
+// them.
 
 #include <doctest/doctest.h>
 
@@ -61,7 +61,7 @@ const Kind kKinds[] = {
 }  // namespace
 
 TEST_SUITE("slow: physics") {
-    TEST_CASE("of many blocks what has too little mass is let go near the load at which it slides") {
+    TEST_CASE("among many blocks one of too little mass is removed near the load at which it slides") {
         const std::vector<Slick> slick = {{24, 0.2}, {20, 0.1}, {28, 0.3}, {24.2, 0.05}};
         for (const Kind& kind : kKinds) {
             CAPTURE(kind.tilt);
@@ -75,11 +75,11 @@ TEST_SUITE("slow: physics") {
             CHECK(result.answer == doctest::Approx(kind.at(kFriction)).epsilon(0.002));
             CHECK(result.moving_blocks.size() == static_cast<std::size_t>(kRows * kColumns));
             std::vector<std::string> gone;
-            for (const BlockGroup& group : result.let_go)
+            for (const BlockGroup& group : result.removed_groups)
                 for (const std::string& name : group.blocks) {
                     CAPTURE(name);
                     const double exact = kind.at(slick[static_cast<std::size_t>(name[1] - '0')].friction);
-                    CHECK(group.low <= 1.002 * exact);  // as exactly as a search without letting go
+                    CHECK(group.low <= 1.002 * exact);  // as exactly as a search without removals
                     CHECK(group.high >= 0.998 * exact);
                     CHECK(group.high - group.low < 0.1 * exact);
                     gone.push_back(name);
@@ -89,7 +89,7 @@ TEST_SUITE("slow: physics") {
         }
     }
 
-    TEST_CASE("however coarse the bracket, and wherever it is interrupted, the search says what it knows") {
+    TEST_CASE("with any bracket and any interruption the search reports its results so far") {
         for (const Kind& kind : kKinds) {
             CAPTURE(kind.tilt);
             Model model = field({{20, 0.1}}, kind.tilt);
@@ -113,12 +113,12 @@ TEST_SUITE("slow: physics") {
                 CHECK((result.status == SearchStatus::interrupted ||
                        (!stop && result.status == SearchStatus::found)));
                 CHECK(result.low <= kind.at(kFriction));
-                CHECK(result.high >= kind.at(result.let_go.empty() ? 20 : kFriction));
+                CHECK(result.high >= kind.at(result.removed_groups.empty() ? 20 : kFriction));
             }
         }
     }
 
-    TEST_CASE("many small blocks that go together are the answer") {
+    TEST_CASE("many small blocks that fail together are the answer") {
         const std::vector<Slick> together(20, {25, 0.2});  // each has a thousandth of the mass
         for (const Kind& kind : kKinds) {
             CAPTURE(kind.tilt);

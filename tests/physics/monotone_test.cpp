@@ -1,5 +1,4 @@
-// More friction or cohesion never gives less safety, and what the joints' stiffness is does not matter as
-// long as they are stiff.
+// More friction or cohesion never gives less safety, and stiff joints give the same answer at any stiffness.
 
 #include <doctest/doctest.h>
 
@@ -197,7 +196,7 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("Alejano and Alonso's columns: what the ratio of the two stiffnesses is worth") {
+    TEST_CASE("Alejano and Alonso's columns: the effect of the ratio of the two stiffnesses") {
         const Model model = verification("alejano-alonso");
         for (const double ratio : {0.03, 0.1, 0.3, 1.0}) {
             const double factor = factorOf(model, 0, 1e12, ratio * 1e12);

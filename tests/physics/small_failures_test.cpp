@@ -1,4 +1,5 @@
-// Failures of too little mass to be the answer: they are let go, named, and the search goes on with the rest.
+// Failures of too little mass to be the answer: they are removed and named, and the search continues with the
+// rest.
 
 #include <doctest/doctest.h>
 
@@ -16,7 +17,7 @@ using namespace talus;
 using namespace talus::test;
 
 TEST_SUITE("physics") {
-    TEST_CASE("what fails and has too little mass to be the answer is let go, whatever is searched for") {
+    TEST_CASE("a failure of too little mass to be the answer is removed, in every search") {
         using Find = Result<SearchResult> (*)(const Model&, const Control&, const SearchRules&);
         struct Kind {
             Find find;
@@ -31,7 +32,7 @@ TEST_SUITE("physics") {
         const double friction[] = {35, 24, 20, 40}, size[] = {1, 0.3, 0.2, 1};
         struct Wanted {
             double share;
-            std::size_t answer, let_go;
+            std::size_t answer, removed_groups;
         };
         for (const Kind& kind : kinds) {
             std::uint64_t hash = 0;
@@ -51,23 +52,23 @@ TEST_SUITE("physics") {
                 const auto answer = [&](std::size_t k) {
                     return kind.answer(radians(friction[k]), radians(kind.tilt));
                 };
-                // With the last share what is left after that would not have the mass of an answer.
+                // With the last share the remaining blocks would have too little mass for an answer.
                 CHECK((result.status == SearchStatus::found));
                 CHECK(result.answer == doctest::Approx(answer(wanted.answer)).epsilon(0.001));
                 CHECK(result.moving_blocks == std::vector{"b" + std::to_string(wanted.answer)});
-                REQUIRE(result.let_go.size() == wanted.let_go);
-                for (std::size_t k = 0; k < wanted.let_go; ++k) {
-                    CHECK(result.let_go[k].factor == doctest::Approx(answer(2 - k)).epsilon(0.001));
-                    CHECK(result.let_go[k].blocks == std::vector{"b" + std::to_string(2 - k)});
+                REQUIRE(result.removed_groups.size() == wanted.removed_groups);
+                for (std::size_t k = 0; k < wanted.removed_groups; ++k) {
+                    CHECK(result.removed_groups[k].factor == doctest::Approx(answer(2 - k)).epsilon(0.001));
+                    CHECK(result.removed_groups[k].blocks == std::vector{"b" + std::to_string(2 - k)});
                 }
-                CHECK(leftOut(result).size() == wanted.let_go);
+                CHECK(leftOut(result).size() == wanted.removed_groups);
                 if (wanted.share == 0) hash = result.state_hash;
-                if (wanted.let_go == 0) CHECK(result.state_hash == hash);  // the same search
+                if (wanted.removed_groups == 0) CHECK(result.state_hash == hash);  // the same search
                 if (kind.find != safetyFactor || wanted.share != 0.05) continue;
                 Control control;
                 control.groups = 3;
                 const SearchResult groups = *safetyFactor(model, control);
-                CHECK(groups.let_go.size() == 2);
+                CHECK(groups.removed_groups.size() == 2);
                 REQUIRE(groups.groups.size() == 2);
                 CHECK(groups.groups[0].blocks == std::vector<std::string>{"b0"});
                 CHECK(groups.groups[1].factor == doctest::Approx(answer(3)).epsilon(0.001));
@@ -95,14 +96,14 @@ TEST_SUITE("physics") {
             CHECK(degrees(result.answer) == doctest::Approx(35).epsilon(0.001));
             CHECK(result.fallen_at_start.empty());
             CHECK(leftOut(result).size() == 2);
-            CHECK(result.let_go[0].factor == doctest::Approx(radians(tilt)));
+            CHECK(result.removed_groups[0].factor == doctest::Approx(radians(tilt)));
             // No answer where what fails has that much of the mass.
             model.analysis.least_mass_share = 0.001;
             CHECK((criticalAngle(model)->status == SearchStatus::unstable_at_start));
         }
     }
 
-    TEST_CASE("a small block that a bolt ties is not let go: the bolt would hold on to where it was") {
+    TEST_CASE("a small block that a bolt ties is not removed: the bolt would stay tied to its place") {
         for (const bool is_tied : {false, true}) {
             CAPTURE(is_tied);
             Model model = floorModel(35);
@@ -123,7 +124,7 @@ TEST_SUITE("physics") {
             }
             const SearchResult result = *criticalAngle(model);
             CHECK((result.status == SearchStatus::found));
-            CHECK(result.let_go.size() == (is_tied ? 0 : 1));
+            CHECK(result.removed_groups.size() == (is_tied ? 0 : 1));
             CHECK(result.moving_blocks == std::vector<std::string>{is_tied ? "pebble" : "slope"});
             CHECK(degrees(result.answer) > (is_tied ? 20.5 : 34.9));
             CHECK(degrees(result.answer) < (is_tied ? 25.0 : 35.1));
@@ -149,13 +150,13 @@ TEST_SUITE("physics") {
         CHECK((gone.status == SearchStatus::found));
         CHECK(degrees(gone.answer) == doctest::Approx(35).epsilon(0.001));
         CHECK(gone.moving_blocks == std::vector<std::string>{"pier"});
-        REQUIRE(gone.let_go.size() == 1);
-        CHECK(gone.let_go[0].blocks == std::vector<std::string>{"plank", "prop"});
+        REQUIRE(gone.removed_groups.size() == 1);
+        CHECK(gone.removed_groups[0].blocks == std::vector<std::string>{"plank", "prop"});
         const SearchResult together = plank(0.08);
         CHECK((together.status == SearchStatus::found));
-        CHECK(together.answer == gone.let_go[0].factor);
+        CHECK(together.answer == gone.removed_groups[0].factor);
         CHECK(together.moving_blocks == std::vector<std::string>{"plank", "prop"});
-        CHECK(together.let_go.empty());
+        CHECK(together.removed_groups.empty());
         // The prop slides, then the plank falls: each is said to move as it does.
         CHECK((together.mode == FailureMode::mixed));
         struct Told {
@@ -172,7 +173,7 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("water presses on what is left as it did when a small block is let go") {
+    TEST_CASE("water presses on the other blocks as before when a small block is removed") {
         const std::string pebble =
             "[joint.slick]\nnormal_stiffness = 1e10\nshear_stiffness = 1e10\nfriction_deg = 2\n"
             "[[block]]\nname = \"shelf\"\nfixed = true\nbox = { min = [-9, 0, -1], max = [-7, 1, 0] }\n"
@@ -195,8 +196,8 @@ TEST_SUITE("physics") {
                                rest = found(pebble + "[analysis]\nleast_mass_share = 0.05\n");
             CHECK((alone.status == SearchStatus::found));
             CHECK((rest.status == SearchStatus::found));
-            REQUIRE(rest.let_go.size() == 1);
-            CHECK(rest.let_go[0].blocks == std::vector<std::string>{"pebble"});
+            REQUIRE(rest.removed_groups.size() == 1);
+            CHECK(rest.removed_groups[0].blocks == std::vector<std::string>{"pebble"});
             CHECK(rest.moving_blocks == alone.moving_blocks);
             CHECK(degrees(rest.answer) == doctest::Approx(degrees(alone.answer)).epsilon(0.002));
             CHECK(degrees(alone.answer) < 19);  // by the water

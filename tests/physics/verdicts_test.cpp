@@ -1,5 +1,5 @@
-// Verdicts that must not be wrong: what stands is never said to fall, and what falls by itself does not stand
-// for the rest.
+// Verdicts that must not be wrong: a stable slope is never reported as failing, and a loose block is not the
+// answer for the rest.
 
 #include <doctest/doctest.h>
 
@@ -170,7 +170,7 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("several loose blocks, one upon the other and apart, are all let go") {
+    TEST_CASE("several loose blocks, one upon the other and apart, are all removed") {
         Model model = slope();
         const std::size_t first = model.blocks.size();
         hang(model, "under", {-0.05, 0.1, 0.3});
@@ -207,7 +207,7 @@ TEST_SUITE("physics") {
         CHECK(result.moving_blocks == std::vector<std::string>{"hangs"});
     }
 
-    TEST_CASE("groups go one after the other, each at its own factor") {
+    TEST_CASE("groups fail one after the other, each at its own factor") {
         Model model = floorModel(30);
         const double friction[] = {40, 30, 35};
         for (int k = 0; k < 3; ++k) {
@@ -228,7 +228,7 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("what stands to the end is said to fail in no way, whatever was let go before") {
+    TEST_CASE("a slope stable up to the largest load has no failure mode, whatever was removed before") {
         for (const double slick : {10.0, 15.0, 20.0})
             for (const double stop : {21.0, 24.0}) {
                 CAPTURE(slick);
@@ -242,8 +242,8 @@ TEST_SUITE("physics") {
                 model.analysis.stop = radians(stop);
                 const SearchResult result = *criticalAngle(model);
                 CHECK((result.status == SearchStatus::stable_to_stop));
-                REQUIRE(result.let_go.size() == 1);
-                CHECK(result.let_go[0].blocks == std::vector<std::string>{"crumb"});
+                REQUIRE(result.removed_groups.size() == 1);
+                CHECK(result.removed_groups[0].blocks == std::vector<std::string>{"crumb"});
                 CHECK((result.mode == FailureMode::none));
                 CHECK(result.moving_blocks.empty());
                 CHECK(result.motions.empty());
@@ -280,7 +280,7 @@ TEST_SUITE("slow: physics") {
                 }
     }
 
-    TEST_CASE("arches that stand are not said to fall at the start") {
+    TEST_CASE("stable arches are not reported as failing at the start") {
         const ArchCase cases[] = {
             {11, 1.5, 9.165}, {15, 1.1, 0.799}, {21, 1.1, 0.695}, {27, 1.1, 0.704}, {27, 1.5, 8.269}};
         for (const ArchCase& one : cases) {

@@ -14,10 +14,10 @@ namespace talus::tools {
 
 namespace {
 
-/// Stronger failures are not drawn, unless there are no others: of use is what lies near 1.
+/// Failures of larger factors are not drawn, unless there are no others: factors near 1 matter.
 constexpr double kMostDrawn = 5;
 constexpr double kFromZero = 0.5, kBelow = 0.95;  ///< a curve above this factor is drawn from near its least
-constexpr std::size_t kShortCurve = 12;           ///< points that a table shows all of
+constexpr std::size_t kShortCurve = 12;           ///< curves of up to so many points are shown in full
 constexpr double kWiden = 1.15;                   ///< of the volumes, beyond the ends of the curve
 
 Json direction(const Vec3& direction) { return direction.norm() > 0 ? vector(direction) : Json(nullptr); }
@@ -52,7 +52,7 @@ double highestDrawn(const std::vector<MovingGroup>& curve) {
 
 Json factorVolumeJson(const KeyBlockResult& result) {
     Json points = Json::array();
-    for (const MovingGroup& group : result.factor_volume)
+    for (const MovingGroup& group : result.factor_volume) {
         points.push_back({{"volume_m3", number(group.volume)},
                           {"mass_kg", number(group.mass)},
                           {"safety_factor", number(group.sliding.factor)},
@@ -60,15 +60,17 @@ Json factorVolumeJson(const KeyBlockResult& result) {
                           {"joints", group.sliding.joints},
                           {"direction", direction(group.sliding.direction)},
                           {"blocks", group.blocks}});
+    }
     return points;
 }
 
 std::string factorVolumeCsv(const KeyBlockResult& result, const std::string& comments) {
     std::string out = comments + "volume_m3,mass_kg,safety_factor,mode,joints,blocks\n";
-    for (const MovingGroup& group : result.factor_volume)
+    for (const MovingGroup& group : result.factor_volume) {
         out += csvLine({csvNumber(group.volume), csvNumber(group.mass), csvNumber(group.sliding.factor),
                         toString(group.sliding.mode), joined(group.sliding.joints, " "),
                         joined(group.blocks, " ")});
+    }
     return out;
 }
 

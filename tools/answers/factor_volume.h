@@ -1,6 +1,6 @@
 #pragma once
 // The curve of factor and volume: the least factor of safety of a failure of at least some volume, by block
-// theory. Benches and fences are designed by it.
+// theory. It serves the design of benches and fences.
 
 #include <string>
 
@@ -20,8 +20,8 @@ std::string factorVolumeCsv(const KeyBlockResult& result, const std::string& com
 /// \param scenario  in the title
 Plot factorVolumePlot(const KeyBlockResult& result, const std::string& scenario);
 
-/// Some of the points for a table, by volume: all of a short curve, else one for each step of a volume that
-/// grows by about two, and the two ends.
+/// Points for a table: all of a short curve, else about one for each doubling of the volume, and the two
+/// ends.
 std::vector<const MovingGroup*> shownPoints(const KeyBlockResult& result);
 
 std::string modeText(const Sliding& sliding);  ///< "wedge on bedding and J1"

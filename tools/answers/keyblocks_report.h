@@ -1,5 +1,5 @@
 #pragma once
-// The blocks and groups of block theory for people and as JSON.
+// The blocks and groups of block theory as text and JSON.
 
 #include <string>
 

@@ -38,7 +38,7 @@ std::vector<double> weightsOf(const std::vector<kinematics::Pole>& poles) {
     return weights;
 }
 
-/// So that they add up to the number of planes.
+/// Scales weights so that they add up to the number of planes.
 void normalise(std::vector<kinematics::Pole>& poles) {
     double sum = 0;
     for (const kinematics::Pole& pole : poles) sum += pole.weight;

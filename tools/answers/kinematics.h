@@ -1,5 +1,6 @@
 #pragma once
-// Kinematic analysis of a slope: planes from a table or a scenario, their sets, and what can slide or topple.
+// Kinematic analysis of a slope: planes from a table or a scenario, their sets, and which can slide or
+// topple.
 
 #include <array>
 #include <optional>
@@ -19,11 +20,11 @@ namespace talus::tools {
 inline constexpr double kLateralDeg = 20;    ///< as Dips begins; 15 to 30 are in use [deg]
 inline constexpr double kBiasLimitDeg = 15;  ///< of Terzaghi's weight, as Dips begins [deg]
 
-/// What is wanted.
+/// Options of the analysis.
 struct KinematicsQuestion {
     kinematics::Face face{};
     kinematics::Limits limits{};
-    std::size_t find_sets = 0;           ///< so many are looked for; 0: those that are given
+    std::size_t find_sets = 0;           ///< number of sets to find; 0: those that are given
     std::optional<Vec3> scanline{};      ///< of all planes of a table
     std::optional<double> bias_limit{};  ///< of Terzaghi's weight [rad]
 };
@@ -49,7 +50,7 @@ struct PoleSource {
     bool is_tilted = false;  ///< of a scenario: its planes were turned so that gravity points down
 };
 
-/// Throws BadInput where the question does not go with a table.
+/// Throws BadInput where an option does not apply to a table.
 PoleSource polesOf(const formats::PoleTable& table, const KinematicsQuestion& question);
 /// One plane for each that cuts the rock mass. Throws BadInput, also where there is none.
 PoleSource polesOf(const formats::Scenario& scenario, const KinematicsQuestion& question);
@@ -67,7 +68,7 @@ KinematicsAnswer answerKinematics(PoleSource source, const KinematicsQuestion& q
 Json kinematicsJson(const KinematicsAnswer& answer, const Common& common, const std::string& file);
 std::string kinematicsText(const KinematicsAnswer& answer);
 
-/// What a picture shows.
+/// Options of a picture.
 struct NetPicture {
     Projection projection = Projection::equal_area;
     /// Lines with wedge sliding and direct toppling, else poles with planar sliding and flexural toppling.

@@ -1,6 +1,5 @@
 #pragma once
-// What lies under the poles of a kinematic analysis' stereonet: contours, critical zones, and the curves that
-// bound them.
+// Background of a kinematic analysis' stereonet: contours, critical zones, and the curves that bound them.
 
 #include <string_view>
 
@@ -26,7 +25,7 @@ NetLevels drawContours(SvgWriter& svg, const Net& net, const std::vector<Vec3>& 
                        const std::vector<double>& weights, const kinematics::Counting& counting);
 
 /// The critical zones of poles or of lines, shaded by the margins of the tests themselves
-/// (talus/kinematics.h): what is shaded is what is counted.
+/// (talus/kinematics.h), so shading and counts agree.
 void drawZones(SvgWriter& svg, const Net& net, const KinematicsQuestion& question, bool intersections);
 
 /// Face, friction, lateral limits, and what else bounds the zones.

@@ -263,7 +263,7 @@ class Picture {
     std::vector<Crossing> lines_;
     NetLevels levels_;
     std::string note_;
-    std::size_t stride_ = 1;  ///< every so manieth pole's lines are drawn
+    std::size_t stride_ = 1;  ///< the lines of every n-th pole are drawn
     double at_ = 0;           ///< where the legend goes on [px]
 };
 

@@ -18,7 +18,7 @@ using kinematics::LineShares;
 using kinematics::PlaneShares;
 using kinematics::Share;
 
-/// An angle as it was given: degrees, without the rounding of the way to radians and back.
+/// An angle as given: degrees, without the rounding of the conversion to radians and back.
 Json given(double angle) { return number(std::round(degrees(angle) * 1e9) / 1e9); }
 
 /// critical, total, percent; by weight, too, where planes have weights.

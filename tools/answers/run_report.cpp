@@ -38,7 +38,7 @@ Json watchJson(const RunResult& result) {
     return watch;
 }
 
-/// Of every block that moves; the farthest is the figure one asks for after an earthquake.
+/// Displacement of every block that moves; the largest is the usual result after an earthquake.
 Json displacementsJson(const formats::Scenario& scenario, const RunResult& result) {
     Json all = Json::object();
     for (std::size_t b = 0; b < result.displacements.size(); ++b)
@@ -56,11 +56,12 @@ Json largestJson(const formats::Scenario& scenario, const RunResult& result) {
 /// Closed volumes at the end.
 Json watersJson(const RunResult& result) {
     Json waters = Json::array();
-    for (const WaterReport& water : result.waters)
+    for (const WaterReport& water : result.waters) {
         waters.push_back({{"name", water.name},
                           {"level_m", number(water.level)},
                           {"volume_m3", number(water.volume)},
                           {"run_over_m3", number(water.run_over)}});
+    }
     return waters;
 }
 

@@ -7,13 +7,12 @@
 
 namespace talus::tools {
 
-/// Runs, and brings what the recorder holds to its end. Throws BadInput with the places of what is wrong,
-/// FileRefused.
+/// Runs, and finishes the recorder. Throws BadInput with the places of what is wrong, FileRefused.
 /// \param watch  sees the run go by, when there is one
 RunResult runRecorded(const formats::Scenario& scenario, const FullFrame* resume, RunRecorder& recorder,
                       const Control& control, MotionWatch* watch = nullptr);
 
-/// The block that ends farthest from where it began.
+/// The block of largest final displacement.
 std::size_t farthestBlock(const RunResult& result);
 
 Json runJson(const RunOptions& options, const formats::Scenario& scenario, const RunResult& result,

@@ -1,12 +1,12 @@
 #pragma once
-// An answer to a question about a scenario, with all that is said beside it: what `talus critical-angle` and
-// its like compute and Python's functions of those names return.
+// An answer of a search with all secondary results: computed by `talus critical-angle` and the other
+// searches, and returned by Python's functions of those names.
 
 #include "answers/search_report.h"
 
 namespace talus::tools {
 
-/// What is asked for beside the load.
+/// Secondary results to compute.
 struct SearchRequest {
     int groups = 1;  ///< most groups to follow
     KeepRunOptions keep{};
@@ -15,7 +15,7 @@ struct SearchRequest {
     bool interval = true;                  ///< look for lower answers, too
 };
 
-/// Searches and keeps the failing run when that is wanted. What the report refers to must outlive it. Throws
+/// Searches and keeps the failing run if wanted. Objects that the report refers to must outlive it. Throws
 /// BadInput, FileRefused.
 SearchReport answer(const LoadSearch& search, const formats::Scenario& scenario, const SearchRequest& request,
                     const Common& common, Control control);

@@ -1,5 +1,5 @@
 #pragma once
-// The answer of a search with all that stands beside it, before it is put into words or JSON.
+// The answer of a search with all secondary results, before it becomes text or JSON.
 
 #include <optional>
 #include <vector>
@@ -21,7 +21,7 @@ struct SearchReport {
     std::optional<TheoryFigure> theory;
     std::optional<KeptRun> kept{};   ///< with --keep-run
     std::vector<DrawnFile> drawn{};  ///< with --plot and --picture
-    /// Interrupted after the search: the answer stands, what belongs beside it may lack.
+    /// Interrupted after the search: the answer is valid, secondary results may be missing.
     bool cut_short = false;
 };
 

@@ -30,12 +30,12 @@ void refuseSearchFiles(const SearchFiles& files);
 
 /// A file that was drawn, or why there is none.
 struct DrawnFile {
-    const char* key = "";  ///< in JSON, and for people
+    const char* key = "";  ///< in JSON, and in text
     std::string file, reason;
     int exit_code = kDone;
 };
 
-/// Draws what is wanted. What goes wrong is told in the result, so that the answer is not lost with it.
+/// Draws the wanted files. Errors are part of the result, so that the answer is not lost.
 std::vector<DrawnFile> drawSearchFiles(const SearchFiles& files, const LoadSearch& search,
                                        const SearchResult& result, const formats::Scenario& scenario);
 

@@ -15,14 +15,14 @@ namespace talus::tools {
 
 namespace {
 
-/// The upper bound, where the answer lies above it: at most by what its bracket leaves open, as a rule.
+/// The upper bound, where the answer exceeds it: usually by less than its bracket.
 std::optional<double> boundBelow(const SearchReport& report) {
     const SearchResult& result = report.result;
     const auto& bound = result.upper_bound.value;
     return result.status == SearchStatus::found && bound && *bound < result.answer ? bound : std::nullopt;
 }
 
-/// The middle of a bracket that an upper bound cuts through is told no higher than the bound: the answer is
+/// The middle of a bracket that contains the upper bound is reported no higher than the bound: the answer is
 /// below both.
 std::string answerFigure(const SearchReport& report, double load) {
     const auto bound = boundBelow(report);
@@ -37,8 +37,8 @@ ResultLines operator+(ResultLines lines, const ResultLines& more) {
     return lines;
 }
 
-/// "stands at 19.498, fails at 19.508"; an open end is left out. What an interrupted search has seen moving
-/// may still reach equilibrium.
+/// "stands at 19.498, fails at 19.508"; an open end is left out. Blocks that move when a search is
+/// interrupted may still reach equilibrium.
 std::string bracketText(const SearchReport& report) {
     const bool stands = std::isfinite(report.result.low), fails = std::isfinite(report.result.high);
     if (!stands && !fails) return "nothing is known yet";
@@ -86,15 +86,15 @@ ResultLines theoryText(const SearchReport& report) {
                     report.cut_short ? "none found before the interruption" : "no closed formula applies");
     }
     std::string figures = figureOf(report, report.theory->value) + unitOf(report);
-    if (report.result.status == SearchStatus::found)
+    if (report.result.status == SearchStatus::found) {
         figures +=
             "  (computed minus theory: " + figureOf(report, report.result.answer - report.theory->value) +
             ")";
+    }
     return line("theory", figures) + line("", report.theory->prediction.formula);
 }
 
-/// Where the figures would have the answer above its bound, how that can be; a warning tells of more than
-/// that.
+/// Where the answer exceeds its bound, the reason; a larger excess has a warning.
 std::string aboveText(const SearchReport& report) {
     const SearchResult& result = report.result;
     const auto bound = boundBelow(report);
@@ -123,9 +123,10 @@ ResultLines intervalReasons(const SearchReport& report) {
 /// The answers by other failure displacements, where they differ.
 ResultLines displacementText(const SearchReport& report) {
     std::string answers;
-    for (const DisplacementAnswer& other : report.result.answers_by_displacement)
+    for (const DisplacementAnswer& other : report.result.answers_by_displacement) {
         answers += (answers.empty() ? "" : ", ") + scientific(other.displacement) + ": " +
                    figureOf(report, other.load);
+    }
     if (answers.empty()) return {};
     return line("by displacement", answers +
                                        "  (answers for other failure displacements, as shares of a block; "
@@ -156,7 +157,7 @@ ResultLines amountLine(const SearchReport& report) {
                                       " of the free blocks' mass");
 }
 
-/// An answer that is one of a small part of the slope says so, with the way to the rest.
+/// A remark on an answer of a small part of the slope, and how to search for the rest.
 ResultLines smallPartText(const SearchReport& report) {
     constexpr double kSmall = 0.05;
     const double share = massShare(report.scenario.model, report.result.moving_blocks);
@@ -178,10 +179,10 @@ std::string betweenText(const SearchReport& report, const BlockGroup& group) {
     return "between " + figureOf(report, group.low) + " and " + figureOf(report, group.high) + unitOf(report);
 }
 
-/// What failed before and was too little to be the answer.
-ResultLines letGoText(const SearchReport& report) {
+/// Failures below the answer that were too small to be it.
+ResultLines removedText(const SearchReport& report) {
     ResultLines rows;
-    for (const BlockGroup& group : report.result.let_go) {
+    for (const BlockGroup& group : report.result.removed_groups) {
         const std::string share = percentText(massShare(report.scenario.model, group.blocks));
         const char* what = rows.empty() ? "removed before" : "";
         rows = std::move(rows) +
@@ -255,14 +256,15 @@ ResultLines failureLines(const SearchReport& report) {
 }
 
 ResultLines groupLines(const SearchReport& report) {
-    return fallenText(report.result) + letGoText(report) + groupsText(report.result);
+    return fallenText(report.result) + removedText(report) + groupsText(report.result);
 }
 
 ResultLines supportLines(const SearchReport& report) {
     ResultLines rows;
-    for (const SupportTexts& kind : supportTexts(report.result.supports))
+    for (const SupportTexts& kind : supportTexts(report.result.supports)) {
         for (const std::string& each : kind.lines)
             rows.push_back({&each == &kind.lines.front() ? kind.kind : "", each});
+    }
     return rows;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a search found, line by line, for people: the words of the command's table and of the report's page.
+// The result of a search as lines of text, for the command's table and the report's page.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace talus::tools {
 
-/// A label and what it says; one without a label goes on with the line before.
+/// A label and its text; a line without a label continues the one before.
 struct ResultLine {
     std::string label, content;
 };

@@ -17,7 +17,7 @@ namespace talus::tools {
 namespace {
 
 constexpr double kShown =
-    0.5;  // of the moving blocks' median size: how far the farthest corner is drawn to move
+    0.5;  // of the moving blocks' median size: drawn displacement of the farthest corner
 constexpr double kAlike = 1e-6;  // of the model's width: blocks of one slice end there
 constexpr View kOblique{235 * kDegree, 25 * kDegree, 0}, kFromTheSide{180 * kDegree, 0, 0};
 
@@ -52,7 +52,7 @@ class SearchPicture {
  private:
     std::string loadOf(double load) const { return loadFigure(search_, load, search_.load->decimals); }
 
-    /// At which it fails, or up to which it stands.
+    /// The load at which it fails, or up to which it is stable.
     double tilt() const {
         if (search_.load->varied != Varied::tilt) return scenario_.model.gravity.tilt;
         if (result_.status == SearchStatus::found) return result_.answer;
@@ -136,7 +136,7 @@ class SearchPicture {
     // --- motion
     // ------------------------------------------------------------------------------------------------------
 
-    /// The motion of the failure, of those that fail.
+    /// The motion of the failing blocks.
     std::vector<std::pair<std::size_t, const BlockMotion*>> motions() const {
         std::vector<std::pair<std::size_t, const BlockMotion*>> list;
         for (const BlockMotion& motion : result_.motions)

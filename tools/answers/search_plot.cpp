@@ -95,7 +95,7 @@ class SearchPlot {
         return axisOver(search_.load->text + of, low, high + kHeadroom * (high - low), kSteps);
     }
 
-    /// Equilibria one after the other; a line each from where the displacement is counted anew.
+    /// Successive equilibria; a new line where the displacement is reset.
     void addCurve(Plot& plot) const {
         const std::size_t last_leg = lastLeg();
         Series before{"line", "rule", "loading path from a greater strength", {}},
@@ -109,7 +109,7 @@ class SearchPlot {
         plot.series.push_back(std::move(dots));
     }
 
-    /// Where displacements begin at zero for the last time.
+    /// The last reset of the displacements.
     std::size_t lastLeg() const {
         std::size_t begin = 0;
         for (std::size_t k = 1; k < result_.path.size(); ++k)
@@ -144,8 +144,7 @@ class SearchPlot {
         plot.references.push_back({'x', failure_ / unit_.metres, {}, "dots", "", text});
     }
 
-    /// The first point at which the assembly was seen to leave, and before it the equilibrium at the largest
-    /// load.
+    /// The first failing point, and before it the equilibrium at the largest load.
     void addBracket(Plot& plot) const {
         const auto& probes = result_.probes;
         const auto left = std::find_if(probes.begin(), probes.end(),

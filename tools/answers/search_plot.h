@@ -10,7 +10,7 @@ namespace talus::tools {
 
 /// \pre the result has a path
 /// \param scenario  in the title
-/// \param failure   displacement between neighbours from which on a failure counts [m]
+/// \param failure failure displacement between neighbours [m]
 Plot searchPlot(const LoadSearch& search, const SearchResult& result, const std::string& scenario,
                 double failure);
 

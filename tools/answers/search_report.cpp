@@ -163,8 +163,7 @@ Json theoryJson(const SearchReport& report) {
             {"applies_because", prediction.applies_because}};
 }
 
-/// What a formula says of this load; where none recognises the model, block theory. Null where neither
-/// applies.
+/// The load by a closed formula; where none applies, by block theory. Null where neither applies.
 Json limitEquilibriumJson(const SearchReport& report) {
     if (!report.theory && report.result.limit_equilibrium) {
         const LimitEquilibrium& limit = *report.result.limit_equilibrium;
@@ -235,7 +234,7 @@ Json searchJson(const SearchReport& report) {
     json["moving_blocks"] = result.moving_blocks;
     json["moving_mass_share"] = number(massShare(report.scenario.model, result.moving_blocks));
     json["fallen_at_start"] = result.fallen_at_start;
-    json["let_go"] = list(result.let_go, [&](const BlockGroup& group) {
+    json["let_go"] = list(result.removed_groups, [&](const BlockGroup& group) {
         return Json{{search.answer_key, number(group.factor / scale)},
                     {search.keyInUnit("bracket"), {number(group.low / scale), number(group.high / scale)}},
                     {"blocks", group.blocks},
@@ -273,7 +272,7 @@ Json searchJson(const SearchReport& report) {
 std::string searchText(const SearchReport& report, bool verbose) {
     const SearchResult& result = report.result;
     std::string table = row({"scenario", report.scenario.path}) + rows(answerLines(report));
-    // Without an answer there is nothing beside it.
+    // Without an answer there are no secondary results.
     if (!wasInterrupted(result))
         table += rows(besideLines(report)) + rows(intervalLines(report)) + rows(failureLines(report));
     table += rows(groupLines(report)) + rows(supportLines(report)) + row({"model", sizeText(result)}) +

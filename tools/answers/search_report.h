@@ -1,5 +1,5 @@
 #pragma once
-// The result of a search for a load, for people and as JSON.
+// The result of a search for a load, as text and JSON.
 
 #include <string>
 
@@ -12,7 +12,7 @@ int exitCode(const SearchReport& report);
 
 Json searchJson(const SearchReport& report);
 
-/// A table for people; with `verbose` also each probe and each block's motion.
+/// A table of text; with `verbose` also each probe and each block's motion.
 std::string searchText(const SearchReport& report, bool verbose);
 
 }  // namespace talus::tools

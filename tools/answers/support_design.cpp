@@ -22,8 +22,8 @@ namespace {
 
 using Status = SupportDesign::Status;
 
-constexpr int kLooks = 32;         // spacings between two that are looked at for their number of bolts
-constexpr double kStep = M_SQRT2;  // of spacings, until the factor wanted lies between two
+constexpr int kLooks = 32;         // spacings between two that are tried for another number of bolts
+constexpr double kStep = M_SQRT2;  // of spacings, until the wanted factor lies between two
 constexpr double kTightest = 1.0 / 8, kWidest = 64;  // spacing over the scenario's own
 
 bool isPattern(const std::string& field) { return field.starts_with("bolt_pattern["); }
@@ -127,9 +127,8 @@ class Design {
         return trialOf(model, share);
     }
 
-    /// A row of n bolts in a slice stands for a spacing of width / n on a wide slope: so it has the same
-    /// force per metre. Spacings between these, and wider than the slice, have none that the slice could
-    /// show.
+    /// A row of n bolts in a slice represents a spacing of width / n on a wide slope, with the same force per
+    /// metre. A slice cannot represent spacings between these, or wider than itself.
     double spacingAlong(double factor) const {
         const double wanted = factor * design_.spacing_along;
         return design_.width / std::max(1.0, std::floor(design_.width / wanted + 1e-9));
@@ -152,7 +151,7 @@ class Design {
 
     bool isEnough(const SupportTrial& trial) const { return trial.factor >= question_.factor; }
 
-    /// False when it says nothing, and the design ends there.
+    /// False when it has no answer, and the design ends there.
     bool isSure(const SupportTrial& trial) {
         if (trial.status != SearchStatus::undecided && trial.status != SearchStatus::interrupted) return true;
         design_.status = Status::undecided;
@@ -173,8 +172,8 @@ class Design {
     // --- pretension
     // ------------------------------------------------------------------------------------------------
 
-    /// Where a straight line through both ends meets the factor, a little beyond it on either side in turn,
-    /// so that both ends come near; the middle when that is of no use.
+    /// The secant's estimate for the factor, shifted slightly to either side in turn, so that both ends
+    /// converge; the middle when the secant fails.
     double nextShare(int turn) const {
         const SupportTrial &low = *design_.too_little, &high = *design_.enough;
         const double width = high.amount - low.amount;
@@ -244,8 +243,8 @@ class Design {
         if (widenOneWay()) design_.status = Status::found;
     }
 
-    /// One direction as wide as is too little, the other as narrow as is enough: the fewer bolts first. False
-    /// when undecided.
+    /// One direction at its insufficient spacing, the other at its sufficient one: the fewer bolts first.
+    /// False when undecided.
     bool widenOneWay() {
         const SupportTrial narrow = *design_.enough, wide = *design_.too_little;
         std::array<std::pair<double, double>, 2> mixed{{{narrow.amount, wide.up}, {wide.amount, narrow.up}}};
@@ -292,7 +291,7 @@ class Design {
 // --- told
 // -----------------------------------------------------------------------------------------------------------
 
-/// What an amount of support is in figures.
+/// The figures of an amount of support.
 class Amount {
  public:
     Amount(const SupportQuestion& question, const SupportDesign& design)
@@ -325,8 +324,7 @@ class Amount {
         return bolts + " of " + tools::text(trial.amount * design_.yield_force / 1000, 2) + " kN, " + share;
     }
 
-    /// What an amount is per metre of slope, and where the slice leaves wider spacings open; "" of
-    /// pretension.
+    /// The amount per metre of slope, and a remark where the slice allows wider spacings; "" for pretension.
     std::string widthText(const SupportTrial& trial) const {
         if (!number_ || trial.amount == 0) return "";
         const int in_row = inRow(trial);

@@ -1,5 +1,5 @@
 #pragma once
-// How much support a factor of safety takes: the pretension of bolts, or the number of bolts of a pattern.
+// The support required for a factor of safety: the pretension of bolts, or the number of bolts of a pattern.
 
 #include <optional>
 #include <string>
@@ -32,18 +32,19 @@ struct SupportTrial {
     std::size_t bolts = 0;                     ///< that are asked about
     SearchStatus status = SearchStatus::undecided;
     double factor =
-        0;  ///< infinite where it stands to the end of the search, 0 where it falls whatever the strength
+        0;  ///< infinite where it is stable up to the largest factor tried, 0 where it falls whatever the
+            ///< strength
 };
 
 struct SupportDesign {
     enum class Status : std::uint8_t { found, not_needed, not_reached, undecided, interrupted };
     Status status = Status::undecided;
     std::vector<SupportTrial> trials;
-    std::optional<SupportTrial> enough, too_little;  ///< the least that is enough, and the next below it
+    std::optional<SupportTrial> enough, too_little;  ///< the least sufficient amount, and the next below it
     double yield_force = 0;                          ///< of the bolts, where they are alike; else 0 [N]
     double spacing_along = 0, spacing_up = 0;        ///< as the scenario has it [m]
     double width = 0, height = 0;                    ///< of the faces with the pattern, along and up [m]
-    std::vector<std::string> sets;                   ///< of --set: the scenario with what is enough
+    std::vector<std::string> sets;                   ///< of --set: the scenario with the sufficient amount
     double wall_seconds = 0;
 };
 

@@ -13,8 +13,8 @@ struct ComputedRow {
     bool failed = false;
 };
 
-/// Computes a run in the calling thread. Whatever goes wrong is a row with its reason; nothing only when
-/// `stop` was set before there was a result.
+/// Computes a run in the calling thread. Any error gives a row with its reason; nothing only when `stop` was
+/// set before a result.
 std::optional<ComputedRow> computeRun(const formats::Sweep& sweep, const BatchInfo& info, std::uint64_t run,
                                       const std::atomic<bool>& stop);
 

@@ -9,23 +9,23 @@
 
 namespace talus::tools::batch {
 
-/// How often each answer came up.
+/// Histogram of the answers.
 Plot plotHistogram(const Summary& summary);
 
 /// Share of the runs that have failed, against the answer, with the confidence band of each point.
 Plot plotDistribution(const Summary& summary);
 
-/// How the probability of failure at a threshold settles with the number of runs, in the order of their
+/// Convergence of the probability of failure at a threshold with the number of runs, in the order of their
 /// samples.
 Plot plotConvergence(const Summary& summary, std::size_t threshold);
 
-/// How the mean answer settles likewise, with Student's interval.
+/// Convergence of the mean answer, with Student's interval.
 Plot plotMeanConvergence(const Summary& summary);
 
 /// What was drawn for one column that varies.
 Plot plotInput(const Summary& summary, std::size_t value);
 
-/// Rank correlation of the answer with what varies, the strongest on top.
+/// Rank correlation of the answer with the varied columns, the strongest on top.
 Plot plotCorrelations(const Summary& summary);
 
 /// The answer against one column that varies: every run, and the mean at each value when there are few

@@ -1,5 +1,5 @@
 #pragma once
-// Which run comes next.
+// The order of runs.
 
 #include <atomic>
 #include <cstdint>
@@ -19,7 +19,7 @@ class Queue {
     /// The next run that is this process's to compute, claimed; nothing at the end of a pass.
     std::optional<std::uint64_t> next();
 
-    std::uint64_t left() const;  ///< runs that are wanted now, whoever is at them
+    std::uint64_t left() const;  ///< runs still open, also those claimed by other processes
 
     /// Another pass; what has failed by now stays failed.
     void beginAgain();

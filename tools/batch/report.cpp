@@ -112,7 +112,7 @@ std::string meanSentence(const Summary& summary) {
     return words + ".";
 }
 
-/// Without samples the runs are a design, not a sample of anything: there is no confidence to speak of.
+/// Without samples the runs are a design and not a random sample, so no confidence interval exists.
 Json range(const Summary& summary) {
     const auto& sorted = summary.all.sorted;
     Json blocks = Json::array();

@@ -31,8 +31,8 @@ struct Column {
     std::string source{};  ///< of what varies: "grid", "table", "random", "interfaces"
 };
 
-/// Everything about a batch that its rows need to be understood, so that results can be merged and reported
-/// without the sweep file. Kept as batch.json beside the results.
+/// Description of a batch's rows, so that results can be merged and reported without the sweep file. Kept as
+/// batch.json beside the results.
 struct BatchInfo {
     std::string identity, analysis, sweep, scenario, sweep_text, scenario_text;
     std::uint64_t runs = 0, cases = 1, samples = 1, seed = 1;

@@ -7,9 +7,9 @@
 
 namespace talus::tools::batch {
 
-/// Computes what is left to do. Costly cases first, when costs are known; runs another process is at are left
-/// to it, and looked at again at the end in case it died. Throws FileRefused once a row cannot be written:
-/// what is in the file stays, what was being computed is dropped.
+/// Computes what is left to do. Costly cases first, when costs are known. Runs claimed by another process are
+/// left to it, and checked at the end in case it died. Throws FileRefused once a row cannot be written: rows
+/// in the file stay, runs in progress are dropped.
 BatchProgress work(const BatchWork& batch);
 
 /// Relative costs of the cases by the size of their models, when the sweep changes sizes and has few enough

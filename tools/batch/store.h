@@ -5,13 +5,12 @@
 //   batch.json                  what the batch is (BatchInfo); written once
 //   results.csv                 a header, then one line per run, appended whole
 //   results.csv-metadata.json   types and units of its columns
-//   summary.json, report.json, report.html   what they come to (batch/report.h)
+//   summary.json, report.json, report.html   their summary and report (batch/report.h)
 //   .lock                       ranges of it are locked (talus/formats/locks.h): byte 0 while the folder or
-//   its results
-//                               are being changed, byte 1 + n while run n is being computed
+//                               its results are being changed, byte 1 + n while run n is being computed
 //
-// A row is appended by one write and only counts with its line feed; what a process that
-// was killed, or a disk that was full, left of a row is cut off before the next is appended.
+// A row is appended by one write and only counts with its line feed; a partial row left by a killed process
+// or a full disk is cut off before the next is appended.
 
 #include <cstdint>
 #include <mutex>
@@ -110,8 +109,8 @@ class AloneIn {
 /// Throws BadInput when the folder holds what is not this batch's, or a link in place of one of its files.
 void refuseToReplaceOther(const std::string& folder, const BatchInfo& info);
 
-/// What a folder holds, without opening it for writing: the batch, and all rows of all results in it, a later
-/// row of a run in place of an earlier one. Throws BadInput, FileRefused.
+/// Content of a folder, without opening it for writing: the batch, and all rows of all results, the last row
+/// of each run. Throws BadInput, FileRefused.
 struct StoredBatch {
     BatchInfo info;
     /// by run: its row, as text, since a million may come
@@ -121,7 +120,7 @@ struct StoredBatch {
 };
 StoredBatch readStored(const std::string& folder);
 
-/// Adds a run's row (without its line feed); a result stands before a failure, else the later one counts.
+/// Adds a run's row (without its line feed); a result replaces a failure, else the later one counts.
 void keepBetter(StoredBatch& stored, std::uint64_t run, std::string line);
 
 }  // namespace talus::tools::batch

@@ -1,5 +1,5 @@
 #pragma once
-// What a batch's rows say together: distribution of the answer, probability of failure, failure modes,
+// Statistics of a batch's rows: distribution of the answer, probability of failure, failure modes,
 // sensitivity.
 
 #include <map>

@@ -1,5 +1,5 @@
 #pragma once
-// What a process of a batch has to do, and how far it has come.
+// The work of one process of a batch, and its progress.
 
 #include <atomic>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace talus::tools::batch {
 
-/// How far this process has come.
+/// Progress of this process.
 struct BatchProgress {
     std::uint64_t done = 0, failed = 0;  ///< rows this process has written
     std::uint64_t todo = 0;              ///< runs that had no row when it began

@@ -1,5 +1,5 @@
 #pragma once
-// Long lists of block names for people: "c1-7 r1-5 s1-3" instead of 105 names.
+// Long lists of block names in short: "c1-7 r1-5 s1-3" instead of 105 names.
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 // A subcommand of the command line. Each is one file that offers one `addX(root)` (commands/commands.h); it
-// fills a CLI::App (and includes <CLI/CLI.hpp>, which nobody else does: it takes three seconds to compile)
-// and returns the function that does the work.
+// fills a CLI::App and returns the function that does the work. Only these files include <CLI/CLI.hpp>, which
+// takes three seconds to compile.
 
 #include <functional>
 

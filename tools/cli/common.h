@@ -1,5 +1,5 @@
 #pragma once
-// Options every subcommand takes, and what is said on stderr.
+// Options of every subcommand, and messages on stderr.
 
 #include <string>
 
@@ -16,7 +16,7 @@ struct Common {
 
 int threadsUsed(const Common& common);
 
-/// A line for people on stderr ("warning: ..."); nothing with --quiet.
+/// A line on stderr ("warning: ..."); nothing with --quiet.
 void note(const Common& common, const std::string& line);
 
 }  // namespace talus::tools

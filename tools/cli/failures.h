@@ -15,7 +15,7 @@ namespace talus::tools {
 enum ExitCode : int {
     kDone = 0,
     kInternalError = 1,
-    kOutsideBand = 1,  ///< of `talus verification`: a row is not what it should be
+    kOutsideBand = 1,  ///< of `talus verification`: a row differs from its stated result
     kBadInput = 2,     ///< bad input, missing file or wrong usage
     kUndecided = 3,    ///< the analysis ended undecided, or runs of a batch failed
     kFileRefused = 4,  ///< the file system refused
@@ -30,7 +30,7 @@ struct BadInput : std::exception {
     std::vector<Error> errors;
 };
 
-/// The file system said no (no space, no permission, no such folder); exit code 4. what() names path and
+/// The file system refused (no space, no permission, no such folder); exit code 4. what() names path and
 /// reason.
 struct FileRefused : std::runtime_error {
     FileRefused(const std::string& path, const std::string& doing, int error_number);

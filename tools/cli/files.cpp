@@ -26,8 +26,8 @@ bool isStopped(const std::atomic<bool>* stop) {
     return stop != nullptr && stop->load(std::memory_order_relaxed);
 }
 
-/// Brings it to the disk, too, so that the last piece need not wait for all before it. 0, or the errno of
-/// what was refused; ECANCELED when stopped. Closes the file in any case.
+/// Flushes it to the disk, too, so that the last piece need not wait for all before it. 0, or the errno of
+/// the refusal; ECANCELED when stopped. Closes the file in any case.
 int writeAndClose(int file, std::string_view content, const std::atomic<bool>* stop = nullptr) {
     constexpr std::size_t kPiece = std::size_t{1} << 24;
     const std::size_t size = content.size();
@@ -48,7 +48,7 @@ int writeAndClose(int file, std::string_view content, const std::atomic<bool>* s
     return error;
 }
 
-/// Where a file is written before it takes its name: beside it, new, and in nobody's link.
+/// Path of the temporary file: beside the target, new, and no link.
 int openTemporary(const std::string& path, std::string& temporary) {
     for (int attempt = 0;; ++attempt) {
         temporary = path + ".part" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
@@ -58,7 +58,7 @@ int openTemporary(const std::string& path, std::string& temporary) {
     }
 }
 
-/// A link stays one: what it leads to is written.
+/// A link stays a link: its target is written.
 std::string behindLinks(const std::string& path) {
     std::error_code absent;
     const std::filesystem::path there = std::filesystem::canonical(path, absent);
@@ -96,7 +96,7 @@ bool writeFile(const std::string& path, std::string_view content, const std::ato
 }
 
 void refuseUnwritable(const std::string& path) {
-    // A pipe that is opened and closed has ended for who reads it.
+    // Opening and closing a pipe would end it for its reader.
     if (isDeviceOrPipe(path)) {
         if (::access(path.c_str(), W_OK) != 0) throw FileRefused(path, "cannot be opened for writing", errno);
         return;

@@ -8,7 +8,7 @@
 namespace talus::tools {
 
 /// Writes a whole file: into a temporary one beside it, then renamed, so that no half-written file is ever
-/// left. What is not a regular file (a device, a pipe) is written in place. Throws FileRefused.
+/// left. A device or a pipe is written in place. Throws FileRefused.
 /// \param stop  ends the writing of a large file early: then there is none, and the result is false
 bool writeFile(const std::string& path, std::string_view content, const std::atomic<bool>* stop = nullptr);
 

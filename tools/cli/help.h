@@ -6,7 +6,7 @@
 
 namespace talus::tools {
 
-/// CLI11's help, wrapped; in narrow terminals what an option means stands below it.
+/// CLI11's help, wrapped; in narrow terminals the meaning of an option is below it.
 class HelpFormatter : public CLI::Formatter {
  public:
     explicit HelpFormatter(std::size_t width) : width_(width) {}

@@ -1,5 +1,5 @@
 #pragma once
-// Which input a result was made from: XXH3 with 128 bits, as `xxh128sum` prints it.
+// Hash of a result's input: XXH3 with 128 bits, as `xxh128sum` prints it.
 
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
 #pragma once
-// The name of JSON for declarations; who builds or reads it includes cli/json.h, which takes a second to
+// The JSON type for declarations; code that builds or reads JSON includes cli/json.h, which takes a second to
 // compile.
 
 #include <nlohmann/json_fwd.hpp>

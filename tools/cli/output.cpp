@@ -1,4 +1,4 @@
-// What goes to stdout, and numbers and errors as text and JSON.
+// Output on stdout, and numbers and errors as text and JSON.
 
 #include <unistd.h>
 

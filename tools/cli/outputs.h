@@ -1,6 +1,6 @@
 #pragma once
-// What may be written where. Whatever a command writes goes through here: no output replaces a file that the
-// command reads, --force or not, and a name says by its ending what is in the file.
+// Rules for output files. All writing of commands goes through here: no output replaces a file that the
+// command reads, even with --force, and the ending of a name gives the format.
 
 #include <initializer_list>
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace talus::tools {
 
-/// Throws BadInput when this path leads to a file that was read as input, under whatever name. `option` is
-/// what brought the path ("--output"); it may be empty.
+/// Throws BadInput when this path leads to a file that was read as input, under any name. `option` is the
+/// option with the path ("--output"); it may be empty.
 void refuseInput(const std::string& option, const std::string& path);
 
 /// Throws BadInput unless the name ends in one of these (".csv", ...); devices and pipes may be called
@@ -20,8 +20,8 @@ void refuseInput(const std::string& option, const std::string& path);
 void requireEnding(const std::string& option, const std::string& path,
                    std::initializer_list<std::string_view> endings);
 
-/// Opens and locks a file that is written while a computation goes on; throws FileRefused, also when another
-/// process is writing it. Says on stderr where locks do not reach.
+/// Opens and locks a file that is written during a computation; throws FileRefused, also when another process
+/// is writing it. Warns on stderr where locks do not work.
 formats::OutputFile takeOutput(const Common& common, const std::string& path);
 
 }  // namespace talus::tools

@@ -23,7 +23,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kBarInterval = 0.1, kLineInterval = 5.0;  // between two reports that are shown [s]
 constexpr double kBarTick = 1.0, kLineTick = 60.0;         // ... and at the latest, without any [s]
 constexpr std::size_t kBarWidth = 24, kLeastDetail = 12;
-constexpr double kLeastSeconds = 2.0, kLeastFraction = 0.02;  // seen, before a time is told
+constexpr double kLeastSeconds = 2.0, kLeastFraction = 0.02;  // recorded before a time is shown
 
 std::string clockText(double seconds) {
     const auto whole = static_cast<long>(std::lround(seconds));
@@ -46,7 +46,7 @@ std::string bar(double fraction) {
 
 std::string cut(const std::string& text, std::size_t room) { return text.substr(0, room); }
 
-/// The parts of a detail, parted by commas, that there is room for; of the first one the words.
+/// The comma-separated parts of a detail that fit; of the first part, the words that fit.
 std::string wholeParts(const std::string& detail, std::size_t room) {
     if (detail.size() <= room) return detail;
     for (const char* end : {", ", " "})
@@ -122,7 +122,7 @@ void ProgressPrinter::show(const Progress& progress) {
     if (!clock_.joinable() && !ended_) clock_ = std::thread([this] { tick(); });
 }
 
-/// What is told is a second old at most, in a log a minute.
+/// The report is at most a second old, in a log a minute.
 void ProgressPrinter::tick() {
     const duration<double> interval(terminal_ ? kBarTick : kLineTick);
     std::unique_lock lock(mutex_);

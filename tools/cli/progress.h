@@ -15,12 +15,12 @@
 
 namespace talus::tools {
 
-/// What the fraction of a progress is of: of time, so that it tells what is left, or of steps that take as
-/// long as they take, such as the probes of a search.
+/// Meaning of a progress fraction: of time, which gives the time left, or of steps of unknown duration, such
+/// as the probes of a search.
 enum class Fraction : std::uint8_t { of_time, of_steps };
 
-/// How long a stage still takes whose fraction grows with time: by its speed over the later half of what has
-/// been seen, so that what became slower or faster on the way counts. Nothing before that says something.
+/// Time left of a stage whose fraction grows with time: by its speed over the later half of the record, so
+/// that a change of speed counts. Nothing while the record is too short.
 class TimeLeft {
  public:
     /// \param seconds  since anything; must not fall
@@ -34,12 +34,12 @@ class TimeLeft {
     std::vector<Seen> seen_;
 };
 
-/// "[####......] 12% run  0:14 elapsed, about 1:40 left  t = 0.1 s", in no more columns than there are: first
-/// the detail is cut, then the bar goes, then the stage. `left` is NaN when nobody knows.
+/// "[####......] 12% run 0:14 elapsed, about 1:40 left t = 0.1 s", in the available columns: first the detail
+/// is cut, then the bar is dropped, then the stage. `left` is NaN when unknown.
 std::string progressLine(const Progress& progress, double elapsed, double left, std::size_t columns);
 
-/// A bar when stderr is a terminal, plain lines now and then when it is not, nothing with --quiet. The clock
-/// goes on while nothing is reported.
+/// A bar when stderr is a terminal, occasional plain lines when it is not, nothing with --quiet. The clock
+/// continues while nothing is reported.
 class ProgressPrinter {
  public:
     explicit ProgressPrinter(const Common& common, Fraction fraction = Fraction::of_steps);

@@ -1,4 +1,4 @@
-// Who computed a result, from what: version, build, threads, scenario and command line.
+// Provenance of a result: version, build, threads, scenario and command line.
 
 #include <thread>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Who computed a result, from what: version, build, threads, scenario and command line.
+// Provenance of a result: version, build, threads, scenario and command line.
 
 #include <string>
 

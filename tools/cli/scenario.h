@@ -13,7 +13,7 @@
 
 namespace talus::tools {
 
-/// Which scenario a command is about, as its command line says (addScenario in cli/command.h).
+/// The scenario of a command line (addScenario in cli/command.h).
 struct ScenarioInput {
     std::string path;                 ///< "-": the standard input
     std::vector<std::string> sets{};  ///< of --set: "FIELD=VALUE"
@@ -29,7 +29,7 @@ T valueOf(Result<T> result, const formats::Scenario& scenario) {
     return std::move(*result);
 }
 
-/// Reads what a command is about, and nothing can be kept of that. \param name  of the file, in messages
+/// Reads a command's input; an interruption leaves nothing. \param name of the file, in messages
 EndsAtOnce whileReading(const std::string& name, const Common& common);
 
 /// The same of something else that leaves nothing: "interrupted while " `doing`.
@@ -41,7 +41,7 @@ formats::Scenario loadScenario(const ScenarioInput& input, const Common& common)
 /// Throws BadInput where no block is free to move: a search has no answer then.
 void requireFreeBlock(const formats::Scenario& scenario);
 
-/// What a result says under "warnings": what is doubtful in the scenario, then in the result.
+/// Warnings of a result: those of the scenario, then those of the result.
 Json warningsJson(const formats::Scenario& scenario, const std::vector<std::string>& result = {});
 
 }  // namespace talus::tools

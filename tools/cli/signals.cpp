@@ -1,4 +1,4 @@
-// SIGINT and SIGTERM ask the computation to end; what it has found so far is then printed.
+// SIGINT and SIGTERM stop the computation; its results so far are then printed.
 
 #include "cli/signals.h"
 
@@ -26,7 +26,7 @@ std::int64_t secondsNow() {
 }
 
 void say(int file, const std::string& text) {
-    if (::write(file, text.data(), text.size()) < 0) return;  // nobody is left to tell
+    if (::write(file, text.data(), text.size()) < 0) return;  // nothing is left to report to
 }
 
 [[noreturn]] void endWith(const std::pair<std::string, std::string>& words) {

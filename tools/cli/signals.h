@@ -20,9 +20,9 @@ const std::atomic<bool>& stopRequested();
 /// Ends a computation from within one of its callbacks (an output file can no longer be written).
 void requestStop();
 
-/// As long as it lives a signal ends the process at once, with 130 and these last words; so does one that
-/// came before. For work that leaves nothing worth keeping and has no place where it could look at the flag,
-/// such as parsing a large file. The last one made counts.
+/// During its life a signal ends the process at once, with 130 and this message; so does an earlier signal.
+/// For work without useful partial results that cannot check the flag, such as parsing a large file. The last
+/// one made counts.
 class EndsAtOnce {
  public:
     EndsAtOnce(std::string on_stdout, std::string on_stderr);

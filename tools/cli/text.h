@@ -9,7 +9,7 @@
 namespace talus::tools {
 
 void printText(const std::string& text);         ///< on stdout; throws FileRefused
-void printResult(const std::string& text);       ///< the same for people: a terminal gets lines that fit it
+void printResult(const std::string& text);       ///< the same, with lines that fit a terminal
 std::string hashText(std::uint64_t state_hash);  ///< 16 hex digits
 std::string text(double value, int decimals);    ///< fixed notation, locale-free
 

@@ -101,11 +101,10 @@ int runBatch(const BatchOptions& options) {
     if (options.plan) return showPlan(options, sweep);
     if (options.folder.empty())
         throw BadInput(Error{"--output", "missing; allowed: -o DIR, the folder for the results (or --plan)"});
-    const MpiJob
-        job;  // input that is bad for one process is bad for all: they say so and leave before they meet
+    const MpiJob job;  // bad input is bad for all processes: each reports it and ends before they synchronise
     if (job.rank() > 0) {
         job.help(sweep, describe(sweep), stopRequested());
-        return kDone;  // what there is to say, process 0 says
+        return kDone;  // what there is to report, process 0 reports
     }
     ProgressPrinter printer(options.common, Fraction::of_time);
     const BatchRequest request{

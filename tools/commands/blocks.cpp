@@ -1,4 +1,4 @@
-// talus blocks: what a scenario's blocks are, before anything moves: a table, a mesh, a picture.
+// talus blocks: a scenario's blocks before anything moves, as a table, a mesh, a picture.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -140,7 +140,7 @@ std::string content(const BlocksOptions& options, const Model& model) {
                      "Blocks of " + options.scenario.name());
 }
 
-/// Nobody knows how long it takes; that it goes on is to be seen.
+/// Its duration is unknown, so the progress shows activity only.
 std::string drawnWithProgress(const BlocksOptions& options, const Model& model) {
     ProgressPrinter progress(options.common);
     progress.show({"drawing", 0.0, std::to_string(model.blocks.size()) + " blocks"});
@@ -166,8 +166,8 @@ std::string discsCsv(const BlocksOptions& options, const std::vector<formats::Ro
     return provenanceComments(options.common, options.scenario.name()) + formats::fracturesCsv(discs);
 }
 
-/// Pictures and table of the joints that cut the blocks. Returns warnings: what there are no joints for.
-/// Where nothing else is asked for, that is an error.
+/// Pictures and table of the joints that cut the blocks. Returns warnings for outputs without joints; where
+/// nothing else is wanted, that is an error.
 std::vector<std::string> writeJoints(const BlocksOptions& options, const formats::Scenario& scenario,
                                      const std::vector<formats::RockJoint>& joints) {
     std::vector<const char*> asked;

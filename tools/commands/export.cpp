@@ -53,8 +53,8 @@ std::string vtkText(const Json& vtk) {
            " (open blocks.pvd and contacts.pvd)\n";
 }
 
-/// Files of the frames, and the lists of them that ParaView opens. Where a single frame takes long the lists
-/// are kept up to date, so that the work on it can be ended at once.
+/// Files of the frames, and their lists for ParaView. Where a single frame takes long, the lists are kept up
+/// to date, so that the export can be stopped at once.
 class VtkExport {
  public:
     VtkExport(formats::SnapshotReader& reader, const ExportOptions& options)
@@ -118,7 +118,7 @@ class VtkExport {
         return true;
     }
 
-    /// What is told when it ends at once.
+    /// The message of an immediate stop.
     std::string onStdout() const {
         const Json json = {{"frames", reader_.frames().size()}, {"vtk", facts()}, {"interrupted", true}};
         return options_.common.json ? jsonText(json, 2) + "\n" : vtkText(json["vtk"]);

@@ -66,7 +66,7 @@ std::string factsText(const Json& facts) {
     return lines;
 }
 
-/// A long course is for --csv and --json; people see its first and last frames.
+/// A long history is for --csv and --json; the text shows its first and last frames.
 std::string tableText(const Table& table) {
     constexpr std::size_t kEnds = 6;
     if (table.rows.empty()) return "";

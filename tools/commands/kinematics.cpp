@@ -1,4 +1,4 @@
-// talus kinematics: what of a slope's planes can slide or topple, on the stereonet.
+// talus kinematics: which planes of a slope can slide or topple, on the stereonet.
 
 #include <CLI/CLI.hpp>
 #include <cmath>

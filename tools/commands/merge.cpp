@@ -42,7 +42,7 @@ StoredBatch merged(const std::vector<std::string>& folders) {
 int merge(const MergeOptions& options) {
     const std::string folder = options.output.empty() ? options.folders.front() : options.output;
     if (!options.output.empty()) makeFolder(folder);
-    // What is no batch, or another one, is told before a lock is put into the folder.
+    // A folder without a batch, or with another one, is reported before a lock is put into it.
     refuseToReplaceOther(folder, readStored(options.folders.front()).info);
     const AloneIn alone(folder);  // rows that come after they were read would be lost
     const StoredBatch all = merged(options.folders);

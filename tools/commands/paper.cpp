@@ -106,7 +106,7 @@ int exitCode(const PaperResults& results) {
 
 int execute(const PaperOptions& options) {
     std::vector<PaperCase> cases = paperCases(options.points);
-    // A folder that cannot be made is told before minutes of computing, not after.
+    // A folder that cannot be made is reported before minutes of computing.
     makeFolder(options.out);
     const std::string keep_folder =
         options.keep_folder.empty() ? options.out + "/failing" : options.keep_folder;

@@ -1,4 +1,4 @@
-// talus run: time history of a scenario, or of one that was begun earlier and goes on.
+// talus run: time history of a scenario, new or resumed.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -39,7 +39,7 @@ const char* describe(InitialState start) {
     return "starts unstressed: weight and water are applied at once\n";
 }
 
-/// Which water runs out, and when: in rock masses also without being asked.
+/// Which water drains, and when: in rock masses also by default.
 std::string drainsText(const Model& model) {
     std::string lines;
     const auto add = [&](const std::string& field, double aperture) {
@@ -79,10 +79,11 @@ std::string toText(const RunOptions& options, const formats::Scenario& scenario,
              text(result.displacements[farthest].norm(), 9) + " m\n";
     for (const SupportTexts& kind : supportTexts(result.supports))
         for (const std::string& line : kind.lines) lines += kind.kind + ": " + line + "\n";
-    for (const WaterReport& water : result.waters)
+    for (const WaterReport& water : result.waters) {
         lines += water.name + ": level " + text(water.level, 6) + " m, volume " + text(water.volume, 9) +
                  " m3" + (water.run_over > 0 ? ", " + text(water.run_over, 9) + " m3 have run over" : "") +
                  "\n";
+    }
     for (const std::string& warning : result.warnings) lines += "warning: " + warning + "\n";
     return lines + recorder.lines();
 }

@@ -1,5 +1,4 @@
-// talus critical-angle, talus safety-factor, and whatever else can be searched for: a command per entry of
-// talus/searches.h.
+// talus critical-angle, talus safety-factor, and the other searches: a command per entry of talus/searches.h.
 
 #include <CLI/CLI.hpp>
 #include <memory>

@@ -1,4 +1,4 @@
-// talus support: the pretension, or the number of bolts, that a factor of safety takes.
+// talus support: the pretension, or the number of bolts, required for a factor of safety.
 
 #include <CLI/CLI.hpp>
 #include <memory>

@@ -36,7 +36,7 @@ CLI::Validator within(double low, double high) {
 
 namespace {
 
-/// One line of output: a key for programs, words for people, the value in the unit both end in.
+/// One line of output: its key in JSON, its words, and the value in their common unit.
 struct Figure {
     std::string key, words;
     double value;

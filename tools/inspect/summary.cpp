@@ -77,7 +77,7 @@ Json buildJson(const BuildInfo& build) {
             {"build_type", build.build_type}};
 }
 
-/// What the search says that kept this run.
+/// Results of the search that kept this run.
 Json failureJson(const formats::SnapshotHeader& header) {
     const formats::SnapshotFailure& failure = *header.failure;
     std::vector<std::string> slides, topples;
@@ -253,8 +253,8 @@ struct Comparison {
 };
 
 /// Frames of the same instant, light before full, up to the first that differ. An interrupted run has a frame
-/// that the other one lacks, so frames that are in one file only are counted, and are no difference as long
-/// as others are common.
+/// that the other one lacks. Frames in one file only are counted, and are no difference as long as others are
+/// common.
 Comparison compare(formats::SnapshotReader& a, formats::SnapshotReader& b) {
     Comparison result;
     std::size_t i = 0, j = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// What `talus inspect` shows: each view is a few facts and a table.
+// The views of `talus inspect`: each is a few facts and a table.
 
 #include "cli/json.h"
 #include "recording/snapshot_view.h"
@@ -9,7 +9,7 @@ namespace talus::tools {
 
 struct View {
     Json facts = Json::object();
-    std::string title;  ///< of the facts, for people
+    std::string title;  ///< of the facts, in text
     std::string table_name;
     Table table;
 };
@@ -20,7 +20,7 @@ View viewFrame(formats::SnapshotReader& reader, std::size_t frame);
 /// The blocks that have moved most (`by` displacement, rotation) or are fastest (velocity).
 View viewTop(formats::SnapshotReader& reader, std::size_t frame, std::size_t count, const std::string& by);
 
-/// Pose and velocity of a block, and what each of its neighbours does to it.
+/// Pose and velocity of a block, and the forces of its neighbours on it.
 View viewBlock(formats::SnapshotReader& reader, std::size_t frame, const std::string& name,
                const std::string& path);
 
@@ -28,7 +28,7 @@ View viewBlock(formats::SnapshotReader& reader, std::size_t frame, const std::st
 View viewInterface(formats::SnapshotReader& reader, std::size_t frame, const std::string& a,
                    const std::string& b, const std::string& path);
 
-/// Holds all checksums and hashes; `sound` in the facts.
+/// Verifies all checksums and hashes; `sound` in the facts.
 View viewVerify(formats::SnapshotReader& reader);
 
 /// First differing frame and field of two files; `equal` in the facts.

@@ -1,5 +1,5 @@
 #pragma once
-// numpy arrays of what C++ holds.
+// numpy arrays of C++ data.
 
 #include <pybind11/numpy.h>
 

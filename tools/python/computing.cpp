@@ -11,7 +11,7 @@
 
 namespace talus::python {
 
-/// The latest progress that nobody has been told, and whether the computation has ended.
+/// The latest unreported progress, and whether the computation has ended.
 struct Computing::Slot {
     std::mutex mutex;
     std::condition_variable changed;

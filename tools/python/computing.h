@@ -18,14 +18,13 @@ namespace py = pybind11;
 /// TypeError.
 int threadsOf(const py::object& wish);
 
-/// What a caller says of how to compute: threads (0: all cores), and a callback (stage, fraction, detail) or
-/// None.
+/// A caller's options: threads (0: all cores), and a callback (stage, fraction, detail) or None.
 struct Manner {
     int threads = 0;
     py::object progress = py::none();
 };
 
-/// What the computation may do: report progress, and look whether it shall stop.
+/// Progress reports and interruption for the computation.
 class Computing {
  public:
     Control control() const;
@@ -43,9 +42,9 @@ class Computing {
     Slot* slot_ = nullptr;
 };
 
-/// Runs `body` in a thread of its own, while the calling one looks for signals and calls the callback, so
-/// that a computation is stopped whatever it is busy with. Throws what the body or the callback threw, and
-/// KeyboardInterrupt, once the body has come to its end.
+/// Runs `body` in a thread of its own, while the calling thread handles signals and calls the callback, so
+/// that any computation can be stopped. Throws what the body or the callback threw, and KeyboardInterrupt,
+/// once the body has come to its end.
 void compute(const Manner& manner, const std::function<void(Computing&)>& body);
 
 }  // namespace talus::python

@@ -1,4 +1,4 @@
-// talus._core: what the package talus is made of. Results cross as the JSON of the command line, arrays as
+// talus._core: the C++ part of the package talus. Results cross as the JSON of the command line, arrays as
 // numpy's.
 
 #include "python/module.h"

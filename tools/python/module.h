@@ -1,6 +1,6 @@
 #pragma once
-// The parts of the Python module talus._core, which the package talus (talus/*.py beside this file) puts a
-// face on.
+// The parts of the Python module talus._core, on which the package talus is built (talus/*.py beside this
+// file).
 
 #include <pybind11/pybind11.h>
 

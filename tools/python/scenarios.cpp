@@ -1,4 +1,4 @@
-// Scenarios as Python holds them: read from a file or from text, with places for messages.
+// Scenarios for Python: read from a file or from text, with places for messages.
 
 #include <pybind11/stl.h>
 
@@ -37,8 +37,7 @@ std::string picture(const formats::Scenario& scenario, double azimuth_deg, doubl
                             scenario.path);
 }
 
-/// What the command `talus validate` checks beyond reading: overlaps, water on no face, pairs that do not
-/// touch.
+/// The checks of `talus validate` beyond reading: overlaps, water on no face, pairs that do not touch.
 void check(const formats::Scenario& scenario, const py::object& threads) {
     compute({threadsOf(threads)}, [&](Computing& computing) {
         const std::vector<Error> errors =

@@ -42,8 +42,8 @@ namespace {
 
 constexpr py::ssize_t kDouble = sizeof(double);
 
-/// A simulation with positions and velocities as arrays of three, made anew after every call that steps. The
-/// memory stays where it is, so that arrays handed out go along.
+/// A simulation with positions and velocities as arrays of three, updated after every call that steps. Their
+/// memory stays in place, so arrays given to Python follow.
 class SteppedModel {
  public:
     SteppedModel(const formats::Scenario& scenario, const py::object& threads, const py::object& progress)
@@ -66,7 +66,7 @@ class SteppedModel {
         });
     }
 
-    /// Whoever looks at more than the arrays, which stay as the last step left them.
+    /// Access to more than the arrays, which keep the values of the last step.
     template <class Look>
     auto look(const Look& what) const {
         const Use alone(busy_);

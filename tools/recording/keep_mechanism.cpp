@@ -18,10 +18,10 @@ namespace {
 
 constexpr int kFrames = 48;         // behind the first
 constexpr double kSeconds = 2.0;    // they last
-constexpr double kWayOfSize = 0.3;  // of the moving blocks' median size: how far the fastest corner goes
+constexpr double kWayOfSize = 0.3;  // of the moving blocks' median size: displacement of the fastest corner
 constexpr const char* kSource = "limit-analysis --for ";
 
-/// What a run of the model begins with.
+/// The first frame of a run of the model.
 struct Start {
     RunGeometry geometry;
     LightFrame frame;
@@ -81,7 +81,7 @@ double radiusOf(const RunGeometry& geometry, std::size_t block) {
     return radius;
 }
 
-/// By the rule of searches, from where the blocks are at the end.
+/// By the rule of searches, from the final positions.
 formats::SnapshotFailure failureOf(const Start& start, const Model& model,
                                    const std::vector<Velocity>& velocities, double way) {
     std::vector<BlockWay> ways;
@@ -100,7 +100,7 @@ formats::SnapshotFailure failureOf(const Start& start, const Model& model,
     return failure;
 }
 
-/// The blocks a share of their way on.
+/// The blocks at a share of their path.
 LightFrame frameAt(const LightFrame& start, const std::vector<Velocity>& velocities, double way, int k) {
     const double share = static_cast<double>(k) / kFrames;
     LightFrame frame = start;
@@ -186,7 +186,7 @@ KeptMechanism MechanismKeeper::keep(const LimitResult& result, const VariedQuant
             result.status == SearchStatus::stable_to_stop ? "nothing fails" : "no mechanism was found";
         return kept;
     }
-    // What stands at no load fails where the load begins.
+    // A model that is stable at no load fails at the first load.
     try {
         write(result, load, std::isfinite(result.upper) ? result.upper : result.lower, kept);
     } catch (const FileRefused& refused) {

@@ -1,6 +1,6 @@
 #pragma once
-// The mechanism of a limit analysis as a motion to look at: the blocks go the way their velocities say, none
-// of the forces of a run.
+// The mechanism of a limit analysis as a motion for viewers: blocks move along their velocities, without the
+// forces of a run.
 
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +28,7 @@ struct KeepMechanismOptions {
 /// Adds --keep-mechanism and --force to a subcommand.
 void addKeepMechanism(CLI::App& app, KeepMechanismOptions& options);
 
-/// What was kept, or why nothing was.
+/// The kept motion, or why there is none.
 struct KeptMechanism {
     std::string file;    ///< empty when nothing was kept
     std::string reason;  ///< why nothing was kept
@@ -46,14 +46,13 @@ std::string keptMechanismText(const KeptMechanism& kept);
 /// FileRefused.
 class MechanismKeeper {
  public:
-    /// Everything handed in must outlive the keeper.
+    /// All arguments must outlive the keeper.
     MechanismKeeper(const KeepMechanismOptions& options, const Common& common,
                     const formats::Scenario& scenario);
 
     bool wanted() const { return recorder_ != nullptr; }
 
-    /// What the file system refuses is told in the result, so that what was found is not lost with it. \pre
-    /// wanted()
+    /// A refusal of the file system is part of the result, so that the answer is not lost. \pre wanted()
     KeptMechanism keep(const LimitResult& result, const VariedQuantity& load);
 
  private:
@@ -66,8 +65,8 @@ class MechanismKeeper {
     std::unique_ptr<RunRecorder> recorder_;
 };
 
-/// What a file with a mechanism says it was kept by: "limit-analysis --for tilt". nullptr when it was not by
-/// that.
+/// The limit analysis by which a file was kept: "limit-analysis --for tilt". nullptr when by another
+/// analysis.
 std::string mechanismSource(const VariedQuantity& load);
 const VariedQuantity* mechanismLoad(const std::string& analysis);
 

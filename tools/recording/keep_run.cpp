@@ -16,9 +16,9 @@ namespace talus::tools {
 
 namespace {
 
-// A slope's own time is sqrt(size / g), some time a block needs to fall by its own size. At 8 cells of 0.006
-// deg beyond the failing tilt, where a search lets go, a sliding block has gone its size after 50 of them; a
-// toppling one is faster.
+// A slope's own time is sqrt(size / g), about the time in which a block falls by its own size. Released at 8
+// cells of 0.006 deg beyond the failing tilt, a sliding block moves by its size in 50 of them; a toppling one
+// is faster.
 constexpr double kMostTimes = 60;     // of that time
 constexpr double kFramesPerTime = 8;  // light frames in one
 constexpr int kFramesInGivenTime = 200;
@@ -62,7 +62,7 @@ void addRoles(const SearchResult& result, const Model& model, KeptRun& kept) {
     }
 }
 
-/// The factor at which each block goes, in the order of the model's blocks; empty where no group is known.
+/// The factor at which each block fails, in the order of the model's blocks; empty where no group is known.
 std::vector<double> factorsOf(const SearchResult& result, const Model& model) {
     if (result.groups.empty()) return {};
     std::unordered_map<std::string, double> factors;

@@ -1,6 +1,6 @@
 #pragma once
-// Keeping the run in which a search saw the slope fail: played on with true inertia until it is plain to see,
-// as a snapshot file like those of talus run.
+// Keeps the failing run of a search: continued with true inertia until the failure is plain to see, as a
+// snapshot file like those of talus run.
 
 #include <memory>
 #include <optional>
@@ -23,25 +23,25 @@ namespace talus::tools {
 
 struct KeepRunOptions {
     std::string file;               ///< empty: nothing is kept
-    std::optional<double> seconds;  ///< to play on; by default until some block has gone its own size
+    std::optional<double> seconds;  ///< duration; by default until some block is displaced by its own size
     bool force = false;
 };
 
 /// Adds --keep-run, --keep-run-time and --force to a subcommand.
 void addKeepRun(CLI::App& app, KeepRunOptions& options);
 
-/// What was kept, or why nothing was.
+/// The kept run, or why there is none.
 struct KeptRun {
     std::string file;    ///< empty when nothing was kept
-    std::string reason;  ///< why nothing was kept, or what went wrong on the way
+    std::string reason;  ///< why nothing was kept, or an error during the run
     int exit_code = kDone;
-    const LoadSearch* search = nullptr;               ///< that saw it fail
+    const LoadSearch* search = nullptr;               ///< that found the failure
     formats::SnapshotFailure failure;                 ///< load, mode, and each block's role
     std::vector<std::string> slides, topples, stays;  ///< names of the free blocks by role
     RunResult run;
     std::size_t frames = 0, fulls = 0;
     std::uint64_t bytes = 0;
-    std::string farthest;        ///< the block that went farthest
+    std::string farthest;        ///< the block of largest displacement
     double farthest_way = 0;     ///< [m]
     formats::Scenario scenario;  ///< as it fails
     RunGeometry geometry;
@@ -50,14 +50,14 @@ struct KeptRun {
 
 Json keptRunJson(const KeptRun& kept);  ///< {file, reason, load, simulated_seconds, frames, ..., slides, ...}
 
-/// The same for people: labels and contents of the lines of a table.
+/// The same as text: labels and contents of the lines of a table.
 std::vector<std::pair<std::string, std::string>> keptRunLines(const KeptRun& kept);
 
-/// Keeps one run. What can be refused is refused at once, before anybody has searched for minutes: throws
-/// BadInput when the file must not be replaced, and FileRefused when it cannot be written.
+/// Keeps one run. Refuses at once, before minutes of search: throws BadInput when the file must not be
+/// replaced, and FileRefused when it cannot be written.
 class FailureKeeper {
  public:
-    /// Everything handed in must outlive the keeper.
+    /// All arguments must outlive the keeper.
     FailureKeeper(const KeepRunOptions& options, const Common& common, const formats::Scenario& scenario);
 
     FailureKeeper(const FailureKeeper&) = delete;
@@ -65,8 +65,7 @@ class FailureKeeper {
 
     bool wanted() const { return recorder_ != nullptr; }
 
-    /// Plays the failure on. What goes wrong is told in the result, so that what was found is not lost with
-    /// it.
+    /// Continues the failure as a run. Errors are part of the result, so that the answer is not lost.
     /// \pre wanted(), and the search was made with Control::keep_failing_state
     KeptRun keep(const SearchResult& result, const LoadSearch& search, const Control& control);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The page of a time history: displacements over time above the record that shook the ground, and what is
-// left of them at the end, block by block.
+// The page of a time history: displacements over time above the ground motion, and the permanent
+// displacements, block by block.
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ namespace talus::tools {
 /// Follows a run for its page.
 class MotionWatch {
  public:
-    /// The same output, which the watch sees go by; it must outlive it.
+    /// The same output, observed by the watch; it must outlive the watch.
     RunOutput watching(RunOutput output);
 
     /// The report, as report/README.md documents it.

@@ -33,7 +33,7 @@ bool wasInterrupted(const std::string& snapshots) {
     return reader.ok() && reader->end() && reader->end()->ended == "interrupted";
 }
 
-/// What is finished, or of another kind, is only replaced when the user says so.
+/// A finished file, or one of another kind, is only replaced on request.
 void refuseToOverwrite(const RunOptions& options) {
     if (options.force) return;
     bool finished = false, foreign = false;
@@ -70,7 +70,7 @@ void noteOtherBuild(const RunOptions& options, const BuildInfo& then) {
                              "): the run continues, but not to the same bits");
 }
 
-/// Into a file that is held already, so that nobody writes to it meanwhile. 0, or an errno.
+/// Into a file that is locked already, so that no other process writes to it. 0, or an errno.
 int copyInto(const formats::OutputFile& target, int source) {
     constexpr std::size_t kStretch = std::size_t{1} << 26;  // [bytes]
     if (::ftruncate(target.file(), 0) != 0) return errno;
@@ -115,18 +115,17 @@ RunOptions optionsToKeep(const Common& common, const std::string& scenario, cons
 }
 
 Resumed readResumed(const RunOptions& options) {
-    std::optional<Result<formats::OutputFile>> held;  // before it is read: nobody may change it any more
+    std::optional<Result<formats::OutputFile>> held;  // before it is read: no process may change it any more
     if (inPlace(options)) held.emplace(formats::OutputFile::openExisting(options.resume));
     auto reader = valueOf(formats::SnapshotReader::open(options.resume));
     if (held) throwIfRefused(held->errors());
-    // Without its index, as it is when it was killed in its last moment, a finished run is finished once
-    // more.
+    // A finished run without its index, killed in its last moment, is finished once more.
     const bool is_finished = reader.end() && reader.end()->ended == "finished" && reader.faults().empty();
     if (options.output.empty() && is_finished) {
         throw BadInput(
             Error{"--resume", "holds a finished run: there is nothing left to do", options.resume});
     }
-    // A copy takes the damage along; in place nothing before the last full state is touched.
+    // A copy keeps the damage; in place nothing before the last full state is changed.
     for (const std::string& fault : held ? reader.faults() : reader.verify())
         note(options.common, "note: " + options.resume + ": " + fault);
     noteOtherBuild(options, reader.header().build);

@@ -31,23 +31,23 @@ struct RunOptions {
 RunOptions optionsToKeep(const Common& common, const std::string& scenario, const std::string& file,
                          bool force, int frames_per_full, const char* option);
 
-/// An earlier run that goes on: its scenario, and the last of its full states that can be read.
+/// An earlier run to resume: its scenario, and the last of its full states that can be read.
 struct Resumed {
     formats::Scenario scenario;
     FullFrame from;
     std::size_t full = 0;  ///< index of that state in its file
     int frames_per_full = 0;
-    std::optional<formats::OutputFile> file;  ///< held for writing, when the run goes on in place
+    std::optional<formats::OutputFile> file;  ///< locked for writing, when the run is resumed in place
 };
 
 /// Reads the file of --resume. Throws BadInput.
 Resumed readResumed(const RunOptions& options);
 
-/// Takes what a run hands out and writes it. Throws BadInput for a file that must not be replaced and
-/// FileRefused when the file system says no; a refusal while the run goes on ends it, and finish() throws.
+/// Writes the output of a run. Throws BadInput for a file that must not be replaced and FileRefused when the
+/// file system refuses; a refusal during the run ends it, and finish() throws.
 class RunRecorder {
  public:
-    /// `resumed` hands over its file.
+    /// `resumed` gives up its file.
     RunRecorder(const RunOptions& options, const formats::Scenario& scenario, Resumed* resumed);
 
     /// For run(); the recorder must outlive it. `failure` goes into the header of a run that a search keeps.
@@ -56,7 +56,7 @@ class RunRecorder {
 
     std::uint64_t bytes() const;  ///< of snapshots, once finished
     Json facts() const;           ///< of the snapshots, null without any
-    std::string lines() const;    ///< the same for people
+    std::string lines() const;    ///< the same as text
 
  private:
     void openHistory();

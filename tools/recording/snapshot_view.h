@@ -1,5 +1,6 @@
 #pragma once
-// Reading a snapshot file for people: which frame is meant, blocks by name, contacts in the model frame.
+// Access to a snapshot file for commands: frames by number or time, blocks by name, contacts in the model
+// frame.
 
 #include <optional>
 #include <string>

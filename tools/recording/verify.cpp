@@ -37,7 +37,7 @@ Task::Goal goalOf(formats::SnapshotReader& reader, std::size_t frame) {
     return {light.step, light.state_hash, light.time};
 }
 
-/// Cuts the run at its full states. The first frame is computed from the scenario alone; not so in a run that
+/// Cuts the run at its full states. The first frame is computed from the scenario alone, except in a run that
 /// a search has kept, which begins in a state of that search.
 std::vector<Task> tasksOf(formats::SnapshotReader& reader) {
     std::vector<Task> tasks;
@@ -53,7 +53,7 @@ std::vector<Task> tasksOf(formats::SnapshotReader& reader) {
     return tasks;
 }
 
-/// Follows one computation, compares what it hands out with the goals and stops it after the last.
+/// Follows one computation, compares its output with the goals and stops it after the last.
 class Follower {
  public:
     Follower(const Task& task, Stretch& result) : task_(task), result_(result) {}
@@ -72,7 +72,7 @@ class Follower {
         if (at_ >= task_.goals.size() || !result_.fault.empty()) return;
         const Task::Goal& goal = task_.goals[at_];
         if (frame.step < goal.step) return;  // the file lacks this frame
-        if (frame.step > goal.step) {        // it was handed out between frames, at an interruption
+        if (frame.step > goal.step) {        // it was written between frames, at an interruption
             stop = true;
             return;
         }
@@ -90,8 +90,8 @@ class Follower {
     std::size_t at_ = 0;
 };
 
-/// Computes from `full` until the goals are met; a goal between the regular frames (the last one of an
-/// interrupted run) gets a computation of its own, which hands out a frame just then.
+/// Computes from `full` until the goals are met. A goal between the regular frames (the last one of an
+/// interrupted run) gets its own computation, with a frame at that time.
 void follow(const Model& model, std::optional<FullFrame> full, Task task, Stretch& result) {
     while (!task.goals.empty() && result.fault.empty() && !stopRequested()) {
         Follower follower(task, result);
@@ -138,7 +138,7 @@ Verification verifyRun(formats::SnapshotReader& reader, const Common& common,
     const std::vector<Task> tasks = tasksOf(reader);
     Verification all;
     all.stretches.resize(tasks.size());
-    std::mutex one_at_a_time;  // reading and telling
+    std::mutex one_at_a_time;  // reading and reporting
     std::size_t done = 0;
     inArena(common.threads, [&] {
         tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t k) {

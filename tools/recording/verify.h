@@ -9,7 +9,7 @@
 
 namespace talus::tools {
 
-/// What a stretch of the run came to: from one full state (or from the scenario) to the next.
+/// The result of a stretch of the run: from one full state (or from the scenario) to the next.
 struct Stretch {
     double from = 0, to = 0;  ///< [s]
     std::size_t frames = 0;   ///< compared
@@ -23,8 +23,8 @@ struct Verification {
     bool equal() const;
 };
 
-/// Every stretch on its own, on as many threads as the options say; `show` is told the share done. Throws
-/// BadInput when the file's scenario cannot be built.
+/// Every stretch by itself, on the threads of the options; `show` gets the share done. Throws BadInput when
+/// the file's scenario cannot be built.
 Verification verifyRun(formats::SnapshotReader& reader, const Common& common,
                        const std::function<void(const Progress&)>& show);
 

@@ -25,7 +25,7 @@ constexpr std::string_view kPlace = "<!--SNAPSHOT-->";
 constexpr std::string_view kMark = "<title>Talus replay</title>";  // every page has it near its start
 constexpr std::size_t kMarkWithin = 1000;
 
-/// A file of its own name that is gone with the object.
+/// A temporary file, removed with the object.
 class TemporaryFile {
  public:
     TemporaryFile() {
@@ -91,7 +91,7 @@ std::string repacked(formats::SnapshotReader& reader, const std::string& path, c
     return contentOf(file.path());
 }
 
-/// The rule by which the page says what a block does.
+/// The page's rule for the motion of a block.
 std::string motionRule() {
     const Json rule{{"deflections", MotionRule::kDeflections},
                     {"share", MotionRule::kShare},
@@ -101,7 +101,7 @@ std::string motionRule() {
     return "<script id=\"motion-rule\" type=\"application/json\">" + jsonText(rule) + "</script>\n";
 }
 
-/// How the page says at which load a failure was kept, by the names of searches and of limit analyses.
+/// The page's words for the load of a kept failure, by the names of searches and of limit analyses.
 std::string searchWords() {
     Json words = Json::object();
     const auto add = [&](const std::string& name, const VariedQuantity& load) {
@@ -134,7 +134,7 @@ std::string snapshotBytes(formats::SnapshotReader& reader, const std::string& pa
                           const FrameChoice& choice) {
     requireFrames(reader, path);
     if (choice.all() && reader.end() && reader.faults().empty()) {
-        // The bytes go into the page as they are: what is damaged would only be found by who opens it.
+        // The bytes go into the page unchanged, so damage is checked here and not by the page's reader.
         if (const std::vector<std::string> damage = reader.verify(); !damage.empty())
             throw BadInput(Error{"", damage.front() + "; --from and --to leave it out", path});
         return contentOf(path);

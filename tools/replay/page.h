@@ -1,5 +1,5 @@
 #pragma once
-// The self-contained page of a run: the page that the program carries, with the snapshot file inside.
+// The self-contained page of a run: the page built into the program, with the snapshot file inside.
 
 #include <string>
 #include <string_view>
@@ -20,19 +20,19 @@ struct FrameChoice {
     bool all() const { return from <= 0 && to == kInfinity && every == 1 && contacts; }
 };
 
-/// Bytes of a finished snapshot file with the chosen frames: the file itself when that is what it is, else a
-/// new one. A file that is cut or still being written becomes whole, as far as it goes. Throws BadInput and
-/// FileRefused.
+/// Bytes of a finished snapshot file with the chosen frames: the file itself when it has just these frames,
+/// else a new one. A file that is cut or still being written is completed as far as it goes. Throws BadInput
+/// and FileRefused.
 std::string snapshotBytes(formats::SnapshotReader& reader, const std::string& path,
                           const FrameChoice& choice);
 
-/// The page with these bytes inside, as base64 in pieces that browsers read without trouble.
+/// The page with these bytes inside, as base64 in pieces of a size that browsers accept.
 std::string replayPage(std::string_view snapshot);
 
 /// The page of a whole snapshot file. Throws BadInput and FileRefused.
 void writeReplay(const std::string& file, const std::string& page);
 
-/// Throws BadInput when something else than a replay page stands at this path and `force` is not given.
+/// Throws BadInput when the path holds anything but a replay page and `force` is not given.
 void refuseToReplace(const std::string& page, const std::string& snapshot, bool force);
 
 }  // namespace talus::tools

@@ -1,5 +1,5 @@
 #pragma once
-// A run played in the terminal: how its quantities went, as small curves of letters, and a table of frames.
+// A run in the terminal: its quantities over time as small curves of letters, and a table of frames.
 
 #include <string>
 #include <vector>

@@ -30,7 +30,7 @@ struct BlockLook {
     double red = 0, green = 0, blue = 0;  ///< in full light, 0..255
 };
 
-/// What a picture shows of its blocks: by default how they are held.
+/// Groups of blocks in a picture: by default free and fixed ones.
 struct Painting {
     std::vector<BlockLook> looks{};
     std::vector<std::size_t> look_of_block{};  ///< one for each block

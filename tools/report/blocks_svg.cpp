@@ -1,4 +1,4 @@
-// A picture of the blocks: what can be seen of them, the farther faces first, with what explains it.
+// A picture of the blocks: their visible faces, the farther ones first, with a legend.
 
 #include <algorithm>
 #include <cmath>
@@ -153,8 +153,8 @@ bool isAsLarge(const PaintedPolygon& polygon, double wide, double high) {
     return top.x() - low.x() >= wide && top.y() - low.y() >= high;
 }
 
-/// Of every block that has room for its name on a face that can be seen, on the largest. A name stays within
-/// what is seen of its own block, so that none lies on another.
+/// Puts a block's name on its largest visible face with room for it. A name stays within the visible part of
+/// its own block, so that none lies on another.
 void drawNames(const Model& model, const VisibleFaces& visible, const std::vector<PaintedPolygon>& painted,
                const Sheet& sheet, SvgWriter& svg) {
     const auto block_of = [&](std::size_t piece) { return visible.faces[painted[piece].source].block; };

@@ -43,7 +43,7 @@ class Tracer {
                                         isAbove(i, j + 1)};
         const std::array<Side, 4> sides{{{i, j, true}, {i + 1, j, false}, {i, j + 1, true}, {i, j, false}}};
         const bool is_saddle = above[0] == above[2] && above[1] == above[3] && above[0] != above[1];
-        // Of a saddle the middle tells whether the two corners above are one area.
+        // At a saddle the middle decides whether the two corners above are one area.
         const double middle =
             0.25 * (field_.at(i, j) + field_.at(i + 1, j) + field_.at(i + 1, j + 1) + field_.at(i, j + 1));
         for (std::size_t k = 0; k < 4; ++k) {

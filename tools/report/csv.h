@@ -1,6 +1,6 @@
 #pragma once
-// Lines of CSV (RFC 4180), each a row: what is in a field never breaks a line, which is what makes a row
-// whole or absent after a crash.
+// Lines of CSV (RFC 4180), each a row: no field contains a line break, so that a row is whole or absent after
+// a crash.
 
 #include <optional>
 #include <string>

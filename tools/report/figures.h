@@ -1,6 +1,6 @@
 #pragma once
 // Plots and drawings as data: the page draws them (page/), svg.h writes them as files for documents.
-// README.md says what each kind of series has in its rows.
+// README.md gives the row of each kind of series.
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ struct Spot {
     double x = 0, y = 0;
 };
 
-/// What is drawn alike, in a colour and symbol by its role ("dem", "laboratory", "theory", "band", ...).
+/// A series, with a colour and symbol by its role ("dem", "laboratory", "theory", "band", ...).
 struct Series {
     std::string type, role, name;  ///< no name: not in the legend
     std::vector<std::vector<double>> rows;
@@ -74,7 +74,7 @@ struct Link {
 
 /// A side view, to scale.
 struct Drawing {
-    std::string title, description;  ///< what a screen reader reads
+    std::string title, description;  ///< text for screen readers
     std::vector<Shape> shapes{};
     std::optional<std::pair<Spot, std::string>> label{};
     std::string caption_title{}, caption{};

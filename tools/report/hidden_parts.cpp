@@ -9,7 +9,7 @@ namespace talus::tools {
 namespace {
 
 constexpr double kThin = 1e-4;           // of the picture: what is seen along an edge, or of a sliver
-constexpr std::size_t kMostPieces = 64;  // of a polygon that others cover piece by piece: it shows somewhere
+constexpr std::size_t kMostPieces = 64;  // of a polygon covered piece by piece: least visible part
 
 struct Box {
     double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
@@ -104,7 +104,7 @@ bool isWide(const std::vector<Vec3>& corners, double thin) {
     return corners.size() > 2 && 0.5 * std::abs(twice) > thin * longest && longest > thin;
 }
 
-/// What of a convex outline lies on one side of a side of another, outside with `sign` -1.
+/// The part of a convex outline on one side of an edge of another, outside with `sign` -1.
 std::vector<Vec3> cutAtSide(const std::vector<Vec3>& outline, const std::vector<Vec3>& other,
                             std::size_t side, double sign) {
     std::vector<Vec3> part;
@@ -118,7 +118,7 @@ std::vector<Vec3> cutAtSide(const std::vector<Vec3>& outline, const std::vector<
     return part;
 }
 
-/// Takes what the cover covers off a convex outline; what is left comes in convex pieces.
+/// Subtracts the cover from a convex outline; the rest is convex pieces.
 void uncovered(std::vector<Vec3> outline, const std::vector<Vec3>& cover, double thin,
                std::vector<std::vector<Vec3>>& pieces) {
     for (std::size_t side = 0; side < cover.size() && isWide(outline, thin); ++side) {

@@ -1,5 +1,5 @@
 #pragma once
-// What of a painted picture is to be seen at all: what later polygons cover is left out. Pure geometry.
+// Visible parts of a painted picture: parts covered by later polygons are left out. Pure geometry.
 
 #include <vector>
 
@@ -19,8 +19,8 @@ struct SeenParts {
     std::vector<SeenLine> lines;  ///< to be drawn over all of them: creases first, joints last
 };
 
-/// A polygon of which only slivers show, thinner than 1e-4 of the picture, counts as covered: they are where
-/// rounding leaves gaps between those that cover it.
+/// A polygon of which only slivers show, thinner than 1e-4 of the picture, counts as covered: rounding leaves
+/// such gaps between the polygons that cover it.
 /// \param painted  farthest first, as paintOrder gives them
 SeenParts seenParts(std::vector<PaintedPolygon> painted);
 

@@ -20,12 +20,12 @@ class HtmlPage {
     void heading(std::string_view title);                         ///< within a section
     /// \param look  a class of the style: "lead", "muted", "alert"
     void paragraph(std::string_view text, std::string_view look = "");
-    /// Terms and what they are; a row without a term goes on with the one before.
+    /// Terms and their explanations; a row without a term continues the one before.
     void facts(const std::vector<std::pair<std::string, std::string>>& items);
     void list(const std::vector<std::string>& items);
     void table(std::string_view caption, const std::vector<HtmlColumn>& columns,
                const std::vector<std::vector<std::string>>& rows);
-    /// A text as it is, folded up on the screen and left out on paper.
+    /// A preformatted text, folded on the screen and left out on paper.
     void textFile(std::string_view name, std::string_view text);
     /// An SVG file as part of the page. \param id  of the element, once a page
     void figure(const std::string& id, std::string_view svg, std::string_view caption);
@@ -36,8 +36,8 @@ class HtmlPage {
     std::string body_;
 };
 
-/// An SVG file as an element of a page that has others: its style, which a page would take for its own,
-/// holds inside the element only, and so does the name of its clip path.
+/// An SVG file as one of several elements of a page. Its style, which would otherwise apply to the page, and
+/// the name of its clip path hold inside the element only.
 std::string svgElement(std::string_view svg, const std::string& id);
 
 }  // namespace talus::tools

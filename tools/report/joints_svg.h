@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of a rock mass' joints: where their poles lie, how large discs and blocks are.
+// Pictures of a rock mass' joints: their poles, and the sizes of discs and blocks.
 
 #include <string>
 #include <string_view>
@@ -11,12 +11,11 @@
 namespace talus::tools {
 
 /// Poles of all planes on the lower hemisphere, equal-area (Schmidt), north upwards, each set in a colour of
-/// its own; the legend has their number, the dip and dip direction of their mean, and Fisher's constant of
+/// its own. The legend has their number, the dip and dip direction of their mean, and Fisher's constant of
 /// their scatter.
 std::string stereonetSvg(const std::vector<formats::RockJoint>& joints, std::string_view title);
 
-/// Which share of discs (by their set) and of blocks is smaller than a size, over the size on a logarithmic
-/// axis.
+/// Share of discs (by set) and of blocks smaller than a size, over the size on a logarithmic axis.
 std::string sizesSvg(const std::vector<formats::RockJoint>& joints, const Model& model,
                      std::string_view title);
 

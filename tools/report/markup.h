@@ -6,8 +6,8 @@
 
 namespace talus::tools {
 
-/// Text made safe for XML and HTML, attributes included. What XML has no way to write (control characters,
-/// U+FFFE, U+FFFF) is replaced by U+FFFD.
+/// Text made safe for XML and HTML, attributes included. Characters not allowed in XML (control characters,
+/// U+FFFE, U+FFFF) are replaced by U+FFFD.
 std::string escapedMarkup(std::string_view text);
 
 }  // namespace talus::tools

@@ -16,7 +16,7 @@ namespace talus::tools {
 /// The page without a report, as page/ makes it.
 extern const std::string_view kReportPage;
 
-/// What a report opens with; sections are pushed to `sections`.
+/// The head of a report; sections are pushed to `sections`.
 struct Report {
     std::string title, heading;
     Json opening = Json::array();   ///< blocks
@@ -38,7 +38,7 @@ Json facts(const std::vector<std::pair<std::string, std::string>>& items);  ///<
 Json file(const std::string& name, const std::string& text);                ///< folded up
 Json drawings(const std::vector<Drawing>& items, bool pair, Json colours = Json::array());
 
-/// What `provenance` holds, as items of facts().
+/// The entries of `provenance`, as items of facts().
 std::vector<std::pair<std::string, std::string>> provenanceFacts(const Json& provenance);
 
 // --- tables

@@ -151,8 +151,8 @@ class Painter {
         return best;
     }
 
-    /// All polygons look at the reader, so what lies behind a plane is painted before its own polygons, what
-    /// lies before it after them.
+    /// All polygons face the reader, so those behind a plane are painted before its own polygons, and those
+    /// in front after them.
     void paintTree(Polygons polygons) {
         if (polygons.size() < 2) {
             for (PaintedPolygon& polygon : polygons) painted_.push_back(std::move(polygon));

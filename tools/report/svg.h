@@ -1,6 +1,6 @@
 #pragma once
 // Plots and drawings as SVG files for documents, with the colours of print built in. The page draws the same
-// data itself; what only the page shows (histograms, heat maps, correlations) this does not know.
+// data itself; histograms, heat maps and correlations exist on the page only.
 
 #include <string>
 
@@ -9,7 +9,7 @@
 namespace talus::tools {
 
 /// A plot of lines, points, bands, boxes and labels, both axes with their domain and their step or names.
-/// \param titled  its title stands above it, for a file that no caption goes with
+/// \param titled with its title above it, for a file without a caption
 std::string svgFile(const Plot& plot, bool titled = false);
 
 std::string svgFile(const Drawing& drawing);

@@ -16,9 +16,9 @@ class SvgWriter {
     /// it; \param tip shown over it
     void shape(const std::vector<Spot>& spots, bool open, const std::string& role,
                const std::string& tip = "", const std::string& fill = "", bool outlined = false);
-    /// An area with holes: what an odd number of rings goes around.
+    /// An area with holes: the points inside an odd number of rings.
     void area(const std::vector<std::vector<Spot>>& rings, const std::string& role);
-    /// What is drawn until `endClip` shows inside a circle only. One circle a file.
+    /// Clips to a circle until `endClip`. One circle per file.
     void beginClip(Spot middle, double r);
     void endClip() { body_ += "</g>\n"; }
     void line(Spot from, Spot to, const std::string& role) { shape({from, to}, true, role); }

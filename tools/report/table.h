@@ -1,5 +1,5 @@
 #pragma once
-// A table of results, for people (aligned columns), for programs (JSON), for spreadsheets (CSV).
+// A table of results as text (aligned columns), JSON and CSV.
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ struct Table {
     Json json() const;         ///< a list of objects
 };
 
-/// How a result is to be printed.
+/// The output format of a result.
 enum class Format { text, csv, json };
 
 }  // namespace talus::tools

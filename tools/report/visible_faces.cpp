@@ -106,8 +106,8 @@ class BlockFinder {
     std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
 };
 
-/// Whether other blocks lie against the whole face, as far as its middle, its corners and points of its sides
-/// tell. What is hidden without being found here is painted over.
+/// Whether other blocks lie against the whole face, by its middle, its corners and points of its sides.
+/// Hidden faces missed here are painted over.
 bool isCovered(const BlockFinder& finder, const Polyhedron& shape, std::size_t f, const Vec3& normal,
                const Vec3& centroid) {
     const Vec3 off = 1e-5 * finder.size() * normal;
@@ -122,7 +122,7 @@ bool isCovered(const BlockFinder& finder, const Polyhedron& shape, std::size_t f
         for (const double share : {0.0, 0.25, 0.5, 0.75})
             if (!covered(a + share * (b - a))) return false;
     }
-    // What other parts of the body cover in part may be free anywhere.
+    // A face partly covered by other parts of its body may be free anywhere.
     const bool is_partly = !shape.faces.covers().empty() && shape.faces.covers()[f] == Cover::partly;
     for (std::size_t i = 1; is_partly && i + 1 < outline.size(); ++i) {
         const Vec3& origin = shape.vertices[static_cast<std::size_t>(outline[0])];
@@ -149,7 +149,7 @@ bool isInOutline(const Polyhedron& shape, std::size_t f, const Vec3& normal, con
     return true;
 }
 
-/// What the edges of one block's faces are.
+/// The kinds of the edges of one block's faces.
 class EdgeTeller {
  public:
     EdgeTeller(const BlockFinder& finder, const Polyhedron& shape, std::size_t block)
@@ -178,7 +178,7 @@ class EdgeTeller {
         std::size_t face;
         Vec3 from, to;
         std::vector<std::size_t> others;  ///< faces of the body in whose planes it lies
-        /// Other parts of the body cover these faces in part: what is beside it changes anywhere.
+        /// Other parts of the body cover these faces in part: the neighbour may change anywhere.
         bool changes;
 
         Vec3 at(double share) const { return from + share * (to - from); }
@@ -198,8 +198,7 @@ class EdgeTeller {
         return edge;
     }
 
-    /// Shares of an edge: its ends and, between them, corners of other faces that lie on it: there what is
-    /// beside it changes.
+    /// Shares of an edge: its ends and the corners of other faces on it, where its neighbour changes.
     std::vector<double> stopsOf(const Edge& edge) const {
         const Vec3 along = edge.to - edge.from;
         const double thin = 1e-7 * finder_.size() / edge.length();
@@ -228,7 +227,7 @@ class EdgeTeller {
         };
         const double look = kBeside * (end - begin) * edge.length();
         if (!edge.changes) return add(begin, side(edge, 0.5 * (begin + end), look).value_or(Side::rim));
-        // What goes on there may lie under other parts by less than this looks: then it is no rim.
+        // The surface beyond may lie under other parts by less than this distance: then the edge is no rim.
         const auto at = [&](double share) { return side(edge, share, look).value_or(Side::none); };
         const auto place = [&](int k) { return begin + (k + 0.5) / kAlong * (end - begin); };
         Side last = at(place(0));
@@ -240,7 +239,7 @@ class EdgeTeller {
         }
     }
 
-    /// The share between two of them where what `at` tells is no longer `first`.
+    /// The share between two of them at which `at` is no longer `first`.
     template <typename At>
     static double changeBetween(const At& at, double from, double to, Side first) {
         for (int k = 0; k < kBisections; ++k) {
@@ -250,7 +249,8 @@ class EdgeTeller {
         return to;
     }
 
-    /// What an edge is at a share of it. A neighbour narrower than the first look is found by a nearer one.
+    /// Kind of an edge at a share of it. A neighbour narrower than the first distance is found at a smaller
+    /// one.
     std::optional<Side> side(const Edge& edge, double share, double look) const {
         for (const double step : {look, 0.05 * look})
             if (const auto found = sideAt(edge, share, step)) return found;
@@ -261,7 +261,7 @@ class EdgeTeller {
         return std::abs(normals_[g].dot(point - corner(g))) <= 1e-6 * finder_.size();
     }
 
-    /// Nothing: no face of the block goes on so far beside the edge.
+    /// Nothing: no face of the block continues so far beside the edge.
     std::optional<Side> sideAt(const Edge& edge, double share, double step) const {
         const Vec3& own = normals_[edge.face];
         const Vec3 middle = edge.at(share), out = (edge.to - edge.from).cross(own).normalized();

@@ -1,5 +1,5 @@
 #pragma once
-// The faces of a model that are to be seen from a side, and what their edges are.
+// The visible faces of a model, and the kinds of their edges.
 
 #include <vector>
 
@@ -13,7 +13,7 @@ struct Camera {
     Vec3 right, up, towards, level;
 
     explicit Camera(const View& view);
-    /// A point as the picture has it.
+    /// A point in the picture's coordinates.
     Vec3 seen(const Vec3& point) const { return {right.dot(point), up.dot(point), towards.dot(point)}; }
 };
 
@@ -22,8 +22,8 @@ struct VisibleFace {
     Vec3 normal = Vec3::Zero();
 };
 
-/// Faces that look at the reader and that no other block covers; the polygon of each, with its number in the
-/// first list as source.
+/// Faces towards the reader that no other block covers; the polygon of each, with its number in the first
+/// list as source.
 struct VisibleFaces {
     std::vector<VisibleFace> faces;
     std::vector<PaintedPolygon> polygons;

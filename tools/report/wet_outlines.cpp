@@ -26,7 +26,7 @@ Outline outlineOf(const Model& model, const WetFace& wall) {
     return outline;
 }
 
-/// What of a polygon lies where normal . x <= offset.
+/// The part of a polygon with normal . x <= offset.
 Outline below(const Outline& outline, const Vec3& normal, double offset) {
     Outline part;
     for (std::size_t k = 0; k < outline.size(); ++k) {
@@ -38,7 +38,7 @@ Outline below(const Outline& outline, const Vec3& normal, double offset) {
     return part;
 }
 
-/// What of a polygon lies in a convex one of the same plane, or all of it where that is empty.
+/// The part of a polygon in a convex one of the same plane, or all of it where that is empty.
 Outline within(Outline polygon, const Outline& fissure) {
     if (fissure.empty()) return polygon;
     Vec3 normal = Vec3::Zero();

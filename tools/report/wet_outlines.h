@@ -1,5 +1,5 @@
 #pragma once
-// Where the water of a model stands at the start, as outlines for pictures.
+// The water of a model at the start, as outlines for pictures.
 
 #include <vector>
 

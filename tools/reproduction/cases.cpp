@@ -21,7 +21,7 @@ std::string scenarioText(std::string_view name) {
     throw std::logic_error("no built-in scenario named " + std::string(name));
 }
 
-/// What distinguishes a case from the scenario it starts from.
+/// Changes of a case against its base scenario.
 struct Variant {
     PaperGroup group;
     std::string scenario;  ///< built-in
@@ -114,8 +114,7 @@ void addQuarterWithWater(std::vector<PaperCase>& cases) {
     }
 }
 
-/// A rule as the command line gave it is text inside a TOML string: refuse what is no rule before it gets
-/// there.
+/// A rule from the command line becomes text inside a TOML string, so anything else is refused before.
 void checkPoints(const std::string& points) {
     constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789 ";
     if (points.find_first_not_of(kLetters) == std::string::npos) {

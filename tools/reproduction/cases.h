@@ -1,5 +1,5 @@
 #pragma once
-// Which cases make up the reproduction of the paper.
+// The cases of the reproduction of the paper.
 
 #include <string>
 #include <vector>

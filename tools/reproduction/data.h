@@ -1,5 +1,5 @@
 #pragma once
-// The result for machines: JSON and CSV.
+// The result as JSON and CSV.
 
 #include <string>
 

@@ -22,7 +22,7 @@ namespace talus::tools {
 
 namespace {
 
-/// The paper's photographs of the slope as it has failed, by the fissure that holds water (0: none).
+/// The paper's photographs of the failed slope, by the fissure that holds water (0: none).
 constexpr std::pair<int, const char*> kFigures[] = {{0, "Fig. 4"}, {5, "Fig. 5"}};
 
 const char* figureOf(const PaperCase& what) {

@@ -1,7 +1,7 @@
 #pragma once
-// What the paper measured and computed itself: the only place where its figures stand. Source: Experimental
-// investigation and numerical simulation on the effect of fissure water pressure in vertical sliding surface,
-// Table 1 (laboratory) and section 5 (DEM).
+// The paper's own measurements and results: its figures occur only here. Source: Experimental investigation
+// and numerical simulation on the effect of fissure water pressure in vertical sliding surface, Table 1
+// (laboratory) and section 5 (DEM).
 
 #include <array>
 

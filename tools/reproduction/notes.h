@@ -1,5 +1,5 @@
 #pragma once
-// What the figures say, in words, with the figures taken from the results.
+// Notes on the results, with figures taken from them.
 
 #include <optional>
 #include <string>
@@ -16,13 +16,13 @@ struct Note {
     std::string title, text;  ///< plain text
 };
 
-/// Where laboratory, the paper's own DEM and this model differ, and what that may rest on.
+/// Differences between the laboratory, the paper's own DEM and this model, and possible reasons.
 std::vector<Note> differenceNotes(const PaperResults& results);
 
-/// What is wrong in the paper's print and how it was read.
+/// Misprints in the paper and how they were read.
 std::vector<Note> errata();
 
-/// The friction angle at which the exact limit gives a measured angle: what a test says of its own joints
+/// The friction angle at which the exact limit gives a measured angle: the joints' strength by that test
 /// [deg]. Nothing when the case's model is not a stack.
 std::optional<double> impliedFrictionDeg(const PaperCase& what, double measured_deg);
 

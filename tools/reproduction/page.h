@@ -5,7 +5,7 @@
 
 namespace talus::tools {
 
-/// What the page shows, as report/README.md documents it.
+/// Content of the page, as report/README.md documents it.
 Json paperReport(const PaperResults& results);
 
 // --- its parts with tables, in a file of their own
@@ -17,7 +17,7 @@ Json dryPointsTable(const PaperResults& results);
 Json quarterWaterTable(const PaperResults& results);
 Json costsTable(const PaperResults& results);
 
-/// Slope, water, joints, search: what was computed, as terms and what they are.
+/// Slope, water, joints and search, as terms and their values.
 std::vector<std::pair<std::string, std::string>> parameters(const PaperResults& results);
 
 }  // namespace talus::tools

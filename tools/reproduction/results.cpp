@@ -77,7 +77,7 @@ std::string fileName(const PaperCase& what) {
 std::string statusText(const PaperRun& run) {
     if (!run.errors.empty()) return "failed";
     if (!run.begun) return "not_run";
-    // The engine's own word for it is "undecided", which here would read like a finding.
+    // The engine calls it "undecided", which here would read like a finding.
     if (run.search.status == SearchStatus::interrupted) return "interrupted";
     return talus::toString(run.search.status);
 }

@@ -24,7 +24,7 @@ enum class PaperGroup {
     quarter_water  ///< the watered slopes, one slice, with the paper's contact points
 };
 
-/// What is to be computed.
+/// Description of a case.
 struct PaperCase {
     PaperGroup group = PaperGroup::table;
     std::string name;           ///< "dry", "fissure-3", "points-grid-4", ...
@@ -38,7 +38,7 @@ struct PaperCase {
     bool keep_failing = false;  ///< its failing run is kept (--keep-run)
 };
 
-/// What came out of it.
+/// Its result.
 struct PaperRun {
     PaperCase what;
     bool begun = false;
@@ -70,8 +70,8 @@ struct PaperResults {
 };
 
 const char* groupName(PaperGroup group);                 ///< "table-1", "section-5", ...
-std::string groupTitle(PaperGroup group);                ///< for people
-std::string label(const PaperCase& what);                ///< for people: "dry", "fissure 3", "fissures 7-10"
+std::string groupTitle(PaperGroup group);                ///< in words
+std::string label(const PaperCase& what);                ///< in words: "dry", "fissure 3", "fissures 7-10"
 std::string fileName(const PaperCase& what);             ///< without ending: "dry-phi-19.5", "points-corner"
 std::string statusText(const PaperRun& run);             ///< "found", "interrupted", "not_run", "failed", ...
 std::optional<double> criticalDeg(const PaperRun& run);  ///< nothing unless found
@@ -81,7 +81,7 @@ std::optional<double> lessPaper(const PaperRun& run);   ///< DEM - the paper's v
 std::string failureText(const PaperRun& run);           ///< "sliding", ... or "" without an answer
 std::string movingText(const PaperRun& run);            ///< "columns 1-3 (45 blocks)"
 
-/// Blocks of a stack for people: "columns 1-3 (45 blocks)", with the rows when it is not all of them.
+/// Blocks of a stack in words: "columns 1-3 (45 blocks)", with the rows when it is not all of them.
 std::string columnsText(const std::vector<std::string>& blocks, const std::optional<StackShape>& stack);
 
 /// "fissure 3 phi 19.5: 15.56", or the status in place of the angle.

@@ -23,7 +23,7 @@ double threadCpuSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Keeps the count and tells the caller; the only thing the cases share.
+/// Counts and reports to the caller; the only data that the cases share.
 class Ledger {
  public:
     Ledger(const std::vector<PaperRun>& runs, const std::function<void(const PaperProgress&)>& tell)

@@ -1,7 +1,7 @@
 #pragma once
-// The laboratory's scatter, computed: every interface draws its own friction angle in the range that was
-// measured on the model's blocks, many samples, dry and with water in each fissure; beside the three
-// laboratory repeats.
+// The laboratory's scatter, computed: every interface draws its own friction angle from the range measured on
+// the model's blocks. Many samples, dry and with water in each fissure, stand beside the three laboratory
+// repeats.
 
 #include <array>
 #include <cstdint>
@@ -29,7 +29,7 @@ struct Scatter {
 };
 
 /// Computes `samples` samples of bench/paper/sweeps/laboratory-scatter.toml in `folder`, where sweep,
-/// scenario and rows stay: the same call goes on where it was stopped. Throws FileRefused, BadInput.
+/// scenario and rows stay: the same call continues where it was stopped. Throws FileRefused, BadInput.
 Scatter computeScatter(std::uint64_t samples, const std::string& folder, const Common& common);
 
 Json scatterJson(const Scatter& scatter);

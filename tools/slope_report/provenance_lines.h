@@ -1,6 +1,6 @@
 #pragma once
-// Who computed a report, from what: the same on the page and above its tables. No times and no thread count,
-// so that the same input gives the same bytes.
+// Provenance of a report: the same on the page and above its tables. No times and no thread count, so that
+// the same input gives the same bytes.
 
 #include <string>
 #include <utility>

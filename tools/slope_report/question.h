@@ -1,5 +1,5 @@
 #pragma once
-// What a report is about: which search answers it, and what its stereonet takes for face and friction.
+// Choices of a report: its search, and the face and friction angle of its stereonet.
 
 #include <optional>
 #include <string>
@@ -20,9 +20,9 @@ struct Chosen {
     std::string because{};
 };
 
-/// The search that a report is about. The one asked for; else the one whose range or tolerance stands under
-/// [analysis]; else the critical angle of a scenario with gravity.tilt_deg; else the factor of safety. Throws
-/// BadInput for a name that is none. \param wish  a search's name, or empty
+/// The search of a report. The given one; else the one whose range or tolerance is given under [analysis];
+/// else the critical angle of a scenario with gravity.tilt_deg; else the factor of safety. Throws BadInput
+/// for a name that is none. \param wish a search's name, or empty
 Chosen<const LoadSearch*> analysisOf(const formats::Scenario& scenario, const std::string& wish);
 
 /// The face that the stereonet tests: the one given ("65/270"), else that of the model (face.h). Nothing

@@ -1,5 +1,5 @@
 #pragma once
-// The sections of the page that describe the model: what was asked, water and bolts.
+// The sections of the page that describe the model: the analysis, water and bolts.
 
 #include <string>
 #include <vector>

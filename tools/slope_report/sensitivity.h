@@ -1,6 +1,6 @@
 #pragma once
-// How far an answer depends on friction, on the horizontal seismic coefficient and on stiffness: the same
-// search with each of them a little less and a little more.
+// Sensitivity of an answer to friction, the horizontal seismic coefficient and stiffness: the same search
+// with each slightly smaller and larger.
 
 #include <functional>
 #include <optional>
@@ -25,11 +25,11 @@ struct SensitivityTrial {
 /// Both sides of one quantity.
 struct Sensitivity {
     std::string quantity;  ///< "friction"
-    std::string change;    ///< what exactly is changed, for the reader
+    std::string change;    ///< exact description of the change
     SensitivityTrial less, more;
 };
 
-/// A quantity and how a model is changed in it.
+/// A quantity and its change in a model.
 struct ChangedQuantity {
     std::string quantity, change, less_text, more_text;
     std::function<void(Model&)> less, more;
@@ -39,7 +39,7 @@ struct ChangedQuantity {
 /// the search itself varies it.
 std::vector<ChangedQuantity> changedQuantities(const Model& model, Varied varied, double share);
 inline constexpr double kMostShare = 0.9;
-/// Whether a share can be asked for: more than 0, at most kMostShare.
+/// Whether a share is allowed: more than 0, at most kMostShare.
 inline bool isSensitivity(double share) { return share > 0 && share <= kMostShare; }
 inline constexpr double kSeismicStep = 0.05;  ///< of the weight
 

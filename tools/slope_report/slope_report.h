@@ -1,5 +1,5 @@
 #pragma once
-// Everything that the page of `talus report` is made from.
+// Data of the page of `talus report`.
 
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@ struct SlopeReportRequest {
     std::string analysis{};             ///< a search's name; empty: by the scenario
     std::string slope{};                ///< of the stereonet, "65/270"; empty: by the model
     int groups = 1;                     ///< most groups of the search to follow
-    std::optional<double> sensitivity;  ///< share of the change; nothing: not asked for
+    std::optional<double> sensitivity;  ///< share of the change; nothing: no sensitivity
 };
 
 /// The planes of a scenario with joint sets on the stereonet.
@@ -38,7 +38,7 @@ struct SlopeReport {
     std::vector<Sensitivity> sensitivity{};
 };
 
-/// Nothing once `control` asks to stop. What the report refers to must outlive it. Throws BadInput.
+/// Nothing after an interruption. Objects that the report refers to must outlive it. Throws BadInput.
 std::optional<SlopeReport> computeSlopeReport(const formats::Scenario& scenario,
                                               const SlopeReportRequest& request, const Common& common,
                                               const Control& control);
@@ -55,7 +55,7 @@ std::vector<ReportFigure> figuresOf(const SlopeReport& report);
 /// The page. \param figures  all of the report
 std::string slopePage(const SlopeReport& report, const std::vector<ReportFigure>& figures);
 
-/// Where a report stands.
+/// Paths of a report.
 struct SlopeReportFiles {
     std::string page, folder;
     std::vector<std::string> figures{};  ///< files, in order

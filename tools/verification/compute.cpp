@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kFalls = "falls_at_start";
 constexpr const char* kDecided = "decided";
 
-/// What answers a quantity.
+/// The analysis that gives a quantity.
 struct Analysis {
     const LoadSearch* search = nullptr;
     const VariedQuantity* limit = nullptr;  ///< neither: a time history
@@ -44,7 +44,7 @@ Analysis analysisFor(const std::string& quantity) {
     throw BadInput(Error{"quantity", "there is no quantity \"" + quantity + "\""});
 }
 
-/// One computation, for all rows that want something of it.
+/// One computation, for all rows that need it.
 struct Task {
     const VerificationRow* row = nullptr;
     Analysis analysis;
@@ -126,7 +126,8 @@ class EnergyWatch {
     double last_ = 0, change_ = 0, gain_ = 0, kinetic_ = 0;
 };
 
-/// The swing of the first watched block, let go at rest: its impact is where its centroid is lowest.
+/// The swing of the first watched block, released with zero velocity: its impact is where its centroid is
+/// lowest.
 class SwingWatch {
  public:
     void see(const HistoryRecord& record) {
@@ -139,8 +140,8 @@ class SwingWatch {
         fall_ = -record.gravity_energy;
     }
     double time() const { return time_; }
-    /// Of the velocity at the impact: the energy of the fall, and what is left of it at the end, are its
-    /// square.
+    /// Coefficient of the velocity at impact, the root of the ratio of the energy at the end to that of the
+    /// fall.
     double kept() const { return std::sqrt((left_ + fall_) / fall_); }
 
  private:
@@ -148,7 +149,7 @@ class SwingWatch {
     double lowest_ = 0, time_ = 0, fall_ = 0, left_ = 0;
 };
 
-/// Force of the first support over the way of the first watched block, as it is pulled.
+/// Force of the first support over the displacement of the first watched block, during a pull.
 class PullWatch {
  public:
     void see(const HistoryRecord& record) {

@@ -15,9 +15,8 @@ struct Manual {
     double wall_seconds = 0;
     Json provenance;
 
-    std::size_t outside() const;  ///< rows that are outside their bands
-    std::size_t unexpected()
-        const;  ///< rows that the table does not have like that: newly outside, or inside again
+    std::size_t outside() const;     ///< rows that are outside their bands
+    std::size_t unexpected() const;  ///< rows that differ from the table: newly outside, or inside again
     std::size_t judged() const;
 };
 
@@ -28,8 +27,7 @@ std::string manualText(const Manual& manual);  ///< a line a row, for the termin
 /// The report of the page (report/README.md); scenarios lie in the folder `scenarios` beside it.
 Json manualReport(const Manual& manual);
 
-/// What a scenario looks like from the side (along y), turned by its tilt; blocks in the colours of how they
-/// move.
+/// Side view of a scenario (along y), turned by its tilt; blocks in the colours of their motion.
 Json problemPicture(const VerifiedRow& row);
 
 }  // namespace talus::tools

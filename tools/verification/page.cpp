@@ -129,7 +129,7 @@ Json opening(const Manual& manual) {
     return blocks;
 }
 
-/// What a reader wants to know first: how far out, and why.
+/// Rows outside their bands: by how much, and why.
 Json outsideTable(const std::vector<const VerifiedRow*>& rows, const std::string& caption) {
     Json cells = Json::array(), alerts = Json::array();
     for (const VerifiedRow* row : rows) {

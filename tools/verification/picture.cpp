@@ -1,4 +1,4 @@
-// What a problem looks like from the side.
+// Side view of a problem.
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 
 namespace talus::tools {
 
-/// What is computed, and what it is held against. Values are in the unit that `quantity` ends in.
+/// A computed quantity and its reference. Values are in the unit at the end of `quantity`.
 struct VerificationRow {
     std::string section, name;
     std::string scenario;  ///< "paper/dry": in bench/, without .toml
@@ -19,8 +19,8 @@ struct VerificationRow {
     std::optional<double> low, high;  ///< the band; neither: reported, not judged
     bool ceiling_is_high = false;     ///< the band's upper end is that of limit analysis
     std::string kind;                 ///< closed_form, published, laboratory, bound
-    double seconds = 0;               ///< about what it takes on one core
-    std::string source, others;       ///< where the reference is from; what other programs and tests gave
+    double seconds = 0;               ///< approximate time on one core
+    std::string source, others;       ///< source of the reference; results of other programs and tests
     std::optional<double> found;      ///< of a row that is known to be outside its band: the value it has
     std::string why;                  ///< and the reason, where it is known
 

@@ -1,5 +1,5 @@
 #pragma once
-// The questions a user asks: run, critical angle, factor of safety, failure mode.
+// The analyses: critical angle, factor of safety, critical acceleration, and what they return.
 
 #include <cstdint>
 #include <memory>
@@ -53,17 +53,17 @@ struct Probe {
     std::int64_t steps = 0;
     std::int64_t factors = 0;   ///< factorisations since the one before
     double out_of_balance = 0;  ///< largest out-of-balance force of a block over its weight
-    double displacement = 0;    ///< of the farthest-moved block since the path began [m]
+    double displacement = 0;    ///< of the block that has moved farthest since the path began [m]
     std::string reason;         ///< why this verdict
 };
 
-/// A point of the path of a search: how far blocks have come at a load.
+/// A point of the load-displacement curve of a search.
 struct PathPoint {
     double load = 0;          ///< as the answer's
-    double displacement = 0;  ///< of the block that has come farthest [m]
+    double displacement = 0;  ///< of the block that has moved farthest [m]
 };
 
-/// How one block moves at failure, and on what that rests.
+/// How one block moves at failure, and the evidence for it.
 struct BlockMotion {
     std::string block;
     FailureMode mode = FailureMode::none;
@@ -76,22 +76,22 @@ struct BlockMotion {
     bool moving = false;
 };
 
-/// The assembly as a search saw it leave its place; `runFailing` plays it on.
+/// The assembly in failure, as a search found it; `runFailing` continues it as a time history.
 struct FailingState {
     FullFrame state;
     double load = 0;             ///< as searched for, a little above the first failing one
-    double contact_damping = 0;  ///< dashpots that take out the rattle, as `Damping::contact` [s]
-    /// The square of the angular frequency up to which it is played on [1/s^2]: faster blocks, small ones,
-    /// get more inertia, at most 1 % of the mass that moves.
+    double contact_damping = 0;  ///< dashpots against contact chatter, as `Damping::contact` [s]
+    /// Square of the highest angular frequency of the time history [1/s^2]. Small, faster blocks get more
+    /// inertia, in all at most 1 % of the moving mass.
     double frequency = 0;
     double block_size = 0;  ///< median of the blocks' smallest extents [m]
 };
 
-/// Blocks that go together.
+/// Blocks that fail together.
 struct BlockGroup {
     double factor = 0;                   ///< of safety, or the load of another search
     std::vector<std::string> blocks{};   ///< sorted
-    double low = factor, high = factor;  ///< the loads at which they stood and failed
+    double low = factor, high = factor;  ///< the loads at which they were stable and failed
     double volume = 0, mass = 0;         ///< [m^3, kg]
 };
 
@@ -102,7 +102,7 @@ struct Ceiling {
     std::string reason{};  ///< why there is none
 };
 
-/// What the answer is if a failure counts from another displacement on.
+/// The answer for another failure displacement.
 struct DisplacementAnswer {
     double displacement = 0;  ///< share of the median block size
     double load = 0;          ///< the answer
@@ -120,17 +120,16 @@ struct SearchResult {
     /// Midpoint of the bracket: tilt [rad], factor of safety or seismic coefficient; valid when found.
     double answer = 0;
     double low = 0;   ///< the last equilibrium (or -infinity)
-    double high = 0;  ///< the load at which the assembly was seen to leave its place (or infinity)
+    double high = 0;  ///< the load at which the assembly was found to fail (or infinity)
     FailureMode mode = FailureMode::none;
     std::vector<std::string> moving_blocks;  ///< sorted
     std::vector<BlockMotion> motions;        ///< evidence, one per free block, in the order of the blocks
     double failing_volume = 0;               ///< of the moving blocks [m^3]
     double failing_mass = 0;                 ///< [kg]
-    /// fall whatever the strength: taken out before the search; sorted
+    /// fall whatever the strength: removed before the search; sorted
     std::vector<std::string> fallen_at_start;
-    /// failed below the answer with too little mass to be it (AnalysisSettings::least_mass_share), in that
-    /// order
-    std::vector<BlockGroup> let_go{};
+    /// failed below the answer with less mass than AnalysisSettings::least_mass_share, in that order
+    std::vector<BlockGroup> removed_groups{};
     /// The lowest and the highest answer found, and how each was found; valid when found.
     std::optional<std::pair<double, double>> answer_interval{};
     std::pair<std::string, std::string> answer_interval_reasons{};
@@ -138,19 +137,19 @@ struct SearchResult {
     /// can slide.
     std::optional<LimitEquilibrium> limit_equilibrium{};
     Ceiling upper_bound{};            ///< for joints that open as they slide, in the shape as built
-    double failure_displacement = 0;  ///< from which on a failure counts [share of the median block size]
+    double failure_displacement = 0;  ///< failure displacement [share of the median block size]
     /// The answers by other failure displacements where they differ from the answer by more than the
     /// tolerance; ascending.
     std::vector<DisplacementAnswer> answers_by_displacement{};
     std::vector<PathPoint> path{};  ///< load against displacement, from the start of the search
-    /// Share of the area of joints whose cohesion goes at the first slip that has lost it in the failure,
-    /// 0..1.
+    /// Share of brittle joint area that has lost its cohesion in the failure, 0..1.
     double lost_cohesion = 0;
     /// The answer if that cohesion were kept, as in limit equilibrium; where some is lost.
     std::optional<double> kept_cohesion{};
-    std::vector<BlockGroup> groups;  ///< of `safetyFactor`: who goes at which factor; the first is the answer
+    std::vector<BlockGroup> groups;  ///< of `safetyFactor`: successive failure groups and their factors; the
+                                     ///< first is the answer
     bool groups_undecided = false;   ///< the search for the next group ended so
-    std::vector<Supports> supports;  ///< as the assembly leaves its place, or at the last load that stands
+    std::vector<Supports> supports;  ///< at failure, or at the last stable load
     std::vector<Probe> probes;       ///< the path, step by step
     std::int64_t steps = 0;          ///< along paths
     std::int64_t factors = 0;        ///< factorisations
@@ -175,8 +174,7 @@ Result<SearchResult> safetyFactor(const Model& model, const Control& control = {
 Result<SearchResult> criticalAcceleration(const Model& model, const Control& control = {},
                                           const SearchRules& rules = {});
 
-/// The model as if these blocks had been removed before the start: what joined or wetted only them goes with
-/// them.
+/// The model without these blocks, and without the joints, bolts and waters that belong to them alone.
 Model withoutBlocks(const Model& model, const std::vector<std::string>& names);
 
 }  // namespace talus

@@ -1,13 +1,13 @@
 #pragma once
 // Block theory: which blocks of a slope can move at all, and at which factor of safety, by limit equilibrium.
 //
-// A block is removable when a direction exists along which no neighbour is in its way (R. E. Goodman and
-// G.-H. Shi, Block Theory and Its Application to Rock Engineering, 1985). Which way it moves follows from the
-// resultant of the forces on it by vector algebra (P. M. Warburton, Int. J. Rock Mech. Min. Sci. 18: 415-427,
-// 1981). Blocks that stand in each other's way along a direction move as one body.
+// A block is removable when it can move in some direction without pressing into a neighbour (R. E. Goodman
+// and G.-H. Shi, Block Theory and Its Application to Rock Engineering, 1985). Its direction of motion follows
+// from the resultant force on it by vector algebra (P. M. Warburton, Int. J. Rock Mech. Min. Sci. 18:
+// 415-427, 1981). Blocks that obstruct each other along a direction move as one body.
 //
-// Translation only: toppling is not covered. Contacts are those of the model as built; block theory asks for
-// no stiffness.
+// Translation only: toppling is not covered. Contacts are those of the model as built; stiffness plays no
+// part.
 
 #include <cstddef>
 #include <cstdint>
@@ -23,8 +23,8 @@ namespace talus {
 
 /// How a body moves under the resultant of the forces on it.
 enum class SlidingMode : std::uint8_t {
-    none,    ///< no direction that is free lies on the resultant's side
-    falls,   ///< it leaves every plane, or slides along planes that nothing presses
+    none,    ///< the resultant has no component along any free direction
+    falls,   ///< it leaves every plane, or slides along planes without normal force
     slides,  ///< on one plane
     wedge    ///< along the line of intersection of two planes
 };
@@ -54,8 +54,8 @@ struct Sliding {
 struct KeyBlock {
     std::string name;
     bool removable = false;
-    /// Where it is removable: a direction along which no neighbour is in its way. That of sliding, if it has
-    /// one; else the one nearest to where its free faces look.
+    /// Where it is removable: a direction in which it can leave. That of sliding, if it has one; else the
+    /// free direction nearest to the outward normals of its free faces.
     Vec3 free_direction = Vec3::Zero();
     Sliding sliding;
     double volume = 0;  ///< [m^3]
@@ -65,8 +65,8 @@ struct KeyBlock {
 /// Free blocks that move as one body. One block is a group, too.
 struct MovingGroup {
     std::vector<std::string> blocks;  ///< sorted
-    /// Blocks that lean on the group, do not stand without it, and cannot move with it; sorted. What they
-    /// press with is not counted: the factor is that of the group without them.
+    /// Blocks that lean on the group, are unstable without it, and cannot move with it; sorted. Their forces
+    /// on the group are not counted: the factor is that of the group without them.
     std::vector<std::string> carries{};
     Sliding sliding;
     double volume = 0;  ///< [m^3]
@@ -82,8 +82,8 @@ struct KeyBlockResult {
     std::vector<KeyBlock> blocks;  ///< one per free block, in the order of the model
     std::vector<MovingGroup>
         groups;  ///< ascending by factor; of equal factors the heavier first; no two of the same blocks
-    /// The curve of factor and volume. Both rise along it: the first group of at least a volume has the least
-    /// factor of all that were judged, carry no others and have at least that volume.
+    /// The curve of factor and volume. Both rise along it. The first group of at least some volume has the
+    /// least factor of all such groups examined, groups that carry others excepted.
     std::vector<MovingGroup> factor_volume;
     std::size_t directions = 0;     ///< tried for every block
     std::size_t groups_judged = 0;  ///< different ones
@@ -103,9 +103,9 @@ struct LeastGroup {
     std::vector<std::string> blocks;  ///< sorted
 };
 
-/// Of groups that carry no others. Of groups of one factor the heaviest. Blocks that fall have factor 0 and
-/// come first: `withoutBlocks` takes them out. Nothing where no group can move. Errors: as of `keyBlocks`,
-/// and that it was asked to stop.
+/// Groups that carry others are left out; among equal factors the heaviest counts. Falling blocks have factor
+/// 0 and come first: `withoutBlocks` removes them. Nothing where no group can move. Errors: those of
+/// `keyBlocks`, and an interruption.
 Result<std::optional<LeastGroup>> leastGroup(const Model& model, const Control& control = {});
 
 }  // namespace talus

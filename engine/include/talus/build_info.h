@@ -15,8 +15,8 @@ struct BuildInfo {
 
 const BuildInfo& buildInfo();
 
-/// Environment variable that names the kernels' instruction set in place of the best one, for tests and to
-/// compute what another machine did; one that there is not here falls back to "x86-64".
+/// Environment variable that names the kernels' instruction set, for tests and to repeat another machine's
+/// results. An instruction set that this processor lacks falls back to "x86-64".
 inline constexpr const char* kInstructionSetVariable = "TALUS_INSTRUCTION_SET";
 
 }  // namespace talus

@@ -1,5 +1,5 @@
 #pragma once
-// Contact points of a full frame as people and other programs want them: in the model frame, one entry each.
+// Contact points of a full frame for reports and other programs: in the model frame, one entry each.
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// What a caller lends to a computation: threads, a way to stop it, a way to be told how far it has come.
+// Threads, interruption, progress and extras of a computation.
 
 #include <atomic>
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Progress {
 /// Whether something is computed beside an answer: by the size of the model, never, or always.
 enum class Beside : std::uint8_t { by_size, never, always };
 
-/// What the caller lends to a computation. Threads: 1 runs in the calling thread; 0 takes all cores.
+/// Threads, interruption and extras of a computation. Threads: 1 is the calling thread alone; 0 is all cores.
 struct Control {
     std::function<void(const Progress&)> progress{};
     const std::atomic<bool>* stop = nullptr;  ///< set it to end early; what was found so far is returned

@@ -14,8 +14,8 @@ struct EndingSet {
     std::size_t ends_at = 0;  ///< index into the sets of the rock mass, then its singles
 };
 
-/// Its joints, as rectangles from plane to plane of the other joint (`of_network`), which go through the
-/// region along it. Between each two planes the set begins at a random place, drawn from the seed.
+/// Its joints as rectangles (`of_network`) that reach from one plane of the other joint to the next and cross
+/// the region along it. Between each two planes the set begins at a random place, drawn from the seed.
 /// \param index  tells ending sets apart: each has random numbers of its own
 /// Errors ("joint_set[i].ends_at" and others of the set): the other joint is parallel, scattered or finite;
 /// more than a million joints; those of jointPlanes. \pre a sound region

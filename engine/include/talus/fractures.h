@@ -37,19 +37,19 @@ struct FractureSet {
     double deviation = 0;  ///< [m]
     double exponent = 0;
     double least = 0, most = 1e6;  ///< [m]
-    /// Area of discs inside the region over its volume that is wanted [1/m]; their centres lie as far outside
-    /// as the discs reach, so that there are as many near the region's surface as in its middle. Only discs
-    /// that reach into it are kept.
+    /// Target area of discs inside the region over its volume [1/m]. Centres also lie outside, as far as
+    /// discs reach, so that the intensity is the same near the surface. Only discs that reach into the region
+    /// are kept.
     std::optional<double> p32;
-    std::size_t count = 0;  ///< instead: so many with their centres inside the region
+    std::size_t count = 0;  ///< instead: number of discs with their centres inside the region
     std::int32_t joint = 0;
     std::string field{};  ///< "fracture_set[0]", for messages
 };
 
 /// Draws a set. The same seed, index of the set and region give the same discs. `p32` is reached within one
 /// per cent: a disc that would go farther beyond it is drawn again. Errors: numbers out of range; more than a
-/// million discs, before any is drawn; a target that discs so large do not reach; a region that fills next to
-/// nothing of its box; `stop`. \pre a sound surface
+/// million discs, before any is drawn; a target that such large discs cannot meet; a region that fills almost
+/// none of its box; `stop`. \pre a sound surface
 Result<std::vector<Fracture>> drawFractures(const FractureSet& set, const TriangleSurface& region,
                                             std::uint64_t seed, std::size_t index,
                                             const std::atomic<bool>* stop = nullptr);

@@ -1,7 +1,7 @@
 #pragma once
-// Frames of a run as plain data: what a viewer plays (LightFrame), what a restart needs to the last bit
-// (FullFrame), and the shapes they belong to (RunGeometry). The engine hands them out and takes a full one
-// back; formats keep them in files (formats/snapshot.fbs has the same fields and says more about each).
+// Frames of a run as plain data: LightFrame for viewers, FullFrame for exact restarts, and their shapes
+// (RunGeometry). The engine writes them and restarts from a full one. Formats store them in files;
+// formats/snapshot.fbs has the same fields with more explanation.
 //
 // SI units and radians. Vectors of begins: item k owns [begin[k], begin[k + 1]); they have one entry more
 // than items.
@@ -137,8 +137,7 @@ struct FrameInterfaces {
 
 enum class PointState : std::uint8_t { open, sticking, slipping };
 
-/// Contact points (contact points), interface by interface. The last three quantities are for reading: a
-/// restart leaves them.
+/// Contact points, interface by interface. The last three quantities are for reading: a restart leaves them.
 struct FramePoints {
     std::vector<double> xi, eta;             ///< place on the reference face [m]
     std::vector<double> area;                ///< tributary area A_s [m^2]
@@ -183,13 +182,13 @@ struct ForceArray {
     std::vector<double> values;
 };
 
-/// What the contact law takes of each joint, divided by the factor of a strength reduction.
+/// Parameters of the contact law for each joint, divided by the factor of a strength reduction.
 struct FrameLaws {
     struct Parameter {
         std::string name;            ///< as the law calls it
         std::vector<double> values;  ///< per joint
     };
-    /// One for each name that joint properties give (JointProperty::in_law); a file may lack some, or know
+    /// One for each name that joint properties give (JointProperty::in_law); a file may lack some or have
     /// others.
     std::vector<Parameter> parameters = none();
     std::vector<std::uint8_t> bonded;
@@ -206,7 +205,6 @@ struct FrameLaws {
             if (parameter.name == name) return parameter.values;
         return parameters.emplace_back(Parameter{std::string(name), {}}).values;
     }
-    /// What a property became. \pre the law takes something of it
     std::vector<double>& of(double Joint::*property) { return named(propertyOf(property).in_law); }
     const std::vector<double>& of(double Joint::*property) const {
         return *find(propertyOf(property).in_law);
@@ -227,11 +225,11 @@ struct FrameLoads {
     double release = 1;
 };
 
-/// What a run has to know beside the state to go on as if it had never stopped.
+/// What a resumed run needs beside the state to end in the same bits.
 struct RunProgress {
     double time_step = 0;        ///< [s]
     double stability_bound = 0;  ///< [s]
-    double step_safety = 0;      ///< share of the bound that is taken
+    double step_safety = 0;      ///< as a share of the stability bound
     double next_frame = 0;       ///< when the next frame is due [s]
     std::int64_t frames = 0;     ///< handed out so far
     bool warned_of_step = false;

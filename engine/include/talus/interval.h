@@ -1,5 +1,5 @@
 #pragma once
-// Numbers that a quantity may be.
+// The allowed range of a quantity.
 
 #include <cmath>
 #include <limits>
@@ -25,8 +25,8 @@ struct Interval {
     static constexpr Interval notNegative() { return {.min = 0}; }
 };
 
-/// Numbers between two that a quantity hardly ever is, but often would be in another unit.
-struct Slip {
+/// Range of values that suggest another unit: rare in the quantity's own unit, common in that one.
+struct UnitMixUp {
     double above = 0, below = 0;
     std::string_view unit{};  ///< "g/cm3"
 

@@ -1,8 +1,8 @@
 #pragma once
-// The one table of what a joint is made of: how each value is called, in which unit people give it, what is
-// allowed, which laws of strength have it, what it is when nobody gives it, and whether strength reduction
-// divides it. Whoever reads, writes, draws, reduces, keeps or checks joints goes through the table: a new
-// property is a value of Joint (talus/joint_values.h), a line of the table, and the law that uses it.
+// The one table of joint properties: key, unit of input, allowed range, laws of strength that have it,
+// default, and whether strength reduction divides it. All code that reads, writes, draws, reduces, stores or
+// checks joints uses the table. A new property is a value of Joint (talus/joint_values.h), a line of the
+// table, and the law that uses it.
 
 #include <array>
 #include <cmath>
@@ -19,14 +19,15 @@ namespace talus {
 struct JointProperty {
     std::string_view key;              ///< in a scenario
     double Joint::*value;              ///< in SI units and radians
-    std::string_view unit;             ///< of what stands under the key
+    std::string_view unit;             ///< of the value under the key
     Interval allowed;                  ///< in that unit
-    Slip slip{};                       ///< likewise
-    LawSet laws = kAllLaws;            ///< joints of these have it
-    LawSet required_by{};              ///< of these it has to be given; else it is as Joint{} has it
-    double Joint::*same_as = nullptr;  ///< ... or as this property, unless it is given
-    LawSet reduced_in{};               ///< of these the factor of safety divides it, an angle by its tangent
-    std::string_view in_law;  ///< what the law and snapshots call it; "" where they do not have it as it is
+    UnitMixUp mix_up{};                ///< likewise
+    LawSet laws = kAllLaws;            ///< laws that have it
+    LawSet required_by{};              ///< laws for which it must be given; else the default of Joint{} holds
+    double Joint::*same_as = nullptr;  ///< ... or the value of this property
+    LawSet reduced_in{};               ///< laws for which the factor of safety divides it, an angle by its
+                                       ///< tangent
+    std::string_view in_law;  ///< its name in the law and in snapshots; "" where they do not store it
     std::string_view what;    ///< for people
 
     /// The law takes an angle's tangent.
@@ -38,16 +39,16 @@ namespace detail {
 
 // Wide enough for any rock, soil or laboratory model, and no wider than what doubles carry.
 //
-// A block sinks by rho g / k of its own height under its own weight: below 1e3 Pa/m even blocks of foam lie
-// more than wholly inside each other. A cubic metre of rock on joints of 1e15 Pa/m has its closures (3e-11 m)
-// still a thousand times above the rounding of coordinates some metres large; what is between is checked
-// against the model itself (analysis/plausible.h). Intact rock has 1e8 Pa of strength and 1e11 Pa of modulus;
-// 1e15 Pa, what bonds that never give are made of, is the most that sums of forces should have to carry.
+// A block closes its joint by rho g / k times its height under its own weight: below 1e3 Pa/m even foam
+// blocks overlap completely. A cubic metre of rock on joints of 1e15 Pa/m closes them by 3e-11 m, a thousand
+// times the rounding of coordinates of some metres. Values between are checked against the model itself
+// (checks/plausible.h). Intact rock has 1e8 Pa of strength and 1e11 Pa of modulus. Unbreakable bonds have
+// 1e15 Pa, the most that sums of forces should carry.
 inline constexpr Interval kStiffness{1e3, 1e15}, kStrength{0, 1e15};
 inline constexpr Interval kFrictionDeg{0, 90, false, true};
 // pi/2 radians are 90 degrees; and no joint of a slope slides at a degree and a half.
-inline constexpr Slip kStiffnessSlip{0, 1e6, "kPa/m or MPa/m"}, kStrengthSlip{0, 1, "kPa or MPa"},
-    kFrictionSlip{0, 1.5708, "radians"};
+inline constexpr UnitMixUp kStiffnessMixUp{0, 1e6, "kPa/m or MPa/m"}, kStrengthMixUp{0, 1, "kPa or MPa"},
+    kFrictionMixUp{0, 1.5708, "radians"};
 inline constexpr LawSet kCoulomb{StrengthLaw::coulomb}, kBartonBandis{StrengthLaw::barton_bandis},
     kPower{StrengthLaw::power};
 
@@ -59,7 +60,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::normal_stiffness,
                   .unit = "Pa/m",
                   .allowed = detail::kStiffness,
-                  .slip = detail::kStiffnessSlip,
+                  .mix_up = detail::kStiffnessMixUp,
                   .required_by = kAllLaws,
                   .in_law = "normal_stiffness",
                   .what = "normal stress per closure"},
@@ -67,7 +68,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::shear_stiffness,
                   .unit = "Pa/m",
                   .allowed = detail::kStiffness,
-                  .slip = detail::kStiffnessSlip,
+                  .mix_up = detail::kStiffnessMixUp,
                   .required_by = kAllLaws,
                   .in_law = "shear_stiffness",
                   .what = "shear stress per slip before sliding"},
@@ -75,7 +76,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::friction,
                   .unit = "deg",
                   .allowed = detail::kFrictionDeg,
-                  .slip = detail::kFrictionSlip,
+                  .mix_up = detail::kFrictionMixUp,
                   .laws = detail::kCoulomb,
                   .required_by = detail::kCoulomb,
                   .reduced_in = detail::kCoulomb,
@@ -85,7 +86,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::cohesion,
                   .unit = "Pa",
                   .allowed = detail::kStrength,
-                  .slip = detail::kStrengthSlip,
+                  .mix_up = detail::kStrengthMixUp,
                   .laws = detail::kCoulomb,
                   .reduced_in = detail::kCoulomb,
                   .in_law = "cohesion",
@@ -94,7 +95,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::tensile_strength,
                   .unit = "Pa",
                   .allowed = detail::kStrength,
-                  .slip = detail::kStrengthSlip,
+                  .mix_up = detail::kStrengthMixUp,
                   .laws = detail::kCoulomb,
                   .in_law = "tensile_strength",
                   .what = "tension at which it opens"},
@@ -102,7 +103,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::residual_cohesion,
                   .unit = "Pa",
                   .allowed = detail::kStrength,
-                  .slip = detail::kStrengthSlip,
+                  .mix_up = detail::kStrengthMixUp,
                   .laws = detail::kCoulomb,
                   .reduced_in = detail::kCoulomb,
                   .in_law = "residual_cohesion",
@@ -111,7 +112,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::residual_friction,
                   .unit = "deg",
                   .allowed = detail::kFrictionDeg,
-                  .slip = detail::kFrictionSlip,
+                  .mix_up = detail::kFrictionMixUp,
                   .laws = {StrengthLaw::coulomb, StrengthLaw::barton_bandis},
                   .required_by = detail::kBartonBandis,
                   .same_as = &Joint::friction,
@@ -148,18 +149,18 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::jcs,
                   .unit = "Pa",
                   .allowed = Interval::positive(1e15),
-                  .slip = {0, 1e4, "MPa"},
+                  .mix_up = {0, 1e4, "MPa"},
                   .laws = detail::kBartonBandis,
                   .required_by = detail::kBartonBandis,
                   .in_law = "",
                   .what = "joint wall compressive strength"},
-    // Up to where the strength grows with the normal stress at any roughness: sin(2 phi) > 2 JRC (pi/180) /
-    // ln 10.
+    // Largest angle at which strength still grows with the normal stress at any roughness: sin(2 phi) > 2 JRC
+    // (pi/180) / ln 10.
     JointProperty{.key = "max_friction_deg",
                   .value = &Joint::max_friction,
                   .unit = "deg",
                   .allowed = {0, 80, true, false},
-                  .slip = detail::kFrictionSlip,
+                  .mix_up = detail::kFrictionMixUp,
                   .laws = detail::kBartonBandis,
                   .in_law = "",
                   .what = "greatest angle of the strength over the normal stress"},
@@ -221,7 +222,7 @@ inline bool isReduced(const Joint& joint, const JointProperty& property) {
            (joint.tension_reduced && property.value == &Joint::tensile_strength);
 }
 
-/// What the contact law takes of a property: the tangent of an angle, anything else as it is; over `factor`
+/// The contact law's parameter from a property: the tangent of an angle, else the value itself; over `factor`
 /// where strength reduction divides it.
 inline double lawValue(const Joint& joint, const JointProperty& property, double factor = 1) {
     const double value = joint.*property.value;

@@ -77,8 +77,8 @@ struct Joint {
 /// Shear strength of an intact joint at a normal stress, compression positive [Pa].
 double shearStrength(const Joint& joint, double normal_stress);
 
-/// Angle of the secant of its strength at 100 kPa [rad]; of Coulomb's law without cohesion, phi. Of two
-/// joints whose faces meet the one where it is less counts.
+/// Angle of the secant of its strength at 100 kPa [rad]; of Coulomb's law without cohesion, phi. Where faces
+/// of two joints meet, the joint with the smaller angle counts.
 double frictionAngle(const Joint& joint);
 
 }  // namespace talus

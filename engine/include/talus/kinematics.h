@@ -24,16 +24,16 @@
 
 namespace talus::kinematics {
 
-/// Angles that differ by less are the same [rad]: some 6e-8 degrees. It lies far above the rounding of a
-/// change of notation (1e-15) and far below what a compass resolves (0.01), so a plane on a limit is judged
-/// alike in every notation.
+/// Angles that differ by less are the same [rad]: some 6e-8 degrees. It is far above the rounding of a change
+/// of notation (1e-15) and far below the resolution of a compass (0.01). So a plane on a limit has the same
+/// result in every notation.
 inline constexpr double kSameAngle = 1e-9;
 /// Planes at a smaller angle are parallel and have no line of intersection [rad]: 6e-5 degrees, below every
 /// survey.
 inline constexpr double kParallel = 1e-6;
 
-/// A plane of a model as it lies when gravity points down: the normal in the east, north and up that are
-/// tilted together with the model, upwards. With gravity along -z it is the same.
+/// A plane's upward normal in the east, north and up of the untilted model; these axes tilt with the model.
+/// With gravity along -z it is the same.
 Vec3 normalUnderGravity(const Vec3& normal, const Gravity& gravity);
 
 /// The rock face.
@@ -70,12 +70,12 @@ double planarMargin(const Vec3& normal, const Face& face, const Limits& limits);
 /// Wedge sliding on a line of intersection, without lateral limits. Primary zone: the line daylights and
 /// plunges more steeply than friction.
 double wedgeMargin(const Vec3& line, const Face& face, double friction);
-/// Secondary zone: the line daylights and plunges less steeply than friction, but more than the plane that
-/// dips at the friction angle in the face's dip direction does along its trend. The wedge can slide on one of
-/// its planes.
+/// Secondary zone: the line daylights and plunges less steeply than friction. It is steeper than the apparent
+/// dip, along its trend, of a plane that dips at the friction angle in the face's dip direction. The wedge
+/// can slide on one of its planes.
 double secondaryWedgeMargin(const Vec3& line, const Face& face, double friction);
 
-/// On which of its two planes a wedge that lies on both slides, by the dip vectors alone.
+/// The planes on which a wedge slides, by the dip vectors alone.
 enum class SlidesOn : std::uint8_t {
     both,   ///< along the line of intersection
     first,  ///< down the first plane's dip vector, which leads away from the second plane
@@ -83,8 +83,8 @@ enum class SlidesOn : std::uint8_t {
 };
 /// s_A is A's dip vector and n_B is B's upward normal: the wedge slides on A alone where s_A . n_B > 0, since
 /// it then leaves B: tan(dip B) cos(angle between the dip directions) > tan(dip A). That cannot hold for both
-/// planes. Of a vertical plane the wedge may lie on either side; the side counts on which it leaves that
-/// plane.
+/// planes. The wedge may lie on either side of a vertical plane; the side on which it leaves that plane
+/// counts.
 SlidesOn slidesOn(const Vec3& normal_a, const Vec3& normal_b);
 
 /// Direct toppling: the line dips into the face, within the lateral limits (these included) of the opposite

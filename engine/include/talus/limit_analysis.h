@@ -1,12 +1,11 @@
 #pragma once
-// Limit analysis of rigid blocks: the greatest load for which forces at the contact points exist that balance
-// every block and break no point's strength (friction associated: what slides also opens by tan(phi) of the
-// slide).
+// Limit analysis of rigid blocks: the greatest load for which contact forces exist that balance every block
+// within the strength of every contact point. Friction is associated: a slide opens the joint by tan(phi) of
+// its length.
 //
 // By the static theorem no equilibrium of the real, non-associated joints lies above that load (Drucker 1954;
-// for blocks Livesley 1978), so it is a ceiling for every critical angle and factor of safety, as long as
-// blocks stay about where they were at the start. It is near where blocks hinge or slide, and far where they
-// interlock.
+// for blocks Livesley 1978). It is an upper bound of every critical angle and factor of safety while
+// displacements are small. The bound is close where blocks hinge or slide, and high where they interlock.
 
 #include <cstddef>
 #include <cstdint>
@@ -25,19 +24,19 @@ struct BlockVelocity {
     std::string block;
     Vec3 velocity = Vec3::Zero();  ///< of its centroid [m/s]
     Vec3 spin = Vec3::Zero();      ///< [rad/s]
-    double speed = 0;     ///< of its centroid, and with its spin of the corner farthest from it [m/s]
-    bool moving = false;  ///< speed at least `kMechanismShare` of the fastest block's
+    double speed = 0;              ///< of its centroid, and of its fastest corner with the spin [m/s]
+    bool moving = false;           ///< speed at least `kMechanismShare` of the fastest block's
 };
 inline constexpr double kMechanismShare = 0.01;
 
 struct LimitSettings {
     double factor_width = 1e-4;               ///< of the bracket of a factor, as a share of it
     std::size_t max_contact_points = 20'000;  ///< beyond that the programme is not made
-    std::vector<std::string> left_out{};      ///< blocks that are taken to be gone
+    std::vector<std::string> left_out{};      ///< blocks to leave out
 };
 
-/// The true limit of the associated problem lies between `lower` and `upper`: friction cones are taken as
-/// pyramids inside and outside of them, which are refined where it matters. In a plane section both are the
+/// The true limit of the associated problem lies between `lower` and `upper`: pyramids inside and outside
+/// replace the friction cones, and are refined where that changes the limit. In a plane section both are the
 /// cone.
 struct LimitResult {
     SearchStatus status = SearchStatus::undecided;
@@ -61,9 +60,8 @@ struct LimitResult {
 Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control& control = {},
                                   const LimitSettings& settings = {});
 
-/// Up to how many contact points a ceiling is computed without being asked for: it then takes less than a
-/// second, and a small share of the search. A programme in space takes ten times as long as one of a plane
-/// section.
+/// Contact points up to which the upper bound is computed by default: it then takes less than a second, a
+/// small share of the search. A programme in space takes ten times as long as one of a plane section.
 inline constexpr std::size_t kCeilingPoints = 300;
 inline constexpr std::size_t kCeilingPointsInSection = 2000;
 
@@ -72,9 +70,8 @@ inline constexpr std::size_t kCeilingPointsInSection = 2000;
 Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const Control& control = {},
                              const LimitSettings& settings = {});
 
-/// Whether a load at which a search's assembly still stands is above a ceiling by more than the difference
-/// between joints that give a little and joints that do not: half a per cent of a factor, 0.05 degrees of a
-/// tilt.
+/// Whether a stable load of a search exceeds the upper bound by more than elastic joints explain: half a per
+/// cent of a factor, 0.05 degrees of a tilt.
 bool isAbove(double stands, const Ceiling& ceiling, Varied load);
 
 }  // namespace talus

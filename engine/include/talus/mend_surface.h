@@ -27,7 +27,7 @@ struct MendedSurface {
 
     TriangleSurface surface;
     std::vector<std::size_t> source;    ///< per triangle: the one it was; kMade where it closes a hole
-    std::vector<Vec3> doubled;          ///< middles of triangles left out: another one has their corners
+    std::vector<Vec3> doubled;          ///< middles of triangles left out as duplicates
     std::vector<Vec3> turned;           ///< middles of triangles that were turned over
     std::vector<SurfaceHole> closed;    ///< with triangles between their corners
     std::vector<SurfaceHole> too_wide;  ///< left open
@@ -36,10 +36,9 @@ struct MendedSurface {
     bool changed() const { return !doubled.empty() || !turned.empty() || !closed.empty(); }
 };
 
-/// Leaves out triangles whose corners another one has, turns over those that face against most of the others
-/// that hang together with them (and all of a closed surface that faces inwards), and closes small holes
-/// between their corners. No vertex moves. What is still wrong is for checkSurface to find. \pre a surface
-/// from repairSurface with this tolerance
+/// Leaves out duplicate triangles, and turns over those that face against most of their connected piece (all
+/// of a closed surface that faces inwards). Closes small holes between their corners. No vertex moves.
+/// checkSurface finds what is still wrong. \pre a surface from repairSurface with this tolerance
 MendedSurface mendSurface(const TriangleSurface& surface, const MendLimits& limits);
 
 }  // namespace talus

@@ -26,10 +26,10 @@ struct Block {
     Polyhedron shape;    ///< in the model frame
     double density = 0;  ///< [kg/m^3]
     Motion motion = Motion::free;
-    std::int32_t material = 0;             ///< which of the scenario's, for whoever changes its density
+    std::int32_t material = 0;             ///< index of the scenario's material, for changes of its density
     Vec3 velocity = Vec3::Zero();          ///< initial; kept when driven [m/s]
     std::vector<std::int32_t> face_joint;  ///< one joint index per face of the shape
-    std::string field{};  ///< where the scenario speaks of it ("stack[0]", "block[2]"), for messages
+    std::string field{};  ///< its entry in the scenario ("stack[0]", "block[2]"), for messages
 };
 
 /// Joint of one pair of blocks, in place of the rule (of the two faces' joints the one with less friction,
@@ -83,12 +83,11 @@ struct Water {
     Daylight daylight = Daylight::closed;
     double base = -kInfinity;    ///< no water below this z of the model at the start (perched water) [m]
     std::vector<WetFace> walls;  ///< the faces it pushes on; empty when `pair` is given
-    /// of a fissure that ends in its plane: the corners of a convex polygon in order, as the model stands
-    /// [m]; walls are dry beyond it. Empty: the fissure reaches as far as its walls.
+    /// of a fissure that ends in its plane: corners of a convex polygon in order, in the model as built [m];
+    /// walls are dry beyond it. Empty: the fissure is as large as its walls.
     std::vector<Vec3> outline{};
-    /// In a joint of a rock mass: its ends, from which depths, heads and falling pressures count, are those
-    /// of the part that bounds blocks which are not fixed. How deep a model is cut into fixed rock changes
-    /// nothing.
+    /// In a joint of a rock mass: depths, heads and falling pressures count from the ends of the part that
+    /// bounds free or driven blocks. The depth of the cut into fixed rock then changes nothing.
     bool ends_at_free_blocks = false;
     /// instead: the interface of two blocks, both walls
     std::optional<std::pair<std::int32_t, std::int32_t>> pair;
@@ -96,7 +95,7 @@ struct Water {
     /// (forces/closed_water.h); searches hold it as filled.
     bool closed = false;
     double opening = 0;  ///< closed: width of the fissure while its walls stand as built [m]
-    /// closed: flows in over time [m^3/s per m of the fissure's horizontal width]; empty: nothing does
+    /// closed: inflow over time [m^3/s per m of the fissure's horizontal width]; empty: none
     std::vector<LevelPoint> inflow{};
     /// closed: depth or elevation, as the level is given, above which it runs over [m]; infinite: it runs
     /// over where its walls end
@@ -106,7 +105,7 @@ struct Water {
 
 /// The water table of a slope: a line over x, extruded along y, or an open surface. Every face below it, of
 /// joints and free ones (ponded water), feels the pressure of the depth below it along gravity, times
-/// `factor`. It stays where it is. Where another water of the model stands, that one's pressure is felt
+/// `factor`. It does not move. Where another water of the model wets a wall, that water's pressure acts
 /// instead.
 struct PhreaticSurface {
     struct Point {
@@ -144,8 +143,8 @@ struct Seismic {
     double vertical = 0;                  ///< k_v, against gravity
 };
 
-/// A force at a point of a block, a pressure on a face of one, or on whatever is free inside a box of faces
-/// that look a way within 60 degrees. It keeps the direction it has at the start and follows its point.
+/// A force at a point of a block, or a pressure: on one face, or on all free face area in a box with normals
+/// within 60 degrees of a direction. It keeps the direction it has at the start and follows its point.
 struct AppliedLoad {
     enum class Kind : std::uint8_t { force, face, box };
     Kind kind = Kind::force;
@@ -159,8 +158,8 @@ struct AppliedLoad {
     std::string field{};                                  ///< "load[0]", for messages
 };
 
-/// A bar between two places: bonded over its length, or free between head and end. It pulls at the blocks
-/// those lie in, or at all it goes through.
+/// A bar between two places. Free between head and end, it ties the blocks that these lie in. Bonded over its
+/// length, it ties all blocks it crosses.
 struct Bolt {
     std::string name;
     Vec3 head = Vec3::Zero(), end = Vec3::Zero();  ///< at the start [m]
@@ -203,8 +202,7 @@ struct Damping {
     double rotation = 0;  ///< c_I = rotation * I [1/s]
     double contact = 0;   ///< c_k = contact * k of the contact point [s]
     double local = 0;     ///< share of the out-of-balance force that opposes the motion, 0..1
-    /// contact points have the restitution of their joints; a state that is built does where a joint has one
-    /// below 1
+    /// contact points have the restitution of their joints; set in the build where a joint has one below 1
     bool restitution = false;
 };
 
@@ -214,8 +212,8 @@ struct AnalysisSettings {
     double tolerance = 1.7453292519943296e-4;  ///< width of the bracket [rad]
     double factor_tolerance = 0.001;           ///< width of the bracket of a factor of safety
     double acceleration_tolerance = 1e-4;      ///< width of the bracket of a seismic coefficient
-    /// of the free blocks' mass: what fails and has less is let go, and the search goes on with the rest; 0:
-    /// is the answer
+    /// of the free blocks' mass: a failure of less is removed, and the search continues; 0: any failure is
+    /// the answer
     double least_mass_share = 0;
     /// Neighbours that part by more have failed: share of the median block size.
     double failure_displacement = 3e-4;
@@ -228,15 +226,14 @@ struct RunSettings {
     std::optional<double> time_step;  ///< default: from the stability bound [s]
     double frame_interval = 0.01;     ///< [s]
     enum class Start : std::uint8_t {
-        equilibrium,  ///< weight and water are there already at time 0, in equilibrium where there is one
-        unstressed    ///< they arrive all at once
+        equilibrium,  ///< weight and water act from time 0, in equilibrium where there is one
+        unstressed    ///< they are applied at once
     };
     Start start = Start::equilibrium;
     std::vector<std::string> watch;  ///< names of blocks to report
 };
 
-/// What the closed formulas need to know of a regular stack (theory.h); present when the model is one stack
-/// only.
+/// Data of a regular stack for the closed formulas (theory.h); present when the model is one stack only.
 struct StackShape {
     int columns = 0, rows = 0, slices = 0;
     Vec3 block = Vec3::Zero();   ///< [m]
@@ -262,8 +259,7 @@ struct Model {
     AnalysisSettings analysis;
     RunSettings run;
     std::optional<StackShape> stack;
-    bool is_remainder =
-        false;  ///< blocks were taken out: what pressed or held them may find nothing to act on
+    bool is_remainder = false;  ///< blocks were removed: their loads and bolts may have nothing to act on
 
     bool hasWater() const { return !waters.empty() || phreatic.has_value(); }
     /// Whether anything acts beside weight, earthquake, contacts and water in joints.

@@ -12,12 +12,13 @@
 
 namespace talus {
 
-/// What a model looks like to the engine, before anything moves.
+/// A model as built, before anything moves.
 struct ModelCheck {
-    std::vector<std::string> warnings;  ///< what is allowed but hardly meant
+    std::vector<std::string> warnings;  ///< allowed, but probably not intended
     std::size_t interfaces = 0;         ///< of faces, edges or vertices that touch
     std::size_t contact_points = 0;     ///< of these
-    std::size_t idle_interfaces = 0;  ///< kept ready where vertices and edges may meet before the next search
+    std::size_t idle_interfaces = 0;    ///< places kept where vertices and edges may meet before the next
+                                        ///< search
 };
 
 /// Checks what needs geometry: blocks that overlap, water on faces that are not there, pairs that do not

@@ -1,5 +1,5 @@
 #pragma once
-// How blocks move in a failure, read from how far they went: one rule for the search, exports and the replay
+// How blocks move in a failure, from their displacements: one rule for the search, exports and the replay
 // page.
 
 #include <vector>
@@ -9,22 +9,24 @@
 
 namespace talus {
 
-/// The numbers of the rule. The replay page has them from the program that writes it.
+/// The numbers of the rule. The program that writes the replay page passes them on to it.
 struct MotionRule {
-    /// A block moves when it goes this many times the deflection at rest, and this share of the farthest
-    /// one's way. (A larger share would leave out columns that slide behind others which rocking has given a
-    /// start.)
+    /// A block moves when its displacement is this many times the elastic deflection, and this share of the
+    /// largest displacement. (A larger share would leave out columns that slide behind others that rocking
+    /// has set going earlier.)
     static constexpr double kDeflections = 2.0, kShare = 0.02;
-    static constexpr double kToppling = 0.25;  ///< rotation times the moving group's extent, over the way
-    /// Of the way: what moves by as much against its neighbours wherever it touches them has no pivot. (A
-    /// slide whose tip runs onto level ground is lifted there, and turns as it goes.)
+    static constexpr double kToppling = 0.25;  ///< rotation times the moving group's extent, over the
+                                               ///< displacement
+    /// Of the displacement: a block that moves by as much against its neighbours at all contacts has no
+    /// pivot. (A slide whose tip runs onto level ground is lifted there, and turns as it slides.)
     static constexpr double kNoPivot = 0.5;
     static constexpr double kPure = 0.9;  ///< share of the moving mass that gives the whole its mode
-    /// Where nobody knows the deflection at rest: of the smallest free block, whose joints give less by far.
+    /// Used where the elastic deflection is unknown: share of the smallest free block's size, far above what
+    /// its joints give.
     static constexpr double kDeflectionOfSize = 5e-4;
 };
 
-/// A block's way since the start of the motion that is looked at.
+/// A block's displacement since the start of the motion.
 struct BlockWay {
     bool free = true;
     Vec3 position = Vec3::Zero();  ///< of the centroid now [m]
@@ -42,10 +44,9 @@ struct BlockWay {
     double tipping() const;
 };
 
-/// Per block: `none` when it stands (or is not free), `toppling` when it turns about a pivot within reach of
-/// the moving group, else `sliding`, also where it turns in the plane of its joint, or has no pivot on a
-/// neighbour. \param deflection  how
-/// far the assembly has come at rest [m]
+/// Per block: `none` when it does not move (or is not free), `toppling` when it turns about a pivot within
+/// reach of the moving group, else `sliding`. A block that turns in the plane of its joint, or has no pivot
+/// on a neighbour, slides. \param deflection elastic displacement of the assembly in equilibrium [m]
 std::vector<FailureMode> motionRoles(const std::vector<BlockWay>& blocks, double deflection);
 
 /// Of the whole, by moving mass.

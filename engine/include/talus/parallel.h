@@ -1,5 +1,5 @@
 #pragma once
-// Threads of a computation: an arena decides how many there are, the code is the same.
+// Threads of a computation: an arena sets their number, the code is the same.
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -10,8 +10,8 @@
 
 namespace talus {
 
-/// Runs `body` with so many threads (0: all cores; 1: the calling thread alone). More than there are cores
-/// are had, too: of itself the library would give out no more, and say so on stderr.
+/// Runs `body` with so many threads (0: all cores; 1: the calling thread alone). More threads than cores are
+/// possible, too: by default the library would refuse and warn on stderr.
 template <class Body>
 auto inArena(int threads, const Body& body) {
     if (threads == 1) return body();

@@ -33,21 +33,21 @@ FisherStatistics fisherStatistics(const std::vector<Vec3>& normals, const std::v
 /// planes, most first.
 ///
 /// Each plane goes to the centre with the largest |cos|, each centre becomes the mean axis of its planes,
-/// until none changes. Centres begin without chance (k-means++ of D. Arthur and S. Vassilvitskii 2007 draws
-/// them): the first is where planes lie most densely, each further one where sin^2 of the angle from the
-/// centres so far times the density is largest, so that no lone plane begins a set. \param weights  one each,
-/// or none. Errors: fewer different planes than sets; no set wanted.
+/// until none changes. The start is deterministic (k-means++ of D. Arthur and S. Vassilvitskii 2007 draws
+/// it). The first centre is where planes lie most densely. Each further one is where the density times sin^2
+/// of the angle from the centres so far is largest, so that no isolated plane begins a set. \param weights
+/// one each, or none. Errors: fewer different planes than sets; no set wanted.
 Result<std::vector<std::size_t>> findSets(const std::vector<Vec3>& normals, std::size_t count,
                                           const std::vector<double>& weights = {});
 
-/// How many planes one that a scanline meets at this angle stands for: 1 / sin(angle between scanline and
-/// plane), the angle taken as at least `least_angle` [rad] (R. D. Terzaghi 1965).
+/// Weight of a plane met by a scanline: 1 / sin(angle between scanline and plane), the angle taken as at
+/// least `least_angle` [rad] (R. D. Terzaghi 1965).
 double terzaghiWeight(const Vec3& normal, const Vec3& scanline, double least_angle);
 
 /// How poles are counted for contours.
 struct Counting {
     /// Whether each pole counts exp(k (|cos| - 1)) with k = 1 / area, else 1 inside the circle and 0 outside.
-    /// Both count a pole 1 where it lies, and both integrate to `area` of the hemisphere.
+    /// Both are 1 at the pole and integrate to `area` of the hemisphere.
     bool fisher = true;
     double area = 0.01;  ///< of the counting circle, as a share of the hemisphere
 };

@@ -19,13 +19,12 @@ using Mat3 = Eigen::Matrix3d;
 
 struct ConvexPart;
 
-/// How much of a face lies on faces of other parts of the same shape. What is covered wholly is inside: no
+/// How much of a face lies on faces of other parts of the same shape. A wholly covered face is inside: no
 /// surface.
 enum class Cover : std::uint8_t { none, partly, wholly };
 
-/// Which vertices bound each face, and which faces are those of one convex part. Copies share one list, since
-/// blocks of one shape are many and their lists equal. A list does not change; a shape with other faces gets
-/// another one.
+/// Vertices of each face, and faces of each convex part. Copies share one list, since many blocks have the
+/// same shape. A list never changes; a shape with other faces gets another one.
 class FaceList {
  public:
     using Outline = std::vector<std::int32_t>;  ///< vertex indices
@@ -105,7 +104,7 @@ Result<Polyhedron> convexHull(const std::vector<Vec3>& points);
 
 /// One shape of convex parts, in the order given; of one part it is that part. Parts may share faces, pieces
 /// of faces, edges and vertices. Errors ("[i]" is the part): none given, a part that is of several itself or
-/// overlaps another, one that hangs together with the others by no face.
+/// overlaps another, one that shares no face with the others.
 Result<Polyhedron> joinParts(const std::vector<Polyhedron>& parts);
 
 /// The convex parts of a shape, each by itself.
@@ -114,16 +113,15 @@ std::vector<Polyhedron> partsOf(const Polyhedron& shape);
 /// Whether a point is in the shape or on its surface, within `tolerance` [m].
 bool contains(const Polyhedron& shape, const Vec3& point, double tolerance = 0);
 
-/// The side of a shape that looks most in a direction: that face of its surface (the first of several), and
-/// the faces of other parts in its plane.
+/// The side of a shape towards a direction: the face whose normal is nearest to it (the first of several),
+/// and the faces of other parts in its plane.
 std::vector<std::int32_t> sideTowards(const Polyhedron& shape, const Vec3& direction);
 
 /// Exact also where the shape is of several parts: their inner faces cancel.
 MassProperties massProperties(const Polyhedron& shape);
 
-/// How thick it is: the smallest of its extents along the normals of its surface [m]. Of several parts no
-/// more than six times volume over surface, which is a cube's side: an angle of thin plates is as thin as
-/// these.
+/// How thick it is: the smallest of its extents along the normals of its surface [m]. With several parts at
+/// most six times volume over surface, which is a cube's side: an angle section is as thin as its plates.
 double smallestExtent(const Polyhedron& shape);
 
 }  // namespace talus

@@ -8,8 +8,8 @@
 
 namespace talus {
 
-/// One fault of the input. `field` is the path a user wrote or should have written ("stack[0].columns");
-/// file, line and column are filled in by whoever knows them (the scenario reader), 0 and "" until then.
+/// One fault of the input. `field` is the path a user wrote or should have written ("stack[0].columns"); the
+/// scenario reader fills in file, line and column, which are 0 and "" until then.
 struct Error {
     std::string field;
     std::string message;  ///< what was found and what is allowed
@@ -30,7 +30,8 @@ class Result {
     explicit operator bool() const { return ok(); }
     T& operator*() & { return *value_; }
     const T& operator*() const& { return *value_; }
-    /// Of a result that nobody keeps (`*buildState(model, true)`): moved out, since a copy may be gigabytes.
+    /// The value of a temporary result (`*buildState(model, true)`): moved out, since a copy may be
+    /// gigabytes.
     T operator*() && { return std::move(*value_); }
     T* operator->() { return &*value_; }
     const T* operator->() const { return &*value_; }

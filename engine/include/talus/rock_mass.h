@@ -106,13 +106,12 @@ struct CutRockMass {
     std::vector<std::string> idle_joints;  ///< "joint_set[0] (J1)": those that parted no block
 };
 
-/// Cuts the region by the joint sets, then the unbounded single joints, then the finite ones, each in the
-/// order given.
+/// Cuts the region by the joint sets, then the unbounded single joints, then the finite ones, each in input
+/// order.
 ///
-/// A finite joint cuts the blocks it meets, and these from side to side. A joint that comes within `weld`
-/// (1e-11 of the region's extent) of a vertex goes through the vertex, and one that near to a face is that
-/// face. A cut that would leave a part thinner than `min_thickness` is left out for that block, which keeps
-/// the sliver, and reported.
+/// A finite joint cuts each block it meets from side to side. A joint within `weld` (1e-11 of the region's
+/// extent) of a vertex passes through it; one as near to a face coincides with it. A cut that would leave a
+/// part thinner than `min_thickness` is left out for that block and reported.
 ///
 /// Where the region is not convex, its blocks with a reflex edge are of several convex parts.
 ///
@@ -121,8 +120,8 @@ struct CutRockMass {
 /// then; `stop`; slivers, if refused; volumes that do not add up to 1e-9.
 Result<CutRockMass> cutRockMass(const RockMass& description);
 
-/// Two faces that the plane of a finite joint parted, and how much of what they share lies beyond the joint,
-/// in intact rock.
+/// Two faces made by the plane of a finite joint, and the share of their common area that is intact rock
+/// beyond the joint.
 struct JointCut {
     std::int32_t block_a = 0, face_a = 0;
     std::int32_t block_b = 0, face_b = 0;
@@ -144,7 +143,7 @@ struct CutPlane {
 /// those of the joints.
 Result<std::vector<CutPlane>> cuttingPlanes(const RockMass& description);
 
-/// Which blocks a user means.
+/// A selection of blocks.
 struct BlockSelection {
     enum class Kind : std::uint8_t {
         box,      ///< centroid within the box
@@ -163,8 +162,8 @@ std::vector<bool> selectBlocks(const CutRockMass& mass, const BlockSelection& se
 /// The block that holds a point; -1 if none does.
 std::int32_t blockAt(const CutRockMass& mass, const Vec3& point);
 
-/// A closed surface as one shape, of as many convex parts as its reflex edges ask for. Errors: what
-/// checkSurface finds; a surface that crosses itself or encloses several bodies.
+/// A closed surface as one shape, split into convex parts at its reflex edges. Errors: what checkSurface
+/// finds; a surface that crosses itself or encloses several bodies.
 Result<Polyhedron> solidOf(const TriangleSurface& surface);
 
 }  // namespace talus

@@ -1,14 +1,13 @@
 #pragma once
-// Every number that the searches are tuned by, in one place.
+// Every number that tunes the searches, in one place.
 
 #include <span>
 
 namespace talus {
 
 /// The numbers of the path follower (engine/src/equilibrium, engine/src/search). Answers hardly depend on
-/// them: `tests/physics/search_rules_test.cpp` halves and doubles each and says how far the answers of ten
-/// models move. What each one does when it is larger or smaller, and where it comes from, stands in
-/// search_rules.cpp.
+/// them: `tests/physics/search_rules_test.cpp` halves and doubles each and reports the change of ten models'
+/// answers. search_rules.cpp gives the effect of larger and smaller values, and the source of each.
 struct SearchRules {
     // Equilibrium.
     double equilibrium_tolerance = 0.01;

@@ -51,14 +51,15 @@ struct HistoryRecord {
     std::vector<BlockReport> watch;
     std::vector<Supports> supports;
     std::vector<WaterReport> waters{};          ///< closed volumes alone
-    std::optional<Vec3> ground_acceleration{};  ///< where a record moves the fixed blocks [m/s^2]
+    std::optional<Vec3> ground_acceleration{};  ///< where a recorded motion shakes the fixed blocks [m/s^2]
 };
 
-/// What a time history started from (`RunSettings::Start::equilibrium` takes the first that exists).
+/// The state from which a time history started (`RunSettings::Start::equilibrium` takes the first that
+/// exists).
 enum class InitialState : std::uint8_t {
-    equilibrium,  ///< at rest under weight and water
-    held,         ///< no equilibrium: at rest with joints that do not give way, let go at time 0
-    unstressed    ///< weight and water came all at once
+    equilibrium,  ///< in equilibrium under weight and water
+    held,         ///< no equilibrium: that with unbreakable joints, released at time 0
+    unstressed    ///< weight and water applied at once
 };
 
 struct RunResult {
@@ -79,10 +80,9 @@ struct RunResult {
     std::vector<std::string> warnings;  ///< what left the valid range, if anything did
 };
 
-/// What a run hands out while it goes on; every member may be left empty. All are called from the computing
-/// thread, in the order of time: `begin` first, `record` and `light` at the start, at every frame interval
-/// and at the end, `full` behind every `frames_per_full`-th light frame and at the start and the end (also of
-/// an interrupted run).
+/// Callbacks of a run; every member may be left empty. All are called from the computing thread, in the order
+/// of time: `begin` first; `record` and `light` at the start, at every frame interval and at the end; `full`
+/// at the start, after every `frames_per_full`-th light frame and at the end (also of an interrupted run).
 struct RunOutput {
     std::function<void(const RunGeometry&)> begin{};
     std::function<void(const HistoryRecord&)> record{};
@@ -91,18 +91,18 @@ struct RunOutput {
     int frames_per_full = 10;
 };
 
-/// Time history of a model. With `resume`, a full frame of an earlier run of the same model, it goes on from
-/// there and ends in the same bits as a run never interrupted, on any number of threads; frames up to that
-/// one are not handed out again. Errors: those of the model; a frame that does not fit it; a motion that
-/// became infinite.
+/// Time history of a model. With `resume`, a full frame of an earlier run of the same model, it continues
+/// from there. It ends in the same bits as an uninterrupted run, on any number of threads. Frames up to that
+/// one are not returned again. Errors: those of the model; a frame that does not fit it; a motion that became
+/// infinite.
 Result<RunResult> run(const Model& model, const Control& control, const RunOutput& output,
                       const FullFrame* resume = nullptr);
 
-/// Time history of a failure that a search has found: from the state in which it has left its place, at rest
-/// at time 0, to `run.duration`, or to the first frame at which some block is displaced by `far_enough` [m].
-/// Poses, contacts, strengths and the shares of weight and water are the state's; tilt and damping are the
-/// model's, so they should be those it fails at. Inertia is the true one, but for small blocks that would set
-/// the time step (`FailingState::frequency`). Frames as of `run`; any full one resumes to the same bits
+/// Time history of a failure that a search has found. It starts from the failing state with zero velocity at
+/// time 0. It ends at `run.duration`, or at the first frame at which some block is displaced by `far_enough`
+/// [m]. Poses, contacts, strengths and the shares of weight and water are the state's. Tilt and damping are
+/// the model's, so give those at which it fails. Inertia is the true one, except for small blocks that would
+/// set the time step (`FailingState::frequency`). Frames as of `run`; any full one resumes to the same bits
 /// there. Errors: as of `run`.
 Result<RunResult> runFailing(const Model& model, const Control& control, const RunOutput& output,
                              const FailingState& failing, double far_enough);
@@ -116,7 +116,7 @@ requires std::is_invocable_v<const Record&, const HistoryRecord&> Result<RunResu
 
 const char* toString(InitialState start);
 
-/// Blocks of a simulation where they lie: valid as long as it lives, and changed by its steps.
+/// Views of a simulation's arrays: valid as long as it lives, and changed by its steps.
 struct BlockView {
     std::size_t size = 0;
     Vec3 origin = Vec3::Zero();               ///< of the positions, in the model frame [m]
@@ -125,8 +125,8 @@ struct BlockView {
     std::array<const double*, 3> velocity{};  ///< x, y, z of the centroids, an array each [m/s]
 };
 
-/// A time history that is taken step by step, by the stages of `run`: in whole tens of steps it passes
-/// through the same bits, and it goes on behind `run.duration`.
+/// A time history taken step by step, by the stages of `run`. In whole tens of steps it gives the same bits,
+/// and it may continue beyond `run.duration`.
 class Simulation {
  public:
     /// Builds the model and brings it to its start. Errors: those of the model; that it was stopped on the

@@ -1,21 +1,21 @@
 #pragma once
-// What holds blocks in place beside contacts, as results say it: bolts.
+// Supports, the reinforcement that holds blocks beside contacts, as results list them: bolts.
 
 #include <string>
 #include <vector>
 
 namespace talus {
 
-/// Something that a support has or has not done: {"slipped", "slipped in its grout", true}.
+/// An event of a support: {"slipped", "slipped in its grout", true}.
 struct SupportSign {
     std::string key;   ///< in JSON
-    std::string text;  ///< for people
+    std::string text;  ///< in text
     bool is = false;
 
     bool operator==(const SupportSign&) const = default;
 };
 
-/// One support as it stands, where it carries most.
+/// One support at its section of largest force.
 struct SupportReport {
     std::string name;
     double force = 0;        ///< [N]
@@ -26,10 +26,10 @@ struct SupportReport {
     bool operator==(const SupportReport&) const = default;
 };
 
-/// All of one kind, in the model's order. A result has one for each kind there is, empty when the model has
-/// none of it.
+/// All supports of one kind, in the model's order. A result has one list for each kind, empty when the model
+/// has none.
 struct Supports {
-    std::string kind;  ///< as results call the list of them: "bolts"
+    std::string kind;  ///< name of the list in results: "bolts"
     std::vector<SupportReport> reports;
 };
 

@@ -19,10 +19,10 @@ struct TriangleSurface {
     std::vector<std::array<std::int32_t, 3>> triangles;
 };
 
-/// What keeps a surface from being the boundary of a region: empty, an index or a coordinate out of range, a
-/// triangle without area, an edge with one triangle (open) or more than two (non-manifold), neighbours that
-/// face opposite ways, a surface that crosses itself or faces inwards. Fields are "triangles[i]" (0-based) or
-/// "" for the whole; messages have the coordinates of the place. At most 20 faults are listed.
+/// Faults that keep a surface from bounding a region. It is empty, crosses itself or faces inwards; an index
+/// or a coordinate is out of range; a triangle has no area. An edge has one triangle (open) or more than two
+/// (non-manifold); neighbours face opposite ways. Fields are "triangles[i]" (0-based) or "" for the whole;
+/// messages have the coordinates of the place. At most 20 faults are listed.
 std::vector<Error> checkSurface(const TriangleSurface& surface);
 
 /// The volume a closed surface encloses; negative when it faces inwards [m^3].
@@ -47,10 +47,9 @@ struct ClosedTerrain {
 };
 
 /// Closes a terrain by vertical sides below its rim and a level base at z = `base` [m]. All triangles may
-/// look up or all down.
-/// Errors: those of checkSurface but for the rim; holes, separate pieces, pieces that hang together in a
-/// point, a rim that crosses itself in plan; a base that is not below the terrain ("base"); a terrain that is
-/// closed already.
+/// look up or all down. Errors: those of checkSurface but for the rim; holes, separate pieces, pieces that
+/// meet in a point only, a rim that crosses itself in plan; a base that is not below the terrain ("base"); a
+/// terrain that is closed already.
 Result<ClosedTerrain> closeTerrain(TriangleSurface terrain, double base);
 
 /// What repairSurface made, and did.
@@ -65,15 +64,14 @@ struct SurfaceRepair {
     bool changed() const { return merged + dropped + split > 0; }
 };
 
-/// Vertices no farther than `tolerance` from an earlier one become that one, triangles no wider than it are
-/// left out, and triangles with an open edge are divided at open corners of others that lie that near to it.
-/// Nothing else moves. A tolerance of 0 merges only what is equal. \pre finite vertices, indices in range
+/// Merges vertices within `tolerance` of an earlier one, and leaves out triangles no wider than it. Divides
+/// triangles along open edges at open corners of others that lie that near. Nothing else moves. A tolerance
+/// of 0 merges only equal vertices. \pre finite vertices, indices in range
 SurfaceRepair repairSurface(const TriangleSurface& surface, double tolerance);
 
-/// A coarser surface: as many of its vertices as can be are taken out, and none moves. Every point of either
-/// surface is within `deviation` [m] of the other one (Hausdorff distance). The rim of an open surface keeps
-/// its outline in plan, and what is a graph over (x, y) stays one. \pre what checkSurface or closeTerrain
-/// take
+/// A coarser surface: as many vertices as possible are removed, and none moves. Every point of either surface
+/// is within `deviation` [m] of the other one (Hausdorff distance). The rim of an open surface keeps its
+/// outline in plan, and what is a graph over (x, y) stays one. \pre what checkSurface or closeTerrain take
 TriangleSurface simplifySurface(const TriangleSurface& surface, double deviation);
 
 }  // namespace talus

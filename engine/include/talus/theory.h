@@ -29,11 +29,11 @@ double factorOfSafetySliding(const SlidingMass& mass, double tilt);
 double criticalTiltToppling(double length, double height, double density, double water_depth,
                             double water_density = 1000);
 
-/// What the formulas say of a model, when they apply to it.
+/// The formulas' prediction for a model to which they apply.
 struct Prediction {
     double critical_tilt = 0;           ///< [rad]
     bool topples = false;               ///< else slides
-    std::string formula;                ///< which, with its numbers, for people
+    std::string formula;                ///< which, with its numbers, in words
     std::string applies_because;        ///< the assumptions met
     std::vector<std::string> blocks{};  ///< that move, sorted
 
@@ -41,9 +41,10 @@ struct Prediction {
     const char* kind() const { return topples ? "overturning about the toe" : "sliding on a plane"; }
 };
 
-/// The lowest limit-equilibrium tilt of a model the formulas apply to, else nothing: one stack in "stack"
-/// bond with uniform density (columns in front of each watered fissure or of each joint slide on a bed level,
-/// or the toe column overturns), or one free box on a fixed plane. Nothing is returned rather than a guess.
+/// The lowest limit-equilibrium tilt of a model to which the formulas apply, else nothing. They apply to one
+/// stack in "stack" bond with uniform density: columns in front of each watered fissure or of each joint
+/// slide on a bed level, or the toe column overturns. They also apply to one free box on a fixed plane.
+/// Nothing is returned rather than a guess.
 std::optional<Prediction> predict(const Model& model);
 
 /// Hoek and Bray's plane failure with a water-filled tension crack; lengths in m, unit weights in N/m^3.

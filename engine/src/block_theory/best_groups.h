@@ -9,9 +9,8 @@
 
 namespace talus::keyblocks {
 
-/// Keeps up to `most` groups, no two of the same blocks. Of equal factors one that lies within another says
-/// nothing: all of the larger one goes at it. So it is left out, or a slope on one bed would fill the list
-/// with its parts.
+/// Keeps up to `most` groups, no two of the same blocks. A group within another of equal factor is left out:
+/// the larger one fails as a whole. Otherwise a slope on one bed would fill the list with its parts.
 class BestGroups {
  public:
     explicit BestGroups(std::size_t most) : most_(most) {}

@@ -5,7 +5,7 @@
 namespace talus::keyblocks {
 namespace {
 
-/// From held blocks backwards: whom they stop, and whom those stop.
+/// From fixed blocks backwards: the blocks they stop, and the blocks those stop.
 std::vector<char> movableBlocks(const Slope& slope, const Vec3& direction) {
     std::vector<char> can_move = slope.free;
     std::vector<std::size_t> stopped;
@@ -60,7 +60,7 @@ class Components {
         }
     }
 
-    /// What stops a block that can move can move itself.
+    /// A block that stops a movable block can move itself.
     void follow(std::size_t block, const Contact& contact) {
         if (!stops(contact, direction_)) return;
         const auto other = static_cast<std::size_t>(contact.other);

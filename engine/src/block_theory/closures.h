@@ -1,7 +1,7 @@
 #pragma once
-// What has to move with a block along a direction. A block is stopped by every neighbour it would press into;
-// that one then has to move, too, and so on: all that can be reached from the block in this graph moves with
-// it (its closure). A closure with a held block does not move.
+// The blocks that must move with a block along a direction. A block is stopped by every neighbour it would
+// press into, so that neighbour must move, too, and so on. All blocks reached in this graph are its closure
+// and move with it. A closure with a fixed block does not move.
 
 #include <cstddef>
 #include <cstdint>
@@ -36,8 +36,8 @@ class Marks {
     std::uint32_t now_ = 1;
 };
 
-/// Whether, along a direction, the block beyond a contact stops the one that sees it; and the other way round
-/// (the other sees it with the opposite normal).
+/// Whether, along a direction, the block beyond a contact stops the block the normal points into; and the
+/// reverse, with the opposite normal.
 inline bool stops(const Contact& contact, const Vec3& direction) {
     return contact.normal.dot(direction) < -kInTheWay;
 }
@@ -45,14 +45,14 @@ inline bool isStoppedBeyond(const Contact& contact, const Vec3& direction) {
     return contact.normal.dot(direction) > kInTheWay;
 }
 
-/// Adds to `members`, and marks, what has to move with the blocks that are among them from `first` on.
+/// Adds to `members`, and marks, the blocks that must move with the members from `first` on.
 /// \return false, and members are not complete: a held block stops them, or they are more than `most`
 bool closeOver(const Slope& slope, const Vec3& direction, std::size_t first, std::size_t most, Marks& marks,
                std::vector<std::size_t>& members);
 
-/// A block of each strongly connected component of those that can move along a direction: blocks that stop
-/// each other move as one, so their closures are the same. What has to move with a component comes before it
-/// (R. E. Tarjan, SIAM J. Comput. 1: 146-160, 1972).
+/// One block of each strongly connected component of the blocks that can move along a direction: blocks that
+/// stop each other have the same closure. Components that must move with another one come before it (R. E.
+/// Tarjan, SIAM J. Comput. 1: 146-160, 1972).
 struct Movable {
     std::vector<std::size_t> seeds;
     std::vector<char> can_move;  ///< by block: no held block is in its closure

@@ -9,11 +9,11 @@
 namespace talus::keyblocks {
 namespace {
 
-/// Two planes less than this from parallel have no line of intersection to speak of; half the angle at which
-/// a neighbour is in the way, so that of two such planes one is enough.
-constexpr double kParallel = 0.5 * kInTheWay;
+/// Two planes nearer than this to parallel have no usable line of intersection. It is half the angle at which
+/// a neighbour obstructs, so one of two such planes is enough.
+constexpr double kNoLine = 0.5 * kInTheWay;
 
-/// The least of s.n over |s|, and whose it is.
+/// The least s.n over |s|, and its contact.
 struct Worst {
     double clearance = kInfinity;
     int contact = -1;
@@ -29,7 +29,7 @@ Worst worstOf(const Vec3& s, std::span<const Contact> contacts) {
     return worst;
 }
 
-/// Projects onto a cone of up to three contacts: onto the one, two or three of them that the result lies in.
+/// Projects onto the cone of up to three contacts: onto the plane, line or point that the result lies in.
 class SmallCone {
  public:
     SmallCone(const Vec3& force, std::span<const Contact> contacts) : force_(force), contacts_(contacts) {}
@@ -41,7 +41,7 @@ class SmallCone {
             if (contact >= 0) considered_.push_back(contact);
         consider({violated, -1});
         for (std::size_t k = 1; k < considered_.size(); ++k) consider({violated, considered_[k]});
-        // The corner where three meet, if no face and no edge does better.
+        // The corner of three planes, if no face and no edge is nearer.
         if (considered_.size() == 3 && least_violation_ > kInTheWay) return {};
         return best_;
     }
@@ -49,7 +49,7 @@ class SmallCone {
  private:
     const Vec3& normalOf(int contact) const { return contacts_[static_cast<std::size_t>(contact)].normal; }
 
-    /// What of the force lies in these planes, if it presses on them and leaves the others free.
+    /// The part of the force in these planes, if it presses on them and leaves the other contacts open.
     void consider(const std::array<int, 2>& pressed) {
         Vec3 along;
         const Vec3& n = normalOf(pressed[0]);
@@ -59,7 +59,7 @@ class SmallCone {
         } else {
             const Vec3 line = n.cross(normalOf(pressed[1]));
             const double sine = line.norm();
-            if (sine < kParallel) return;
+            if (sine < kNoLine) return;
             along = force_.dot(line) / (sine * sine) * line;
             const double cosine = n.dot(normalOf(pressed[1]));
             const double f1 = force_.dot(n), f2 = force_.dot(normalOf(pressed[1]));
@@ -95,9 +95,9 @@ class SmallCone {
 }  // namespace
 
 Projection project(const Vec3& force, std::span<const Contact> contacts) {
-    // The contact most in the way joins those that are pressed, until none is: a dual active-set method (D.
-    // Goldfarb and A. Idnani, Math. Program. 27: 1-33, 1983) in three dimensions. `along` gets shorter each
-    // time, so it ends; the bound is for planes that differ by rounding.
+    // The most violated contact joins those that are pressed, until none is violated: a dual active-set
+    // method (D. Goldfarb and A. Idnani, Math. Program. 27: 1-33, 1983) in three dimensions. `along` gets
+    // shorter each time, so it ends; the bound on iterations covers planes that differ by rounding.
     constexpr int kMostTurns = 100;
     Projection found{force, {-1, -1}};
     for (int turn = 0; turn < kMostTurns && found.along.norm() > kNoForce * force.norm(); ++turn) {
@@ -110,12 +110,12 @@ Projection project(const Vec3& force, std::span<const Contact> contacts) {
 
 Vec3 freeDirection(std::span<const Contact> contacts) {
     if (contacts.empty()) return -Vec3::UnitZ();
-    // The faces of a body add up to nothing, so its contacts' normals point, on the whole, to where it has
-    // none.
+    // The area vectors of a closed body sum to zero, so the mean of its contacts' inward normals points to
+    // its free side.
     Vec3 outwards = Vec3::Zero();
     for (const Contact& contact : contacts) outwards += contact.area * contact.normal;
     std::vector<Vec3> tried{outwards};
-    // If any s is left, one of these has a part along it and a projection that is not zero.
+    // If any s remains, one of these has a component along it, and so a projection that is not zero.
     for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())})
         for (const double sign : {1.0, -1.0}) tried.push_back(sign * axis);
     for (const Vec3& way : tried)

@@ -10,20 +10,20 @@
 namespace talus::keyblocks {
 
 /// The point of the cone nearest to a force. By Moreau's theorem force = along - sum of N n with N >= 0, and
-/// N only where along.n = 0: `along` is what drives, the rest presses on at most two planes of the cone's
-/// corner. That is Warburton's choice (1981): along = force is falling, one plane sliding along the force's
-/// projection, two planes sliding along their line of intersection, along = 0 no motion.
+/// N only where along.n = 0: `along` is the driving part; the rest presses on at most two planes. These are
+/// Warburton's modes (1981): with along = force the body falls; with one plane it slides along the force's
+/// projection, with two along their line of intersection. With along = 0 it does not move.
 struct Projection {
     Vec3 along = Vec3::Zero();           ///< [N]; zero where it is less than kNoForce of the force
     std::array<int, 2> pressed{-1, -1};  ///< contacts that `along` lies in; -1: none
 };
 Projection project(const Vec3& force, std::span<const Contact> contacts);
 
-/// Whether some direction other than none is left, that is whether the body is removable (Goodman and Shi:
-/// its joint pyramid is not empty).
+/// Whether any direction remains, so that the body is removable (Goodman and Shi: its joint pyramid is not
+/// empty).
 bool isRemovable(std::span<const Contact> contacts);
 
-/// Unit direction of the cone near to where its free faces look; zero where none is left.
+/// Unit direction of the cone near the outward normal of its free faces; zero where none remains.
 Vec3 freeDirection(std::span<const Contact> contacts);
 
 }  // namespace talus::keyblocks

@@ -9,7 +9,7 @@
 namespace talus::keyblocks {
 namespace {
 
-/// Directions nearer to each other than this are one: a tenth of what counts as in the way.
+/// Directions nearer to each other than this are one: a tenth of the angle at which a neighbour obstructs.
 constexpr double kCell = 0.1 * kInTheWay;
 
 /// Unit vectors with weights, those that are equal but for rounding as one.
@@ -114,8 +114,8 @@ void distinctNormals(std::span<const Contact> contacts, std::vector<Vec3>& norma
     }
 }
 
-/// What a block may slide along under a force: as it falls, on the planes it presses, along lines of two of
-/// them.
+/// Directions in which a block may move under a force: falling, on a pressed plane, along lines of two
+/// planes.
 template <class Add>
 void addDirectionsUnder(const Vec3& force, const std::vector<Vec3>& normals, const Add& add) {
     addUnit(force, 0, add);
@@ -126,7 +126,7 @@ void addDirectionsUnder(const Vec3& force, const std::vector<Vec3>& normals, con
     }
 }
 
-/// Under what acts by mass, which all blocks have in common, and under its own resultant.
+/// Under the body force, common to all blocks, and under its own resultant.
 template <class Add>
 void addDirectionsOf(const Slope& slope, std::size_t block, std::vector<Vec3>& normals, const Add& add) {
     distinctNormals(slope.contactsOf(block), normals);

@@ -6,7 +6,7 @@
 namespace talus::keyblocks {
 namespace {
 
-/// So that what differs by rounding alone is equal to all.
+/// Factors that differ by rounding alone become equal.
 double rounded(const Group& group) { return std::round(group.sliding.factor * 1e9); }
 
 }  // namespace

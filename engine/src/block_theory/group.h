@@ -19,8 +19,8 @@ struct Group {
     std::vector<std::size_t> carried{};
 };
 
-/// Less factor first; of equal ones (but for rounding) the heavier first, so that an answer names all that
-/// goes at it.
+/// Smaller factor first; of equal ones (to rounding) the heavier first, so that an answer names all blocks
+/// that fail at it.
 bool isBefore(const Group& a, const Group& b);
 bool haveEqualFactors(const Group& a, const Group& b);
 

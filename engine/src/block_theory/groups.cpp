@@ -16,18 +16,19 @@
 namespace talus::keyblocks {
 namespace {
 
-/// Blocks that closures may look at, over all directions: some seconds. What is beyond is left out, and said.
+/// Most blocks that closures visit, over all directions: some seconds. Closures beyond that are left out and
+/// reported.
 constexpr std::size_t kMostVisits = 40'000'000;
 constexpr std::size_t kLeastVisits = 4;  ///< of a direction, for every block
-/// Blocks in a closure that a direction is tried on for one block only.
+/// Most blocks in a closure along one block's own direction.
 constexpr std::size_t kMostOwn = 1000, kLeastOwn = 20;
-/// Of each direction so many groups are looked at for what they carry, the weakest; and in all so many of
-/// their neighbours are judged: a second.
+/// The weakest groups of each direction that are tested for carried blocks, and the neighbours judged for
+/// them in all: one second.
 constexpr std::size_t kSettled = 64, kSettlingWork = 1'000'000, kLeastSettlingWork = 2000;
-/// Groups that are grown, and blocks that this may look at: half a second.
+/// Groups that are grown, and blocks visited for that: half a second.
 constexpr std::size_t kMostGrown = 32, kGrowthVisits = 2'000'000;
-/// Directions between two looks at whether to stop, and own directions likewise; not the number of threads,
-/// so that the answer does not depend on it.
+/// Directions between two checks for interruption, and own directions likewise. It is not the number of
+/// threads, so the answer does not depend on that.
 constexpr std::size_t kDirectionsAtOnce = 8, kOwnAtOnce = 4096;
 
 /// Connected pieces of the blocks that can move.
@@ -47,7 +48,7 @@ std::vector<std::vector<std::size_t>> piecesOf(const Slope& slope, const std::ve
     return pieces;
 }
 
-/// What one direction, or one share of the own ones, gives.
+/// The groups of one direction, or of one share of the own directions.
 struct Part {
     explicit Part(std::size_t most) : raw(kSettled), best(most) {}
     BestGroups raw;                ///< as judged
@@ -135,7 +136,7 @@ class Search {
         ++part.judged;
     }
 
-    /// The weakest first, so that what is left out for want of work is stronger.
+    /// The weakest first, so that groups left out by the work limit are stronger.
     void settle(Part& part, std::size_t work) const {
         BodyMaker maker(slope_, joints_);
         maker.allow(work);
@@ -148,7 +149,7 @@ class Search {
         }
     }
 
-    /// Those that are the weakest of at least their volume. What is left out says nothing of the list.
+    /// The weakest groups of at least their volume. Leaving one out does not affect the list.
     void settleCurve(Part& part, std::size_t work) const {
         BodyMaker maker(slope_, joints_);
         maker.allow(work);
@@ -161,7 +162,8 @@ class Search {
         }
     }
 
-    /// What a group that carries others presses with is not counted, so its factor is not that of a failure.
+    /// The load of carried blocks is not counted, so the factor of a group that carries others is not that of
+    /// a failure.
     static void add(Group group, VolumeFront& curve) {
         if (group.carried.empty()) curve.add(std::move(group));
     }
@@ -234,7 +236,7 @@ class Search {
     VolumeFront curve_{};
     Directions directions_;
     GroupSearch found_{};
-    /// Of the progress, 0..1, as it was on a slope of 100,000 blocks.
+    /// Shares of the time, 0..1, measured on a slope of 100,000 blocks.
     struct {
         double from = 0, to = 1;
     } stage_;

@@ -12,7 +12,7 @@ class Growth {
     Growth(const Slope& slope, std::size_t visits, BodyMaker& maker)
         : slope_(slope), visits_(visits), maker_(maker), marks_(slope.size()) {}
 
-    /// Nothing where none is weaker, or as weak and heavier, or visits are used up.
+    /// Nothing where no group is weaker, or as weak and heavier, or where visits are used up.
     std::optional<Group> next(const Group& group) {
         Group best = larger(group);
         if (best.identity == group.identity) best = smaller(group);

@@ -6,10 +6,10 @@
 
 namespace talus::keyblocks {
 
-/// A step takes in one neighbour, all neighbours, or all of those that do not make the group stronger by
-/// themselves, each with what has to move with it. Where that leads no further it leaves one member behind,
-/// with all whom that one stops. The weakest goes on, of equal ones the heaviest, so that a group ends with
-/// all that goes at its factor. Adds the groups on the way to `found`. \param visits  blocks that may be
+/// A step adds one neighbour, all neighbours, or all that do not make the group stronger by themselves, each
+/// with the blocks that must move with it. Where that finds nothing weaker it leaves out one member, with all
+/// that this one stops. The weakest result continues, of equal ones the heaviest, so a group ends with all
+/// blocks that fail at its factor. Adds the groups on the way to `found`. \param visits blocks that may be
 /// looked at
 void grow(const Slope& slope, const Group& from, std::size_t visits, BodyMaker& maker, BestGroups& found);
 

@@ -16,7 +16,7 @@ struct Plane {
     double angle =
         0;  ///< about the direction of sliding, of its normal from where the planes are pressed [rad]
     double area = 0;          ///< [m^2]
-    double friction = 0;      ///< mean of its contacts' tan(phi) by area: the cost of normal force
+    double friction = 0;      ///< mean of its contacts' tan(phi) by area: friction per normal force
     double normal_force = 0;  ///< [N]
     std::vector<const Contact*> contacts{};
 };
@@ -33,10 +33,10 @@ double resistanceOf(const Contact& contact, const Joint& joint, double normal_fo
 /// Axes across the direction of sliding: `down` from which angles are counted, and the one beside it.
 struct Across {
     Vec3 up, beside;
-    double pressing = 0;  ///< what has to be carried along `up` [N]
+    double pressing = 0;  ///< normal load along `up` [N]
 };
 
-/// \param carried  what the planes have to give: sum of N n
+/// \param carried normal load on the planes: sum of N n
 Across acrossOf(const Vec3& direction, const Vec3& carried) {
     Across across;
     across.pressing = carried.norm();
@@ -69,7 +69,7 @@ std::vector<Plane> planesAlong(const Vec3& direction, const Across& across, cons
     return planes;
 }
 
-/// Two planes, or one twice, that carry what is pressed, and what friction that gives.
+/// Two planes, or one twice, that carry the normal load, and the friction of that distribution.
 struct Carrying {
     Plane *left = nullptr, *right = nullptr;
     double left_force = 0, right_force = 0, friction = kInfinity;
@@ -104,7 +104,7 @@ void press(std::vector<Plane>& planes, double pressing) {
     best.right->normal_force += best.right_force;
 }
 
-/// What a plane holds; with `told` its joints are appended.
+/// Strength of a plane; with `told` its joints are appended.
 double resistanceOf(const Plane& plane, const std::vector<Joint>& joints, std::vector<SlidingPlane>* told) {
     double sum = 0;
     std::map<std::string, SlidingPlane> by_joint;

@@ -21,13 +21,13 @@ struct Body {
 ///     F = sum of tau(N / A) A over the contacts with s.n = 0, over force.s
 ///
 /// Equilibrium across s gives N. One plane that presses has all of it, two have their components. Where s
-/// lies in more than two planes statics leaves N open: of all N >= 0 in equilibrium those with the least
-/// friction count, so that F is the least that is statically admissible. (It lies on two planes: a linear
+/// lies in more than two planes, statics leaves N open. Of all N >= 0 in equilibrium those with the least
+/// friction count, so F is the least that is statically admissible. (That N lies on two planes: a linear
 /// programme with two equations.) Contacts of one orientation share their N by their areas, as under a
 /// uniform stress. Cohesion counts on every face that s lies in, tension nowhere.
 Sliding judge(const Body& body, const std::vector<Joint>& joints);
 
-/// The same without planes and joints, for those who look at many bodies.
+/// The same without planes and joints, for many bodies.
 Sliding judgeBriefly(const Body& body, const std::vector<Joint>& joints);
 
 }  // namespace talus::keyblocks

@@ -1,5 +1,5 @@
 #pragma once
-// The weakest of many groups by their volume: what a failure of at least some volume takes.
+// The weakest of many groups by their volume: the factor of failures of at least some volume.
 
 #include <iterator>
 #include <map>
@@ -10,9 +10,9 @@
 
 namespace talus::keyblocks {
 
-/// Keeps the groups beside which no other has at least their volume and at most their factor (a Pareto
-/// front). Both rise along it, so the first group of at least a volume is the weakest of all of at least
-/// that volume. Of two that are equal in both the one that came first stays.
+/// Keeps a group if no other has at least its volume and at most its factor (a Pareto front). Both rise along
+/// it, so the first group of at least some volume is the weakest of that volume. Of two equal groups the
+/// first one added stays.
 class VolumeFront {
  public:
     /// Whether no kept group has at least its volume and at most its factor.
@@ -42,7 +42,7 @@ class VolumeFront {
     }
 
  private:
-    /// So that volumes that differ by rounding alone are one.
+    /// Volumes that differ by rounding alone count as equal.
     static float keyOf(const Group& group) { return static_cast<float>(group.volume); }
     /// By more than rounding.
     static bool isWeaker(const Group& a, const Group& b) {

@@ -1,5 +1,5 @@
 #pragma once
-// What of a model block theory leaves out.
+// Warnings of what block theory leaves out of a model.
 
 #include <string>
 #include <vector>

@@ -10,14 +10,14 @@
 namespace talus {
 
 /// Blocks, their shapes and inertia, the first search for interfaces, contact points, wet walls. The state is
-/// at rest and unstressed, with the model's own tilt and damping and full loads. Errors (fields of the
-/// model): shapes without volume, blocks that overlap, pairs that do not touch, water without a wall, two
-/// waters on one place, `grid N` on patches that are not rectangles; that it was asked to stop.
+/// unstressed and without velocity, with the model's own tilt and damping and full loads. Errors (fields of
+/// the model): shapes without volume, blocks that overlap, pairs that do not touch, water without a wall, two
+/// waters on one place, `grid N` on patches that are not rectangles; an interruption.
 Result<State> buildState(std::shared_ptr<const Model> description, bool parallel,
                          const Control& control = {});
 Result<State> buildState(Model model, bool parallel, const Control& control = {});
 
-/// For a model that the caller keeps as long as the state lives: of a million blocks a copy takes 400 MB.
+/// For a model that the caller keeps as long as the state lives: a copy takes 400 MB for a million blocks.
 std::shared_ptr<const Model> keptByCaller(const Model& model);
 
 }  // namespace talus

@@ -13,11 +13,11 @@
 namespace talus::checks {
 namespace {
 
-// Of the larger side: by how much the walls of both sides may differ below the level. Joints of rock masses
-// that are cut block by block agree to some 1e-6; a neighbour that ends below the level lacks far more.
+// Share of the larger side by which the walls of the two sides may differ below the level. Joints cut block
+// by block agree to some 1e-6; a neighbour that ends below the level differs by far more.
 constexpr double kSameSides = 0.01;
-// [deg] In a flatter joint the surface of the water is more than six times as wide as its opening, and the
-// volume hangs on how level the table is.
+// [deg] In a flatter joint the water surface is more than six times as wide as the opening, and the volume
+// depends on small tilts of the table.
 constexpr double kLeastDip = 10;
 
 std::optional<Error> openVolume(const State& state, std::size_t index) {
@@ -26,10 +26,11 @@ std::optional<Error> openVolume(const State& state, std::size_t index) {
     const bool runs_over = water.overflow < kInfinity && water.overflow > filled;
     const Enclosure enclosure = enclosureOf(state, index, runs_over ? water.overflow : filled);
     const double dip_deg = degrees(enclosure.dip);
-    if (dip_deg < kLeastDip)
+    if (dip_deg < kLeastDip) {
         return Error{water.field + ".volume", "found a closed volume in a joint that dips by " +
                                                   formatted("%.3g", dip_deg) + " deg, allowed: at least " +
                                                   formatted("%g", kLeastDip) + " deg"};
+    }
     const auto [less, more] = std::minmax(enclosure.below[0], enclosure.below[1]);
     if (more - less <= kSameSides * more) return std::nullopt;
     return Error{water.field + ".volume", "found a fissure that is not bounded: walls of " +
@@ -39,12 +40,12 @@ std::optional<Error> openVolume(const State& state, std::size_t index) {
                                               "; allowed: a fissure with walls on both sides up to there"};
 }
 
-// Of the square of the highest frequency that bounds the time step. A step takes up to 0.85 of that bound, so
-// that a share of 0.38 more is where it becomes unstable.
+// Share of the squared highest frequency that bounds the time step. A step takes up to 0.85 of that bound, so
+// 0.38 more makes it unstable.
 constexpr double kStiff = 0.1;
 
 /// Sum of K / m over the blocks that bound a water. The level falls by a d / (b w) when one wall of area a
-/// recedes by d, b the opening and w the width of the fissure, so K = rho g a^2 / (b w) [1/s^2].
+/// recedes by d, with the opening b and the width w of the fissure. So K = rho g a^2 / (b w) [1/s^2].
 double waterFrequency(const State& state, std::size_t index) {
     const Water& water = state.geometry->model.waters[index];
     std::vector<double> walls(state.blocks.size(), 0.0);

@@ -1,5 +1,5 @@
 #pragma once
-// Closed volumes of water (Water::closed): which are none, and what analyses make of them.
+// Checks of closed volumes of water (Water::closed), and a warning for analyses that hold their level.
 
 #include <string>
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace talus::checks {
 
-/// Those in a fissure that encloses nothing: without walls on both sides up to its level or its overflow, or
-/// too flat. None in what is left of a model, where a search holds the level. \pre the state is as
-/// `buildState` gives it
+/// Those whose fissure encloses no volume: without walls on both sides up to its level or overflow, or too
+/// flat. Not after blocks are removed, when a search holds the level. \pre the state is as `buildState` gives
+/// it
 std::vector<Error> openVolumes(const State& state);
 
-/// Those whose opening is so small that the water is a stiff spring for a history's time step, which follows
-/// from the stiffness of joints.
+/// Those whose small opening makes the water a stiff spring for a history's time step, which follows from the
+/// joints' stiffness.
 std::vector<Error> stiffVolumes(const State& state, bool parallel);
 
 /// One line per closed volume for an analysis that holds its level.

@@ -18,7 +18,7 @@
 namespace talus::checks {
 namespace {
 
-/// New index of each block, -1 for those that are gone.
+/// New index of each block, -1 for removed ones.
 std::vector<std::int32_t> renumbered(const std::vector<char>& gone) {
     std::vector<std::int32_t> index;
     std::int32_t next = 0;
@@ -110,8 +110,8 @@ double massOf(const State& state, const std::vector<std::size_t>& blocks) {
 }
 
 bool areSplinters(const State& state, const std::vector<std::size_t>& blocks) {
-    constexpr double kMost = 1e-3;
-    return massOf(state, blocks) <= kMost * freeMass(state);
+    constexpr double kMostSliverMass = 1e-3;
+    return massOf(state, blocks) <= kMostSliverMass * freeMass(state);
 }
 
 bool areTied(const State& state, const std::vector<std::size_t>& blocks) {

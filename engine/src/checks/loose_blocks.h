@@ -1,5 +1,5 @@
 #pragma once
-// Blocks that fall whatever the strength: they are named and taken out, and an analysis goes on with the
+// Blocks that fall whatever the strength: they are named and removed, and an analysis continues with the
 // rest.
 
 #include <cstddef>
@@ -11,8 +11,7 @@
 
 namespace talus::checks {
 
-/// Of the free blocks' mass: when more than that would fall, it is the slope that fails and not a loose
-/// block.
+/// Share of the free blocks' mass: if more would fall, the slope fails and not a loose block.
 inline constexpr double kMostLoose = 0.2;
 
 /// One entry per block: whether it has one of these names.
@@ -21,7 +20,7 @@ std::vector<char> blocksNamed(const Model& model, const std::vector<std::string>
 /// Their numbers, ascending.
 std::vector<std::size_t> numbersOf(const Model& model, const std::vector<std::string>& names);
 
-/// As the public one. \param gone one entry per block
+/// As the public function. \param gone one entry per block
 Model withoutBlocks(const Model& model, const std::vector<char>& gone);
 
 /// Share of the mass of free blocks that the marked ones have, 0..1.
@@ -34,14 +33,14 @@ bool touchesSomething(const State& state, std::size_t block);
 double freeMass(const State& state);
 double massOf(const State& state, const std::vector<std::size_t>& blocks);
 
-/// Whether free blocks are splinters, all of them together: a thousandth of the free blocks' mass at most.
+/// Whether these blocks are small slivers: together at most a thousandth of the free blocks' mass.
 bool areSplinters(const State& state, const std::vector<std::size_t>& blocks);
 
-/// Whether a bolt ties any of these blocks: taken out it would hold on to where they were. \param blocks
+/// Whether a bolt ties any of these blocks: it would stay tied to the place of a removed block. \param blocks
 /// sorted
 bool areTied(const State& state, const std::vector<std::size_t>& blocks);
 
-/// Free blocks that have gone a fiftieth or more of the farthest one's way between two states: what counts as
+/// Free blocks displaced between two states by a fiftieth or more of the largest displacement: what counts as
 /// moving (motion_roles.h).
 std::vector<std::size_t> movingBlocks(const PositionArray& position, const QuaternionArray& orientation,
                                       const State& to);

@@ -17,7 +17,7 @@ namespace talus::checks {
 namespace {
 
 constexpr double kMostDepth = 0.5;  // of the thinner block's thickness: deeper, the far side is nearer
-// Of the smaller block's size. Below, no thickness is looked at: a body of thin plates has a size of
+// Share of the smaller block's size below which no thickness is computed: a body of thin plates has a size of
 // some three times theirs (smallestExtent).
 constexpr double kLeastDepth = 0.1;
 constexpr std::size_t kMostWarnings = 10;
@@ -28,26 +28,25 @@ double sizeOf(const State& state, std::size_t i) {
                     state.geometry->size[static_cast<std::size_t>(state.interfaces.block_b[i])]);
 }
 
-/// Whether an interface may be deep, without a look at where it is: its springs are pressed far, or
-/// count their gap from far, or it may have got there since the last look.
+/// Whether an interface may be deep, without computing its position: its springs are pressed far, its
+/// reference gap is far off, or it may have moved that far.
 bool mayBeDeep(const State& state, std::size_t i, const std::vector<double>& ways) {
     const Interfaces& f = state.interfaces;
-    // Of the deepest corner's: a triangular patch that just touches along its far side.
+    // Share of the deepest corner's overlap: a triangular patch that just touches along its far side.
     constexpr double kMeanDepth = 1.0 / 3.0;
     const double least = kMeanDepth * kLeastDepth * sizeOf(state, i);
     if (-f.referenceGap(i, 0) > least) return true;
     const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
     if (ways[a] + ways[b] > least) return true;
-    // What parts with restitution pushes back with less than what it was pressed with (unload,
-    // forces/contact_kernel.h).
-    constexpr double kLeastShare = 0.01;
+    // With restitution a parting contact has less force than in loading (unload, forces/contact_kernel.h).
+    constexpr double kLeastForceShare = 0.01;
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
-    const double share = std::max(kLeastShare, 1 - law.unloading_loss);
+    const double share = std::max(kLeastForceShare, 1 - law.unloading_loss);
     return contact::overlapFor(law, f.area[i], f.wrench(i).force.norm()) > share * least;
 }
 
-/// Of the body that an interface's face belongs to, from a point of its surface inwards; of a convex
-/// one as a whole [m].
+/// Thickness of the body of an interface's face, from a point of its surface inwards; of a convex one as a
+/// whole [m].
 double thickness(const State& state, std::int32_t block, std::int32_t face, const Vec3& surface,
                  const Vec3& inwards, double enough) {
     const auto b = static_cast<std::size_t>(block);

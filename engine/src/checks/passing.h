@@ -1,14 +1,13 @@
 #pragma once
-// What users should know of blocks that may pass through each other.
+// Warnings of blocks that may pass through each other.
 
 #include "state/arrays.h"
 
 namespace talus::checks {
 
-/// Warns of every pair of blocks, once, that overlap by more than half of the thinner one's thickness
-/// along the contact's normal: what is pressed deeper than that may come out of the far side. For
-/// histories, at each look at contacts and before they are found anew: a block that passes is then seen
-/// in the contact it came by.
+/// Warns once of every pair of blocks whose overlap exceeds half of the thinner one's thickness along the
+/// contact's normal. A deeper block may leave by the far side. For histories, at each look at contacts before
+/// they are searched again, so that a passing block is found in its own contact.
 /// Reads:  poses, velocities, interfaces
 /// Writes: warnings
 /// \param ahead  time since the last look [s]

@@ -20,23 +20,23 @@
 namespace talus::checks {
 namespace {
 
-// A block that has gone this share of its size has failed (quasi_static.h).
+// A block displaced by this share of its size has failed (quasi_static.h).
 constexpr double kMostSink = 0.1;
-// Water higher above a model or deeper below it than this many of its extents has nothing to do with it.
-// (Ten: a wedge in an abutment may stand under a reservoir some times its own height.)
+// Water farther above or below a model than this many of its extents is an input error. (Ten: a wedge in an
+// abutment may stand under a reservoir several times its own height.)
 constexpr double kMostExtents = 10.0;
-// Rounding up to the tolerance itself is what every answer bears; a few times that widens its bracket, and a
-// warning says so. Beyond, verdicts follow it: a slab of 150 m from the origin was right to four digits at
-// 2.7 times the tolerance, and stood above its ceiling, undecided, at 27.
+// Rounding up to the tolerance does not affect an answer; a few times that widens its bracket, and a warning
+// says so. Beyond, rounding decides: a slab of 150 m far from the origin was right to four digits at 2.7
+// times the tolerance. At 27 times it exceeded its upper bound, undecided.
 constexpr double kMostRounding = 5.0;
-constexpr double kSlowed = 10.0;  // times the median block's frequency: worth a word
+constexpr double kSlowed = 10.0;  // times the median block's frequency: a warning
 
-/// A joint made from one of the file's ("default@18.5deg") is told as that.
+/// A joint derived from one of the file's ("default@18.5deg") is named as that one.
 std::string fieldOf(const Joint& joint, std::string_view key) {
     return "joint." + joint.name.substr(0, joint.name.find('@')) + "." + std::string(key);
 }
 
-/// The joint of each block that has the most of a stiffness; -1 for blocks that touch nothing.
+/// The stiffest joint of each block, by the given stiffness; -1 for blocks that touch nothing.
 std::vector<std::int32_t> stiffestJoints(const State& state, double Joint::*stiffness) {
     const Interfaces& f = state.interfaces;
     const std::vector<Joint>& joints = state.geometry->model.joints;
@@ -50,8 +50,8 @@ std::vector<std::int32_t> stiffestJoints(const State& state, double Joint::*stif
     return stiffest;
 }
 
-/// A block of height h sinks by rho g h / k_n, and on a slope goes by as much times k_n / k_s before it
-/// slides: a share of itself that does not depend on its size.
+/// A block of height h sinks by rho g h / k_n. On a slope it shears by that times k_n / k_s before it slides.
+/// As a share of its height, neither depends on its size.
 void addSoftJoints(const State& state, double Joint::*stiffness, std::string_view key, const char* does,
                    std::vector<Error>& errors) {
     const Model& model = state.geometry->model;
@@ -86,7 +86,7 @@ double largestFactor(const AppliedLoad& load) {
     return most;
 }
 
-/// A joint that opens by more per slip than friction takes per load gains work as it slides: it pushes itself
+/// A joint that dilates by more per slip than its friction resists gains work as it slides: it drives itself
 /// downhill. (J. Vermeer and R. de Borst, Heron 29(3), 1984: the angle of dilation is well below that of
 /// friction.)
 std::vector<Error> dilatesTooMuch(const Model& model) {
@@ -164,7 +164,7 @@ std::optional<Error> tableFarAway(const PhreaticSurface& table, const Heights& m
                      formatted("%.4g", model.low) + " to " + formatted("%.4g", model.high) + " m"};
 }
 
-/// A fissure holds water to its top; higher, it is a reservoir's.
+/// A fissure holds water to its top; a higher level is that of a reservoir.
 std::vector<Error> highWater(const Model& model) {
     constexpr double kHigh = 2.0;  // times the model's own height
     std::vector<Error> doubts;
@@ -194,13 +194,13 @@ std::vector<Error> waterFarAway(const State& state) {
     return errors;
 }
 
-/// What rounding of lengths as large as `reach` leaves of a block's out-of-balance force, over its weight.
+/// Out-of-balance force of a block over its weight, by rounding of lengths as large as `reach`.
 /// \pre gravity
 double roundingOver(const State& state, double reach, double bound) {
     return std::numeric_limits<double>::epsilon() * reach * bound / state.geometry->model.gravity.magnitude;
 }
 
-/// What rounding of its own coordinates alone leaves of a free block's. \pre gravity
+/// The same of a free block by rounding of its own coordinates alone. \pre gravity
 double roundingOf(const State& state, const std::vector<double>& bounds, std::size_t b) {
     if (state.blocks.motion[b] != Motion::free) return 0.0;
     const double reach = state.blocks.position.get(b).cwiseAbs().maxCoeff() + state.geometry->radius[b];

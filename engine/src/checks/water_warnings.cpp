@@ -25,7 +25,7 @@ double waterShare(const State& state, std::size_t block) {
 /// The first that never drains of those that wet a block.
 std::optional<std::string> undrainedOn(const State& state, std::size_t block) {
     const Model& model = state.geometry->model;
-    const double never = state.geometry->length_scale;  // a joint that opens so wide is none
+    const double never = state.geometry->length_scale;  // a joint that opens so wide is no longer one
     for (std::size_t w = 0; w < state.wet.size(); ++w) {
         const Water& water = model.waters[static_cast<std::size_t>(state.wet.water[w])];
         if (water.closed) continue;  // falls as its joint opens
@@ -105,15 +105,15 @@ bool isDry(const State& state, const PhreaticSurface& surface) {
     return true;
 }
 
-/// Where an answer is another than it was while a joint's ends were those of all its walls.
+/// Where an answer differs from that with the joint's ends at all its walls.
 std::optional<Error> otherEnds(const State& state, std::size_t index) {
-    constexpr double kSame = 1e-6;  // of the joint's height
+    constexpr double kSameEnds = 1e-6;  // of the joint's height
     const Water& water = state.geometry->model.waters[index];
     const bool falls = water.daylight != Water::Daylight::closed || water.kind == Water::Level::head;
     if (!falls && water.kind != Water::Level::depth) return std::nullopt;
     const auto ends = movedEnds(state, index);
     if (!ends) return std::nullopt;
-    const double same = kSame * (ends->high_with_fixed - ends->low_with_fixed);
+    const double same = kSameEnds * (ends->high_with_fixed - ends->low_with_fixed);
     const auto differ = [&](double now, double before) { return std::abs(now - before) > same; };
     const auto text = [](double height) { return formatted("%.4g", height) + " m"; };
     const std::string meant = "; earlier versions used the end of the whole joint, fixed rock included, at ";
@@ -171,7 +171,7 @@ std::optional<std::string> pushedByWater(const State& built, const std::vector<s
 std::optional<std::string> pushedAway(const State& state) {
     if (!state.geometry->model.hasWater()) return std::nullopt;
     std::optional<State>
-        before;  // as they lay at the start: by now they may be far from the water that pushed them
+        before;  // as they lay at the start: they may have moved far from the water that pushed them
     for (std::size_t block = 0; block < state.blocks.size(); ++block) {
         if (state.blocks.motion[block] != Motion::free) continue;
         const Vec3 way = state.blocks.position.get(block) - state.geometry->initial_position.get(block);

@@ -1,5 +1,5 @@
 #pragma once
-// What users should know of water that moves blocks.
+// Warnings of water that moves blocks.
 
 #include <optional>
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace talus::checks {
 
-/// Waters, and a water table, that press on no free block, by the key they were given with. Those given as
-/// nothing (a depth or heads of 0) are meant to be dry. \pre the state is as `buildState` gives it
+/// Waters, and a water table, that press on no free block, by their scenario key. A depth or heads of 0 are
+/// meant to be dry and are left out. \pre the state is as `buildState` gives it
 std::vector<Error> dryWaters(const State& state);
 
 /// A horizontal table in a steep slope presses in full where its joints daylight, and pushes blocks off at
@@ -20,8 +20,8 @@ std::vector<Error> dryWaters(const State& state);
 /// \param falling  blocks that fall whatever the strength
 std::optional<std::string> pushedByWater(const State& built, const std::vector<std::size_t>& falling);
 
-/// Water that never runs out of joints that open goes on pushing, and shoots blocks off. \param state  at the
-/// end of a run
+/// Water that never drains from opening joints keeps pushing, and ejects blocks. \param state at the end of a
+/// run
 std::optional<std::string> pushedAway(const State& state);
 
 }  // namespace talus::checks

@@ -42,8 +42,8 @@ Eigen::Vector2d shearForce(const std::vector<ContactPoint>& points) {
     return sum;
 }
 
-// A contact point that slips goes on doing so with what its new area carries: a little more than its
-// strength, which the law cuts.
+// A slipping contact point keeps slipping on its new area: it gets slightly more than its strength, which the
+// law cuts.
 constexpr double kStillSlipping = 1.1;
 
 bool isSlipping(const contact::JointLaw& law, const ContactPoint& point) {
@@ -88,11 +88,11 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
     return closed_area > 0 ? 0.0 : missing.norm();
 }
 
-constexpr double kNearPlace =
-    0.1;  // of the root of the patch area: shear goes to a new interface's contact point this near
+constexpr double kNearPoint =
+    0.1;  // of the root of the patch area: a new interface's contact point this near takes the shear force
 constexpr double kDeeper =
     1.05;  // times the deepest contact of the blocks; an elastic turn makes it a little more
-constexpr double kDeepest = 1e-7;  // of the smaller block's size: never mind less
+constexpr double kDeepest = 1e-7;  // of the smaller block's size: less is ignored
 
 std::vector<double> deepestContacts(const State& state, const std::vector<char>& near) {
     const Interfaces& f = state.interfaces;
@@ -114,8 +114,8 @@ std::vector<double> deepestContacts(const State& state, const std::vector<char>&
     return deepest;
 }
 
-/// An interface that has opened closes again where its faces are; one that is deeper than its blocks'
-/// contacts were counts from there.
+/// An interface that has opened closes again at its faces. One deeper than its blocks' contacts were takes
+/// that depth as its reference.
 void setBackGap(const OldInterfaces& old, State& state, std::size_t i) {
     Interfaces& f = state.interfaces;
     const RelativePose pose = relativePose(state, i);
@@ -132,7 +132,7 @@ void setBackGap(const OldInterfaces& old, State& state, std::size_t i) {
         reference = std::min(0.0, reference + least);
 }
 
-/// A place goes on as it is.
+/// A place is kept as it is.
 void carryPlace(const OldInterfaces& old, std::size_t o, State& state, std::size_t n) {
     const Interfaces& from = old.interfaces;
     Interfaces& f = state.interfaces;
@@ -147,7 +147,7 @@ void carryPlace(const OldInterfaces& old, std::size_t o, State& state, std::size
     state.points.setMemory(f.pointSlot(n, 0), old.points.memoryAt(from.pointSlot(o, 0)));
 }
 
-/// What the search has left as it is goes on so.
+/// Interfaces outside the search are kept as they are.
 void keepMemory(const OldInterfaces& old, std::size_t o, State& state, std::size_t n) {
     for (std::size_t k = 0; k < state.interfaces.pointCount(n); ++k) {
         const contact::PointMemory memory = old.points.memoryAt(old.interfaces.pointSlot(o, k));
@@ -165,7 +165,7 @@ void takeShear(const std::vector<CarriedPoint>& carried, State& state, std::size
     const std::vector<ContactPoint> points = contactPoints(state, i);
     for (const CarriedPoint& from : carried) {
         std::size_t nearest = points.size();
-        double least = kNearPlace * std::sqrt(f.area[i]);
+        double least = kNearPoint * std::sqrt(f.area[i]);
         for (std::size_t k = 0; k < points.size(); ++k) {
             const Vec3 place =
                 pose.origin + points[k].position.x() * pose.e1 + points[k].position.y() * pose.e2;
@@ -183,7 +183,7 @@ void takeShear(const std::vector<CarriedPoint>& carried, State& state, std::size
     }
 }
 
-/// What has come about since the last look has slid since: up to `ahead` [s] at the speed it slides at now.
+/// A contact made since the last look has slid since: for up to `ahead` [s] at its present speed.
 void startSliding(State& state, std::size_t i, double ahead) {
     const Interfaces& f = state.interfaces;
     const RelativePose pose = relativePose(state, i);
@@ -247,7 +247,7 @@ CarriedPoints carryOver(const OldInterfaces& old, State& state, double ahead) {
         }
         setBackGap(old, state, n);
     }
-    // What is left of faces and places that are gone.
+    // The memory of faces and places that no longer exist.
     CarriedPoints carried;
     const auto carry = [&](std::size_t o) {
         auto& of_pair = carried[partsOf(geometry, old.interfaces, o)];

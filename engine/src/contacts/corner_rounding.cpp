@@ -16,11 +16,10 @@ constexpr double kKink = 0.7071067811865476;  // cosine of the most that two fac
 // on a corner's sharpness.
 constexpr double kCornerRounding = 1e-3;
 constexpr double kSameWay = 1e-6;    // [rad]
-constexpr double kCornerTie = 1e-6;  // likewise: what makes clear how two corners meet
+constexpr double kCornerTie = 1e-6;  // likewise: enough to decide how two corners meet
 
-/// Normals of the faces of a convex shape, or of the faces `first` to `end` that are one of its parts,
-/// that a point lies on, or nearer than `distance` [m]; none when it is farther from it. Inner faces
-/// are none.
+/// Normals of the faces of a convex shape within `distance` [m] of a point, or of its faces `first` to `end`
+/// for one part. None when the point is farther from the shape; inner faces do not count.
 std::vector<Vec3> normalsAt(const Polyhedron& shape, std::size_t first, std::size_t end, const Vec3& point,
                             double distance) {
     std::vector<Vec3> normals;
@@ -34,11 +33,11 @@ std::vector<Vec3> normalsAt(const Polyhedron& shape, std::size_t first, std::siz
     return normals;
 }
 
-/// Parts of a block that may hold a point, or be nearer to it than `distance` [m]; ascending. Of a
-/// block that stands as built those that its tree finds.
+/// Parts of a block that may hold a point or lie within `distance` [m] of it; ascending. For a fixed block as
+/// built, those found in its tree.
 std::vector<std::size_t> partsAt(const State& state, std::int32_t block, const Vec3& point, double distance) {
-    // Where faces meet at an angle of w, what is nearer to both planes than the distance may be 2/w of
-    // it from their edge. Only wedges of less than two thousandths reach farther than this.
+    // Where faces meet at an angle w, a point within the distance of both planes may be 2/w times that from
+    // their edge. Only wedges of less than two thousandths reach farther than this.
     constexpr double kSharpest = 1000.0;
     const auto b = static_cast<std::size_t>(block);
     const Geometry& geometry = *state.geometry;
@@ -57,8 +56,8 @@ std::vector<std::size_t> partsAt(const State& state, std::int32_t block, const V
     return parts;
 }
 
-/// Faces of a block that a point lies on, or nearer than `distance` [m]; none when it is farther from
-/// the block. Faces of several parts that look the same way are one.
+/// Faces of a block within `distance` [m] of a point; none when it is farther from the block. Faces of
+/// several parts with the same normal count once.
 std::size_t facesAt(const State& state, std::int32_t block, const Vec3& point, double distance) {
     const Polyhedron& shape = state.geometry->shape[static_cast<std::size_t>(block)];
     const Vec3 own = toOwn(state.blocks, block, point);
@@ -94,11 +93,11 @@ bool isCarriedAt(const State& state, std::int32_t block, std::int32_t partner, c
     return false;
 }
 
-/// How deep a corner at a kink is left out, of the smaller block's size. What is placed then counts its gap
-/// from there. Where springs keep their energy that overlap goes only as the blocks' motion pays for it
-/// (contacts/gap_recovery.h), and those that come to rest have none. There it is as much as counts as
-/// touching anyway: with 1e-3 a slab that stopped in the angle of two beds lay 7e-4 of its size deep in one
-/// of them.
+/// Depth up to which a corner at a kink is left out, as a share of the smaller block's size. A contact placed
+/// later counts its gap from there. Where springs keep their energy, only the blocks' motion reduces that
+/// overlap (contacts/gap_recovery.h), and blocks in equilibrium have none. There the depth is that of
+/// touching faces: with 1e-3 a slab that stopped in the angle of two beds lay 7e-4 of its size deep in one of
+/// them.
 double roundingOf(const State& state) {
     return state.springs == Springs::keep_energy ? kClosedGap : kCornerRounding;
 }

@@ -1,8 +1,8 @@
 #pragma once
-// Corners at kinks: that of a slab where its bed ends and the next one, another block's, begins. As a body of
-// plane faces it would have to ride up with its first move, on a corner as sharp as no rock's is. Such
-// corners count as rounded. And where two corners meet, in which direction they hold each other is anybody's
-// choice until they have moved a little.
+// Corners at kinks, where the bed of a slab ends and that of another block begins. With plane faces the slab
+// would have to ride up on a perfectly sharp corner at its first displacement. Rock corners are not that
+// sharp, so such corners count as rounded. Where two corners meet, the direction of their contact is
+// undetermined until they have moved a little.
 
 #include <cstddef>
 
@@ -13,7 +13,7 @@ namespace talus {
 
 /// Whether a new point is left out because a corner there is rounded and it is not deeper than that.
 /// With Springs::keep_energy corners are rounded less.
-/// \param interface any place of the pair that the point was found for
+/// \param interface any place of the pair to which the point belongs
 /// \param size      the smaller block's [m]
 /// Reads: poses, shapes, interfaces, incidence
 bool isRoundedOff(const State& state, std::size_t interface, const VertexEdgePoint& point, double size);

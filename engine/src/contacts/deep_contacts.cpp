@@ -10,7 +10,8 @@
 namespace talus {
 namespace {
 
-// Cosine of 120 degrees. Round the edge of a box axes turn by 90, which is no pass; through a plate by 180.
+// Cosine of 120 degrees. Around the edge of a box axes turn by 90, which is no passage; through a plate by
+// 180.
 constexpr double kTurnedRound = -0.5;
 
 bool isDeep(const State& state, std::size_t i, const RelativePose& pose) {

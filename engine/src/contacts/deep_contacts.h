@@ -1,13 +1,11 @@
 #pragma once
-// Contacts pressed so deep that the side they came from has to be remembered.
+// Contacts pressed so deep that their side must be remembered.
 //
-// Two convex bodies are pushed apart along the axis along which they overlap least. That axis turns
-// round once more than half of a thin body is passed: contacts made anew would then push the other body
-// on, out of the far side. A pair of faces that overlaps by more than half of the thinner body is not
-// told from faces that look at each other through it, and would be dropped. So a contact this deep
-// stays what it is until it is less deep, and parts of two bodies that have one are not pushed against
-// its normal. In histories only: in quasi-static work nothing that is pressed this deep gives a
-// verdict.
+// Two convex bodies are pushed apart along the axis along which they overlap least. That axis reverses once
+// more than half of a thin body is passed: new contacts would then push the other body out of the far side.
+// Faces that overlap by more than half of the thinner body cannot be told from the far faces of both, and
+// would be dropped. So a contact this deep is kept until it is less deep, and no contact of the same two
+// parts may push against its normal. In histories only: quasi-static answers never depend on such depths.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,10 +17,9 @@
 
 namespace talus {
 
-/// Of the smaller block's size: contacts deeper than this are deep. Half of the thinner body is where
-/// axes turn round. Elastic contacts of blocks as thick as they are long stay below a hundredth of
-/// this; with much less, corners that are being passed round on soft joints would keep the face they
-/// came from.
+/// Of the smaller block's size: contacts deeper than this are deep. Axes reverse at half of the thinner body.
+/// Elastic contacts of equidimensional blocks stay below a hundredth of this. With much less, blocks that
+/// slide around a corner on soft joints would keep the face they came from.
 inline constexpr double kDeep = 0.25;
 
 /// How deep an interface is at its origin, whatever its gap is counted from [m]; negative: open.

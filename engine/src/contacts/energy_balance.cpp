@@ -12,11 +12,11 @@ namespace {
 
 using BlockPair = std::pair<std::int32_t, std::int32_t>;
 
-constexpr double kRounding = 1e-14;  // of an energy
+constexpr double kEnergyRounding = 1e-14;  // of an energy
 constexpr int kHalvings = 60;
 
-/// Of its springs [J]. An interface with a bond left is none of this: it may be drawn, and moves too little
-/// to change.
+/// Energy of its springs [J]. Bonded interfaces are left out: they may be in tension, and move too little to
+/// change.
 double energyOf(const Contacts& contacts, std::size_t i) {
     const Interfaces& f = contacts.interfaces;
     if (isIdle(f, i)) return 0.0;
@@ -52,8 +52,8 @@ double energyOf(const State& state, const PairContacts& pair) {
     return sum;
 }
 
-/// Changes something about a pair's contacts, put(share), as far as they then hold no more than `energy`.
-/// What they hold grows with the share, and at 0 is within that.
+/// Changes a pair's contacts by put(share), with the largest share at which they hold no more than `energy`.
+/// Their energy grows with the share, and at 0 is within that.
 template <class Put>
 void putWithin(const State& state, PairContacts& pair, double energy, const Put& put) {
     put(1.0);
@@ -96,7 +96,7 @@ void unload(State& state, PairContacts& pair, double energy) {
     });
 }
 
-/// Gives back what was so taken off, down to the overlap that faces which touch at the start may have.
+/// Restores overlap taken off so, down to what touching faces may have at the start.
 void reload(State& state, PairContacts& pair, double energy) {
     const Geometry& geometry = *state.geometry;
     const std::vector<double> gaps = referenceGaps(state, pair);
@@ -124,7 +124,7 @@ void balanceEnergy(State& state, const std::vector<PairEnergy>& before) {
     std::map<BlockPair, double> held;
     for (const PairEnergy& pair : before) held[pair.blocks] = pair.energy;
     std::map<BlockPair, PairContacts> pairs = contactsByPair(contactsOf(state));
-    // What the contacts of each free block no longer hold [J].
+    // Energy that the contacts of each free block have lost [J].
     std::map<std::int32_t, double> released;
     const auto isFree = [&](std::int32_t b) {
         return state.blocks.motion[static_cast<std::size_t>(b)] == Motion::free;
@@ -146,7 +146,7 @@ void balanceEnergy(State& state, const std::vector<PairEnergy>& before) {
             lacking -= taken;
             released[b] -= taken;
         }
-        if (lacking > kRounding * pair.energy) unload(state, pair, pair.energy - lacking);
+        if (lacking > kEnergyRounding * pair.energy) unload(state, pair, pair.energy - lacking);
     }
 }
 

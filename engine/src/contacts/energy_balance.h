@@ -1,5 +1,5 @@
 #pragma once
-// No energy comes of a search: what the springs hold afterwards they held before.
+// A search for contacts adds no energy: springs hold no more after it than before.
 
 #include <cstdint>
 #include <utility>
@@ -10,7 +10,7 @@
 
 namespace talus {
 
-/// What the springs between two blocks hold [J].
+/// Energy of the springs between two blocks [J].
 struct PairEnergy {
     std::pair<std::int32_t, std::int32_t> blocks;  ///< the lower index first
     double energy = 0;
@@ -19,11 +19,11 @@ struct PairEnergy {
 /// All pairs that hold any, sorted.
 std::vector<PairEnergy> energyOfPairs(const Contacts& contacts);
 
-/// A search changes areas, contact normals and which faces and vertices carry while they are pressed
-/// together. A pair that would hold more than before takes the difference from what other contacts of its two
-/// blocks no longer hold (a block that slides off one neighbour and onto another), and counts its gap from
-/// less deep by as much as is still lacking. One that would hold less gets back from that what an earlier
-/// search took off, as far as the energy reaches.
+/// A search changes areas, contact normals, and which faces and vertices carry, while they are pressed
+/// together. A pair that would hold more takes the difference from what other contacts of its two blocks have
+/// lost (a block slides off one neighbour onto another). For what is still lacking its reference gap is
+/// lowered. A pair that would hold less recovers overlap that an earlier search took off, as far as that
+/// energy allows.
 /// \param before of the same poses
 /// Reads:  poses, laws, interfaces and points
 /// Writes: reference gaps; the offsets of pairs whose shear springs alone would hold more

@@ -33,7 +33,7 @@ bool isOpposite(const Vec3& a, const Vec3& b, double max_angle) {
 }
 
 /// Whether the gap of a patch between the two planes can be within the limits: it lies between the heights of
-/// the other face's vertices. Sorts out the far sides of two blocks before anything is clipped.
+/// the other face's vertices. Excludes the far sides of two blocks before any clipping.
 bool canTouch(const FaceFrame& frame, const Face& other, const FacePairLimits& limits) {
     double least = frame.height(other.vertex(0)), most = least;
     for (std::size_t i = 1; i < other.size(); ++i) {
@@ -44,7 +44,7 @@ bool canTouch(const FaceFrame& frame, const Face& other, const FacePairLimits& l
     return least <= limits.max_gap && most >= -limits.max_overlap;
 }
 
-/// Outline in the frame's plane, counter-clockwise there whichever way the face looks.
+/// Outline in the frame's plane, counter-clockwise there on either side of the face.
 Polygon projectOutline(const FaceFrame& frame, const Face& face) {
     const bool same_side = face.normal().dot(frame.e3) > 0;
     Polygon outline;

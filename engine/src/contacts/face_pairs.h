@@ -16,10 +16,10 @@ struct FacePairLimits {
     double max_gap = 0;            ///< of the patch's nearest point [m]
     double max_overlap = 0;        ///< [m], positive; smaller than a block is thick
     double max_angle = 0;          ///< between the two planes [rad]
-    double min_area_share = 1e-6;  ///< of the smaller face; a patch of less is no interface
-    /// Share of the patch's size below which its corners are merged or straightened: two outlines that
-    /// coincide but for their elastic displacements would else give mid-edge corners, hence contact points,
-    /// that come and go.
+    double min_area_share = 1e-6;  ///< of the smaller face; a smaller patch is no interface
+    /// Share of the patch's size below which its corners are merged or straightened. Otherwise outlines that
+    /// differ only by elastic displacements would give corners, and so contact points, that appear and
+    /// vanish.
     double outline_tolerance = 1e-6;
 };
 
@@ -34,9 +34,8 @@ struct FacePair {
 
 FaceFrame faceFrame(const WorldShape& shape, std::size_t face);
 
-/// The patch between two given faces, if they lie against each other: normals opposite within the angle,
-/// outlines that overlap when b's is projected along a's normal, least gap within the
-/// limits.
+/// The patch between two given faces, if they lie against each other: their normals are opposite within the
+/// angle, b's outline projected along a's normal overlaps a's, and the least gap is within the limits.
 std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, const WorldShape& b,
                                      std::size_t face_b, const FacePairLimits& limits);
 

@@ -11,11 +11,11 @@
 namespace talus {
 namespace {
 
-// Of the energy of the relative motion, per look: far less than an impact would feel.
+// Share of the energy of the relative motion, per look: negligible in an impact.
 constexpr double kShare = 0.02;
-// A pair of faces that slides slowly has a little more to recover at each search than that pays for, and
-// would sink. So the first bit of a look, of the smaller block's size, may take more: nothing beside what an
-// impact presses, but more than such a pair needs.
+// A slowly sliding pair of faces needs slightly more energy at each search, and would sink. So the first part
+// of the recovery, a share of the smaller block's size, may take more. It is negligible in an impact, but
+// more than such a pair needs.
 constexpr double kFirstBit = 1e-6, kShareOfFirstBit = 0.5;
 
 /// Of the smaller of two blocks [m].
@@ -30,9 +30,9 @@ double gapToRecover(const State& state, std::size_t i) {
     return -state.interfaces.referenceGap(i, 0) - kClosedGap * sizeOf(state, i);
 }
 
-/// Raising the reference gap by o presses every spring by o more; together they hold no more than k A (depth
-/// o + o^2/2) more, with the depth of the deepest. As far as that one is open it costs nothing. The blocks
-/// pay for what the springs then do hold more. \return whether anything changed
+/// Raising the reference gap by o presses every spring by o more. Together they gain at most k A (depth o +
+/// o^2/2), with the depth of the deepest; as long as that one is open the gain is zero. The blocks lose the
+/// energy that the springs gain. \return whether anything changed
 bool recoverGap(State& state, std::size_t i, double missing) {
     const DeepestPoint deepest = deepestPoint(state, i);
     const double depth = std::max(0.0, deepest.depth),

@@ -23,7 +23,7 @@
 namespace talus {
 namespace {
 
-/// Of each pair of blocks the parts that overlap most.
+/// For each pair of blocks, the parts that overlap most.
 std::vector<Error> overlapErrors(const State& state, const std::vector<PairFinding>& findings) {
     std::map<BoxPair, double> deepest;
     for (const PairFinding& finding : findings) {
@@ -43,12 +43,12 @@ std::vector<Error> overlapErrors(const State& state, const std::vector<PairFindi
     return errors;
 }
 
-/// a's tangents carried into b's plane along the normal: so a point of the patch is that of b's face above
-/// it, and a clipping leaves every gap as it was, however far from parallel the faces are. Turned into it
-/// they would stay as long as one, which of faces this close to parallel is the same but for rounding.
+/// a's tangents projected along the normal into b's plane. A point of the patch is then the point of b's face
+/// above it, and clipping changes no gap at any angle between the faces. Rotated tangents would keep unit
+/// length; for faces this close to parallel the two agree to rounding.
 std::pair<Vec3, Vec3> tangentsOfB(const Vec3& e1, const Vec3& e2, const Vec3& e3, const Vec3& normal_b) {
-    constexpr double kParallel = 1e-5;  // [rad]
-    if ((normal_b + e3).norm() <= kParallel) {
+    constexpr double kSamePlaneAngle = 1e-5;  // [rad]
+    if ((normal_b + e3).norm() <= kSamePlaneAngle) {
         const Vec3 b1 = (e1 - normal_b.dot(e1) * normal_b).normalized();
         return {b1, b1.cross(normal_b)};  // b1 x b2 = -normal_b, which points from a to b
     }
@@ -56,7 +56,7 @@ std::pair<Vec3, Vec3> tangentsOfB(const Vec3& e1, const Vec3& e2, const Vec3& e3
     return {carried(e1), carried(e2)};
 }
 
-/// Appends one interface with frames at the patch's centroid; its group is there already.
+/// Appends one interface with frames at the patch's centroid; its group exists already.
 void appendInterface(State& state, std::int32_t a, std::int32_t b, const FacePair& pair) {
     Interfaces& f = state.interfaces;
     const double patch_area = area(pair.patch);
@@ -102,7 +102,7 @@ void setBond(State& state, std::size_t i, double bond) {
         state.points.setBond(state.interfaces.pointSlot(i, k), bond);
 }
 
-/// Contacts that come about later have no bond to lose; without a bond they have their peak friction.
+/// Contacts made later have no bond to lose; without a bond they have their peak friction.
 void breakBonds(State& state) {
     for (std::size_t i = 0; i < state.interfaces.size(); ++i)
         if (state.laws[static_cast<std::size_t>(state.interfaces.joint[i])].bonded) setBond(state, i, 0.0);
@@ -154,8 +154,8 @@ void appendKept(State& state, OldInterfaces& old, std::size_t o) {
     old.kept_as[o] = static_cast<std::int64_t>(n);
 }
 
-/// Interfaces on their way into a state. They are stored in the order in which they are added, but those with
-/// as many corners side by side within windows short enough that neighbours in space stay neighbours in
+/// Interfaces on their way into a state. They are stored in the order in which they are added. Within short
+/// windows those with equal numbers of corners are side by side; neighbours in space stay neighbours in
 /// memory.
 class InterfaceWindow {
  public:
@@ -169,7 +169,7 @@ class InterfaceWindow {
     }
     /// Places of two parts that may meet by vertices or edges.
     void addPlaces(std::int32_t part_a, std::int32_t part_b) { add({Kind::places, 0, part_a, part_b}); }
-    /// Some of before the search, one after the other, that are to be left as they are.
+    /// Consecutive interfaces from before the search, to be kept as they are.
     void addKept(std::size_t first, std::size_t count) {
         const Interfaces& from = old_.interfaces;
         add({Kind::kept, isVertexEdge(from, first) ? 0 : from.cornerCount(first), 0, 0, first, count});
@@ -239,14 +239,14 @@ bool suitsRule(const State& state, const FacePair& pair) {
            contact::isRectangle({pair.patch.begin(), pair.patch.end()});
 }
 
-/// What a search leaves beside the interfaces.
+/// Results of a search beside the interfaces.
 struct SearchRemarks {
     std::vector<PairFinding> overlaps;  ///< without their faces
     std::vector<Error> grid{};          ///< the first patch that is no rectangle where the rule asks for one
     bool stopped = false;
 };
 
-/// All of before the search that it does not look at; the places of a pair stay together.
+/// All earlier interfaces outside the search; the places of a pair stay together.
 void appendFarFrom(const SearchRange& range, const State& state, OldInterfaces& old,
                    InterfaceWindow& window) {
     const Interfaces& from = old.interfaces;

@@ -1,5 +1,5 @@
 #pragma once
-// Interfaces made of what a search of pairs finds, with their contact points.
+// Interfaces and contact points from the pairs that a search finds.
 
 #include <vector>
 
@@ -11,16 +11,16 @@
 namespace talus {
 
 /// Searches neighbours nearer than the range's margin, clips patches, places contact points. At the start
-/// (`initial`) faces within kClosedGap of the block size count as closed and unstressed and deeper overlap is
-/// an error; later what the contact points of a pair of faces carried and remember is handed on to its new
-/// ones (contacts/carry_over.h). Asked to stop it makes none: at the start the state is to be thrown away,
-/// later it is as it was.
-/// \param control  asked to stop, told how far it has come
-/// \param range  interfaces of pairs that it leaves out are left as they are
+/// (`initial`) faces within kClosedGap of the block size count as closed and unstressed, and deeper overlap
+/// is an error. Later the forces and memory of a pair's contact points pass to its new ones
+/// (contacts/carry_over.h). An interruption at the start leaves a state to discard; later it leaves the state
+/// unchanged.
+/// \param control interruption and progress
+/// \param range interfaces of pairs outside it are kept as they are
 /// Reads:  poses, velocities, shapes, old interfaces and points
 /// Writes: interfaces, points, incidence, walls of water between two blocks, search poses and margin,
 ///         shear_lost
-/// \return faults of the model; what was asked to stop is one
+/// \return faults of the model; an interruption is one
 std::vector<Error> makeInterfaces(State& state, const SearchRange& range, bool initial, bool parallel,
                                   const Control& control = {});
 

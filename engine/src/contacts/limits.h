@@ -9,38 +9,38 @@ namespace talus {
 /// Of the smaller block's size: faces nearer than this are closed and unstressed at the start.
 inline constexpr double kClosedGap = 1e-4;
 
-// What a search foresees; a block that has gone farther has its neighbours searched again.
+// Displacement that a search allows for; beyond it a block's neighbours are searched again.
 inline constexpr double kTravelLimit = 0.01;  // of a block's own size
 inline constexpr double kTurnLimit = 0.01;    // [rad]
-inline constexpr double kFasterAhead = 4.0;   // than now blocks may get before the next look
+inline constexpr double kFasterAhead = 4.0;   // times: largest growth of a block's speed before the next look
 inline constexpr double kShareOfMargin =
     0.25;  // of the margin, likewise: two blocks may come towards each other
 
-/// Faces meet as faces up to this angle from parallel, and the more the deeper they are pressed into each
-/// other (per share of the smaller block's size) [rad]. Beyond that only the patch's lowest edge or vertex
-/// carries (the contact points next to it lie a sixth of the patch away), so a contact of faces and one of a
-/// vertex or edge take over from each other without a jump.
+/// Faces meet as faces up to this angle from parallel [rad], which grows with their overlap (per share of the
+/// smaller block's size). Beyond that only the patch's lowest edge or vertex carries (the next contact points
+/// lie a sixth of the patch away). So the change between a contact of faces and one of a vertex or edge has
+/// no jump.
 inline constexpr double kFaceAngle = 0.05;
 inline constexpr double kFaceAnglePerDepth = 10.0;
 
-/// A patch with less area than one contact point at a vertex is too soft to carry for long: pressed deeper
-/// than this (share of the smaller block's size) it leaves that to the vertices and edges.
+/// A patch with less area than one contact point at a vertex is too soft to carry for long. Pressed deeper
+/// than this (share of the smaller block's size), it is replaced by vertices and edges.
 inline constexpr double kSliverDepth = 1e-4;
 
-/// In quasi-static work faces that lie on each other with less than this share of the smaller one, and less
-/// than a vertex stands for, make no interface once the model has moved: a slope that has slid by microns has
-/// more such strips than joints. They are narrower than what has to be seen of a failure, and one pressed as
-/// deep as its neighbours carries a thousandth of what they do. One that is bonded or that carries a
-/// hundredth of what its block does stays: a block may stand on nothing else.
+/// In quasi-static work a patch of less than this share of the smaller face, and of less than a vertex's
+/// area, makes no interface once the model has moved. A slope that has slid by microns has more such strips
+/// than joints. They are narrower than the failure displacement, and carry a thousandth of their neighbours'
+/// force at equal depth. A strip that is bonded or carries a hundredth of its block's forces stays, since it
+/// may be the block's only support.
 inline constexpr double kLeastShare = 4e-4;
 
-/// What counts as a meeting of two blocks by vertices or edges that may go this far before the next look [m].
+/// Limits of vertex and edge contacts of two blocks that may move this far before the next look [m].
 VertexEdgeLimits vertexEdgeLimits(const Geometry& geometry, std::size_t block_1, std::size_t block_2,
                                   double reach);
 
-/// Area that a contact point at a vertex or a crossing of edges stands for: that of a vertex contact point on
-/// a four-cornered face of the two blocks' lesser mean face area (A/24 with `vertex` points, A/4 with
-/// `corner` and `quarter`, A/N^2 with `grid N`) [m^2].
+/// Area of a contact point at a vertex or a crossing of edges [m^2]: that of a contact point at the corner of
+/// a four-cornered face with the two blocks' lesser mean face area (A/24 with `vertex` points, A/4 with
+/// `corner` and `quarter`, A/N^2 with `grid N`).
 double vertexEdgeArea(const Geometry& geometry, std::size_t block_1, std::size_t block_2);
 
 }  // namespace talus

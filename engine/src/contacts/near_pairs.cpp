@@ -114,8 +114,7 @@ PartPairs pairsWithFixed(const State& state, const PlacedParts& placed, const Se
     std::vector<std::size_t> counts(pieces, 0);
     const auto look = [&](std::size_t piece, std::size_t k) {
         const Box& box = placed.boxes[k];
-        // The tree's boxes are as they are: the question is wider by their margin, and by as much again
-        // for rounding.
+        // The tree's boxes have no margin, so the query is wider by it, and by as much again for rounding.
         counts[piece] += fixed.boxes.visit(box.grown(2.0 * margin), [&](std::size_t f) {
             const std::int32_t other = fixed.parts[f];
             const auto block = static_cast<std::size_t>(geometry.part_block[static_cast<std::size_t>(other)]);

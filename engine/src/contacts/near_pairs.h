@@ -1,7 +1,6 @@
 #pragma once
-// Where a search looks: which pairs of convex parts of two blocks are near each other. What the model
-// holds fixed stands where it was built (state/fixed_shapes.h): it is not placed again, and only those
-// of its parts are met that some other part is near to.
+// Pairs of convex parts of two blocks that are near each other. Fixed blocks stay where they were built
+// (state/fixed_shapes.h): they are not placed again, and only their parts near another part are visited.
 
 #include <cstddef>
 #include <optional>
@@ -18,14 +17,13 @@ namespace talus {
 /// Pairs of parts, sorted.
 using PartPairs = std::vector<BoxPair>;
 
-/// What a search foresees, and where it looks.
+/// Margin, time and blocks of a search.
 struct SearchRange {
     double margin = 0;  ///< pairs of faces nearer than this count [m]
     double ahead = 0;   ///< time until the next look, not negative [s]
     /// By block: pairs of which neither is marked are left out; empty: none is.
     std::vector<char> around{};
-    /// By block: 1 of those in any pair that is not left out, and of some beside (blocksNear); empty:
-    /// all are.
+    /// By block: 1 for all in a pair that is not left out, and for some others (blocksNear); empty: all are.
     std::vector<char> near{};
 
     bool has(std::size_t a, std::size_t b) const {
@@ -34,7 +32,7 @@ struct SearchRange {
     bool isNear(std::size_t block) const { return near.empty() || near[block] != 0; }
 };
 
-/// What a search has looked at: grows with what moves and what is near to it, not with the ground.
+/// Work of a search: grows with the moving blocks and their neighbours, not with the ground.
 struct SearchWork {
     std::size_t placed_faces = 0;  ///< faces of the blocks that were placed
     std::size_t boxes = 0;         ///< boxes of fixed parts that were compared with others
@@ -52,7 +50,7 @@ class PlacedShapes {
     std::size_t blockOf(std::size_t part) const {
         return static_cast<std::size_t>(geometry_.part_block[part]);
     }
-    /// Of the range and not where Geometry::fixed has them: placed here.
+    /// Blocks of the range that do not stand as in Geometry::fixed: placed here.
     bool isPlaced(std::size_t block) const { return placed_[block] != 0; }
     std::size_t placedFaces() const { return normals_.size(); }
 
@@ -70,8 +68,8 @@ class PlacedShapes {
     std::vector<Vec3> vertices_, normals_;
 };
 
-/// Pairs of parts of the range whose boxes, each wider by half its margin, meet, in order; none of two
-/// blocks that stand where Geometry::fixed has them.
+/// Pairs of parts of the range whose boxes, each wider by half its margin, meet, in order. Pairs of two fixed
+/// blocks in place are left out.
 PartPairs nearPairs(const State& state, const PlacedShapes& placed, const SearchRange& range, bool parallel,
                     SearchWork& work);
 

@@ -17,8 +17,8 @@ using BoxPair = std::pair<std::int32_t, std::int32_t>;
 /// \pre finite boxes, min <= max
 std::vector<BoxPair> findNeighbours(const std::vector<Box>& boxes, bool parallel);
 
-/// Of each box whether it may overlap a marked one: 1 of all that do, of the marked ones, and of some that
-/// are near. In time linear in the number of boxes.
+/// For each box whether it may overlap a marked one: 1 for all that do, for the marked ones, and for some
+/// near ones. In time linear in the number of boxes.
 /// \pre finite boxes, min <= max; as many marks as boxes
 std::vector<char> findNearMarked(const std::vector<Box>& boxes, const std::vector<char>& marked);
 

@@ -1,12 +1,12 @@
 #pragma once
-// How deep blocks are pressed into each other, by their shapes and whatever their contacts say.
+// Depth of overlap of blocks by their shapes, independent of their contacts.
 
 #include "state/arrays.h"
 
 namespace talus {
 
-/// Greatest overlap of two blocks of which one can move, along the axis that parts them soonest, in shares of
-/// the smaller one's least extent. Reads poses and shapes.
+/// Greatest overlap of two blocks of which one can move, along the axis of least overlap, as a share of the
+/// smaller one's least extent. Reads poses and shapes.
 double greatestOverlap(const State& state);
 
 }  // namespace talus

@@ -31,7 +31,8 @@ bool firstIsReference(const State& state, std::size_t first, std::size_t second)
 }
 
 /// Faces may look at each other through the bodies: the far side of a block and the near side of its
-/// neighbour, or faces that are not parallel. A pair whose overlap is not the blocks' own is none.
+/// neighbour, or faces that are not parallel. A pair whose overlap differs from that of the blocks is left
+/// out.
 void dropFalsePairs(const WorldShape& a, const WorldShape& b, double closed, PairFinding& finding) {
     const auto overlaps = [&](const FacePair& face) { return face.least_gap < -closed; };
     if (std::none_of(finding.faces.begin(), finding.faces.end(), overlaps)) return;
@@ -50,7 +51,7 @@ void dropTilted(const WorldShape& first, const WorldShape& second, double size, 
     });
 }
 
-/// Faces of which a piece lies on other parts of their body: a patch on that piece is none.
+/// Faces partly covered by other parts of their body: a patch on the covered piece is left out.
 void dropCovered(const WorldShape& a, const WorldShape& b, PairFinding& finding) {
     const auto isCovered = [](const WorldShape& shape, std::int32_t face, const Vec3& place) {
         const auto f = static_cast<std::size_t>(face);
@@ -64,8 +65,8 @@ void dropCovered(const WorldShape& a, const WorldShape& b, PairFinding& finding)
     });
 }
 
-/// Puts faces with a deep contact back among those found, and takes out those that would push against it: the
-/// far sides of a thin body.
+/// Adds faces with a deep contact to those found, and removes those that would push against it: the far sides
+/// of a thin body.
 void keepDeep(const State& state, const KnownPairs& known, BoxPair parts, const WorldShape& a,
               const WorldShape& b, PairFinding& finding) {
     const auto before = [](const DeepFaces& deep, BoxPair pair) { return deep.parts < pair; };
@@ -92,8 +93,8 @@ void keepDeep(const State& state, const KnownPairs& known, BoxPair parts, const 
     });
 }
 
-/// Leaves out patches that are too small for the depth they are pressed to, or to matter. \return whether one
-/// may get there before the next search, or is left out: then the pair needs places
+/// Leaves out patches that are too small for their depth, or negligible. \return whether one is left out, or
+/// may be before the next search: then the pair needs places
 bool dropSlivers(const State& state, std::size_t a, std::size_t b, double size, double least_share,
                  PairFinding& finding, bool initial) {
     const double least = vertexEdgeArea(*state.geometry, a, b);
@@ -128,11 +129,11 @@ bool isBonded(const State& state, std::size_t i) {
 }  // namespace
 
 std::vector<char> blocksNear(const State& state, const std::vector<char>& around, double margin) {
-    constexpr double kRounding = 1 + 1e-9;
+    constexpr double kWiderForRounding = 1 + 1e-9;
     std::vector<Box> boxes(state.blocks.size());
     for (std::size_t b = 0; b < boxes.size(); ++b) {
         const Vec3 centre = state.blocks.position.get(b);
-        const Vec3 half = Vec3::Constant(kRounding * (state.geometry->radius[b] + 0.5 * margin));
+        const Vec3 half = Vec3::Constant(kWiderForRounding * (state.geometry->radius[b] + 0.5 * margin));
         boxes[b] = {centre - half, centre + half};
     }
     return findNearMarked(boxes, around);
@@ -175,7 +176,7 @@ PartPairs pairsThatBear(const State& state, const SearchRange& range) {
 
 namespace {
 
-/// How far a block may go before it makes a search, with what it is over when that is noticed [m].
+/// Displacement at which a block causes a search, with what it may exceed that by when noticed [m].
 double wayAhead(const State& state, std::size_t block, double margin) {
     constexpr double kNoticed = 1.5;
     if (state.blocks.motion[block] == Motion::fixed) return 0.0;
@@ -238,7 +239,7 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
 bool examinePairs(const State& state, const SearchRange& range, const KnownPairs& known, bool initial,
                   bool parallel, const std::function<void(const PairFinding&)>& take, const Control& control,
                   SearchWork* work) {
-    constexpr std::size_t kPiece = 16384;
+    constexpr std::size_t kPairsAtOnce = 16384;
     assert(range.margin > 0 && range.ahead >= 0 &&
            std::is_sorted(known.with_places.begin(), known.with_places.end()));
     const PlacedShapes placed(state, range, parallel);
@@ -246,13 +247,13 @@ bool examinePairs(const State& state, const SearchRange& range, const KnownPairs
     SearchWork done;
     const PartPairs pairs = nearPairs(state, placed, range, parallel, work != nullptr ? *work : done);
     std::vector<PairFinding> findings;
-    for (std::size_t begin = 0; begin < pairs.size(); begin += kPiece) {
+    for (std::size_t begin = 0; begin < pairs.size(); begin += kPairsAtOnce) {
         if (isStopped(control)) return false;
         if (control.progress) {
             control.progress({"contacts", static_cast<double>(begin) / static_cast<double>(pairs.size()),
                               "between " + std::to_string(state.blocks.size()) + " blocks"});
         }
-        findings.assign(std::min(kPiece, pairs.size() - begin), {});
+        findings.assign(std::min(kPairsAtOnce, pairs.size() - begin), {});
         forRange(findings.size(), 64, parallel, [&](Range piece) {
             for (std::size_t k = piece.begin; k < piece.end; ++k)
                 findings[k] = examinePair(state, placed, pairs[begin + k], range, known, initial);

@@ -1,6 +1,6 @@
 #pragma once
-// Axes along which two convex parts may be told apart: the normals of their faces and the cross products of
-// their edges (separating-axis theorem; Gottschalk, Lin and Manocha 1996).
+// Candidate separating axes of two convex parts: the normals of their faces and the cross products of their
+// edges (separating-axis theorem; Gottschalk, Lin and Manocha 1996).
 
 #include <cstdint>
 #include <limits>
@@ -28,7 +28,7 @@ struct Pair {
     const WorldShape& shape(bool is_second) const { return is_second ? second : first; }
 };
 
-/// An axis along which the two may be told apart.
+/// A candidate separating axis.
 struct SeparatingAxis {
     double distance = -std::numeric_limits<double>::infinity();
     bool is_edges = false;
@@ -45,7 +45,7 @@ inline const Vec3& vertexOf(const WorldShape& shape, std::int32_t v) {
 /// \param face  of the reference
 SeparatingAxis faceAxis(const Pair& pair, bool second_is_reference, std::size_t face);
 
-/// The cross product of two edges; none of those that are as good as parallel.
+/// The cross product of two edges; none if they are parallel to rounding.
 SeparatingAxis edgeAxis(const Pair& pair, std::size_t e, std::size_t f);
 
 /// One block's face normals along the arcs of the other's edges.
@@ -65,9 +65,9 @@ class AlongArcs {
     std::vector<double> along_;
 };
 
-/// Pairs of edges that are the two blocks' outermost along their cross product: the arc between the normals
-/// of one edge's faces and that between the opposites of the other's cross on the unit sphere (the Gauss map;
-/// Gregorius 2013).
+/// Pairs of edges that are outermost in both blocks along their cross product. On the unit sphere, the arc
+/// between the normals of one edge's faces crosses the arc between the negated normals of the other's (the
+/// Gauss map; Gregorius 2013).
 class GaussMap {
  public:
     explicit GaussMap(const Pair& pair)
@@ -88,7 +88,7 @@ class GaussMap {
     AlongArcs second_along_first_, first_along_second_;
 };
 
-/// Calls each(axis) for all axes until it returns false. The pair's edges are found when they are asked for.
+/// Calls each(axis) for all axes until it returns false. The pair's edges are computed on first use.
 template <class Each>
 void forEachAxis(Pair& pair, const Each& each) {
     for (std::size_t face = 0; face < pair.first.faces.size(); ++face)

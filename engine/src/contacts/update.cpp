@@ -28,8 +28,8 @@ constexpr double kSlideLimit =
            // two: then the patch is clipped again
 
 constexpr double kWider = 1.001;      // than the last margin: then that is too narrow
-constexpr double kFartherThan = 1.5;  // it has to: what falls soon is faster
-constexpr double kFew = 0.2;          // of all blocks: around more a search is as dear as one of all
+constexpr double kFartherThan = 1.5;  // necessary: falling blocks soon get faster
+constexpr double kFewBlocks = 0.2;    // of all blocks: around more, a search costs as much as one around all
 
 /// No speedBound of a block is more, but for rounding: as if it turned about its longest axis [m/s].
 double roughSpeedBound(const State& state, std::size_t b) {
@@ -46,7 +46,7 @@ double searchMargin(const State& state, double ahead) {
         for (std::size_t b = 0; b < state.blocks.size(); ++b) most = std::max(most, bound(state, b));
         return most;
     };
-    // Quasi-static work is slow: it takes no look at how each block turns.
+    // Quasi-static work is slow: rotation of single blocks need not be checked.
     const bool is_slow = kFasterAhead * fastest(roughSpeedBound) * ahead < kClearly * least;
     return is_slow ? least : std::max(least, kFasterAhead * fastest(speedBound) * ahead);
 }
@@ -58,8 +58,8 @@ double slideLimit(const State& state, std::size_t i) {
     return kSlideLimit * std::max(std::sqrt(f.area[i]), size);
 }
 
-/// Whether a patch has slid too far over its partner, if blocks may have gone as far as `motion` [m] since it
-/// was clipped.
+/// Whether a patch has slid too far over its partner, if blocks may have moved by `motion` [m] since it was
+/// clipped.
 bool hasSlid(const State& state, std::size_t i, double motion) {
     const double limit = slideLimit(state, i);
     if (2.0 * motion < limit) return false;
@@ -69,7 +69,7 @@ bool hasSlid(const State& state, std::size_t i, double motion) {
 
 /// Since the last search.
 struct Way {
-    double motion = 0;  ///< of the point of a block that has gone farthest [m]
+    double motion = 0;  ///< of the block point that has moved farthest [m]
     double turn = 0;    ///< [rad]
 };
 Way wayOf(const State& state, std::size_t b) {
@@ -89,7 +89,7 @@ bool movedTooFar(const State& state, double margin) {
         most_turned = std::max(most_turned, way.turn);
     }
     if (most_turned > kTurnLimit) return true;
-    // Half the margin each, less what they may go before the next look.
+    // Half the margin each, less what they may move before the next look.
     if (farthest > kShareOfMargin * state.search_margin || margin > kWider * state.search_margin) return true;
     const Interfaces& f = state.interfaces;
     for (std::size_t i = 0; i < f.size(); ++i) {
@@ -98,7 +98,7 @@ bool movedTooFar(const State& state, double margin) {
     return false;
 }
 
-/// Blocks that have gone as far as movedTooFar says, and those of patches that have slid so far.
+/// Blocks that have moved too far (movedTooFar), and those of patches that have slid too far.
 std::vector<char> farMovers(const State& state) {
     std::vector<char> marked(state.blocks.size(), 0);
     double farthest = 0;
@@ -108,7 +108,7 @@ std::vector<char> farMovers(const State& state) {
                     way.motion > kShareOfMargin * state.search_margin;
         farthest = std::max(farthest, way.motion);
     }
-    // A patch is as old as the later search around one of its blocks: the other may have gone to and fro
+    // A patch dates from the later search around one of its blocks: the other may have moved back and forth
     // since its own.
     constexpr double kToAndFro = 2.0;
     const Interfaces& f = state.interfaces;
@@ -121,9 +121,8 @@ std::vector<char> farMovers(const State& state) {
     return marked;
 }
 
-/// Forces of the contacts as they are now, for the next half kick: of their springs. A contact point that has
-/// just been placed has not slid yet, so it would stick, and its dashpot would be felt to stop the whole
-/// slide at once.
+/// Forces of the contacts as they are now, for the next half kick: of their springs. A new contact point has
+/// not slid yet, so it would stick, and its dashpot would stop the whole slide at once.
 void updateSpringForces(State& state, bool parallel) {
     const double damping = std::exchange(state.damping.contact, 0.0);
     const bool restitution = std::exchange(state.damping.restitution, false);
@@ -133,13 +132,13 @@ void updateSpringForces(State& state, bool parallel) {
 }
 
 #ifndef NDEBUG
-/// Whether there are none; else the first is named, which the assertion itself cannot.
+/// Whether there are none; else the first is printed, which the assertion cannot do.
 bool areNone(const std::vector<std::string>& findings) {
     if (!findings.empty()) std::fprintf(stderr, "invalid state: %s\n", findings.front().c_str());
     return findings.empty();
 }
 
-/// A motion that has run off into infinity is for its run to report, not for an assertion.
+/// The run reports a motion that became infinite; an assertion must not.
 bool isSound(const State& state) { return !isFinite(state) || areNone(validate(state)); }
 bool haveSoundForces(const State& state) { return !isFinite(state) || areNone(validateForces(state)); }
 #endif
@@ -164,7 +163,7 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
         changes = updateVertexEdges(state, ahead, parallel, gone, may_wait, &around);
         const auto count = std::count(around.begin(), around.end(), 1);
         changes.search = count > 0;
-        if (static_cast<double>(count) > kFew * static_cast<double>(around.size())) around.clear();
+        if (static_cast<double>(count) > kFewBlocks * static_cast<double>(around.size())) around.clear();
     } else if (movedTooFar(state, margin)) {
         if (state.searches_around) margin *= kFartherThan;
         changes.search = true;
@@ -173,8 +172,8 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
     }
     if (!changes.search) {
         const bool recovered = recoverGaps(state);
-        // The next half kick is that of the springs as they are now; the old one would do work that none of
-        // them holds.
+        // The next half kick uses the springs as they are now; the old forces would do work that no spring
+        // holds.
         if (state.springs == Springs::keep_energy && (changes.places || recovered))
             updateSpringForces(state, parallel);
         assert(isSound(state));
@@ -186,7 +185,7 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
     if (!around.empty()) range.near = blocksNear(state, around, margin);
     range.around = std::move(around);
     if (!makeInterfaces(state, range, false, parallel, control).empty()) return false;
-    // Forces are there again before anything looks at them.
+    // Forces are computed again before anything reads them.
     if (state.springs == Springs::keep_energy) {
         updateSpringForces(state, parallel);
     } else {

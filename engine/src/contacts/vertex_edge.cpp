@@ -22,11 +22,11 @@ namespace {
 // Reference gap of a place that touches nothing: the kernel finds it open [m].
 constexpr double kNeverCloses = -1e30;
 constexpr double kTravel =
-    2e-4;  // of the smaller block's size: what a pair may go between two looks when near
-constexpr double kFaster = 1.5;      // than at a look a pair may get before the next
+    2e-4;                        // of the smaller block's size: displacement of a near pair between two looks
+constexpr double kFaster = 1.5;  // times: largest growth of a pair's speed between two looks
 constexpr double kSamePlace = 1e-9;  // of the smaller block's size: the same vertex
 constexpr double kNearPlace =
-    0.1;  // of the smaller block's size: what a contact point carried goes to a new one this near
+    0.1;  // of the smaller block's size: a new contact point this near takes the force of an old one
 constexpr double kSameNormal = 0.9;  // cosine, likewise
 constexpr std::size_t kPlaces = kPlacesOfPair;
 static_assert(kPlaces == VertexEdgePoints::kMost);
@@ -42,7 +42,7 @@ void swapSides(State& state, std::size_t i) {
     Incidence& incidence = state.incidence;
     for (const std::int32_t block : {f.block_a[i], f.block_b[i]}) {
         const auto b = static_cast<std::size_t>(block);
-        // A block's interfaces are in order, and a ground has very many.
+        // A block's interfaces are sorted, and the ground has very many.
         const auto first = incidence.interface.begin();
         const auto at =
             std::lower_bound(first + incidence.interface_begin[b], first + incidence.interface_begin[b + 1],
@@ -61,7 +61,7 @@ bool isSamePlace(const State& state, std::size_t i, const VertexEdgePoint& point
            relativePose(state, i).e3.dot(point.e1.cross(point.e2)) > 1.0 - kSamePlace;
 }
 
-/// A contact that was found late and has opened closes again where the blocks are.
+/// A contact that was found late and has opened closes again at the blocks' surfaces.
 void releaseGap(State& state, std::size_t i) {
     double& reference = state.interfaces.referenceGap(i, 0);
     const double opening = relativePose(state, i).gap.x();
@@ -76,14 +76,15 @@ double shearEnergy(const contact::JointLaw& law, double area, double along_1, do
     return contact::storedEnergy(law, area, kNoBond, force);
 }
 
-/// Of the shear force that a place takes over: one spring with the force of two may hold more than both did.
+/// Limits the shear force that a place takes over: one spring with the force of two may hold more energy than
+/// both did.
 double shareKept(const State& state, const contact::JointLaw& law, double area, const CarriedPoint& from) {
     const double holds = shearEnergy(law, area, from.shear.norm(), 0.0);
     const bool all = state.springs == Springs::follow_gaps || holds <= from.shear_energy;
     return all ? 1.0 : std::sqrt(from.shear_energy / holds);
 }
 
-/// Puts a place where two blocks meet, with what `from` leaves it.
+/// Puts a place where two blocks meet, with the forces of `from`.
 void placeContact(State& state, std::size_t i, const VertexEdgePoint& point, const CarriedPoint& from) {
     Interfaces& f = state.interfaces;
     const Blocks& blocks = state.blocks;
@@ -115,7 +116,7 @@ void placeContact(State& state, std::size_t i, const VertexEdgePoint& point, con
                             .dilation = 0.0});
 }
 
-/// Shares the contact points that are gone out among the new ones, each to the nearest.
+/// Assigns each vanished contact point to the nearest new one.
 std::array<CarriedPoint, kPlaces> shareOut(const std::vector<CarriedPoint>& old,
                                            const VertexEdgePoints& found,
                                            const std::array<bool, kPlaces>& is_new, double sign,
@@ -208,10 +209,9 @@ struct Look {
     VertexEdgePoints found;
     bool changes = false;   ///< from faces to a vertex or edge, or the other way round
     bool no_faces = false;  ///< they are pressed together by two faces without an interface
-    bool stays =
-        false;  ///< they are so deep in each other that what they touch with stays (contacts/deep_contacts.h)
-    double size = 0;    ///< of the smaller block [m]
-    double travel = 0;  ///< until the next look [m]
+    bool stays = false;  ///< they overlap so deeply that their contacts are kept (contacts/deep_contacts.h)
+    double size = 0;     ///< of the smaller block [m]
+    double travel = 0;   ///< until the next look [m]
 };
 
 /// Where two parts meet, with the faces' numbers in their blocks.
@@ -228,23 +228,23 @@ VertexEdgePoints findMeeting(const PlacedPart& first, const PlacedPart& second,
     return found;
 }
 
-/// The same when not even parallel faces are one contact of faces.
+/// The same where even parallel faces do not count as one contact of faces.
 VertexEdgePoints withoutFaces(const PlacedPart& first, const PlacedPart& second, VertexEdgeLimits limits) {
     limits.face_angle = -1.0;
     limits.angle_per_depth = 0.0;
     return findMeeting(first, second, limits);
 }
 
-/// How near two faces without an interface may come, or how deep (negative), before a search has to make one
-/// [m]. Where springs keep their energy a contact that is found pressed counts its gap from there
-/// (contacts/carry_over.h), and a block that comes to rest so stays there: so there has to be one before the
-/// faces touch, which they cannot before the next look within half the reach. Where forces follow the gaps
-/// one that is found late carries as if it had been there.
+/// Least gap (or, negative, overlap) of two faces without an interface before a search must make one [m].
+/// Where springs keep their energy, a contact found pressed counts its gap from there
+/// (contacts/carry_over.h), and a block that stops stays there. So the interface must exist before the faces
+/// touch; within half the reach they cannot touch before the next look. Where forces follow the gaps, a late
+/// contact carries the same force.
 double nearestWithoutInterface(const State& state, const Look& look, const VertexEdgeLimits& limits) {
     return state.springs == Springs::keep_energy ? 0.5 * limits.reach : -look.travel;
 }
 
-/// Whether what two parts touch with is so deep that it stays.
+/// Whether the contacts of two parts are so deep that they are kept.
 /// \param faces  the interface of the faces that meet now, -1: none
 bool contactsStay(const State& state, std::size_t begin, const VertexEdgePoints& found, std::int32_t faces) {
     if (state.springs != Springs::keep_energy || found.distance >= 0) return false;
@@ -252,7 +252,7 @@ bool contactsStay(const State& state, std::size_t begin, const VertexEdgePoints&
     return would_change && (pushAgainst(state, begin, found.axis) || areHeldByFaces(state, begin));
 }
 
-/// \param searched whether faces that have no interface now will have none
+/// \param searched whether faces without an interface now will get none
 Look lookAtPair(const State& state, std::size_t begin, double ahead, bool searched) {
     const Interfaces& f = state.interfaces;
     const auto a = static_cast<std::size_t>(f.block_a[begin]), b = static_cast<std::size_t>(f.block_b[begin]);
@@ -349,8 +349,8 @@ void appendVertexEdgePlaces(State& state, std::int32_t part_1, std::int32_t part
 
 namespace {
 
-/// Calls each(begin) for the first place of every pair, in any order when `parallel`, and says of their
-/// groups what has become of them.
+/// Calls each(begin) for the first place of every pair, in any order when `parallel`, and updates the idle
+/// flags of their groups.
 template <class Each>
 void updatePairs(Interfaces& f, bool parallel, const Each& each) {
     static_assert(simd::kLanes % kPlaces == 0, "a group holds whole pairs");

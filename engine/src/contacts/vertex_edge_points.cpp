@@ -17,7 +17,8 @@ using axes::edgesOf, axes::faceAxis, axes::forEachAxis, axes::vertexOf;
 
 constexpr double kOnOutline = 1e-9;  // of the face's longest edge: a vertex this far outside counts as inside
 
-/// Of the body's faces around a vertex the one that looks most against a direction; -1: none, it lies inside.
+/// Of the body's faces around a vertex, the one most opposed to a direction; -1: none, the vertex lies
+/// inside.
 std::int32_t incidentFace(const WorldShape& shape, std::int32_t vertex, const Vec3& direction) {
     std::int32_t best = -1;
     double least = std::numeric_limits<double>::infinity();
@@ -36,7 +37,7 @@ struct Faces {
     std::int32_t first, second;
 };
 
-/// The faces that meet along an axis: those that look at each other most.
+/// The faces that meet along an axis: those most opposed to each other.
 Faces meetingFaces(const Pair& pair, const SeparatingAxis& axis) {
     if (!axis.is_edges) {
         const std::int32_t other =
@@ -92,7 +93,7 @@ bool isInner(const WorldShape& shape, const Edge& edge) {
            shape.isInner(static_cast<std::size_t>(edge.right));
 }
 
-/// What the two may do to each other before they are looked at again.
+/// Largest relative motion before the next look.
 struct Ahead {
     double travel = 0;  ///< any point against any other [m]
     double turn = 0;    ///< [rad]
@@ -113,9 +114,9 @@ double tiltOf(const Edge& first, const Edge& second, const Ahead& ahead) {
     return std::min(1.0, ahead.turn / first.direction.cross(second.direction).norm());
 }
 
-/// Whether two edges that do not cross between their ends may come to. Seen along the axis, what will lie on
-/// it is apart by what the two travel and by how far the axis leaves its direction along the way between the
-/// edges.
+/// Whether two edges that do not cross between their ends may do so soon. Seen along the axis, points that
+/// will lie on it are apart by the travel of the two, and by the turn of the axis over the distance between
+/// the edges.
 bool mayCross(const Pair& pair, const SeparatingAxis& axis, const Ahead& ahead) {
     const Edge& e = pair.first_edges[static_cast<std::size_t>(axis.face)];
     const Edge& f = pair.second_edges[static_cast<std::size_t>(axis.other)];
@@ -137,11 +138,10 @@ bool isSharp(const WorldShape& shape, const Edge& edge, const Vec3& out, double 
            shape.body->isOutermostAlong(vertexOf(shape, edge.from), vertexOf(shape, edge.to), out, turn);
 }
 
-/// Whether the bodies, and not only these parts of them, can touch along an axis: parts meet their neighbours
-/// of the same body in faces, edges and vertices that nothing else can touch. The other's lowest vertex
-/// becomes one that can be touched.
-/// \param tie of its vertices, those this much higher than the lowest count, too [m]
-/// \param ahead edges that do not cross yet may come to
+/// Whether the bodies themselves can touch along an axis, and not only these parts: faces, edges and vertices
+/// between parts of one body cannot be touched. Replaces the other's lowest vertex by one that can be.
+/// \param tie   vertices this much higher than the lowest count, too [m]
+/// \param ahead  motion by which edges that do not cross yet may do so
 bool isReal(const Pair& pair, SeparatingAxis& axis, double tie, const Ahead& ahead) {
     if (!pair.first.body && !pair.second.body) return true;
     if (axis.is_edges) {
@@ -180,8 +180,8 @@ struct Meeting {
     bool met = true;      // along a real axis, or apart
 };
 
-/// A part may be told from another body's along an axis on which the bodies do not meet, and then not be met
-/// at all: the real axis is no more than this deeper, times the tie.
+/// The axis of two parts may be one along which the bodies do not meet. The real axis is at most this deeper,
+/// times the tie.
 constexpr double kDeeperThanParts = 200.0;
 
 Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
@@ -260,7 +260,7 @@ Share clip(const FaceOutline& face, const Vec3& from, const Vec3& to) {
     return share;
 }
 
-/// Of an edge's two faces, as far as they are surface, the one that looks most against a direction.
+/// Of an edge's two faces, as far as they are surface, the one most opposed to a direction.
 std::int32_t faceOf(const WorldShape& shape, const Edge& edge, const Vec3& direction) {
     if (shape.isInner(static_cast<std::size_t>(edge.left))) return edge.right;
     if (shape.isInner(static_cast<std::size_t>(edge.right))) return edge.left;
@@ -288,7 +288,7 @@ VertexEdgePoints pointsOnFace(Pair& pair, const SeparatingAxis& axis, double rea
     auto& edges = axis.second_is_reference ? pair.first_edges : pair.second_edges;
     if (edges.empty()) edges = edgesOf(other);
     const PartOfBody* body = pair.shape(axis.second_is_reference).body;
-    // Where the reference body's surface goes on in another part, nothing ends.
+    // Where the reference body's surface continues in another part, it has no edge.
     const auto addCrossing = [&](const Vec3& x, const Vec3& outward, std::int32_t other_face) {
         const Vec3 along = (outward - outward.dot(face.normal) * face.normal).normalized();
         if (!body || !body->goesOnFlat(x - face.height(x) * face.normal, along, face.normal))
@@ -348,7 +348,7 @@ VertexEdgePoints findVertexEdgePoints(const WorldShape& first, const WorldShape&
 
 namespace {
 
-/// Parallelepipeds whose faces are parallel: whatever axis they meet along is the normal of a face of each.
+/// Parallelepipeds with parallel faces: any axis along which they meet is the normal of a face of each.
 bool areParallelSided(const WorldShape& first, const WorldShape& second, double angle) {
     if (first.faces.size() != 6 || second.faces.size() != 6 || first.vertices.size() != 8 ||
         second.vertices.size() != 8)
@@ -398,8 +398,7 @@ Approach approachOf(const WorldShape& first, const WorldShape& second, const Ver
         return true;
     });
     if (apart) return Approach::apart;
-    // As in findMeeting: parts that touch where their bodies do not, and will not with what they move and
-    // turn.
+    // As in findMeeting: parts that touch where their bodies do not, now or before the next look.
     const double deepest = of_parts - travel - kDeeperThanParts * limits.tie;
     if (most < deepest && most < deepest - turn * (widthOf(first) + widthOf(second))) return Approach::faces;
     return sharpest > most - travel ? Approach::vertex_edge : Approach::faces;

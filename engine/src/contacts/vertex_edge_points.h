@@ -17,7 +17,7 @@ struct VertexEdgePoint {
     Vec3 on_reference = Vec3::Zero();  ///< in the reference plane [m]
     Vec3 on_other = Vec3::Zero();      ///< on the other block's vertex or edge [m]
     Vec3 e1 = Vec3::UnitX(), e2 = Vec3::UnitY();
-    /// for two edges: of each block's two faces those that face each other most
+    /// for two edges: of each block's two faces, the pair most opposed to each other
     std::int32_t reference_face = 0;
     std::int32_t other_face = 0;
     double gap = 0;  ///< along the normal, negative for overlap [m]
@@ -31,32 +31,34 @@ struct VertexEdgePoints {
     /// when near: along the axis they meet along, negative for overlap; otherwise: at least [m]
     double distance = 0;
     Vec3 axis =
-        Vec3::Zero();  ///< when near: along which they meet, from the first to the second; zero: along none
+        Vec3::Zero();  ///< when near: the axis along which they meet, from the first to the second; zero:
+                       ///< none
     std::int32_t first_face = -1,
-                 second_face = -1;  ///< the faces that look at each other most where they meet; -1: nowhere
+                 second_face = -1;  ///< the most opposed faces where they meet; -1: none
 
     const VertexEdgePoint* begin() const { return points.data(); }
     const VertexEdgePoint* end() const { return points.data() + count; }
 };
 
 struct VertexEdgeLimits {
-    /// Faces up to this far from parallel, and this much more per overlap, meet face to face, which is not
-    /// looked for here [rad, rad/m].
+    /// Faces up to this angle from parallel, and this much more per overlap, meet face to face; such contacts
+    /// are not sought here [rad, rad/m].
     double face_angle = 0, angle_per_depth = 0;
     double tie = 0;    ///< a meeting of faces is preferred unless it is deeper by more than this [m]
     double reach = 0;  ///< points farther open than this are left out [m]
 };
 
-/// The contact normal is the axis along which the two are farthest apart or least deep in each other: a
-/// face's normal or the cross product of two edges (separating-axis theorem; Gottschalk, Lin and Manocha
-/// 1996). Where that axis is a face's normal and the other block lies on it with a face, no point is found:
-/// that is for contacts/face_pairs.h. Of parts of bodies only axes count along which the bodies touch
-/// (PartOfBody), and only what is a vertex or edge of the body. On a face up to four of the other block's
-/// vertices, and of the places where its edges cross the face's outline.
+/// The contact normal is the axis of largest gap or least overlap: a face's normal or the cross product of
+/// two edges (separating-axis theorem; Gottschalk, Lin and Manocha 1996). Where that axis is a face's normal
+/// and the other block lies on it with a face, no point is found: contacts/face_pairs.h treats it. For parts
+/// of bodies only axes along which the bodies touch (PartOfBody) count, and only vertices and edges of the
+/// body. On a face up to four of the other block's vertices, and of the places where its edges cross the
+/// face's outline.
 VertexEdgePoints findVertexEdgePoints(const WorldShape& first, const WorldShape& second,
                                       const VertexEdgeLimits& limits);
 
-/// What two blocks may come to within moves of up to `travel` [m] and turns of up to `turn` [rad].
+/// Contact that two blocks may reach within displacements of up to `travel` [m] and turns of up to `turn`
+/// [rad].
 enum class Approach : std::uint8_t {
     apart,       ///< farther from each other than the limits' reach
     faces,       ///< face to face at most

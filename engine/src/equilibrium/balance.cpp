@@ -83,7 +83,7 @@ void makeStructure(Balance& balance) {
     for (ActiveTie& tie : balance.ties) find(tie);
 }
 
-/// A drag of the size of what holds a block; what touches nothing has that of its largest face on the
+/// A drag as stiff as the block's joints; a block that touches nothing gets that of its largest face on the
 /// stiffest joint.
 void findDrag(const State& state, Balance& balance) {
     balance.drag.assign(balance.block.size(), 0.0);
@@ -114,8 +114,8 @@ void addStiffness(Balance& balance, const ActiveInterface& i, const double* k) {
     (i.a_first ? balance.matrix.lower : balance.matrix.upper)[edge] += block(2);
 }
 
-/// Of a wrench by a motion, with rotations times the radius of what moves, torques over that of what is
-/// pushed.
+/// Derivative of a wrench by a motion: rotations times the radius of the moving block, torques over that of
+/// the loaded block.
 Mat6 scaled(const Eigen::Ref<const Mat6>& k, double pushed, double moving) {
     Mat6 result = k;
     result.bottomRows<3>() /= pushed;
@@ -142,7 +142,7 @@ void addStiffness(Balance& balance, const ActiveTie& tie, const TieRates& rates)
         scaled(rates.on_b.leftCols<6>(), radius(b), radius(a));
 }
 
-/// What keeps its direction changes its moment as the block turns.
+/// A force of fixed direction changes its moment as the block turns.
 void addDead(Balance& balance, const Poses& poses, bool stiffness, Vec6s& force) {
     for (std::size_t r = 0; r < balance.dead.size(); ++r) {
         const Mat3& turn = poses.turn[balance.block[r]];
@@ -188,8 +188,8 @@ void addTies(const State& state, Balance& balance, const Poses& poses, bool stif
     }
 }
 
-/// Groups of interfaces whose stiffness is wanted at a time: as much as stays in the cache until it is added
-/// up.
+/// Groups of interfaces whose stiffness is computed at a time: as many as fit into the cache until they are
+/// summed.
 constexpr std::size_t kGroupsAtOnce = 4;
 
 ResponseView responseView(const State& state, Balance& balance, const Poses& poses) {

@@ -15,8 +15,7 @@
 
 namespace talus::equilibrium {
 
-/// Where the blocks are while a step is sought; the state keeps poses and plastic slides of the last
-/// committed step.
+/// Trial poses of the blocks; the state keeps poses and plastic slides of the last committed step.
 struct Poses {
     PositionArray position;
     QuaternionArray orientation;
@@ -31,7 +30,7 @@ struct ActiveInterface {
     bool a_first = false;    ///< whether a's row comes before b's
 };
 
-/// What ties two blocks beside contacts (forces/sum.h).
+/// A tie between two blocks beside contacts (forces/sum.h).
 struct ActiveTie {
     const TyingForce* force = nullptr;
     std::size_t tie = 0, block_a = 0, block_b = 0;
@@ -59,7 +58,7 @@ struct Balance {
 /// \param moving  by block: which of the free ones move, the others stay where they are; empty: all
 Balance makeBalance(const State& state, const std::vector<char>& moving = {});
 
-/// Forces on blocks beside contacts and what follows their mass, as last computed.
+/// Forces on blocks beside contacts and body forces, as last computed.
 void readApplied(const State& state, Balance& balance);
 
 Poses posesOf(const State& state);
@@ -69,7 +68,7 @@ void setPoses(const Poses& poses, State& state);
 void move(const Balance& balance, const Vec6s& by, double share, Poses& poses);
 
 /// Sum of weight, water and contacts on each row's block; with `stiffness`, minus its derivative into
-/// balance.matrix. What contact points remember is that of the state.
+/// balance.matrix. The memory of contact points is that of the state.
 /// \param contacts  whether those of contacts count: not where only differences between loads matter
 void sumForces(const State& state, Balance& balance, const Poses& poses, bool stiffness, Vec6s& force,
                bool contacts = true);

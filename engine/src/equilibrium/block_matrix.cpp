@@ -80,8 +80,8 @@ void BlockLu::order(const BlockMatrix& structure) {
     for (int k = 0; k < n; ++k) place_[static_cast<std::size_t>(permutation.indices()[k])] = k;
 }
 
-/// A column's structure is its own entries and what its children in the tree of elimination bring (George and
-/// Liu 1981).
+/// A column's structure is its own entries and those of its children in the elimination tree (George and Liu
+/// 1981).
 /// \return false when asked to stop, or too large
 bool BlockLu::findStructure(const BlockMatrix& structure, double most_products) {
     const std::size_t n = place_.size();
@@ -167,7 +167,7 @@ void BlockLu::takeMatrix(const BlockMatrix& matrix) {
     }
 }
 
-/// Takes from a panel's columns what the panels before it bring.
+/// Subtracts the contributions of earlier panels from a panel's columns.
 void BlockLu::eliminateBefore(const Panel& panel) {
     for (std::size_t i = panel.begin; i < panel.end; ++i)
         row_place_[i] = static_cast<std::int32_t>(i - panel.begin) - 1;

@@ -50,7 +50,7 @@ class BlockLu {
                      const std::atomic<bool>* stop = nullptr,
                      double most_products = std::numeric_limits<double>::infinity());
 
-    /// Whether a factorisation would take more products than it may.
+    /// Whether a factorisation would exceed its limit of products.
     bool isTooLarge() const { return is_too_large_; }
 
     /// False when a diagonal block is singular, or when asked to stop.
@@ -97,7 +97,7 @@ class BlockLu {
     std::vector<Reach> reach_{};
     std::vector<Entry> entries_{};
     Mat6s diagonal_inverse_{}, lower_{}, upper_{};
-    // What the kernel is told.
+    // Arguments of the kernel.
     std::vector<std::int32_t> row_place_{}, places_{}, next_{};
     std::vector<EliminatedColumn> columns_{};
     std::vector<EliminationTarget> targets_{};

@@ -1,13 +1,13 @@
 #pragma once
-// The products that nearly all of a factorisation consists of; one source, a build per instruction set.
+// The products that take nearly all of a factorisation's time; one source, a build per instruction set.
 
 #include <cstddef>
 #include <cstdint>
 
 namespace talus::equilibrium {
 
-/// An eliminated column, from where it reaches later rows and columns. Blocks are 6 x 6, 36 numbers column by
-/// column, one after the other.
+/// An eliminated column, from its first later row and column. Blocks are 6 x 6, 36 numbers column by column,
+/// one after the other.
 struct EliminatedColumn {
     const double *lower, *upper;  ///< the blocks below it, and those beside it
 };
@@ -18,7 +18,7 @@ struct EliminationTarget {
     double *lower, *upper;  ///< its blocks, as if there were one for each place
 };
 
-/// What a panel (columns of the same structure, side by side) takes from the columns of a later panel. The
+/// Contribution of a panel (adjacent columns of the same structure) to the columns of a later panel. The
 /// first blocks after it are those that reach these columns.
 struct EliminationView {
     const EliminatedColumn* columns;

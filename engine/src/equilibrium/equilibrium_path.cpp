@@ -18,17 +18,17 @@ namespace talus::equilibrium {
 namespace {
 
 // Vertices and edges are looked at after a quarter of the motion between two looks of a time history, so that
-// a contact is found before blocks have come as far as a failure is counted from.
+// contacts are found before blocks reach the failure displacement.
 constexpr double kFiner = 4.0;
 constexpr int kShorterStarts = 2;
 constexpr double kFirstSlide = 1e-3;  // of rules.step_displacement: where a release begins
 constexpr double kAsLong = 0.99;      // but for rounding
 constexpr int kShorterSlides = 8;
-constexpr double kLeastGrowth = 1.02;  // of a release: it does not get any farther
-constexpr double kLessGrowth = 0.3;    // of what is beyond 1, after a failure
+constexpr double kLeastProgress = 1.02;  // of a release: it makes no progress
+constexpr double kLessGrowth = 0.3;      // of the excess over 1, after a failure
 
-// Joints that hold: cohesion and tensile strength over the stress under the weights, to begin with; less in
-// each solve; and what is none any more.
+// Unbreakable joints: cohesion and tensile strength over the stress under the weights at first; their
+// reduction in each solve; and the value below which they are none.
 constexpr double kHeldStress = 1e3, kFewerHeld = 0.1, kFewestHeld = 0.9, kHardlyHeld = 1e-7;
 
 void hold(contact::JointLaw& law, double strength) {
@@ -82,8 +82,8 @@ void EquilibriumPath::takeContacts() { equations_.take(); }
 
 PathStep EquilibriumPath::along(const Arc& arc) {
     PathStep step = tryAlong(arc);
-    // A shorter step from the same place, made longer again: there contact points that slip have left the
-    // corner of the law behind, and which they are is known.
+    // A shorter step from the same place, extended again: its slipping contact points are known, and lie away
+    // from the corner of the law.
     Arc shorter = arc;
     for (int k = 0; k < kShorterStarts && !step && !stopped(); ++k) {
         shorter.displacement *= rules_.shorter_start;
@@ -168,7 +168,7 @@ PathStep EquilibriumPath::against(double most) {
     if (last_.unknown == Unknown::drag && last_.x.size() == equations_.balance().block.size()) {
         arc.displacement = equations_.norm(last_.x);
         best = solveStep(equations_, arc, last_);
-        best.converged = best.converged && best.value > 0;  // else equilibrium is nearer than that
+        best.converged = best.converged && best.value > 0;  // otherwise equilibrium is nearer than that
     }
     if (!best) arc.displacement = kFirstSlide * rules_.step_displacement;
     for (int k = 0; k < kShorterSlides && !best && !stopped(); ++k) {
@@ -180,12 +180,12 @@ PathStep EquilibriumPath::against(double most) {
     }
     double growth = rules_.release_growth;
     const Parting here = parting();
-    while (best && growth > kLeastGrowth && partedAfter(here, best) < most && !stopped()) {
+    while (best && growth > kLeastProgress && partedAfter(here, best) < most && !stopped()) {
         Arc next = arc;
         next.displacement *= growth;
         PathStep guess = scaled(best, growth);
         guess.value = best.value / growth;
-        // on along the line of the last two: what is elastic has been reached, the slide goes on
+        // along the line of the last two: the elastic part is complete, the slide continues
         if (before) {
             const double on =
                 (next.displacement - arc.displacement) / (arc.displacement - before_displacement);
@@ -246,7 +246,7 @@ bool EquilibriumPath::bondsGive() const {
     if (!state_.points.remembers()) return false;
     for (const ActiveInterface& i : equations_.balance().interfaces) {
         const auto joint = static_cast<std::size_t>(state_.interfaces.joint[i.interface]);
-        if (contact::softens(state_.laws[joint])) continue;  // always as weak as its place makes it
+        if (contact::softens(state_.laws[joint])) continue;  // weakened by its own slide and opening
         for (std::size_t k = 0; k < state_.interfaces.pointCount(i.interface); ++k) {
             const double bond = state_.points.memoryAt(state_.interfaces.pointSlot(i.interface, k)).bond;
             if (bond > 0 && bond < 1) return true;

@@ -1,5 +1,6 @@
 #pragma once
-// An assembly on its equilibrium path: where it has come, steps from there, and the way back.
+// An assembly on its equilibrium path: the last committed state, steps from there, and return to earlier
+// states.
 
 #include <vector>
 
@@ -29,21 +30,20 @@ class EquilibriumPath {
     /// The step committed last; empty after a change of contacts of another kind or a jump.
     const PathStep& last() const { return last_; }
 
-    /// What is varied from now on.
+    /// Sets the load to vary.
     void vary(const Loading& loading, double load);
     /// Puts a load on, without looking for equilibrium.
     void putUnder(double load);
     /// Another law for the contacts of some pairs: called with the state after each search for contacts.
     void mark(std::function<void(State&)> marked);
 
-    /// A step along the path from the end, as long as the arc, or shorter where that does not converge.
+    /// A step along the path from its end, of the arc's length, or shorter where that does not converge.
     PathStep along(const Arc& arc);
-    /// From the end to where forces balance at its load, by Newton's method alone.
+    /// From the end to equilibrium at its load, by Newton's method alone.
     PathStep toRest();
-    /// The same where nothing acted before: joints first hold together, then less and less.
+    /// The same for the first load: joints are unbreakable at first, and then weaken step by step.
     PathStep fromHeldJoints();
-    /// The end moves on against a drag that becomes as small as it can, by `most` [block sizes] between
-    /// neighbours.
+    /// Moves the end against a drag, the smallest that converges, by `most` [block sizes] between neighbours.
     PathStep against(double most);
 
     /// \return whether contacts were searched for
@@ -53,7 +53,7 @@ class EquilibriumPath {
     /// Out-of-balance force over the weight, the largest of any free block, by the exact law.
     double outOfBalance() const;
     bool isBalanced() const;
-    /// How far the joint that gives most gives elastically, along or across [m].
+    /// Largest elastic displacement of a joint, along or across it [m].
     double elasticDisplacement() const;
 
     /// From now on.
@@ -65,10 +65,10 @@ class EquilibriumPath {
     double partedBy(const PathStep& step) const { return partedAfter(parting(), step); }
     double norm(const PathStep& step) const { return equations_.norm(step.x); }
 
-    /// Takes blocks out: they stay where they are, fixed, and touch nothing any more.
+    /// Removes blocks: they stay where they are, fixed, and touch nothing.
     void takeOut(const std::vector<std::size_t>& blocks);
 
-    /// The end as it is now, to come back to.
+    /// A copy of the end, to return to.
     struct Place {
         State state;
         FirstOrderGaps gaps;
@@ -81,7 +81,7 @@ class EquilibriumPath {
     Place place() const;
     void goBack(const Place& place);
 
-    /// The state with exact gaps, as others take it.
+    /// The state with exact gaps, for use outside this class.
     State exactState() const;
 
  private:

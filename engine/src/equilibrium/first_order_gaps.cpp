@@ -10,8 +10,8 @@
 namespace talus::equilibrium {
 namespace {
 
-// Pairs that have turned or slid by less are taken as they were built. A column that turns by the first has
-// long left its place; by the second a patch has been clipped again.
+// Pairs that have turned or slid by less count from the poses as built. A column that turns by the first
+// value has long failed; after a slide by the second, a patch has been clipped again.
 constexpr double kHardlyTurned = 1e-2;  // [rad]
 constexpr double kHardlySlid = 1e-2;    // of the smaller block's size
 

@@ -5,8 +5,8 @@
 // Two columns that overturn side by side turn by the same angle t about toes that lie a width w apart.
 // Exactly, that presses the joint between them by w (1 - cos t), and friction on what it presses stops them
 // after some microns: columns of equal width would stand jammed at tilts far beyond the one at which each of
-// them overturns. No column is cut so exactly, and to get there it has already begun to topple. So an
-// equilibrium counts only without that part of the gaps.
+// them overturns. No real column is cut so exactly, and by then it has begun to topple. So equilibria are
+// solved without that part of the gaps.
 
 #include <vector>
 
@@ -14,10 +14,9 @@
 
 namespace talus::equilibrium {
 
-/// How far each interface's exact gap differs from that of first order, kept out of it by way of its
-/// reference gap. Displacements, arms and normals are those since the model was built, for pairs that had
-/// hardly turned or slid when this was made; else those since then. Gaps of blocks that turn far from then on
-/// stay exact.
+/// The difference between each interface's exact and first-order gap, taken off by its reference gap. For
+/// pairs that had hardly turned or slid when this was made, displacements, arms and normals count from the
+/// model as built; else from that moment. Gaps of blocks that turn far after that moment stay exact.
 class FirstOrderGaps {
  public:
     /// \pre  reference gaps are exact: nothing is set

@@ -55,7 +55,7 @@ void IncompleteLu::readScales(const BlockMatrix& matrix) {
     }
 }
 
-/// A block against the diagonal of its row; what is no number is not small.
+/// A block's size against the diagonal of its row; nan does not count as small.
 bool IncompleteLu::isSmall(std::size_t row, std::size_t column, const Mat6& block) const {
     const double by_row = inverse_reach_[row] * inverse_reach_[row];
     const double by_column = inverse_reach_[column] * inverse_reach_[column];
@@ -95,7 +95,7 @@ void IncompleteLu::takeRow(const BlockMatrix& matrix, std::size_t row) {
         take(at(matrix_lower_column_[p]), matrix.lower[matrix_lower_edge_[p]]);
 }
 
-/// Takes from the row what those before it bring.
+/// Subtracts the contributions of earlier rows.
 void IncompleteLu::eliminateRow(std::size_t row) {
     while (!pending_.empty()) {
         const std::size_t k = at(pending_.front());

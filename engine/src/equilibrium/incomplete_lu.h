@@ -1,5 +1,5 @@
 #pragma once
-// Incomplete factors of a matrix of 6 x 6 blocks: what is small is left out.
+// Incomplete factors of a matrix of 6 x 6 blocks: small blocks are left out.
 
 #include <cstdint>
 #include <vector>
@@ -11,15 +11,14 @@
 namespace talus::equilibrium {
 
 /// LU factors row by row in the matrix's own order, without the blocks that are small beside the diagonal of
-/// their row, ILUT (Saad 1994) of 6 x 6 blocks. Which these are the values say, so a joint that slips or is
-/// hardly pressed has few, and one that is stiff has those that its elimination fills, however far off
-/// (bench/studies/linear-systems.md compares it with factors of a fixed structure).
+/// their row, ILUT (Saad 1994) of 6 x 6 blocks. The choice is by value: a slipping or lightly pressed joint
+/// has few, and a stiff one keeps its fill at any distance (bench/studies/linear-systems.md compares it with
+/// factors of a fixed structure).
 class IncompleteLu {
  public:
     /// \param instructions  of the products; the same bits with each
-    /// \param drop  blocks are left out whose norm is below that share of their row's diagonal, moments over
-    /// the reach of the blocks;
-    ///              0: none that elimination fills, and the factors are complete
+    /// \param drop  blocks of a norm below that share of their row's diagonal are left out, moments over the
+    ///              reach of the blocks; 0: none, and the factors are complete
     IncompleteLu(const BlockMatrix& structure, simd::InstructionSet instructions, double drop);
 
     /// \pre  a matrix of that structure
@@ -51,8 +50,7 @@ class IncompleteLu {
     std::vector<std::size_t> upper_begin_{}, lower_begin_{};
     std::vector<std::int32_t> upper_column_{}, lower_column_{};
     Mat6s diagonal_inverse_{}, upper_{}, lower_{};
-    // What blocks are compared by, of each row: its stiffness [N/m], and one over the reach of its moments
-    // [1/m].
+    // Scales for the comparison, per row: its stiffness [N/m], and one over the reach of its moments [1/m].
     std::vector<double> stiffness_{}, inverse_reach_{};
     // The row that is being eliminated: its blocks in slots, the diagonal in the first.
     Mat6s row_{};

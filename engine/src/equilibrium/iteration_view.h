@@ -1,6 +1,6 @@
 #pragma once
-// What iterations of a linear system consist of: products with its matrix and with incomplete factors of it;
-// one source, a build per instruction set.
+// Kernels of iterations of a linear system: products with its matrix and with incomplete factors of it; one
+// source, a build per instruction set.
 
 #include <cstddef>
 #include <cstdint>
@@ -26,8 +26,8 @@ struct FactorsView {
 
 /// Each takes the same operations in the same order in each build: the same bits.
 struct IterationKernels {
-    /// Makes a block left of the diagonal a factor, block times the inverse of the diagonal above it, and
-    /// takes from its row that times each of the blocks above: each of these goes into a slot of the row.
+    /// Turns a block left of the diagonal into a factor (block times the inverse of the diagonal above it),
+    /// and subtracts its products with the blocks above from slots of the row.
     void (*eliminate)(double* block, const double* inverse, const double* upper, const std::int32_t* slot,
                       std::size_t count, double* row);
     /// x = (L U)^-1 x

@@ -46,8 +46,8 @@ void IterativeSolver::apply(const BlockMatrix& matrix, const std::vector<double>
     for (std::size_t r = 0; r < rows_; ++r) y[r] /= weight[r];
 }
 
-/// Takes from the vector after k what those before it have of it, and turns that column of the Hessenberg
-/// matrix upright.
+/// Orthogonalises the vector after k against those before it, and rotates that column of the Hessenberg
+/// matrix to upper triangular form.
 void IterativeSolver::orthogonalise(std::size_t k) {
     auto next = numbers(basis_[k + 1]);
     std::vector<double>& column = columns_[k];

@@ -24,16 +24,16 @@ class IterativeSolver {
     /// \return false where a block on its diagonal is singular
     bool factorise(const BlockMatrix& matrix);
 
-    /// x = A^-1 x, but for a residual of a share of the right side, both over each row's weight.
+    /// x = A^-1 x, to a residual of a given share of the right side, both over each row's weight.
     /// \pre  the matrix is the one last factorised
     /// \return false, and x as it was, when that takes more than most_iterations
     bool solve(const BlockMatrix& matrix, const std::vector<double>& weight, Vec6s& x,
                double accuracy = kAccuracy, std::size_t most_iterations = kMostIterations);
 
-    /// What Newton's steps need: the next step takes care of the rest. 1e-3 takes half as many iterations
-    /// again and saves no step.
+    /// Accuracy that Newton's method needs, as its next iteration corrects the remainder. 1e-3 takes half as
+    /// many iterations again and saves none of Newton's.
     static constexpr double kAccuracy = 1e-2;
-    /// Most systems take 5 to 30, and one that takes many more is hard.
+    /// Most systems take 5 to 30; many more mean an ill-conditioned one.
     static constexpr std::size_t kMostIterations = 100;
 
  private:

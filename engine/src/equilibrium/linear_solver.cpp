@@ -5,13 +5,14 @@
 namespace talus::equilibrium {
 namespace {
 
-// That a system is taken to need: iterations then take over at some 200 free blocks in space, in a tenth to a
-// quarter less time.
+// Iterations that a system is assumed to need: they then replace factors at some 200 free blocks in space,
+// with a tenth to a quarter less time.
 constexpr double kIterations = 15;
 constexpr int kDirectAfterFailure = 8;
-// Iterations after which complete factors are worth it, times kIterations; and the most where they are not.
+// Iterations, times kIterations, after which complete factors are cheaper; and the most iterations where they
+// are not.
 constexpr double kMostOfDirect = 30;
-constexpr std::size_t kMostIterations = 300;
+constexpr std::size_t kMostIterationsAlone = 300;
 
 /// Of blocks, in so many iterations.
 double products(const BlockMatrix& structure, double iterations) {
@@ -54,7 +55,7 @@ bool LinearSolver::solve(Vec6s& x, double accuracy) {
         if (iterative_->solve(*matrix_, *weight_, x, accuracy)) return true;
         const bool may_be_direct = !direct_ || !direct_->isTooLarge();
         if (!may_be_direct || !factoriseDirectly())
-            return iterative_->solve(*matrix_, *weight_, x, accuracy, kMostIterations);
+            return iterative_->solve(*matrix_, *weight_, x, accuracy, kMostIterationsAlone);
         direct_next_ = kDirectAfterFailure;
     }
     direct_->solve(x);

@@ -1,5 +1,5 @@
 #pragma once
-// The linear systems of Newton's method: factors of few blocks, iterations for many.
+// The linear systems of Newton's method: factors for few blocks, iterations for many.
 
 #include <atomic>
 #include <cstddef>
@@ -12,9 +12,8 @@
 namespace talus::equilibrium {
 
 /// Solves systems of one structure, several right sides with each matrix. Where complete factors would take
-/// far longer than some iterations, iterations are tried first. The few matrices for which they do not
-/// converge have complete factors, and so have the next ones; or more iterations, where complete factors
-/// would take minutes.
+/// far longer, iterations are tried first. If they do not converge, this matrix and the next ones get
+/// complete factors; or more iterations, where complete factors would take minutes.
 class LinearSolver {
  public:
     /// \param stop  ends the work early: then nothing is solved
@@ -38,7 +37,7 @@ class LinearSolver {
     const std::atomic<bool>* stop_;
     const BlockMatrix* matrix_ = nullptr;
     const std::vector<double>* weight_ = nullptr;
-    std::optional<BlockLu> direct_{};  ///< beside iterations from the first matrix on for which they failed
+    std::optional<BlockLu> direct_{};  ///< from the first matrix for which iterations failed
     std::optional<IterativeSolver> iterative_{};
     bool is_direct_ = true;  ///< of the matrix taken last
     int direct_next_ = 0;    ///< so many matrices have complete factors

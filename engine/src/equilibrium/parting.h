@@ -7,8 +7,8 @@
 
 namespace talus::equilibrium {
 
-/// The corners of all patches as material points of both their blocks. What has parted stays known when a
-/// patch is clipped again, or is no more.
+/// The corners of all patches as material points of both their blocks. The record survives when a patch is
+/// clipped again or vanishes.
 class Parting {
  public:
     Parting() = default;
@@ -16,7 +16,7 @@ class Parting {
     Parting(const State& state, const Balance& balance, Poses poses);
 
     const Poses& poses() const { return poses_; }
-    /// The largest distance between two points that lay on each other [m].
+    /// The largest distance between two points that coincided then [m].
     double now(const Poses& poses) const;
     /// The same along the patches alone: how far blocks have slid over each other [m].
     double slidNow(const Poses& poses) const;
@@ -31,7 +31,7 @@ class Parting {
     static Vec3 apart(const Corner& corner, const Poses& poses);
     Poses poses_{};
     std::vector<Corner> corners_{};
-    std::vector<std::size_t> alone_{};  ///< blocks that touch nothing: they part from where they were
+    std::vector<std::size_t> alone_{};  ///< blocks that touch nothing: parting from their own position
 };
 
 }  // namespace talus::equilibrium

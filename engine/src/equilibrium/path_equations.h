@@ -27,14 +27,14 @@ namespace talus::equilibrium {
 /// A load that can be changed.
 struct Loading {
     std::function<void(State&, double load)> apply;
-    double cell = 0;       ///< width of the bracket that is wanted: the unit in which load steps are small
+    double cell = 0;       ///< width of the wanted bracket, the unit of load steps
     double imbalance = 0;  ///< out-of-balance force over the weight that a change by one cell amounts to
     bool changes_strength = false;  ///< else contact forces follow from the poses alone
 };
 
 enum class Unknown : std::uint8_t { load, drag, none };
 
-/// Where a step ends.
+/// The arc on which a step ends.
 struct Arc {
     Unknown unknown = Unknown::load;
     double displacement = 0;  ///< d above; infinite: only the load counts
@@ -57,14 +57,13 @@ struct PathWork {
     std::int64_t steps = 0, factors = 0, forces = 0;
 };
 
-/// Forces and stiffness about a state at a load. The state is written to: its load, and water as it is at
-/// that load.
+/// Forces and stiffness about a state at a load. Writes the state's load and its water at that load.
 class PathEquations {
  public:
     PathEquations(State& state, FirstOrderGaps& gaps, const SearchRules& rules, const std::atomic<bool>* stop,
                   PathWork& work);
 
-    /// What is varied from now on, and the load it has.
+    /// Sets the load to vary, and its value.
     void setLoading(Loading loading, double load);
     /// Takes contacts, poses and applied forces of the state as they are now.
     void take(const std::vector<char>& moving = {});
@@ -82,8 +81,8 @@ class PathEquations {
     /// Poses after a step.
     Poses moved(const Vec6s& x) const;
 
-    /// Out-of-balance force less the drag of a step. \param stiffness  into the matrix, too; and gaps from
-    /// then on are those of first order at these poses
+    /// Out-of-balance force less the drag of a step. \param stiffness into the matrix, too; gaps are then of
+    /// first order at these poses
     void residual(const Arc& arc, const PathStep& at, const Poses& poses, bool stiffness, Vec6s& force);
     /// Its derivative by s. \param poses of `at`
     void byUnknown(const Arc& arc, const PathStep& at, const Poses& poses, Vec6s& rate);
@@ -91,8 +90,8 @@ class PathEquations {
     double inaccuracy(const Vec6s& force) const;
     /// The root of the sum of squares over the weights.
     double merit(const Vec6s& force) const;
-    /// Out-of-balance force over the weight that a row's block may have in equilibrium: rounding of its
-    /// coordinates leaves as much where it is thin, or lies far from the origin.
+    /// Out-of-balance force over the weight that a row's block may have in equilibrium: larger for a thin
+    /// block or one far from the origin, by rounding of its coordinates.
     double limitOf(std::size_t row) const;
 
     /// Of the matrix last summed with its stiffness.

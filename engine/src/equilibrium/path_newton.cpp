@@ -23,14 +23,14 @@ class Bordered {
         return by_x_ * equations_.dot(at.x, at.x) + by_value_ * at.value * at.value - 1;
     }
 
-    /// Takes the derivative by the unknown at a point. \pre its matrix is factorised
+    /// Computes the derivative by the unknown at a point. \pre its matrix is factorised
     bool takeRate(const PathStep& at, const Poses& poses) {
         if (arc_.unknown == Unknown::none) return true;
         equations_.byUnknown(arc_, at, poses, rate_);
         return equations_.solve(rate_);
     }
 
-    /// Makes of a residual the correction of a point. \return the change of the unknown
+    /// Turns a residual into the correction of a point. \return the change of the unknown
     bool correct(const PathStep& at, Vec6s& residual, double& change,
                  double accuracy = IterativeSolver::kAccuracy) const {
         if (!equations_.solve(residual, accuracy)) return false;
@@ -52,7 +52,7 @@ class Bordered {
     double byValue() const { return by_value_; }
 
  private:
-    /// Of the two points of the arc the one that goes on; where the line misses it, the nearest.
+    /// Of the line's two points on the arc, the forward one; where the line misses the arc, the nearest.
     double onArc(const PathStep& at, const Vec6s& a) const {
         Vec6s y(a.size());
         for (std::size_t r = 0; r < a.size(); ++r) y[r] = at.x[r] + a[r];
@@ -119,8 +119,7 @@ PathStep solveStep(PathEquations& equations, const Arc& arc, PathStep at) {
                 best = 0.5, best_share = share;
                 break;
             }
-            if (merit < rules.near_merit && next_merit > rules.merit_growth * merit)
-                continue;  // back and forth
+            if (merit < rules.near_merit && next_merit > rules.merit_growth * merit) continue;  // oscillating
             double next_change = 0;
             if (!bordered.correct(tried, next, next_change, rules.test_accuracy)) return at;
             const double shrinks = bordered.length(next, next_change) / length;
@@ -138,8 +137,8 @@ PathStep solveStep(PathEquations& equations, const Arc& arc, PathStep at) {
 
 namespace {
 
-/// With the drag that lets blocks go as far as the arc; where the least one does not, farther along the same
-/// line.
+/// With the drag that lets blocks move as far as the arc; where even the least drag does not, farther along
+/// the same line.
 PathStep slideStep(PathEquations& equations, const Arc& arc, PathStep at) {
     constexpr int kTries = 4;
     constexpr double kMuchFarther = 2;

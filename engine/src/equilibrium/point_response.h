@@ -1,7 +1,7 @@
 #pragma once
-// The contact law at one contact point together with its derivative, for Newton's method: what law/law.h
-// gives for a trial pose while nothing is committed, and how it changes with the pose. V is a double, or
-// several of them in a register.
+// The contact law at one contact point with its derivative, for Newton's method: the forces of law/law.h at a
+// trial pose, without any commit, and their change with the pose. V is a double, or several of them in a
+// register.
 
 #include "law/law.h"
 
@@ -20,15 +20,15 @@ struct PointResponse {
     simd::MaskOf<V> open{}, slips{};
 };
 
-/// From this share of the strength's square on a contact point slips. What slipped in the last committed step
-/// is at its strength to rounding: were it taken to stick, or left to rounding, each step would begin with
-/// finding out anew who slips.
+/// A contact point slips above this share of the strength's square. Points that slipped in the last committed
+/// step are at their strength to rounding. If they counted as sticking, or if rounding decided, each step
+/// would first have to find the slipping points again.
 inline constexpr double kCorner = 1.0 - 1e-9;
 
 /// The law and its exact derivative at a gap and slide, its memory being that of the last equilibrium. Bonds
-/// hold what they have left: one that is overloaded gives at its strength, and breaks when the step is
-/// committed. The derivative is unsymmetric where the contact point slips: its shear force follows the normal
-/// force, not the other way round.
+/// hold their remaining strength: an overloaded one yields at it, and breaks when the step is committed. The
+/// derivative is unsymmetric where the contact point slips: its shear force follows the normal force, not the
+/// reverse.
 template <bool Curved = true, class V>
 TALUS_KERNEL PointResponse<V> pointResponse(const contact::JointParameters<V>& joint, V area, V slide_1,
                                             V slide_2, V gap, const contact::MemoryOf<V>& memory) {

@@ -58,7 +58,7 @@ struct ResponseSum {
     Square<V> force_by_shift{}, force_by_turn{}, moment_by_shift{}, moment_by_turn{};
     simd::MaskOf<V> carries{};
 
-    /// The force acts where b's material point is projected to on a's plane: at (x, y).
+    /// The force acts at (x, y), the projection of b's material point onto a's plane.
     TALUS_KERNEL void add(const PointResponse<V>& point, V x, V y) {
         force = force + Triple<V>{point.shear_1, point.shear_2, point.normal};
         moment =
@@ -199,7 +199,7 @@ struct ResponseLoop {
             },
             [&](V x, V y, V bond) {
                 const V follows = select(share.counts, contact::followsShare(law, bond), V{});
-                // Where the share's overlap is measured its material points have slid.
+                // The material points at which the share's overlap is measured have slid.
                 const Triple<V>& by = share.by_overlap;
                 const V sum_x =
                     by.y + (by.x * pose.slide_1.x + by.y * pose.slide_1.y + by.z * pose.slide_1.z);

@@ -13,10 +13,10 @@
 namespace talus::failure {
 namespace {
 
-// Of the mass, which a failure that is played on may have as inertia beside its own: its accelerations are
-// true to 1 %.
+// Share of the mass that may be added as inertia when a failure is continued: its accelerations are true to 1
+// %.
 constexpr double kAddedInertia = 0.01;
-constexpr double kDashpot = 0.5;  // damping ratio of the fastest mode: takes out the rattle only
+constexpr double kDashpot = 0.5;  // damping ratio of the fastest mode: damps chatter only
 
 struct Places {
     const PositionArray& position;
@@ -37,8 +37,8 @@ Vec3 carryingNormal(const State& state, std::size_t b) {
     return normal;
 }
 
-/// The least that a block moves against another one at any of their contact points, in whatever direction
-/// [m]: nothing, at a pivot. 0 where it touches none.
+/// Least displacement of a block against another at any of their contact points [m]: zero at a pivot. 0 where
+/// it touches none.
 double leastAgainstOthers(const Places& from, const State& to, std::size_t b) {
     double least = kInfinity;
     for (auto k = to.incidence.interface_begin[b]; k < to.incidence.interface_begin[b + 1]; ++k) {
@@ -109,8 +109,8 @@ struct Mode {
     double mass = 0;       ///< [kg]
 };
 
-/// The frequency at which the inertia that faster blocks need beside their own is that share of all; no less
-/// than that of half of the mass.
+/// The frequency at which the inertia added to faster blocks is that share of all; at least the frequency of
+/// half of the mass.
 double frequencyFor(std::vector<Mode> modes) {
     std::sort(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) {
         return a.frequency != b.frequency ? a.frequency > b.frequency : a.mass > b.mass;

@@ -1,6 +1,6 @@
 #pragma once
-// How an assembly fails: each block's motion, read as sliding or toppling, from where it last stood to where
-// it has left its place.
+// How an assembly fails: each block's motion as sliding or toppling, from the last equilibrium to the failing
+// state.
 
 #include <string>
 #include <vector>
@@ -16,22 +16,21 @@ struct Failure {
     std::vector<BlockMotion> motions{};        ///< one per free block
 };
 
-/// \param position,orientation  where it stood
-/// \param deflection  how far blocks come without failing [m]
+/// \param position,orientation  in the last equilibrium
+/// \param deflection  elastic displacement of the blocks [m]
 Failure describeFailure(const PositionArray& position, const QuaternionArray& orientation, const State& to,
                         double deflection);
 
-/// The square of the angular frequency up to which a failure is played on [1/s^2]. Blocks that are faster get
-/// more inertia: small ones, which would make its time step a hundred times shorter. What is added is a small
-/// share of the mass that moves, and of all free mass.
+/// The square of the highest angular frequency of a continued failure [1/s^2]. Faster blocks get more
+/// inertia: small ones, which would make the time step a hundred times shorter. The addition is a small share
+/// of the moving mass, and of all free mass.
 /// \param moving  per block
 double playedFrequency(const State& state, const std::vector<char>& moving, bool parallel);
 
-/// Gives blocks that are faster than that as much inertia as makes them as slow. Weight stays. Writes:
-/// inertia
+/// Adds inertia to blocks faster than that until they are as slow. Weight stays. Writes: inertia
 void slowDownTo(State& state, double frequency, bool parallel);
 
-/// Dashpots that take out the rattle: half the critical damping of the fastest mode [s].
+/// Dashpots against contact chatter: half the critical damping of the fastest mode [s].
 double rattleDamping(double frequency);
 
 }  // namespace talus::failure

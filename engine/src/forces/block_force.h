@@ -1,7 +1,6 @@
 #pragma once
-// What a force on blocks says of itself. Whoever sums forces, solves for equilibrium, bounds the time step,
-// measures energy, writes frames or reports asks through this and knows no force by name; the list of all is
-// in sum.cpp.
+// The interface of a force on blocks. Sums of forces, equilibrium, the time step, energies, frames and
+// reports use only this; the list of all forces is in sum.cpp.
 
 #include <span>
 #include <string>
@@ -17,22 +16,22 @@
 
 namespace talus {
 
-/// What a force between two blocks has beside what all have.
+/// Additional functions of a force between two blocks.
 struct TyingForce {
     std::vector<Tie> (*ties)(const State& state);
-    /// What a tie does with its blocks at these poses; nothing is remembered.
+    /// Forces of the ties at these poses; changes no memory.
     TieForce (*between)(const State& state, std::size_t tie, const TiedPose& a, const TiedPose& b);
-    /// Of the ties on a block: the block at the other end, and the elastic stiffness where it pulls.
+    /// For each tie on a block: the block at the other end, and the elastic stiffness at its point.
     std::vector<std::pair<std::int32_t, TieForce>> (*springsOn)(const State& state, const ForceParts& parts,
                                                                 std::size_t block);
     double (*storedEnergy)(const State& state);  ///< [J]
-    /// How much farther blocks part until all of it holds as much as it can [m].
+    /// How much farther blocks part until it reaches its full strength [m].
     double (*reach)(const State& state);
-    /// What it can do at most, for limit analysis. Error: why limit analysis is not made for it.
+    /// Its greatest forces, for limit analysis. Error: why limit analysis does not cover it.
     Result<std::vector<TieLimit>> (*limits)(const State& state);
 };
 
-/// What a force remembers beside load and poses: all that a restart needs to go on to the bit.
+/// Memory of a force beside load and poses: all that a restart needs for the same bits.
 struct ForceMemory {
     /// The force's own names of the arrays; none when the model has nothing of the force.
     std::vector<ForceArray> (*read)(const State& state);
@@ -40,7 +39,7 @@ struct ForceMemory {
     void (*write)(State& state, std::span<const ForceArray> arrays);
 };
 
-/// A force of things that people look at one by one (talus/supports.h).
+/// A force of supports that results list one by one (talus/supports.h).
 struct SupportingForce {
     const char* kind;  ///< as results call the list of them
     std::vector<SupportReport> (*reports)(const State& state);
@@ -48,19 +47,19 @@ struct SupportingForce {
     SupportLines (*lines)(const State& state);
 };
 
-/// A force on some blocks. Its parts are those of the state at its place in the list; what it needs no
-/// function for is nullptr.
+/// A force on some blocks. Its parts in the state have the same index as the force in the list; functions
+/// that it does not need are nullptr.
 struct BlockForce {
     const char* name;
-    /// Finds out where it acts, once the interfaces of a model that was just built are known.
+    /// Finds where it acts, in a newly built model with interfaces.
     std::vector<Error> (*build)(State& state, ForceParts& parts);
     /// The blocks it acts on, ascending.
     std::span<const std::int32_t> (*blocks)(const State& state, const ForceParts& parts);
     /// On one block, as last brought up to date; zero on one it does not act on.
     Wrench (*on)(const State& state, const ForceParts& parts, std::size_t block);
-    /// Brings it up to date with load, time and poses, once a step. Writes what is the force's own.
+    /// Updates it to load, time and poses, once a step. Writes the force's own arrays only.
     void (*update)(State& state) = nullptr;
-    /// What changes for good (water that runs out), between steps of a time history.
+    /// Irreversible changes (water that drains), between steps of a time history.
     void (*look)(State& state) = nullptr;
     /// The same as `on` of one that keeps its direction while its block turns; nullptr: it turns with the
     /// block.

@@ -38,8 +38,8 @@ struct AxialForce {
     double slope = 0;  ///< by the elongation [N/m]
 };
 
-/// At an elongation [m]; `memory` becomes what it remembers then. One that breaks holds to the end of this
-/// call: `memory` says that it has.
+/// At an elongation [m]; updates `memory`. A bolt that breaks holds to the end of this call; `memory` records
+/// the rupture.
 inline AxialForce axialForce(const BoltLaw& law, double elongation, double share, BoltMemory& memory) {
     if (memory.broken) return {};
     const double trial =
@@ -49,7 +49,7 @@ inline AxialForce axialForce(const BoltLaw& law, double elongation, double share
     const double force = std::min(trial, strength);
     if (trial > strength)
         (strength < law.yield ? memory.slipped : memory.yielded) += (trial - strength) / law.stiffness;
-    // What has yielded is spread over the length E A / k that gives elastically.
+    // The plastic elongation is spread over the elastic length E A / k.
     memory.broken = (force + law.stiffness * memory.yielded) / law.rigidity > law.rupture_strain;
     return {force, trial > strength ? 0.0 : law.stiffness};
 }

@@ -10,9 +10,9 @@ namespace talus::bolts {
 namespace {
 
 constexpr double kInReach = 1e-3;  // of the block's size: a head that far outside is on it
-constexpr double kNothing = 1e-9;  // of the bolt's length: it only grazes a block
+constexpr double kGrazed = 1e-9;   // of the bolt's length: it only grazes a block
 
-/// What of a bolt lies in a block: from one length along it to another [m].
+/// The part of a bolt inside a block: from one length along it to another [m].
 struct Chord {
     std::int32_t block = 0;
     double from = 0, to = 0;
@@ -63,9 +63,9 @@ void appendChords(const State& state, std::size_t block, const Bolt& bolt, doubl
     }
 }
 
-/// What blocks a bolt goes through, from its head on.
+/// The blocks that a bolt crosses, from its head on.
 std::vector<Chord> chordsOf(const State& state, const Bolt& bolt) {
-    const double least = kNothing * (bolt.end - bolt.head).norm();
+    const double least = kGrazed * (bolt.end - bolt.head).norm();
     const Vec3 middle = 0.5 * (bolt.head + bolt.end) - state.geometry->origin;
     const double half = 0.5 * (bolt.end - bolt.head).norm();
     std::vector<Chord> chords;
@@ -177,7 +177,7 @@ class Build {
         push(index, bolt, chords.front(), chords.back(), 0, length, law);
     }
 
-    /// A segment at each joint it crosses, its bond that of all it goes through on either side.
+    /// A segment at each joint it crosses, bonded over its length in the blocks on either side.
     void addGrouted(std::int32_t index, const Bolt& bolt, const std::vector<Chord>& chords) {
         const double length = (bolt.end - bolt.head).norm();
         const auto inRock = [&](const Chord& c) { return std::min(c.to, length) - std::max(c.from, 0.0); };
@@ -239,7 +239,7 @@ void eachSegmentOn(const ForceParts& parts, std::size_t block, const Each& each)
         each(static_cast<std::size_t>(parts.source[p] / 2), parts.source[p] % 2 != 0);
 }
 
-/// A segment at two poses: what its law says, and where it pulls.
+/// A segment at two poses: the result of its law, and its point of action.
 struct Pull {
     bolt::AxialForce axial;
     bolt::DowelForce dowel;

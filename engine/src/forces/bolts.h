@@ -1,5 +1,5 @@
 #pragma once
-// Bolts: where each ties two blocks, what it does there, what it has given.
+// Bolts: where each ties two blocks, its forces there, and its plastic displacement.
 //
 // Reads:  the model's bolts; at the start shapes and poses; then poses, load.gravity_share (the pretension
 //         comes with the weight)
@@ -41,8 +41,7 @@ Result<std::vector<TieLimit>> limits(const State& state);
 std::vector<ForceArray> memory(const State& state);
 void remember(State& state, std::span<const ForceArray> arrays);
 
-/// Of each bolt of the model: as it stands by its segment that carries most, and as a line from joint to
-/// joint.
+/// For each bolt of the model: the state of its most loaded segment, and a line from joint to joint.
 std::vector<SupportReport> reports(const State& state);
 SupportLines lines(const State& state);
 

@@ -13,10 +13,9 @@ namespace {
 
 using simd::Triple;
 
-/// Whether the arrays by interface and contact point are more than a core's own cache holds from step to
-/// step, all of them on one core.
+/// Whether the arrays by interface and contact point exceed the cache of one core.
 bool isBeyondCaches(const State& state) {
-    constexpr std::size_t kOwnCache = 1U << 22U;  // [bytes] what it has, and some
+    constexpr std::size_t kOwnCache = 1U << 22U;  // [bytes] that cache, with a margin
     const auto bytes = [](const LaneArray& of) { return of.slots() * of.quantities() * sizeof(double); };
     return bytes(state.interfaces.frames) + bytes(state.interfaces.corners) + bytes(state.points.memory) +
                bytes(state.points.places) >

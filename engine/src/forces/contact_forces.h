@@ -11,8 +11,7 @@
 namespace talus {
 
 /// \pre  groups of the state; interfaces, points and block poses are those of one instant; with contact
-/// damping
-///       angular_velocity too
+///       damping angular_velocity too
 /// Reads:  blocks.position, orientation (and velocity, angular_velocity with contact damping); interfaces'
 ///         frames and
 ///         patches; laws; release
@@ -39,7 +38,7 @@ RelativePose relativePose(const PositionArray& position, const QuaternionArray& 
 RelativePose relativePose(const Blocks& blocks, const Interfaces& interfaces, std::size_t interface);
 RelativePose relativePose(const State& state, std::size_t interface);
 
-/// A contact point as it stands: where it lies on the patch, what it carries and remembers.
+/// A contact point: its place on the patch, its forces and its memory.
 struct ContactPoint {
     Eigen::Vector2d position;   ///< along e1, e2 from the interface's origin [m]
     double area;                ///< A_s [m^2]
@@ -48,8 +47,7 @@ struct ContactPoint {
     contact::PointMemory memory;
 };
 
-/// What the forces at contact points follow from: interfaces and contact points of a state, or those it had
-/// before a search.
+/// Input of the forces at contact points: interfaces and contact points of a state, or those before a search.
 struct Contacts {
     const Blocks& blocks;
     const Interfaces& interfaces;
@@ -59,12 +57,12 @@ struct Contacts {
 };
 Contacts contactsOf(const State& state);
 
-/// All contact points of an interface, in the order of contact::patchPoints. The law gives the same forces
-/// when it is asked once more at the same place (but for slip that dilates, which the next step feels).
+/// All contact points of an interface, in the order of contact::patchPoints. A second call of the law at the
+/// same place gives the same forces (except that dilation of a slip acts from the next step on).
 std::vector<ContactPoint> contactPoints(const Contacts& contacts, std::size_t interface);
 std::vector<ContactPoint> contactPoints(const State& state, std::size_t interface);
 
-/// What the springs of an interface's contact points hold [J].
+/// Energy of the springs of an interface's contact points [J].
 double storedEnergy(const Contacts& contacts, std::size_t interface);
 
 }  // namespace talus

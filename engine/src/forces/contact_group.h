@@ -1,6 +1,6 @@
 #pragma once
-// What kernels over interfaces read of a group: frames, poses, laws, and the contact points one after the
-// other, for one interface (V = double) or several in a register (V = Lanes, contact_members.h).
+// Input of kernels over interfaces, by group: frames, poses, laws, and the contact points in turn, for one
+// interface (V = double) or several in a register (V = Lanes, contact_members.h).
 
 #include <cstddef>
 #include <cstdint>
@@ -96,7 +96,7 @@ TALUS_KERNEL FramesOf<V> loadFrames(const Members<V>& members, const double* row
             loadTriple(members, row + 18 * kRow)};
 }
 
-/// In the order of contact::kLawParameters; what nobody asks for is not loaded.
+/// In the order of contact::kLawParameters; unused ones are not loaded.
 /// \param view ContactView, or another with these arrays by the same names
 template <bool Curved, class V, class View, std::size_t... P>
 TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, const View& view,
@@ -115,7 +115,7 @@ TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, co
     return law;
 }
 
-/// The same for several lanes, one after the other: what is partly open is little of a model.
+/// The same for several lanes, one by one: few patches of a model are partly open.
 template <class V>
 struct TriangleSharesOf {
     V overlap[4]{};
@@ -139,7 +139,7 @@ TALUS_KERNEL TriangleSharesOf<V> sharesOf(const V (&overlap)[3]) {
     return result;
 }
 
-/// What the rule "distributed" gives a contact point of a patch that is partly open.
+/// Share of the rule "distributed" for a contact point of a partly open patch.
 template <class V>
 struct ShareOf {
     simd::MaskOf<V> counts{};  ///< whether the patch is partly open; else the point has the gap at its place

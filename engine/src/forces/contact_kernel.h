@@ -10,8 +10,8 @@
 namespace talus {
 namespace {
 
-/// What an interface's contact points add up to: force on b and moment about the interface's origin, in the
-/// frame e1, e2, e3.
+/// Sum over an interface's contact points: force on b and moment about the interface's origin, in the frame
+/// e1, e2, e3.
 template <class V>
 struct PatchSum {
     Triple<V> force{}, moment{};
@@ -55,9 +55,8 @@ TALUS_KERNEL RelativeVelocity<V> relativeVelocity(const RelativePoseOf<V>& pose,
 }
 
 /// One group's contact points, one after the other. Gap and slides are those of b's material point, which
-/// lies pressed below a's plane; only there does the shear force do the work that its spring holds, and there
-/// it acts when `Arms`. Else it acts where that point is projected to, which is as good where nothing turns
-/// while it is pressed.
+/// lies pressed below a's plane. With `Arms` the shear force acts there, where its work equals its spring's
+/// energy. Else it acts at the point's projection, which is equivalent where no pressed block turns.
 template <class V, bool Damped, bool Remembers, bool Curved, bool Arms>
 struct PointLoop {
     const ContactView& view;
@@ -87,11 +86,10 @@ struct PointLoop {
         total.shear_2 = total.shear_2 - c * along_2;
     }
 
-    /// Restitution e: a contact point that parts pushes back e^2 of its spring's force, so that an impact
-    /// gives back e^2 of the energy that it stored, whatever mass, speed, stiffness and shape (O. R. Walton
-    /// and R. L. Braun, 1986, have it in the stiffness of unloading). Up to kPartingSpeed the loss grows with
-    /// the speed, so that what lies still feels none. The friction of one that slips falls with the normal
-    /// force.
+    /// Restitution e: a parting contact point has e^2 of its spring's force. An impact then returns e^2 of
+    /// the energy that it stored, for any mass, speed, stiffness and shape (O. R. Walton and R. L. Braun,
+    /// 1986, put it into the unloading stiffness). Up to kPartingSpeed the loss grows with the speed, so
+    /// resting contacts have none. The friction of one that slips falls with the normal force.
     TALUS_KERNEL void unload(V xi, V eta, contact::ForceOf<V>& total) const {
         using simd::larger, simd::select, simd::smaller;
         constexpr double kPartingSpeed = 1e-3;  // [m/s]
@@ -185,14 +183,14 @@ TALUS_KERNEL void updateMembers(const ContactView& view, std::size_t group_index
 
 constexpr std::size_t kGroupsAhead = 2;
 
-/// Asks for `rows` of kLanes doubles, as much as a cache line each.
+/// Prefetches `rows` of kLanes doubles, a cache line each.
 template <bool Written>
 TALUS_KERNEL void fetchRows(const double* row, std::size_t rows) {
     for (; rows > 0; --rows, row += kRow) __builtin_prefetch(row, Written ? 1 : 0);
 }
 
-/// Asks for what a group needs. The processor's own prefetchers lose the thread, because the streams come in
-/// short pieces in turn (bench/studies/contact-kernel.md).
+/// Prefetches the data of a group. The processor's own prefetchers fail here, because the streams alternate
+/// in short pieces (bench/studies/contact-kernel.md).
 template <PointPlaces Places, bool Remembers>
 TALUS_KERNEL void fetch(const ContactView& view, std::size_t group_index) {
     constexpr std::size_t memory = Remembers ? kMemoryQuantities : kSlideQuantities;

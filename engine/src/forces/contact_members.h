@@ -10,8 +10,8 @@ namespace {
 
 using simd::Lanes;
 
-/// As many interfaces of a group as a register holds. Where the group has fewer, the last one is repeated as
-/// far as blocks and joints go; the slots beyond are the group's own, and nobody reads them.
+/// As many interfaces of a group as a register holds. Where the group has fewer, the blocks and joints of the
+/// last one are repeated; the slots beyond belong to the group, and their results are not used.
 template <>
 struct Members<Lanes> {
     static constexpr int kWidth = simd::kWidth;
@@ -60,7 +60,7 @@ struct Members<Lanes> {
         for (int l = 0; l < kWidth; ++l) simd::setLane(mask, l, laws[index[member[l]]].*flag);
         return mask;
     }
-    /// Lanes without a curve get another's: what it gives them is not taken.
+    /// Lanes without a curve get another's, and its result is not used.
     TALUS_KERNEL simd::TablesOf<Lanes> gatherCurve(const contact::JointLaw* laws,
                                                    const std::int32_t* index) const {
         simd::TablesOf<Lanes> curves;

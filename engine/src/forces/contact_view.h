@@ -12,7 +12,7 @@ namespace talus {
 
 using simd::ConstVectors;
 
-/// Where the kernel has the contact points' positions and areas from.
+/// Source of the contact points' positions and areas.
 enum class PointPlaces : std::uint8_t { vertex, corner, stored };
 
 struct ContactView {
@@ -37,7 +37,7 @@ struct ContactView {
     bool remembers;     ///< whether contact points have bond and dilation in their memory
     bool curved;        ///< whether the strength of some joint is a curve
     bool keeps_energy;  ///< whether shear forces act where their slide is measured (PointLoop)
-    /// whether the arrays come from main memory each time: groups are then fetched ahead
+    /// whether the arrays exceed the cache: groups are then prefetched
     bool beyond_caches;
     double release;
     double contact_damping;

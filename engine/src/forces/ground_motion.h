@@ -1,6 +1,6 @@
 #pragma once
-// A recorded motion of the fixed blocks. In their frame, in which everything is computed, free blocks feel
-// the opposite of its acceleration, and what they have gone is what stays when it is over.
+// A recorded motion of the fixed blocks. All is computed in their frame: free blocks feel the opposite of its
+// acceleration, and displacements are relative to the ground.
 //
 // Reads: the model's ground motion; load.time, load.shaken
 
@@ -10,7 +10,7 @@
 
 namespace talus {
 
-/// [m/s^2]; at a jump what comes after it.
+/// [m/s^2]; at a jump the value after it.
 inline Vec3 accelerationAt(const GroundMotion& motion, double time) {
     const auto after = std::upper_bound(motion.time.begin(), motion.time.end(), time);
     if (after == motion.time.begin() || after == motion.time.end()) return Vec3::Zero();

@@ -1,6 +1,7 @@
 #pragma once
-// Loads: forces at points of blocks, pressures on whole faces and on what is free of faces inside a box. They
-// keep the direction they have at the start and follow their point, so they are dead forces with a potential.
+// Loads: forces at points of blocks, pressures on whole faces, and pressures on free face area inside a box.
+// They keep the direction they have at the start and follow their point, so they are dead forces with a
+// potential.
 //
 // Reads:  the model's loads; at the start shapes, poses and interfaces; then load.time, load.gravity_share,
 //         orientations
@@ -23,7 +24,8 @@
 
 namespace talus::loads {
 
-inline constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which a face looks a way
+inline constexpr double kLooks = 0.5 - 1e-9;  // cosine of 60 degrees: largest angle between a face's normal
+                                              // and the load's direction
 inline constexpr double kClosed = 1e-6;       // of the length scale: a wider joint leaves its faces free
 inline constexpr double kLeastFree = 1e-9;    // share of a face that counts
 inline constexpr double kInReach = 1e-3;      // of the block's size: a point that far outside is on it
@@ -60,7 +62,7 @@ class Face {
 
     Polygon outline() const { return outlineOf(state_.geometry->shape[block_], face_); }
 
-    /// But for what lies on other parts of the block.
+    /// Less what lies on other parts of the block.
     Region whole() const {
         Region region;
         region.add(outline(), 1.0);
@@ -68,8 +70,8 @@ class Face {
         return region;
     }
 
-    /// What lies in the box and under no closed joint. Joints of one face do not overlap, so each takes its
-    /// own away.
+    /// The area in the box and under no closed joint. Joints of one face do not overlap, so each is
+    /// subtracted alone.
     Region freeIn(const AppliedLoad& load) const {
         Region region;
         region.add(clipped(outline(), load), 1.0);
@@ -106,13 +108,13 @@ class Face {
         const Vec3 origin = is_b ? frame.origin_b : frame.origin_a, e1 = is_b ? frame.e1_b : frame.e1_a,
                    e2 = is_b ? frame.e2_b : frame.e2_a;
         std::vector<Vec2> corners = patchOutline(state_.interfaces, i);
-        if (is_b) std::reverse(corners.begin(), corners.end());  // it looks at the other side of the patch
+        if (is_b) std::reverse(corners.begin(), corners.end());  // its normal is opposite to the patch's
         Polygon polygon;
         for (const Vec2& v : corners) polygon.push(own_.toPlane(origin + v.x() * e1 + v.y() * e2));
         return polygon;
     }
 
-    /// What of a polygon of this face lies in a load's box.
+    /// The part of a polygon of this face in a load's box.
     Polygon clipped(Polygon polygon, const AppliedLoad& load) const {
         const FaceFrame in_model{origin_, turn_ * own_.e1, turn_ * own_.e2, normal()};
         return clippedToBox(std::move(polygon), in_model, load.box_min, load.box_max,
@@ -126,7 +128,7 @@ class Face {
     Vec3 origin_;  ///< of the face's plane, in the model [m]
 };
 
-/// What one load does to one block.
+/// Wrench of one load on one block.
 struct Part {
     std::int32_t block, source;
     DeadForce force;

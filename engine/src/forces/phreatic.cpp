@@ -36,12 +36,12 @@ void addSide(Cell& cell, const Vec3& normal, double offset, double sign) {
     cell.sides[static_cast<std::size_t>(cell.side_count++)] = {normal, offset, sign};
 }
 
-/// Where a polygon lies to a half plane: normal . x <= offset. Near its line, where clipping decides, it
+/// Side of a polygon against a half plane normal . x <= offset. Near its line, where clipping decides, it
 /// counts as across.
 enum class Lies { inside, across, outside };
 Lies liesTo(const Polygon& polygon, const Vec2& normal, double offset) {
-    constexpr double kNear =
-        1e-9;  // of the largest number; clipping takes what is a thousandth of that for the line
+    constexpr double kNearLine =
+        1e-9;  // of the largest number; clipping takes a thousandth of that as on the line
     double least = kInfinity, most = -kInfinity, farthest = 0;
     for (const Vec2& corner : polygon) {
         const double height = normal.dot(corner);
@@ -49,20 +49,20 @@ Lies liesTo(const Polygon& polygon, const Vec2& normal, double offset) {
         most = std::max(most, height);
         farthest = std::max(farthest, corner.squaredNorm());
     }
-    const double near = kNear * (std::abs(offset) + std::sqrt(farthest) * normal.norm());
+    const double near = kNearLine * (std::abs(offset) + std::sqrt(farthest) * normal.norm());
     return most < offset - near ? Lies::inside : least > offset + near ? Lies::outside : Lies::across;
 }
 
-/// The same of what lies no farther than `reach` from a point `height` inside, of a unit normal. Across: its
-/// corners have to be asked.
+/// The same for a body within `reach` of a point at `height` inside, for a unit normal. Across: its corners
+/// must be tested.
 Lies liesTo(double reach, double height) {
-    constexpr double kNear = 1e-8;  // more than where corners count as across
-    const double farthest = reach + kNear * (reach + std::abs(height));
+    constexpr double kNearPlane = 1e-8;  // more than where corners count as across
+    const double farthest = reach + kNearPlane * (reach + std::abs(height));
     return height > farthest ? Lies::inside : height < -farthest ? Lies::outside : Lies::across;
 }
 
-/// Most polygons lie on one side of each side, so that there is nothing to clip: that was half of a run's
-/// time. Most do so by far, so that their corners need not be looked at: that was half of what was left.
+/// Most polygons lie wholly on one side of each plane and need no clipping: that halved a run's time. Most
+/// lie far from it, so that their corners need no test: that halved the remaining time.
 /// \param reach  of the farthest corner from the face's origin [m]
 Thrust thrustOn(const Cell& cell, const Polygon& whole, double reach, const FaceFrame& face) {
     const double pressure = cell.p0 + cell.gradient.dot(face.origin);
@@ -240,7 +240,7 @@ double reachOf(const Polygon& polygon) {
     return std::sqrt(farthest);
 }
 
-/// On a polygon whose frame is told about a block's centroid: `arm` to the frame's origin, model frame.
+/// On a polygon whose frame is relative to a block's centroid: `arm` to the frame's origin, model frame.
 Wrench pressureOn(const Cells& cells, const Polygon& polygon, double reach, const FaceFrame& face,
                   const Vec3& arm) {
     Thrust sum;
@@ -291,7 +291,7 @@ std::size_t faceIn(const Polyhedron& shape, const FaceFrame& plane) {
     return best;
 }
 
-/// What another water has wetted feels that water's pressure alone.
+/// A wall wetted by another water has that water's pressure alone.
 void leaveToOthers(State& state) {
     PhreaticWalls& walls = state.phreatic;
     for (std::size_t w = 0; w < state.wet.size(); ++w) {

@@ -25,15 +25,15 @@
 
 namespace talus::phreatic {
 
-/// A plane along gravity; its two neighbours have the same but for the sign, so that what lies in it belongs
-/// to one of them.
+/// A plane along gravity; its two neighbours share it with opposite signs, so a point in it belongs to one of
+/// them only.
 struct Side {
     Vec3 normal = Vec3::UnitX();  ///< unit
     double offset = 0;            ///< [m]
     double sign = 1;              ///< inside: sign (normal . x - offset) <= 0
 };
 
-/// What lies below one piece, in the state's coordinates: p = max(0, p0 + gradient . x) between its sides.
+/// Pressure below one piece, in the state's coordinates: p = max(0, p0 + gradient . x) between its sides.
 struct Cell {
     double p0 = 0;                 ///< [Pa]
     Vec3 gradient = Vec3::Zero();  ///< [Pa/m]
@@ -73,7 +73,7 @@ Wrench pressureOn(const Cells& cells, const Outline& face, const Vec3& position,
 /// block.
 std::vector<Error> build(State& state, ForceParts& parts);
 void update(State& state);
-/// Walls of joints that have opened wider than the surface allows run dry.
+/// Dries the walls of joints that have opened wider than the surface allows.
 void drain(State& state);
 
 /// Which walls are dry for good.

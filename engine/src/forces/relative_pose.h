@@ -39,8 +39,8 @@ struct RelativePoseOf {
 
 /// Gap and slide are those of b's material points over a's plane, so the gap does not depend on how far b has
 /// slid and clipping the patch again does not change it. The reference face is the fixed or the larger one:
-/// the patch goes with b. Only differences of positions enter: far from the origin no more is lost than the
-/// positions themselves have lost.
+/// the patch goes with b. Only differences of positions enter, so distance from the origin adds no rounding
+/// beyond that of the positions.
 template <class V>
 TALUS_KERNEL RelativePoseOf<V> relativePoseOf(const FramesOf<V>& f, const PoseOf<V>& a, const PoseOf<V>& b) {
     using simd::cross, simd::dot;

@@ -57,7 +57,7 @@ constexpr BlockForce kBlockForces[] = {
      .supporting = &kBoltsOneByOne},
 };
 
-/// Adds up one number of each force that ties blocks.
+/// Sums one number over the forces that tie blocks.
 template <class Number>
 double sumOfTies(const Number& number) {
     double sum = 0;
@@ -66,7 +66,7 @@ double sumOfTies(const Number& number) {
     return sum;
 }
 
-/// Of one force's arrays, the name that all see.
+/// The public name of a force's array.
 std::string fullName(const BlockForce& force, const ForceArray& array) {
     return std::string(force.name) + "." + array.name;
 }

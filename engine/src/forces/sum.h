@@ -1,10 +1,9 @@
 #pragma once
-// The one list of forces on blocks: weight, contacts, and what stands in blockForces. A new force is a header
-// of its own that says what it reads and writes, and an entry in sum.cpp (block_force.h says what it may
-// hold).
+// The one list of forces on blocks: weight, contacts, and those in blockForces. A new force is a header of
+// its own that states what it reads and writes, and an entry in sum.cpp (block_force.h has the interface).
 //
-// What pulls at every block by its mass, and contacts, the sum of a step takes in its kernel
-// (step/motion_kernel.h); the others act on some blocks only and are added to those.
+// The kernel of a step sums body forces and contacts (step/motion_kernel.h); the others act on some blocks
+// only and are added there.
 
 #include <span>
 #include <vector>
@@ -30,8 +29,8 @@ void eachBlockForce(const State& state, const Each& each) {
     for (std::size_t k = 0; k < state.force_parts.size(); ++k) each(blockForces()[k], state.force_parts[k]);
 }
 
-/// Of blockForces on one block: of all, of those from outside, and of those: that turn with it, that keep
-/// their direction.
+/// Sum of blockForces on one block: all, those from outside, and of these, those that turn with it and those
+/// of fixed direction.
 Wrench blockForcesOn(const State& state, std::size_t block);
 Wrench outsideForcesOn(const State& state, std::size_t block);
 Wrench turningForcesOn(const State& state, std::size_t block);
@@ -41,30 +40,30 @@ DeadForce deadForcesOn(const State& state, std::size_t block);
 bool hasDeadForces(const State& state);
 bool hasBlockForces(const State& state);
 
-/// Elastic energy of what ties blocks beside contacts [J], and how much farther they part until it holds most
-/// [m].
+/// Elastic energy of the ties between blocks [J], and how much farther blocks part until these reach their
+/// full strength [m].
 double tieEnergy(const State& state);
 double tieReach(const State& state);
 
-/// What all ties can do at most. Error: why limit analysis is not made for one of them.
+/// Greatest forces of all ties. Error: why limit analysis does not cover one of them.
 Result<std::vector<TieLimit>> tieLimits(const State& state);
 
-/// What forces remember, under the names of force and array; and whether arrays may take its place.
+/// Memory of the forces, by the names of force and array; and whether given arrays fit it.
 std::vector<ForceArray> forceMemory(const State& state);
 bool isForceMemory(const State& state, const std::vector<ForceArray>& memory);
 /// \pre isForceMemory
 void setForceMemory(State& state, const std::vector<ForceArray>& memory);
 
-/// All that people look at one by one, kind by kind; and their lines.
+/// All supports, kind by kind; and their lines.
 std::vector<Supports> supportReports(const State& state);
 SupportLines supportLines(const State& state);
 
-/// What every block feels by its mass, as the load has it now: gravity and the pseudo-static earthquake; with
-/// the ground's motion [m/s^2].
+/// Body acceleration of every block under the present load: gravity, the pseudo-static earthquake and the
+/// ground's motion [m/s^2].
 Vec3 standingAcceleration(const State& state);
 Vec3 bodyAcceleration(const State& state);
 
-/// What acts on a block from outside: by its mass, and blockForces that tie it to no other.
+/// External forces on a block: body forces, and blockForces that are no ties.
 Wrench appliedOn(const State& state, std::size_t block, const Vec3& acceleration);
 
 /// Of contacts, mass and blockForces, without local damping.

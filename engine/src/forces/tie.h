@@ -11,12 +11,12 @@ namespace talus {
 using Mat3x12 = Eigen::Matrix<double, 3, 12>;
 using Mat6x12 = Eigen::Matrix<double, 6, 12>;
 
-/// Two blocks that something ties.
+/// Two tied blocks.
 struct Tie {
     std::int32_t a = 0, b = 0;
 };
 
-/// What a tie can do at its limit: pull its blocks together at a place, up to its strength.
+/// A tie at its limit: it pulls its blocks together at a place, up to its strength.
 struct TieLimit {
     Tie between;
     Vec3 place = Vec3::Zero();   ///< at b's material point, in the state's coordinates [m]
@@ -47,7 +47,7 @@ inline Mat3 crossMatrixOf(const Vec3& v) {
 }
 
 /// Derivatives of the two wrenches by displacement and small turn of a, then of b. The force is a function of
-/// where b's point lies in a's own frame, with which it turns.
+/// the place of b's point in a's own frame, and turns with a.
 struct TieRates {
     Mat6x12 on_a, on_b;
 };

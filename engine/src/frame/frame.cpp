@@ -20,9 +20,9 @@
 namespace talus {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoTable = std::numeric_limits<double>::quiet_NaN();
 
-/// Copies an array of the state into the frame, whatever the two are called.
+/// Copies an array of the state into the frame.
 struct ToFrame {
     void operator()(const VectorArray& s, VectorList<double>& f) const { f.x = s.x, f.y = s.y, f.z = s.z; }
     void operator()(const PositionArray& s, VectorList<double>& f) const {
@@ -44,8 +44,7 @@ struct ToFrame {
     }
 };
 
-/// The tilt at which a viewer sees gravity: with a direction of its own, what of that lies in the plane of x
-/// and z.
+/// The tilt of gravity for a viewer: of a given direction, that of its projection onto the plane of x and z.
 double shownTilt(const State& state) {
     const Gravity& gravity = state.geometry->model.gravity;
     if (!gravity.direction) return state.load.tilt;
@@ -60,9 +59,9 @@ void addWaterLevels(const State& state, WaterLevels& levels) {
         levels.drained.push_back(state.drained[w]);
         const PressureField field = pressureField(state, w, state.load);
         const double unit_weight = field.gradient.norm();
-        // p = p0 + gradient . x in the state's coordinates; the table is told in the model's.
+        // p = p0 + gradient . x in the state's coordinates; the table is in the model's.
         const double shift = field.gradient.dot(state.geometry->origin);
-        levels.table.push_back(unit_weight > 0 ? (field.p0 - shift) / unit_weight : kNone);
+        levels.table.push_back(unit_weight > 0 ? (field.p0 - shift) / unit_weight : kNoTable);
     }
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 // The one list of what a full frame holds: each pair is an array of the state and its place in the frame.
-// Writing and reading a frame both go through it, so neither can forget what the other knows. An array added
-// to arrays.h that does not follow from others belongs here, in talus/frame.h, in talus/frame_table.h and in
-// formats/snapshot.fbs.
+// Writing and reading a frame both use it, so they cannot differ. An array added to arrays.h that does not
+// follow from others belongs here, in talus/frame.h, in talus/frame_table.h and in formats/snapshot.fbs.
 
 #include "state/arrays.h"
 #include "talus/frame.h"
@@ -88,8 +87,7 @@ void eachScalar(State& s, FullFrame& f, const Pair& pair) {
     pair(s.shear_lost, f.shear_lost);
 }
 
-/// All but what changes its layout on the way: what is stored per water, per joint, per corner and per
-/// contact point.
+/// All but the arrays whose layout differs: those per water, per joint, per corner and per contact point.
 template <class State, class FullFrame, class Pair>
 void eachField(State& s, FullFrame& f, const Pair& pair) {
     eachBlockField(s.blocks, f.blocks, pair);

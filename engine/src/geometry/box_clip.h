@@ -1,5 +1,5 @@
 #pragma once
-// What of a face lies in a box along the axes.
+// The part of a face in an axis-aligned box.
 
 #include <cmath>
 
@@ -7,9 +7,8 @@
 
 namespace talus {
 
-/// \param face  the polygon's plane, in the frame of the box; a face across an axis is in the box or not, as
-/// a whole, by
-///              `closed` [m]
+/// \param face the polygon's plane, in the frame of the box; a face normal to an axis lies in the box or not,
+///              as a whole, by `closed` [m]
 inline Polygon clippedToBox(Polygon polygon, const FaceFrame& face, const Vec3& min, const Vec3& max,
                             double closed) {
     constexpr double kFlat = 1e-12;

@@ -1,5 +1,5 @@
 #pragma once
-// Boxes in a tree of halves: which of many things may meet one.
+// A tree of boxes: finds which of many boxes may meet a given one.
 
 #include <algorithm>
 #include <cstdint>

@@ -26,7 +26,7 @@ using LatticePoint = std::array<std::int64_t, 3>;
 
 // Products of three differences below 2^41 and their sums stay below 2^126, inside Int128.
 constexpr double kLatticeCells = 1099511627776.0;  // 2^40
-// A point this close to the hull of the others adds nothing (share of the extent).
+// A point this close to the hull of the others is dropped (share of the extent).
 constexpr double kResolution = 1e-9;
 // Facets this close to one plane are one face: coordinates written with seven digits still give flat faces.
 constexpr double kFlatness = 1e-6;
@@ -261,7 +261,7 @@ Result<Polyhedron> convexHull(const std::vector<Vec3>& input) {
     if (!std::isfinite(extent.size))
         return Error{"vertices", "coordinates differ by more than a number can hold"};
 
-    // Coordinates far from the origin are known to a few ulp only; what is less than that is not a shape.
+    // Coordinates far from the origin are known to a few ulp only; anything thinner is not a shape.
     const double magnitude = extent.min.cwiseAbs().maxCoeff() + extent.size;
     const double noise = 8 * std::numeric_limits<double>::epsilon() * magnitude / extent.size;
     const double flatness = std::max(kFlatness, 2 * noise);

@@ -13,11 +13,11 @@
 namespace talus {
 namespace {
 
-constexpr double kTouch = 1e-6;  // of the extent: faces of two parts this near lie on each other
+constexpr double kTouchingFaces = 1e-6;  // of the extent: faces of two parts this near lie on each other
 constexpr double kOpposite =
     1e-3;  // [rad], likewise, so that small faces are told apart by more than their distance
 constexpr double kLeastCover = 1e-9;  // share of a face
-constexpr double kWhole = 1e-6;       // likewise: a face of which less is free is inside
+constexpr double kWhole = 1e-6;       // likewise: a face with a smaller free share is inside
 
 Box boundsOf(const Polyhedron& shape) {
     Box bounds;
@@ -46,7 +46,7 @@ bool areOpposite(const Vec3& normal_1, const Vec3& normal_2) {
     return (normal_1 + normal_2).norm() <= kOpposite;
 }
 
-/// Of a face `under` what another part's face lies on; empty when it does not.
+/// The part of a face `under` that another part's face covers; empty when it does not.
 Polygon commonPart(const Polyhedron& shape, std::size_t under, std::size_t over, double touch) {
     if (!areOpposite(shape.faceNormal(under), shape.faceNormal(over))) return {};
     const FaceFrame frame = faceFrame(shape, under);
@@ -84,7 +84,7 @@ class Joiner {
     Joiner(const std::vector<Polyhedron>& parts)
         : parts_(parts),
           whole_(laidTogether(parts, ranges_)),
-          touch_(kTouch * extentOf(whole_)),
+          touch_(kTouchingFaces * extentOf(whole_)),
           covered_(whole_.faces.size(), 0.0),
           root_(parts.size()) {
         for (std::size_t f = 0; f < whole_.faces.size(); ++f) normals_.push_back(whole_.faceNormal(f));
@@ -102,8 +102,8 @@ class Joiner {
         return finish();
     }
 
-    /// Of bodies whose parts are given one body after the other: what is known of each stays, and only parts
-    /// of different bodies are looked at. Overlaps are no errors.
+    /// For bodies given one after the other: known covers stay, and only parts of different bodies are
+    /// compared. Overlaps are no errors.
     std::optional<Polyhedron> unite(const std::vector<Polyhedron>& bodies) {
         std::vector<std::size_t> body_of;
         for (std::size_t body = 0; body < bodies.size(); ++body) {
@@ -125,9 +125,10 @@ class Joiner {
     void keep(const Polyhedron& body, std::size_t first_part) {
         if (body.partCount() == 1) return;
         const auto first_face = static_cast<std::size_t>(ranges_[first_part].first_face);
-        for (std::size_t p = 0; p < body.partCount(); ++p)
+        for (std::size_t p = 0; p < body.partCount(); ++p) {
             for (const std::int32_t beside : body.faces.parts()[p].beside)
                 ranges_[first_part + p].beside.push_back(beside + static_cast<std::int32_t>(first_part));
+        }
         for (std::size_t f = 0; f < body.faces.size(); ++f)
             for (const Polygon& cover : coversOf(body, f)) covered_[first_face + f] += area(cover);
     }
@@ -137,8 +138,8 @@ class Joiner {
         return part;
     }
 
-    /// Each with those behind it, in order: sums of covers and lists of neighbours follow it.
-    /// \return whether any two of those that are asked for touch
+    /// Compares each with those after it, in order: sums of covers and lists of neighbours depend on that.
+    /// \return whether any two of the compared parts touch
     template <class Asked>
     bool meetAll(const Asked& asked) {
         bool any = false;
@@ -219,7 +220,7 @@ bool holds(std::span<const FacePlane> part, const Vec3& point, double distance) 
                        [&](const FacePlane& face) { return !(face.normal.dot(point - face.at) > distance); });
 }
 
-/// How far a part reaches beyond a point along a direction, less `slack` for each metre of the way [m].
+/// How far a part reaches beyond a point along a direction, less `slack` for each metre of distance [m].
 double reachBeyond(const Polyhedron& shape, const ConvexPart& part, const Vec3& point, const Vec3& direction,
                    double slack) {
     double most = -std::numeric_limits<double>::infinity();
@@ -228,12 +229,12 @@ double reachBeyond(const Polyhedron& shape, const ConvexPart& part, const Vec3& 
     return most;
 }
 
-/// Of the way from one point to another.
+/// Along the line from one point to another.
 struct Share {
     double begin = 0, end = 1;
 };
 
-/// What of it a convex part holds, within a distance; empty when begin > end.
+/// The part of it in a convex part, within a distance; empty when begin > end.
 Share heldBetween(std::span<const FacePlane> part, const Vec3& from, const Vec3& to, double distance) {
     Share held;
     for (const FacePlane& face : part) {
@@ -287,7 +288,7 @@ std::vector<FacePlane> facePlanes(const Polyhedron& shape) {
 }
 
 bool contains(const Polyhedron& shape, const Vec3& point, double tolerance) {
-    // Face by face: most are told apart by the first few.
+    // Face by face: the first few exclude most.
     const auto is_within = [&](std::size_t face) {
         return !(shape.faceNormal(face).dot(
                      point - shape.vertices[static_cast<std::size_t>(shape.faces[face][0])]) > tolerance);
@@ -315,7 +316,7 @@ std::vector<std::int32_t> sideTowards(const Polyhedron& shape, const Vec3& direc
     std::vector<std::int32_t> side{static_cast<std::int32_t>(best)};
     if (shape.partCount() == 1) return side;
     const FaceFrame plane = faceFrame(shape, best);
-    const double touch = kTouch * extentOf(shape);
+    const double touch = kTouchingFaces * extentOf(shape);
     for (std::size_t face = 0; face < shape.faces.size(); ++face) {
         const auto& outline = shape.faces[face];
         if (face != best && !shape.isInner(face) && (shape.faceNormal(face) - plane.e3).norm() <= kOpposite &&
@@ -339,7 +340,7 @@ std::vector<Polygon> coversOf(const Polyhedron& shape, std::size_t face) {
     std::vector<Polygon> covers;
     if (shape.faces.covers().empty() || shape.faces.covers()[face] == Cover::none) return covers;
     const auto& parts = shape.faces.parts();
-    const double touch = kTouch * extentOf(shape);
+    const double touch = kTouchingFaces * extentOf(shape);
     for (const std::int32_t beside : parts[partOf(shape.faces, face)].beside) {
         const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
         for (std::size_t f = 0; f < faceCount(other); ++f) {
@@ -378,7 +379,7 @@ bool PartOfBody::isOutermostAlong(const Vec3& from, const Vec3& to, const Vec3& 
                                   double slack) const {
     const Vec3 a = own(from), b = own(to), along = turn.transpose() * direction;
     const auto& parts = shape.faces.parts();
-    std::vector<Share> covered;  // by parts that reach farther, seen from both ends of what they hold
+    std::vector<Share> covered;  // by parts that reach farther, tested at both ends of their interval
     for (const std::int32_t beside : parts[part].beside) {
         const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
         const Share held = heldBetween(planesOf(other), a, b, tolerance);

@@ -1,5 +1,6 @@
 #pragma once
-// Shapes of several convex parts: where these lie on each other, and what of a part is surface of the whole.
+// Shapes of several convex parts: where these lie on each other, and which of a part's area is surface of the
+// whole.
 
 #include <optional>
 #include <span>
@@ -10,12 +11,11 @@
 
 namespace talus {
 
-/// Bodies that touch each other, as one shape: their parts in the order given, each with those beside it, and
-/// each face with how much of it lies on others. Parts may also lie apart, or overlap. No shape where no two
-/// bodies touch.
+/// Touching bodies as one shape: their parts in the order given, each with its neighbours, and each face with
+/// its covered share. Parts may also lie apart, or overlap. No shape where no two bodies touch.
 std::optional<Polyhedron> unionOf(const std::vector<Polyhedron>& bodies);
 
-/// What of a face lies on other parts of its shape, in the plane of its faceFrame.
+/// The part of a face that lies on other parts of its shape, in the plane of its faceFrame.
 std::vector<Polygon> coversOf(const Polyhedron& shape, std::size_t face);
 
 /// The face's outline there.
@@ -31,7 +31,8 @@ struct FacePlane {
 /// Of all faces of a shape, in its own frame.
 std::vector<FacePlane> facePlanes(const Polyhedron& shape);
 
-/// A part of a body in the world: what tells real vertices and edges of the body from those where parts meet.
+/// A part of a body in the world: distinguishes real vertices and edges of the body from those where parts
+/// meet.
 struct PartOfBody {
     const Polyhedron& shape;            ///< of the body, in its own frame
     std::span<const FacePlane> planes;  ///< of the shape's faces
@@ -43,11 +44,10 @@ struct PartOfBody {
     /// How much of the part's faces lies on other parts.
     std::span<const Cover> covers() const;
 
-    /// Whether the body goes no farther in a direction from a point on the part than the part's point does,
-    /// as far as the parts around it tell. Only then can another body touch it there in this direction: the
-    /// normals a union allows at a point are those that each of its members does. Points of the part that are
-    /// no corner of it pass, too.
-    /// \param slack angle by which it may [rad]
+    /// Whether no part around a point reaches farther than the point in a direction. Only then can another
+    /// body touch it there along this direction: a union allows only the normals that all its members allow.
+    /// Points that are no corner of the part pass, too.
+    /// \param slack angle by which a part may reach farther [rad]
     bool isOutermost(const Vec3& point, const Vec3& direction, double slack = 0) const;
 
     /// Whether that holds anywhere between two points of one of the part's edges; where it may, too.

@@ -41,14 +41,13 @@ double sizeOfCube(const Polyhedron& shape) {
     return 6.0 * massProperties(shape).volume / surface;
 }
 
-/// Extents along many directions. A terrain of n triangles has n normals and some n vertices; but few
-/// vertices are the last ones in any direction, and those known already tell most directions apart from
-/// the shortest.
+/// Extents along many directions. A terrain of n triangles has n normals and some n vertices. But few
+/// vertices are extreme in any direction, and the known ones already exclude most directions.
 class Widths {
  public:
     explicit Widths(const Polyhedron& shape) : vertices_(shape.vertices) {}
 
-    /// Along a unit vector; where it is no less than `enough`, something between that and itself [m].
+    /// Along a unit vector; if it is at least `enough`, any value between that and the extent [m].
     double along(const Vec3& direction, double enough) {
         double low = std::numeric_limits<double>::infinity(), high = -low;
         for (const std::size_t v : outermost_) {
@@ -69,7 +68,7 @@ class Widths {
     }
 
  private:
-    static constexpr std::size_t kFew = 64;  // vertices that are as quickly gone through
+    static constexpr std::size_t kFew = 64;  // vertices; fewer are tested directly
 
     const std::vector<Vec3>& vertices_;
     std::vector<std::size_t> outermost_{};

@@ -15,14 +15,14 @@ struct LinearPressure {
     double at(const Vec2& point) const { return at_origin + gradient.dot(point); }  ///< without the max [Pa]
 };
 
-/// What a pressure does to a wall.
+/// Thrust and moments of a pressure on a wall.
 struct Thrust {
     double force = 0;     ///< integral of p dA [N]
     double moment_x = 0;  ///< integral of p x dA [N m]
     double moment_y = 0;  ///< integral of p y dA [N m]
 };
 
-/// What the thrust of a pressure that is nowhere negative needs to know of a polygon.
+/// Properties of a polygon for the thrust of a pressure that is nowhere negative.
 struct PolygonMoments {
     double area = 0;               ///< [m^2]
     Vec2 centroid = Vec2::Zero();  ///< [m]
@@ -30,8 +30,8 @@ struct PolygonMoments {
 };
 PolygonMoments momentsOf(const Polygon& polygon);  ///< \pre area > 0
 
-/// Of a linear pressure that is nowhere negative: A p(c), and c times that plus the second moments times the
-/// gradient.
+/// Thrust of a linear pressure that is nowhere negative: A p(c); moments: c times that, plus the second
+/// moments times the gradient.
 inline Thrust thrustOnWhole(const PolygonMoments& polygon, const LinearPressure& pressure) {
     const double force = polygon.area * pressure.at(polygon.centroid);
     const auto& [xx, xy, yy] = polygon.second;

@@ -5,8 +5,8 @@
 
 namespace talus {
 
-/// How far a line from a point of a part's surface goes on inside the body, from part to part beside it
-/// [m]; 0 where it does not. Works in the world, as PartOfBody does.
+/// Length inside the body of a line from a point of a part's surface, through adjoining parts [m]; 0 where it
+/// leaves at once. Works in the world, as PartOfBody does.
 /// \param inwards  unit vector
 /// \param enough   no farther is looked [m]
 double thicknessAt(const PartOfBody& body, const Vec3& surface, const Vec3& inwards, double enough);

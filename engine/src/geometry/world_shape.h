@@ -1,5 +1,5 @@
 #pragma once
-// A convex block, or a convex part of one, where it stands, without a copy of what does not change.
+// A convex block, or a convex part of one, at its present pose, without copies of constant data.
 
 #include <cstdint>
 #include <span>

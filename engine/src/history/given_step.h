@@ -1,5 +1,5 @@
 #pragma once
-// A time step that the user gives, where it is above the stability bound: whether it goes well.
+// Checks of a time step that the user gives above the stability bound.
 
 #include <optional>
 
@@ -8,19 +8,19 @@
 
 namespace talus::history {
 
-/// The fault of a step: what it leads to, and what is allowed. \param step, bound  [s]
+/// The fault of a step, with its consequence and the allowed value. \param step, bound [s]
 Error stepTooLong(const std::string& what, double step, double bound);
 
-/// Steps above the stability bound may be stable, for the bound is no tight one: rocks that meet by vertices
-/// go well with ten times that, a stack of faces has 3e43 J at six times. Blocks that nobody works on gain no
-/// energy, and a history in which they do is at its end; where something does work, nobody can tell, and more
-/// than twice the bound is refused.
+/// Steps above the stability bound may be stable, for the bound is not tight. Rocks that meet by vertices are
+/// stable at ten times the bound; a stack of faces reaches 3e43 J at six times. Blocks on which nothing works
+/// gain no energy, and a history in which they do is stopped. Where something does work no such check exists,
+/// and more than twice the bound is refused.
 class GivenStep {
  public:
     /// When the bound is known, and whenever it has changed. \pre step > bound
     std::optional<Error> begin(const State& state, double step, double bound, bool parallel);
 
-    /// Now and then on the way. \pre step > bound
+    /// At intervals during the run. \pre step > bound
     std::optional<Error> look(const State& state, double step, double bound, bool parallel);
 
  private:

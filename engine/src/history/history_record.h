@@ -1,5 +1,5 @@
 #pragma once
-// What a history tells of its blocks at a moment.
+// The record of a history at one moment.
 
 #include <vector>
 

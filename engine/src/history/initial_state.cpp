@@ -18,10 +18,10 @@ namespace talus::history {
 namespace {
 
 constexpr double kLoadTolerance =
-    1e-4;  // at rest when the out-of-balance force is below 1 % of this share of the weight
-constexpr double kHeldStrength = 1e15;  // [Pa], of joints that do not give way
+    1e-4;  // in equilibrium when the out-of-balance force is below 1 % of this share of the weight
+constexpr double kHeldStrength = 1e15;  // [Pa], of unbreakable joints
 
-/// Puts weight, then water on; true when the assembly comes to rest.
+/// Applies weight, then water; true when the assembly reaches equilibrium.
 bool comesToRest(State& state, const Control& control, bool parallel) {
     QuasiStaticWork work = prepare(state, QuasiStatic{}, control, kLoadTolerance, parallel);
     state.load.gravity_share = state.load.water_share = 0;
@@ -31,7 +31,7 @@ bool comesToRest(State& state, const Control& control, bool parallel) {
     return !state.geometry->model.hasWater() || bringOn(state, work, water).verdict == Verdict::stable;
 }
 
-/// What the history has of its own, whatever loads brought the state to its start.
+/// Settings of the history itself, whatever loads brought the state to its start.
 struct AsBuilt {
     Damping damping;
     double release;
@@ -51,8 +51,7 @@ AsBuilt asBuilt(const State& state) {
             state.blocks.angular_momentum};
 }
 
-/// The start of the history from a state that has come to rest: true inertia, the model's own damping and
-/// velocities.
+/// The start of the history from equilibrium: true inertia, the model's own damping and velocities.
 void giveBack(AsBuilt built, State& state) {
     state.damping = built.damping;
     state.release = built.release;
@@ -69,7 +68,7 @@ struct Poses {
     QuaternionArray orientation;
 };
 
-/// Where the same model comes to rest with joints that hold.
+/// The equilibrium of the same model with unbreakable joints.
 std::optional<Poses> findHeld(Model model, const Control& control, bool parallel) {
     for (Joint& joint : model.joints) joint = holding(std::move(joint), kHeldStrength);
     Result<State> held = buildState(std::move(model), parallel, control);
@@ -91,7 +90,7 @@ InitialState bringToStart(State& state, const Control& control, bool parallel) {
         giveBack(std::move(built), state);
         return InitialState::equilibrium;
     }
-    // Built anew rather than kept as a copy, and one state at a time: of a million blocks each takes two
+    // Built again rather than copied, and one state at a time: with a million blocks each takes two
     // gigabytes.
     if (isStopped(control)) return InitialState::unstressed;
     state = {};
@@ -107,3 +106,19 @@ InitialState bringToStart(State& state, const Control& control, bool parallel) {
 }
 
 }  // namespace talus::history
+
+namespace talus {
+
+const char* toString(InitialState start) {
+    switch (start) {
+        case InitialState::equilibrium:
+            return "equilibrium";
+        case InitialState::held:
+            return "held";
+        case InitialState::unstressed:
+            break;
+    }
+    return "unstressed";
+}
+
+}  // namespace talus

@@ -19,28 +19,28 @@
 namespace talus::history {
 namespace {
 
-// The more blocks move, the more often a pair of them wants its contact of faces made anew, and the longer
-// takes the search, which serves all: a pair waits a step for so many free blocks. Of 4,775 searches at once
-// took three quarters of the time; few blocks do not wait.
+// With more moving blocks, pairs more often want a new contact of faces, and the search, which serves all,
+// takes longer. So a pair waits one step for every so many free blocks. With 4,775 blocks and no waiting,
+// searches took three quarters of the time; pairs of small models do not wait.
 constexpr std::int64_t kBlocksPerWait = 25;
-constexpr double kGone = 0.1;         // of a block's own size: it has left its place
-constexpr int kStepsPerGlance = 100;  // ... which is looked at this often
+constexpr double kFailedBy = 0.1;     // of a block's own size: it has failed
+constexpr int kStepsPerGlance = 100;  // ... checked at this interval
 constexpr double kShareOfTolerance =
-    0.01;  // at rest, the imbalance is worth this share of the load's tolerance
-constexpr double kSlowPeriodGrowth = 8.0;  // slip makes the observed period longer; not without bound
+    0.01;  // in equilibrium the imbalance is equivalent to this share of the load's tolerance
+constexpr double kSlowPeriodGrowth = 8.0;  // slip makes the observed period longer; upper bound of that
 
-/// Whether a block has gone so far that, come to rest or not, the assembly is no longer the one that was
-/// loaded: what has fallen off may lie still at the foot of the slope.
-bool hasGone(const State& state, const SettlingStart& start) {
+/// Whether a block has moved so far that the assembly is no longer the one that was loaded, in equilibrium or
+/// not: a fallen block may lie still at the foot of the slope.
+bool hasFailed(const State& state, const SettlingStart& start) {
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
         const double way = wayFrom(start.position, start.orientation, state, b);
-        if (way > kGone * state.geometry->size[b] + start.reach) return true;
+        if (way > kFailedBy * state.geometry->size[b] + start.reach) return true;
     }
     return false;
 }
 
-/// Load on the blocks that an analysis controls: weight and water, for the period estimate [N].
+/// Weight and water on the blocks, for the estimate of the period [N].
 std::vector<Vec3> externalLoad(const State& state) {
     std::vector<Vec3> load;
     const Vec3 g = bodyAcceleration(state);
@@ -86,7 +86,7 @@ void fitToContacts(State& state, QuasiStaticWork& work) {
     if (highest > 0) work.time_step = work.settings.step_safety * stableTimeStep(highest, 0.0);
 }
 
-/// Quasi-static work has no time in which a driven block could move.
+/// Quasi-static work has no time, so driven blocks do not move.
 void stopDrivenBlocks(State& state) {
     bool any = false;
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
@@ -97,17 +97,16 @@ void stopDrivenBlocks(State& state) {
     if (any) state.warnings.push_back("driven blocks do not move in this analysis");
 }
 
-/// Strength that is lost for good must not be lost on a way that rock does not go: what is laid on within
-/// some periods, and comes to rest under a drag, overshoots, and opens joints that the load only presses
-/// together. So rest is found with all that is whole held together, and what the load is too much for then
-/// breaks from there.
+/// Brittle strength must not be lost by an artefact of loading: a load applied within some periods
+/// overshoots, and opens joints that it only presses together. So equilibrium is found first with all bonds
+/// unbreakable; then overloaded bonds break from there.
 class HeldBonds {
  public:
     explicit HeldBonds(State& state)
         : state_(state), any_(std::any_of(state.laws.begin(), state.laws.end(), contact::isBrittle)) {
         hold();
     }
-    ~HeldBonds() { letGo(); }
+    ~HeldBonds() { unclamp(); }
     HeldBonds(const HeldBonds&) = delete;
     HeldBonds& operator=(const HeldBonds&) = delete;
 
@@ -119,7 +118,7 @@ class HeldBonds {
         std::transform(laws_.begin(), laws_.end(), state_.laws.begin(), contact::held);
         held_ = true;
     }
-    void letGo() {
+    void unclamp() {
         if (!held_) return;
         state_.laws.swap(laws_);
         held_ = false;
@@ -156,7 +155,7 @@ void watchUntilDecided(State& state, QuasiStaticWork& work, Watched& watched, Se
     while (!decided && !interrupted(work) && settling.steps < work.settings.most_steps) {
         takeSteps(state, work, settling);
         decided = watched.watch.look(state, settling);
-        if (!decided && settling.steps % kStepsPerGlance == 0 && hasGone(state, watched.start)) {
+        if (!decided && settling.steps % kStepsPerGlance == 0 && hasFailed(state, watched.start)) {
             settling.verdict = Verdict::failing;
             settling.reason =
                 describe("a block is displaced by more than a tenth of its size: out-of-balance force",
@@ -175,11 +174,11 @@ void watchUntilDecided(State& state, QuasiStaticWork& work, Watched& watched, Se
     }
 }
 
-/// With bonds held, where there are any, to rest, and from there without.
+/// To equilibrium with bonds held, where there are any, and from there without.
 void decide(State& state, QuasiStaticWork& work, HeldBonds& bonds, Watched& watched, Settling& settling) {
     watchUntilDecided(state, work, watched, settling);
     if (bonds.areHeld() && settling.verdict == Verdict::stable) {
-        bonds.letGo();
+        bonds.unclamp();
         settling.verdict = Verdict::undecided;
         watched = {std::move(watched.start), watchOf(state, work), DragTuner(state)};
         watchUntilDecided(state, work, watched, settling);
@@ -243,7 +242,7 @@ Settling bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     const auto ramp_steps = static_cast<double>(ramp_samples * kStepsPerSample);
     HeldBonds bonds(state);
     const SetLoad set_load = [&](int k) {
-        bonds.letGo();
+        bonds.unclamp();
         ramp(state, static_cast<double>(settling.steps + k + 1) / ramp_steps);
         bonds.hold();
     };

@@ -37,7 +37,7 @@ namespace {
 // (omega dt)^2 / 4 of the energy of the impact, so models in which blocks fly or move from the start get a
 // step that keeps this below 0.1 %.
 constexpr double kStepSafety = 0.4;
-// Of a failure that is played on: dashpots take out what a long step stirs up.
+// For a continued failure: dashpots damp what a long step excites.
 constexpr double kFailingStepSafety = 0.85;
 constexpr double kImpactStepSafety = 0.03;
 constexpr int kStepsPerLook = 10;  // neighbours, patches, draining, interruption
@@ -66,7 +66,7 @@ class TimeHistory {
         if (output_.begin) geometry_ = geometryOf(state_);
     }
 
-    /// False when it was stopped on the way: then there is no state to go on from.
+    /// False when stopped: then there is no state to start from.
     bool start() {
         progress_.step_safety = expectsImpacts(state_) ? kImpactStepSafety : kStepSafety;
         if (control_.progress) control_.progress({"start", 0.0, "weight and water are applied"});
@@ -79,7 +79,7 @@ class TimeHistory {
         return true;
     }
 
-    /// Goes on from a frame that was handed out after a whole step: nothing is computed anew.
+    /// Continues from a frame taken after a whole step: nothing is recomputed.
     std::vector<Error> resume(const FullFrame& frame) {
         sayBegun();
         progress_ = frame.progress;
@@ -87,7 +87,7 @@ class TimeHistory {
             !(progress_.step_safety > 0) || !(progress_.time_step < kInfinity) || progress_.frames < 1)
             return {{"full.progress", "holds no valid time step or next frame: the frame is damaged"}};
         last_light_ = last_full_ = frame.step;
-        // A failure that is played on goes as its search saw it (startFailing).
+        // A continued failure keeps the settings of its search (startFailing).
         if (!isPlayedOn()) {
             state_.springs = Springs::keep_energy;
             shake();
@@ -95,7 +95,7 @@ class TimeHistory {
         return restoreFrame(frame, state_);
     }
 
-    /// From rest in a state of a search, which may have had inertia and damping of its own.
+    /// With zero velocity from a state of a search, which may have had its own inertia and damping.
     std::vector<Error> startFailing(const FailingState& failing, double far_enough) {
         if (std::vector<Error> errors = restoreFrame(failing.state, state_); !errors.empty()) return errors;
         const Model& model = state_.geometry->model;
@@ -113,7 +113,7 @@ class TimeHistory {
         progress_.stability_bound = stableTimeStep(failing.frequency, state_.damping.contact);
         chooseTimeStep();
         beginFrames();
-        let_go_ = state_.blocks.position;
+        released_at_ = state_.blocks.position;
         far_enough_ = far_enough;
         return {};
     }
@@ -127,7 +127,7 @@ class TimeHistory {
         return result();
     }
 
-    /// So many steps more, also past the duration: in whole looks the same as run().
+    /// So many more steps, also past the duration: in whole looks the same as run().
     std::vector<Error> step(std::int64_t count) {
         open_ended_ = true;
         interrupted_ = false;
@@ -157,8 +157,7 @@ class TimeHistory {
 
     void shake() { state_.load.shaken = !state_.geometry->model.ground_motion.empty(); }
 
-    /// Not before there is a state to begin with: what is interrupted on the way leaves no file that holds
-    /// nothing.
+    /// Called only once a state exists, so that an interruption before leaves no empty file.
     void sayBegun() {
         if (output_.begin && geometry_) output_.begin(*std::exchange(geometry_, std::nullopt));
     }
@@ -176,7 +175,7 @@ class TimeHistory {
         if (!(far_enough_ < kInfinity)) return false;
         for (std::size_t b = 0; b < state_.blocks.size(); ++b)
             if (state_.blocks.motion[b] == Motion::free &&
-                (state_.blocks.position.get(b) - let_go_.get(b)).norm() >= far_enough_)
+                (state_.blocks.position.get(b) - released_at_.get(b)).norm() >= far_enough_)
                 return true;
         return false;
     }
@@ -195,8 +194,8 @@ class TimeHistory {
         handOut(full || went_far_);
     }
 
-    /// Nothing is handed out twice. The last frame of an interrupted run comes beside the regular ones and
-    /// does not count, so that the run that goes on from it has its frames where they would have been.
+    /// No frame is returned twice. The last frame of an interrupted run is beside the regular ones and does
+    /// not count, so that the resumed run has its frames at the regular times.
     void handOut(bool full) {
         if (std::exchange(last_light_, state_.step) != state_.step) {
             if (output_.record) output_.record(history::recordOf(state_, watched_));
@@ -265,7 +264,7 @@ class TimeHistory {
         return steps;
     }
 
-    /// Where blocks collide and nothing from outside works on them, what the steps give is taken back.
+    /// Where blocks collide and nothing external works on them, energy added by the steps is removed.
     bool keepsEnergy() const { return progress_.step_safety == kImpactStepSafety && isLeftAlone(state_); }
 
     void goOn(int steps) {
@@ -347,7 +346,7 @@ class TimeHistory {
     RunProgress progress_;
     InitialState start_ = InitialState::unstressed;
     std::int64_t last_light_ = -1, last_full_ = -1;  // steps at which they were handed out
-    PositionArray let_go_;                           // positions at the start of a failure
+    PositionArray released_at_;                      // positions at the start of a failure
     double far_enough_ = kInfinity;
     bool went_far_ = false;
     bool interrupted_ = false;
@@ -365,7 +364,7 @@ std::vector<Error> look(State& built, bool parallel) {
     return {};
 }
 
-/// Of a run that did not get to its start, or not to where it was to go on.
+/// For a run that did not reach its start or its frame to resume from.
 RunResult notBegun(const Model& model, const FullFrame* resume) {
     RunResult result;
     if (resume != nullptr) {
@@ -380,8 +379,8 @@ RunResult notBegun(const Model& model, const FullFrame* resume) {
     return result;
 }
 
-/// Builds the model, lets `begin` put its history at its start, and runs it. `begin` says what is wrong, and
-/// whether it was stopped.
+/// Builds the model, calls `begin` to put the history at its start, and runs it. `begin` returns errors and
+/// interruptions.
 template <class Begin>
 Result<RunResult> playHistory(const Model& model, const Control& control, const RunOutput& output,
                               const Begin& begin, const FullFrame* resume = nullptr) {
@@ -482,31 +481,5 @@ InitialState Simulation::startedFrom() const { return history_->taken->startedFr
 HistoryRecord Simulation::record() const { return history_->taken->record(); }
 std::uint64_t Simulation::stateHash() const { return talus::stateHash(history_->taken->state()); }
 FullFrame Simulation::frame() const { return fullFrameOf(history_->taken->state()); }
-
-const char* toString(InitialState start) {
-    switch (start) {
-        case InitialState::equilibrium:
-            return "equilibrium";
-        case InitialState::held:
-            return "held";
-        case InitialState::unstressed:
-            break;
-    }
-    return "unstressed";
-}
-
-std::vector<Error> checkModel(const Model& model, const Control& control, ModelCheck* found) {
-    return inArena(control.threads, [&]() {
-        const bool threads = control.threads != 1;
-        const Result<State> built = buildState(keptByCaller(model), threads, control);
-        if (!built) return built.errors();
-        if (found) {
-            const ContactCount contacts = countContacts(built->interfaces);
-            *found = {checks::doubtsOfHistory(*built, threads), contacts.interfaces, contacts.points,
-                      built->interfaces.size() - contacts.interfaces};
-        }
-        return checks::implausible(*built);
-    });
-}
 
 }  // namespace talus

@@ -1,5 +1,6 @@
 #pragma once
-// Whether an assembly under constant load comes to rest or moves on, from what explicit steps show of it.
+// Whether an assembly under constant load reaches equilibrium or keeps moving, by observation of explicit
+// steps.
 
 #include <string>
 #include <vector>
@@ -12,7 +13,7 @@ namespace talus::history {
 inline constexpr int kStepsPerSample =
     10;  ///< neighbours, patches and the out-of-balance force are looked at this often
 
-/// How an assembly has come to rest, or has not.
+/// How an assembly has reached equilibrium or failed.
 struct Settling {
     Verdict verdict = Verdict::undecided;
     std::int64_t steps = 0;
@@ -27,7 +28,7 @@ std::string describe(const char* what, double out_of_balance, std::int64_t steps
 /// Watches an assembly under constant load until its verdict is clear.
 class Watch {
  public:
-    /// \param limit  at rest below this share of the weight
+    /// \param limit in equilibrium below this share of the weight
     /// \param steps_per_period  of the slowest period
     /// \param periods  in a window
     Watch(const State& state, double limit, int steps_per_period, double periods);
@@ -36,7 +37,7 @@ class Watch {
     bool look(const State& state, Settling& settling);
 
  private:
-    /// What is seen of the out-of-balance force over some time.
+    /// The out-of-balance force over a window of time.
     struct Window {
         double sum = 0, least = kInfinity, most = 0;
         double motion = 0;  ///< of the farthest-moved block [m]
@@ -60,16 +61,15 @@ class Watch {
     QuaternionArray orientation_;
 };
 
-/// Tunes the drag to the motion that is going on: Rayleigh's quotient of the displacement since the last look
-/// and of the force it met, omega^2 = -(dF . du) / (du . M du) (Underwood 1983). Where columns lean on each
-/// other a mode can be many times slower than the estimate, and would creep under a drag meant for a faster
-/// one.
+/// Tunes the drag to the present motion: Rayleigh's quotient of the displacement since the last look and its
+/// resisting force, omega^2 = -(dF . du) / (du . M du) (Underwood 1983). Where columns lean on each other a
+/// mode can be many times slower than the estimate, and would creep under a drag meant for a faster one.
 class DragTuner {
  public:
     explicit DragTuner(const State& state) { remember(state); }
 
     /// \param ratio  of the drag over the critical one
-    /// \param slow_period  of the slowest mode known: slower ones are believed up to a multiple of it [s]
+    /// \param slow_period of the slowest mode known: slower ones are accepted up to a multiple of it [s]
     void tune(State& state, double ratio, double slow_period);
 
     /// Drag at a share of what is critical for a mode of this period: c = 2 ratio omega.
@@ -82,7 +82,7 @@ class DragTuner {
     std::vector<Vec3> force_{};
 };
 
-/// Where it begins to settle.
+/// State at the beginning of the observation.
 struct SettlingStart {
     PositionArray position;
     QuaternionArray orientation;
@@ -90,7 +90,7 @@ struct SettlingStart {
     double reach;            ///< of the bolts [m]
 };
 
-/// A motion under constant load that is watched.
+/// An observed motion under constant load.
 struct Watched {
     SettlingStart start;
     Watch watch;

@@ -68,7 +68,7 @@ PlaneShares testPlane(const Pole& pole, const Face& face, const Limits& limits) 
     return shares;
 }
 
-/// What no critical line is without, cheaply: most pairs need no angles.
+/// A cheap necessary condition of a critical line: most pairs need no angles.
 struct Prefilter {
     Vec3 face_normal, into_face;
     double least_sine;  ///< of the plunge of lines that topple

@@ -81,8 +81,7 @@ FisherStatistics fisherStatistics(const std::vector<Vec3>& normals, const std::v
     for (double& weight : scaled) weight *= static_cast<double>(normals.size()) / sum_of_weights;
 
     Vec3 axis = principalAxis(normals, scaled);
-    if (axis.dot(normals.front()) < 0)
-        axis = -axis;  // of vertical planes the first one says which end is meant
+    if (axis.dot(normals.front()) < 0) axis = -axis;  // for vertical planes the first one decides which end
     Vec3 sum = sumAlong(axis, normals, scaled);
     for (int k = 0; k < 100;
          ++k) {  // |sum| grows with each normal that turns, so it ends; as a rule after one

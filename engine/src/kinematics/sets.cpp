@@ -95,7 +95,7 @@ void order(std::vector<std::size_t>& set, std::size_t count) {
     for (std::size_t& each : set) each = rank[each];
 }
 
-/// Different planes, as far as it takes to know that there are `wanted`.
+/// Different planes, counted up to `wanted`.
 std::size_t differentPlanes(const Normals& normals, std::size_t wanted) {
     Normals different;
     for (const Vec3& normal : normals) {

@@ -38,8 +38,8 @@ TALUS_KERNEL void addPiece(const double (&shape)[3][3], const double (&overlap)[
                                          shape[i][2] * shape[j][2] + total[i] * total[j]);
 }
 
-/// The part where an affine overlap is positive. Nothing is subtracted from the whole triangle: of a narrow
-/// strip along a side that would leave rounding, and toppling blocks stand on such strips.
+/// The part where an affine overlap is positive. It is not computed as the triangle less the open part: for a
+/// narrow strip along a side that leaves only rounding, and toppling blocks stand on such strips.
 /// \param overlap  at the corners, negative where the triangle is open [m]
 TALUS_KERNEL ClosedPart closedPart(const double (&overlap)[3]) {
     int closed = 0;
@@ -74,7 +74,7 @@ TALUS_KERNEL ClosedPart closedPart(const double (&overlap)[3]) {
     return part;
 }
 
-/// What the four contact points of a triangle of the fan carry, over k_n and the triangle's area: its three
+/// Forces of the four contact points of a triangle of the fan, over k_n and the triangle's area: its three
 /// corners, then its middle.
 struct TriangleShares {
     double overlap[4] = {0, 0, 0, 0};  ///< [m]
@@ -109,9 +109,9 @@ TALUS_KERNEL TriangleShares sharesOf(const double (&overlap)[3]) {
     return shares;
 }
 
-/// How far a contact point carries the pressure of its share, 0..1, and not that of the gap at its place: not
-/// while it has a bond or carries tension, which pulls where the joint is open, and not where slip has opened
-/// the joint by a way of the point's own.
+/// Weight of the share's pressure against that of the gap at the point, 0..1. It is 0 while the point has a
+/// bond or carries tension, which acts where the joint is open, and for dilating joints, whose points open by
+/// different amounts.
 template <class V>
 TALUS_KERNEL V followsShare(const JointParameters<V>& joint, V bond) {
     using simd::select;

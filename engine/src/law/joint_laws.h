@@ -1,6 +1,6 @@
 #pragma once
-// From joints as people describe them to the law's parameters. Apart from law.h, which is compiled for
-// several instruction sets and must not bring strings along.
+// From a model's joints to the law's parameters. Apart from law.h, which is compiled for several instruction
+// sets and must not include strings.
 
 #include <vector>
 
@@ -9,8 +9,8 @@
 
 namespace talus {
 
-/// What frames do not keep: its restitution and residual factor, and the curve of its strength for the
-/// strength_factor that the law has.
+/// Sets the parameters that frames do not hold: restitution, residual factor, and the strength curve for the
+/// law's strength_factor.
 void setRest(const Joint& joint, contact::JointLaw& law);
 
 /// The joints' laws with their strengths over `factor`.

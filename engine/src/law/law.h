@@ -1,8 +1,8 @@
 #pragma once
 // The contact law at one contact point (eqs 5-9 of the paper), as pure functions: forces, strength,
-// stiffness, energy, and what gap or slide belongs to a force or an energy. Every loop calls these; nothing
-// else in the engine knows what a joint does. V is a double, or several of them in a register (simd/lanes.h):
-// both take the same steps in the same order and give the same bits.
+// stiffness, energy, and the gap or slide for a force or an energy. Every loop calls these; the behaviour of
+// a joint is defined nowhere else. V is a double, or several of them in a register (simd/lanes.h): both take
+// the same steps in the same order and give the same bits.
 //
 // Signs: gap is positive when open, forces act on the block that is not the reference one; the normal force
 // is the effective (spring) force, compression positive. Water acts beside it: eq 7's opening rule with F_n +
@@ -29,14 +29,14 @@ inline bool hasMemory(const JointLaw& joint) {
            joint.tan_dilation != 0;
 }
 
-/// Whether it loses strength with the way it goes, not at once.
+/// Whether it loses strength with displacement, not at once.
 inline bool softens(const JointLaw& joint) { return joint.softening > 0; }
 
 /// Whether it has strength to lose that `held` can hold.
 inline bool isBrittle(const JointLaw& joint) { return !joint.curved && (joint.bonded || falls(joint)); }
 
-/// The same joint where nothing that is whole breaks, whatever the load: elastic in shear, and in tension
-/// where it is bonded. What is broken has its residual strength as before.
+/// The same joint with unbreakable bonds: elastic in shear, and in tension where bonded. Broken points keep
+/// their residual strength.
 inline JointLaw held(JointLaw joint) {
     constexpr double kUnbroken = 1e30;  // [Pa]
     if (!isBrittle(joint)) return joint;
@@ -49,7 +49,7 @@ inline JointLaw held(JointLaw joint) {
 inline bool dilates(const JointLaw& joint) { return joint.tan_dilation != 0; }
 
 /// What a contact point remembers. The shear force is -k_s A (slide - offset): a total form of eq 6 in the
-/// frame that turns with the reference block, so that nothing drifts however many steps are taken.
+/// frame that turns with the reference block, free of drift over any number of steps.
 template <class V>
 struct MemoryOf {
     V offset_1{};        ///< slide that is plastic, along the first tangent [m]
@@ -86,8 +86,8 @@ TALUS_KERNEL V tensileStrength(const JointParameters<V>& joint, V area, V bond) 
     return bond * joint.tensile_strength * area;
 }
 
-/// Stiffness in tension, with what is left of the bond [Pa/m]: what has opened beyond its strength and
-/// softens goes back to closed along a straight line.
+/// Stiffness in tension, with what is left of the bond [Pa/m]: a softening point that has opened beyond its
+/// strength unloads along a straight line to closure.
 template <class V>
 TALUS_KERNEL V tensionStiffness(const JointParameters<V>& joint, V bond) {
     using simd::both, simd::select;
@@ -97,7 +97,7 @@ TALUS_KERNEL V tensionStiffness(const JointParameters<V>& joint, V bond) {
     return select(both(opened > 0.0, bond > 0.0), damaged, joint.normal_stiffness);
 }
 
-/// What is left of a bond that softens, at an opening [m]: all up to that of its strength, nothing after
+/// Remaining share of a softening bond at an opening [m]: 1 up to the opening at its strength, 0 after
 /// `softening` more. The strength falls along a straight line (A. Hillerborg, M. Modeer and P.-E. Petersson,
 /// Cem. Concr. Res. 6, 1976).
 template <class V>
@@ -166,9 +166,9 @@ TALUS_KERNEL V strengthSlope(const JointParameters<V>& joint, V area, V normal_f
     return slope;
 }
 
-/// Whether a contact point without tensile strength carries no shear once it is open. A brittle bond that is
-/// being released holds its share of the cohesion until it is gone, or forces would jump where the normal
-/// force becomes none.
+/// Whether a contact point without tensile strength carries no shear once it is open. A brittle bond in
+/// release keeps its share of the cohesion to the end; otherwise forces would jump where the normal force
+/// vanishes.
 template <class V>
 TALUS_KERNEL simd::MaskOf<V> holdsNothing(const JointParameters<V>& joint, V bond) {
     using simd::either;
@@ -177,11 +177,11 @@ TALUS_KERNEL simd::MaskOf<V> holdsNothing(const JointParameters<V>& joint, V bon
 
 /// Forces at a contact point from its gap and slide; updates its memory.
 ///
-/// `release` is the share of the bond that goes per call once it breaks: 1 in a time history (brittle, eqs
-/// 7-9), less in quasi-static work, where a break is released slowly so that its energy does not break its
-/// neighbours. A joint that softens loses its bond with the way it goes instead: a second call at the same
-/// place changes nothing. `Remembers` may be false when no joint `hasMemory`, `Curved` when none is; the
-/// result is the same, to the bit.
+/// `release` is the share of a broken bond that is removed per call. It is 1 in a time history (brittle, eqs
+/// 7-9) and less in quasi-static work, where slow release keeps a break from breaking its neighbours. A
+/// softening joint loses its bond with displacement instead: a second call at the same place changes nothing.
+/// `Remembers` may be false when no joint `hasMemory`, `Curved` when none is; the result is the same, to the
+/// bit.
 template <bool Remembers = true, bool Curved = true, class V>
 TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V gap, V slide_1, V slide_2,
                                    V release, MemoryOf<V>& memory) {
@@ -273,8 +273,8 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     return force;
 }
 
-// The inverses, for those who hand on what a contact carries. Springs are linear while a contact point is
-// closed and sticks.
+// The inverses, for the transfer of contact forces. Springs are linear while a contact point is closed and
+// sticks.
 
 /// Overlap at which a contact point carries a normal force [m].
 inline double overlapFor(const JointLaw& joint, double area, double normal_force) {
@@ -323,7 +323,7 @@ inline StrengthLine strengthLine(const JointLaw& joint) {
             std::max(joint.cohesion, joint.residual_cohesion), joint.tensile_strength};
 }
 
-/// Whether it holds anything without normal force.
+/// Whether it has strength without normal force.
 inline bool holdsUnloaded(const JointLaw& joint) {
     const StrengthLine line = strengthLine(joint);
     return line.cohesion > 0 || line.tensile_strength > 0;

@@ -1,7 +1,7 @@
 #pragma once
-// The list of laws whose strength is a curve over the normal stress. A law is a header that says what it is,
-// and a line here (its name and properties: talus/joint_values.h, talus/joint.h). Coulomb's, a line with
-// memory, is in law.h itself.
+// The list of laws whose strength is a curve over the normal stress. A law is a header with its formula, and
+// a line here (its name and properties: talus/joint_values.h, talus/joint.h). Coulomb's, a line with memory,
+// is in law.h itself.
 
 #include <array>
 #include <vector>

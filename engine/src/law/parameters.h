@@ -1,7 +1,7 @@
 #pragma once
-// What the contact law takes of a joint, and the one list of it: kernels gather it, properties of joints
-// (talus/joint.h) become it, frames keep it, each by going through the list. A parameter is a member, a line
-// of the list, and what law.h makes of it.
+// Parameters of the contact law for a joint, and the one list of them. Kernels, properties of joints
+// (talus/joint.h) and frames all go through the list. A new parameter is a member, a line of the list, and
+// its use in law.h.
 
 #include <array>
 #include <cstddef>
@@ -24,7 +24,7 @@ struct JointParameters {
     V residual_tan_friction{};      ///< tan(phi_r)
     V residual_cohesion{};          ///< C_r [Pa]
     V tan_dilation{};               ///< tan(psi)
-    V strength_factor{};            ///< that the curve was made with
+    V strength_factor{};            ///< for which the curve was made
     V softening{};                  ///< opening or slip over which the peak strength is lost [m]; 0: at once
     V residual_factor = V{} + 1.0;  ///< share of the curve's strength after the first slip
     V unloading_loss{};             ///< 1 - e^2: of the normal force while a contact point parts
@@ -33,7 +33,7 @@ struct JointParameters {
     simd::TablesOf<V> curve{};      ///< shear strength over normal stress [Pa] (strength_curve.h)
 };
 
-/// A joint's law: its parameters, and what its curve lies in.
+/// A joint's law: its parameters, and the storage of its curve.
 struct JointLaw : JointParameters<double> {
     std::shared_ptr<const std::vector<double>> table{};
 
@@ -47,11 +47,11 @@ struct JointLaw : JointParameters<double> {
 
 template <class V>
 struct LawParameter {
-    const char* name;  ///< in frames, and where a property says what it becomes (JointProperty::in_law)
+    const char* name;  ///< in frames, and in JointProperty::in_law
     V JointParameters<V>::*value;
 };
 
-/// All of them but what follows from the others or from the joint alone.
+/// All but those that follow from the others or from the joint alone.
 template <class V>
 inline constexpr std::array kLawParameters{
     LawParameter<V>{"normal_stiffness", &JointParameters<V>::normal_stiffness},

@@ -1,5 +1,5 @@
 #pragma once
-// Where the contact points of a patch lie, and which share of its area each stands for.
+// Places of the contact points of a patch, and the share of its area for each.
 
 #include <Eigen/Core>
 #include <span>

@@ -15,7 +15,7 @@
 namespace talus::limit {
 namespace {
 
-/// Of each block whether it is left out.
+/// For each block whether it is left out.
 std::vector<bool> absent(const State& state, const std::vector<std::string>& left_out) {
     const std::set<std::string> names(left_out.begin(), left_out.end());
     std::vector<bool> result;
@@ -73,7 +73,7 @@ std::vector<contact::PatchPoint> outermost(std::vector<contact::PatchPoint> poin
     return hull;
 }
 
-/// Tangents such that the first lies in the vertical plane of x, in which slopes fail, or else along y.
+/// Tangents: the first lies in the vertical plane of x, in which slopes fail, or else along y.
 Mat3 tangentFrame(const Vec3& normal) {
     Vec3 first = Vec3::UnitY().cross(normal);
     if (first.norm() < 1e-6) first = Vec3::UnitZ().cross(normal);
@@ -125,7 +125,7 @@ void addTendons(const State& state, Assembly& assembly) {
     }
 }
 
-/// Whether gravity or an earthquake, of whatever strength, pushes out of the plane of x and z.
+/// Whether gravity or an earthquake of any strength has a component out of the plane of x and z.
 bool pushesAcross(const State& state) {
     const Model& model = state.geometry->model;
     return bodyAcceleration(state).y() != 0 || pushOf(model.seismic, model.gravity, state.load.tilt).y() != 0;

@@ -10,14 +10,14 @@
 namespace talus::limit {
 
 /// Bodies and closed contact points of a state as `buildState` gives it. Joints without bond need only the
-/// outermost points of a patch: a force within them is one at each of them, none beyond its strength. Blocks
-/// with names in `left_out` are gone.
+/// outermost points of a patch: a force inside their hull is a sum of forces at them, none beyond its
+/// strength. Blocks named in `left_out` are removed.
 Assembly assemble(const State& state, const std::vector<std::string>& left_out);
 
 /// The blocks' masses in a field of this acceleration [m/s^2].
 Loads weightLoads(const State& state, const Assembly& assembly, const Vec3& acceleration);
 
-/// What blockForces do to them at a tilt [rad]. The state's tilt is that one afterwards.
+/// The blockForces on them at a tilt [rad], which becomes the state's tilt.
 Loads appliedLoads(State& state, const Assembly& assembly, double tilt);
 
 }  // namespace talus::limit

@@ -1,5 +1,5 @@
 #pragma once
-// What limit analysis knows of a slope: rigid bodies and the points where they touch at the start.
+// A slope for limit analysis: rigid bodies and their contact points at the start.
 
 #include <cstdint>
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace talus::limit {
 
-inline constexpr std::int32_t kFixed = -1;   ///< the body of blocks that do not give way
+inline constexpr std::int32_t kFixed = -1;   ///< the body of fixed blocks
 inline constexpr std::int32_t kAbsent = -2;  ///< of blocks that are left out
 
-/// One free block, or several whose bonds nothing here can break.
+/// One free block, or several joined by bonds that no load here can break.
 struct Body {
     Vec3 centroid = Vec3::Zero();  ///< [m]
     double radius = 0;             ///< its farthest corner [m]
@@ -29,7 +29,7 @@ struct ContactPoint {
     std::int32_t joint = 0;
 };
 
-/// What ties two bodies beside contacts (a bolt): it pulls as much as is wanted, up to its strength.
+/// A tie between two bodies (a bolt): its pull is any value up to its strength.
 struct Tendon {
     std::int32_t body_a = kFixed, body_b = kFixed;
     Vec3 place = Vec3::Zero();   ///< [m]

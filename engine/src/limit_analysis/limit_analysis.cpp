@@ -25,11 +25,12 @@ namespace {
 using namespace limit;
 
 constexpr double kClose = 1e-5;      // of tilts [rad] and horizontal loads: a bracket that is good enough
-constexpr double kTiltWidth = 1e-8;  // [rad]; a water's wrench follows the tilt, so its limit is iterated for
+constexpr double kTiltWidth = 1e-8;  // [rad]; the wrench of water depends on the tilt, so the limit is found
+                                     // by iteration
 constexpr int kMostTilts = 60;
-constexpr double kSteepest = 1.5;      // farthest that gravity is turned in one programme [rad]
-constexpr double kLeastFactor = 1e-4;  // of safety: below, nothing holds it
-constexpr double kMostFactor = 102.4;
+constexpr double kLargestTurn = 1.5;   // farthest that gravity is turned in one programme [rad]
+constexpr double kLeastFactor = 1e-4;  // of safety: a lower one counts as none
+constexpr double kLargestFactor = 102.4;
 constexpr double kMostHorizontal = 100;  // weights
 
 /// a + factor b.
@@ -87,7 +88,7 @@ class LimitSearch {
         return sum(byMass(bodyAcceleration(state_)), applied);
     }
 
-    /// Whether the assembly stands where the load begins to grow; sets the result if it does not.
+    /// Whether the assembly is stable at the initial load; sets the result if not.
     bool stands(const Loads& loads, double start) {
         const Balance inside = solver_.check(loads, Side::inside);
         if (inside.balanced) return true;
@@ -114,7 +115,7 @@ class LimitSearch {
         if (outside.status != SearchStatus::found) result_.status = SearchStatus::undecided;
     }
 
-    /// How much farther gravity can turn, with the water of this tilt; nothing where the solver gave up.
+    /// How much farther gravity can turn, with the water of this tilt; nothing where the solver failed.
     std::optional<double> wayOn(double tilt, double least, double most, Side side) {
         report("tilt " + formatted("%.4f deg", degrees(tilt)));
         const Loads present = loadsAt(tilt);
@@ -127,8 +128,8 @@ class LimitSearch {
         return std::atan(found.multiplier);
     }
 
-    /// Where all loads turn with gravity and nothing holds without normal force only their direction matters,
-    /// so that the first programme finds the limit.
+    /// Where all loads turn with gravity and no joint has strength without normal force, only their direction
+    /// matters, and the first programme finds the limit.
     bool onlyDirectionMatters() const {
         const bool bonds =
             std::any_of(assembly_.points.begin(), assembly_.points.end(), [&](const auto& point) {
@@ -141,10 +142,11 @@ class LimitSearch {
         const bool at_once = onlyDirectionMatters();
         const double stop = model_.analysis.stop;
         double stands = start, falls = kInfinity, tilt = start;
-        std::optional<std::pair<double, double>> last{};  // a tilt before and the way on from there
+        std::optional<std::pair<double, double>> last{};  // the previous tilt and the remaining turn from
+                                                          // there
         for (int k = 0; k < kMostTilts; ++k) {
-            const double most = std::clamp(stop - tilt, 0.0, kSteepest);
-            const std::optional<double> way = wayOn(tilt, k == 0 ? 0 : -kSteepest, most, side);
+            const double most = std::clamp(stop - tilt, 0.0, kLargestTurn);
+            const std::optional<double> way = wayOn(tilt, k == 0 ? 0 : -kLargestTurn, most, side);
             if (!way) {
                 if (isStopped(control_)) keepSoFar(side, stands, falls);
                 return {};
@@ -154,7 +156,7 @@ class LimitSearch {
                 return {SearchStatus::stable_to_stop, stop};
             if (at_once && !clipped) return {SearchStatus::found, tilt + *way};
             (*way >= 0 ? stands : falls) = tilt;
-            // From either side: a tilt just beyond the limit is no farther from it than one just below.
+            // From either side: a tilt just beyond the limit is as near to it as one just below.
             if (std::abs(*way) < kTiltWidth) return {SearchStatus::found, std::max(stands, tilt + *way)};
             if (falls - stands < kTiltWidth) return {SearchStatus::found, stands};
             const double next = nextTilt(tilt, *way, last);
@@ -165,14 +167,14 @@ class LimitSearch {
         return {};
     }
 
-    /// Of a search that is stopped: where it stands by forces inside the cones is below the limit, and where
-    /// it fails outside of them above it; in a plane section both are the cone.
+    /// For an interrupted search: a load balanced by forces inside the cones is below the limit, and one that
+    /// fails outside of them is above it; in a plane section both are the cone.
     void keepSoFar(Side side, double stands, double falls) {
         if (side == Side::inside) result_.lower = std::max(result_.lower, stands);
         if (side == Side::outside || assembly_.plane_section) result_.upper = std::min(result_.upper, falls);
     }
 
-    /// Where the way on becomes nothing, by the secant through two tilts.
+    /// The tilt at which the remaining turn vanishes, by the secant through two tilts.
     static double nextTilt(double tilt, double way, const std::optional<std::pair<double, double>>& last) {
         if (!last || last->second == way) return tilt + way;
         return tilt - way * (tilt - last->first) / (way - last->second);
@@ -226,13 +228,13 @@ class LimitSearch {
                 return;
             }
             bracket.take(factor, found.balanced);
-            if (bracket.stands >= kMostFactor || bracket.falls <= kLeastFactor) break;
+            if (bracket.stands >= kLargestFactor || bracket.falls <= kLeastFactor) break;
             factor = nextFactor(found, factor, bracket);
         }
         concludeFactor(loads, bracket.stands, bracket.falls);
     }
 
-    /// What stands and what fails so far.
+    /// Largest stable and smallest failing factor so far.
     struct FactorBracket {
         double stands = 0, falls = kInfinity;
         int stood = 0;  ///< times in a row
@@ -243,12 +245,11 @@ class LimitSearch {
         }
     };
 
-    /// From a factor that fails to where its imbalance would be nothing, by Newton's method in the factor's
-    /// logarithm, and a little less; from there up by the bracket's width. Where that does not close it, by
-    /// halves.
+    /// From a failing factor to one without imbalance, by Newton's method in the factor's logarithm, and
+    /// slightly below; from there up by the bracket's width. Where that does not close it, by halves.
     double nextFactor(const Balance& found, double factor, const FactorBracket& bracket) const {
         const double width = settings_.factor_width;
-        if (bracket.falls == kInfinity) return std::min(2 * factor, kMostFactor);
+        if (bracket.falls == kInfinity) return std::min(2 * factor, kLargestFactor);
         const double least = std::max(bracket.stands, kLeastFactor);
         const double half = std::sqrt(least * bracket.falls);
         if (found.balanced) return bracket.stood > 1 ? half : std::min(half, factor * (1 + 0.9 * width));
@@ -261,19 +262,19 @@ class LimitSearch {
     void concludeFactor(const Loads& loads, double stands, double falls) {
         result_.upper = falls;
         if (stands > 0) result_.lower = stands;
-        result_.status = stands >= kMostFactor ? SearchStatus::stable_to_stop
-                         : stands > 0          ? SearchStatus::found
-                                               : SearchStatus::unstable_at_start;
+        result_.status = stands >= kLargestFactor ? SearchStatus::stable_to_stop
+                         : stands > 0             ? SearchStatus::found
+                                                  : SearchStatus::unstable_at_start;
         if (assembly_.plane_section || result_.status != SearchStatus::found) return;
         double step = settings_.factor_width;
         Balance outside = checkFactor(loads, falls, Side::outside);
-        for (; outside.balanced && result_.upper < kMostFactor; step *= 2) {
+        for (; outside.balanced && result_.upper < kLargestFactor; step *= 2) {
             result_.upper *= 1 + step;
             outside = checkFactor(loads, result_.upper, Side::outside);
         }
         if (outside.outcome == Outcome::optimal) return;
         result_.status = SearchStatus::undecided;
-        if (isStopped(control_)) result_.upper = kInfinity;  // nobody has seen it fail outside the cones
+        if (isStopped(control_)) result_.upper = kInfinity;  // not yet shown to fail outside the cones
     }
 
     // --- the mechanism
@@ -343,7 +344,7 @@ std::string curvedText(const Joint& joint) {
            "\"; limit analysis needs straight envelopes (\"coulomb\")";
 }
 
-/// What limit analysis is not made for; "" where there is nothing of it.
+/// Why limit analysis does not cover the model; "" where it does.
 std::string whyNot(const State& state, const Assembly& assembly) {
     if (const Joint* curved = curvedJoint(state, assembly)) return curvedText(*curved);
     const auto limits = tieLimits(state);
@@ -421,7 +422,7 @@ namespace limit {
 
 Ceiling ceilingOf(State& state, Varied load, bool always, const Control& control,
                   const LimitSettings& settings) {
-    // A search's state may be without them: it puts them on step by step.
+    // A search's state may lack them: it applies them step by step.
     state.load.gravity_share = state.load.water_share = 1;
     state.load.horizontal = state.geometry->model.seismic.horizontal;
     const Assembly assembly = assemble(state, settings.left_out);

@@ -53,7 +53,7 @@ class LinearProgram {
 
     double objective() const;
     double value(int column) const;
-    /// What a unit more in a row costs.
+    /// Cost of one more unit in a row (its dual value).
     double price(int row) const;
     std::int64_t iterations() const;  ///< in all
 

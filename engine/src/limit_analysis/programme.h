@@ -2,16 +2,15 @@
 // The linear programme of an assembly under given loads.
 //
 //   rows      three or six equations a body (over its weight, torques over its weight and radius too), so
-//   that all numbers
-//             are of size one; a lighter body than a thousandth of the mean counts as that heavy
+//             that all numbers are of size one; the least weight counted is a thousandth of the mean
 //             one limit a point with cohesion
-//   columns   what is missing from balance, either way, a pair for each equation
+//   columns   the lack of balance, a pair of signs for each equation
 //             the growing load's multiplier
 //             the pull of each bolt, up to its strength
 //             forces along the edges of each point's pyramid, all pushing; with cohesion also its blunt end
 //
-// What the rows cost at the end (prices) is the mechanism: the velocities at which the loads do most work
-// against joints that open as they slide (duality; Charnes, Lemke and Zienkiewicz 1959).
+// The dual values of the rows are the mechanism: the velocities at which the loads do most work against
+// joints that open as they slide (Charnes, Lemke and Zienkiewicz 1959).
 
 #include <cstdint>
 #include <vector>
@@ -35,9 +34,9 @@ class Programme {
     Programme(const Assembly& assembly, const std::vector<contact::JointLaw>& laws, const Pyramids& pyramids,
               Side side, const Loads& fixed, const Loads& growing, const std::atomic<bool>* stop);
 
-    /// The forces that come nearest to balance, with none of the growing load.
+    /// The forces nearest to balance, without the growing load.
     Outcome balance();
-    /// What they lack, over the mean weight; below `kBalanced` they balance.
+    /// Their lack of balance, over the mean weight; below `kBalanced` they balance.
     double imbalance() const { return program_.objective(); }
     /// How that grows when strengths are divided by more, per logarithm of the divisor.
     double imbalanceGrowth() const;
@@ -47,7 +46,7 @@ class Programme {
     double multiplier() const;
 
     /// Inside: adds the directions in which the mechanism slides and the pyramids have no edge, and puts them
-    /// into `pyramids`. False when there are none: then the pyramids are as good as cones.
+    /// into `pyramids`. False when there are none: then the pyramids are equivalent to cones.
     bool refineInside(Pyramids& pyramids);
     /// Outside: directions in which forces are beyond the cone; for the next programme.
     bool refineOutside(Pyramids& pyramids) const;

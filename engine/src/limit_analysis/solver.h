@@ -1,5 +1,5 @@
 #pragma once
-// Answers about one assembly, each from linear programmes whose pyramids are refined until they do as well as
+// Answers about one assembly, from linear programmes whose pyramids are refined until they are equivalent to
 // cones.
 
 #include <cstdint>
@@ -37,7 +37,7 @@ class Solver {
     void setLaws(std::vector<contact::JointLaw> laws) { laws_ = std::move(laws); }
 
     Balance check(const Loads& loads, Side side);
-    /// Outside: until the multiplier is below `enough`, or refining does not help.
+    /// Outside: until the multiplier is below `enough`, or refinement changes nothing.
     Growth grow(const Loads& fixed, const Loads& growing, double least, double most, Side side,
                 double enough = 0);
 

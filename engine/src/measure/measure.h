@@ -21,16 +21,16 @@ double outOfBalanceRatio(const State& state);
 /// Of one block. \param acceleration  bodyAcceleration of the state
 double outOfBalanceRatio(const State& state, std::size_t block, const Vec3& acceleration);
 
-/// Whether positions and velocities are numbers still.
+/// Whether positions and velocities are finite.
 bool isFinite(const State& state);
 
 /// xxh3-64 over poses, velocities, and contact point forces and states.
 std::uint64_t stateHash(const State& state);
 
-/// What the hash takes of a contact point: F_n, F_s along both tangents, plastic slide along both, bond.
+/// Hashed values of a contact point: F_n, F_s along both tangents, plastic slide along both, bond.
 using PointNumbers = std::array<double, 6>;
-/// Calls a function with each contact point in stored order; at once, those of a million blocks would take
-/// more than a gigabyte.
+/// Calls a function with each contact point in stored order; a list of all would take more than a gigabyte
+/// for a million blocks.
 using EachPoint = std::function<void(const std::function<void(const PointNumbers&)>&)>;
 
 /// The same from what it is made of.

@@ -1,5 +1,5 @@
 #pragma once
-// Names in the order in which people count: c2 before c10.
+// Names in natural order: c2 before c10.
 
 #include <algorithm>
 #include <string>

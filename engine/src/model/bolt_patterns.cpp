@@ -12,9 +12,10 @@
 namespace talus {
 namespace {
 
-constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which a face looks a way
+constexpr double kLooks = 0.5 - 1e-9;  // cosine of 60 degrees: largest angle between a face's normal and the
+                                       // pattern's direction
 constexpr double kMostBolts = 100'000;
-constexpr double kOff = 1e-5;  // of a face's extent: so far off it there is no other block, or it is not free
+constexpr double kOff = 1e-5;  // of a face's extent: a face is free if no other block is within this distance
 
 /// Part of a face in the pattern's box.
 struct Part {
@@ -109,7 +110,7 @@ class Placing {
         along_ = up_.cross(normal_);
     }
 
-    /// From where to where the faces reach along an axis [m].
+    /// Extent of the faces along an axis [m].
     std::pair<double, double> extentOn(const Vec3& axis) const {
         double low = kInfinity, high = -kInfinity;
         for (const Part& part : parts_)

@@ -1,6 +1,6 @@
 #pragma once
-// Which way is down, and which way an earthquake pushes. An assembly is tilted together with its compass:
-// what is level in the model is level on the tilted table.
+// Directions of gravity and of an earthquake. The compass tilts with the assembly: a direction that is level
+// in the model is level on the tilted table.
 
 #include "talus/model.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a model says over time.
+// Values of a model over time.
 
 #include <vector>
 
@@ -16,7 +16,7 @@ double integralOver(const std::vector<LevelPoint>& table, double from, double to
 /// Depth or elevation of a water [m]; 0 where it has none.
 double levelAt(const Water& water, double time);
 
-/// By what a load's force or pressure is multiplied; 1 where nothing is said.
+/// Factor of a load's force or pressure; 1 by default.
 double factorAt(const AppliedLoad& load, double time);
 
 }  // namespace talus

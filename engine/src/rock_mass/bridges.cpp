@@ -1,4 +1,4 @@
-// Where the cuts of finite joints go on beyond the joints, through intact rock.
+// Rock bridges: where the cuts of finite joints continue beyond the joints, through intact rock.
 
 #include <algorithm>
 #include <map>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace rock_mass;
 
-constexpr double kRounding = 1e-9;  // of the area two faces share
+constexpr double kAreaRounding = 1e-9;  // of the area two faces share
 
 struct CutFace {
     std::int32_t block = 0, face = 0;
@@ -22,7 +22,7 @@ struct CutFace {
 
 /// The faces one joint made.
 struct Sides {
-    std::vector<CutFace> above, below;  ///< they look down on the joint's plane, and up
+    std::vector<CutFace> above, below;  ///< those that face down onto the joint's plane, and up
 };
 
 std::map<std::size_t, Reach> finiteJoints(const RockMass& description) {
@@ -72,7 +72,7 @@ void appendCuts(std::size_t joint, const Reach& reach, const Sides& sides, std::
             const double shared = area(common);
             const double beyond = 1 - reach.coveredArea(common) / shared;
             cuts.push_back({below.block, below.face, above.block, above.face, joint, shared,
-                            beyond < kRounding ? 0 : std::min(beyond, 1.0)});
+                            beyond < kAreaRounding ? 0 : std::min(beyond, 1.0)});
         }
     }
 }

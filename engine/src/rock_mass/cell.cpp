@@ -37,7 +37,7 @@ Outline partOf(const Outline& outline, const Plane& plane, int sign, VertexTable
     return part;
 }
 
-/// Edges of the faces that have no twin, sorted by their start; nothing if an edge occurs twice.
+/// Edges of the faces without a twin, sorted by their start; nothing if an edge occurs twice.
 bool openEdges(const std::vector<CellFace>& faces, std::vector<Edge>& open) {
     std::vector<Edge> edges;
     for (const CellFace& face : faces)
@@ -81,7 +81,7 @@ Cell partOf(const Cell& cell, const Plane& plane, std::int32_t index, int sign, 
     return part;
 }
 
-/// Takes out vertices that only two faces of a cell meet in: they lie on a straight edge.
+/// Removes vertices at which only two faces of a cell meet: they lie on a straight edge.
 void dropStraightVertices(Cell& cell) {
     std::vector<std::int32_t> used;
     for (const CellFace& face : cell.faces) used.insert(used.end(), face.outline.begin(), face.outline.end());
@@ -270,7 +270,7 @@ double thickness(const std::vector<const Cell*>& cells, const std::vector<Plane>
             const double height = plane.height(vertices[v]);
             low = std::min(low, height);
             high = std::max(high, height);
-            if (high - low >= thinnest) break;  // across this plane it is no thinner
+            if (high - low >= thinnest) break;  // normal to this plane it is no thinner
         }
         thinnest = std::min(thinnest, high - low);
     }

@@ -1,5 +1,5 @@
 #pragma once
-// What circles have in common with polygons.
+// Common area of circles and polygons.
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@ inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y()
 /// Area of the unit circle's sector from p to q, signed.
 inline double sector(const Vec2& p, const Vec2& q) { return 0.5 * std::atan2(cross(p, q), p.dot(q)); }
 
-/// Of the unit circle about the origin and the triangle (origin, p, q), signed. Over the edges of any closed
-/// line it adds up to what the circle has in common with the inside.
+/// Of the unit circle about the origin and the triangle (origin, p, q), signed. Summed over the edges of a
+/// closed line it is the common area of the circle and the inside.
 inline double commonArea(const Vec2& p, const Vec2& q) {
     const Vec2 d = q - p;
     const double a = d.squaredNorm(), b = p.dot(d), c = p.squaredNorm() - 1, root = b * b - a * c;

@@ -59,14 +59,14 @@ double weldDistance(const TriangleSurface& region) {
     return std::max(kWeld * surfaceExtent(region), kUlps * farthest);
 }
 
-/// What happened at one joint or joint set.
+/// Results of one joint or joint set.
 struct Tally {
     std::size_t cuts = 0, left_out = 0;
     Vec3 first_place = Vec3::Zero();
     double first_thickness = 0;
 };
 
-/// A count of which two figures are known: "18000".
+/// A count to two significant figures: "18000".
 std::string roundText(double count) {
     const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) - 1));
     char text[32];
@@ -134,7 +134,7 @@ class Cutter {
         return errors;
     }
 
-    /// The user's or the default, but never so thin that the weld distance shows against the gap of closed
+    /// The user's or the default, but so large that the weld distance is negligible against the gap of closed
     /// faces (1e-4 of a block).
     double minThickness() const {
         double spacing = kInfinity;
@@ -177,7 +177,7 @@ class Cutter {
 
     double mostExpected() const { return kTimesExpected * static_cast<double>(description_.max_blocks); }
 
-    /// So many blocks; beyond what is refused they are not counted to the end.
+    /// The number of blocks; counting stops where the number is refused.
     double expect(const std::vector<JointPlane>& joints) const {
         const auto [min, max] = boundsOf(description_.region);
         return expectedBlocks(joints, min, max, result_.region_volume, mostExpected());
@@ -233,7 +233,7 @@ class Cutter {
 
     void warnOfCuts() {
         for (std::size_t joint = 0; joint < tallies_.size();) {
-            // Discs of a network are told together.
+            // Discs of a network are reported together.
             std::size_t next = joint + 1, idle = 0;
             Tally tally = tallies_[joint];
             for (; next < tallies_.size() && isOfNetwork(next) &&
@@ -241,7 +241,7 @@ class Cutter {
                  ++next)
                 add(tallies_[next], tally);
             for (std::size_t k = joint; k < next; ++k) idle += tallies_[k].cuts + tallies_[k].left_out == 0;
-            // Those that end at another set are laid out over the region's box, beyond the region, too.
+            // Sets that end at another set cover the region's box, beyond the region, too.
             if (isOfNetwork(joint) && !isDisc(joint) && idle < next - joint) idle = 0;
             warnOf(titleOf(description_, joint), tally, idle, next - joint, isDisc(joint));
             joint = next;
@@ -281,7 +281,7 @@ class Cutter {
             result_.warnings.push_back(title + ": cuts no block");
     }
 
-    /// A solid where it will stand among the blocks.
+    /// A solid with its place in the order of blocks.
     struct Ranked {
         /// z, x, y of the centroid in steps of the least difference that counts
         std::array<std::int64_t, 3> level;

@@ -1,6 +1,6 @@
 // How much of a disc lies inside a closed surface. The disc's plane cuts the surface in closed lines with the
-// inside on their left; the area a circle has in common with what they enclose is the sum over their pieces p
-// q of that with the triangle (centre, p, q), by its sign: no line has to be put together.
+// inside on their left. The circle's area within them is a signed sum over their pieces p q: its common area
+// with the triangle (centre, p, q). So the lines need not be assembled.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,8 @@ namespace {
 
 using namespace rock_mass;
 
-constexpr double kRounding = 1e-10;  // of the radius squared: sectors that add up to nothing, but for this
+constexpr double kSectorRounding =
+    1e-10;  // of the radius squared: sectors that add up to nothing, but for this
 
 }  // namespace
 
@@ -54,9 +55,9 @@ double areaInside(const Fracture& disc, const TriangleSurface& region) {
         enclosed += 0.5 * cross(down - *origin, up - *origin);
         whole = whole && down.squaredNorm() <= 1 && up.squaredNorm() <= 1;
     }
-    // Of a disc far larger than the region the sectors are all rounding.
+    // For a disc far larger than the region the sectors are all rounding.
     if (whole) return std::max(enclosed, 0.0) * disc.radius * disc.radius;
-    return sum > kRounding ? sum * disc.radius * disc.radius : 0;
+    return sum > kSectorRounding ? sum * disc.radius * disc.radius : 0;
 }
 
 double fractureIntensity(const std::vector<Fracture>& discs, const TriangleSurface& region) {

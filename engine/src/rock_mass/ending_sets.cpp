@@ -14,11 +14,12 @@ namespace {
 using namespace rock_mass;
 
 constexpr std::size_t kMostJoints = 1'000'000;
-constexpr double kParallel = 1e-6;                 // sine of the angle between the planes
-constexpr double kNarrow = 1e-9;                   // of the region's size: no rectangle
-constexpr std::uint64_t kStream = 0x656e64696e67;  // of random numbers that no other set has
+constexpr double kParallelPlanes = 1e-6;                 // sine of the angle between the planes
+constexpr double kNarrow = 1e-9;                         // of the region's size: no rectangle
+constexpr std::uint64_t kEndingStream = 0x656e64696e67;  // of random numbers that no other set has
 
-/// What lies between two planes of the other joint; one side is open at either end [m along its normal].
+/// A slab between two planes of the other joint; the first and last slab are open on one side [m along its
+/// normal].
 struct Slab {
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     std::int64_t number = 0;  ///< of the plane at its lower side; of the lowest slab one less than the first
@@ -34,7 +35,7 @@ class Ending {
         const auto planes = jointPlanes(description_, description_.region.vertices);
         if (!planes) return planes.errors();
         across_ = otherNormal();
-        if (across_.cross(upwardNormal(ending_.set.dip, ending_.set.dip_direction)).norm() < kParallel)
+        if (across_.cross(upwardNormal(ending_.set.dip, ending_.set.dip_direction)).norm() < kParallelPlanes)
             return fault(".ends_at", "found a joint parallel to this set, allowed: one that meets it");
         bound();
         for (const Slab& slab : slabs(*planes))
@@ -57,14 +58,16 @@ class Ending {
         own.sets.push_back(ending_.set);
         auto errors = checkJoints(own);
         for (Error& error : checkJoints(description_)) errors.push_back(std::move(error));
-        if (isSet() && description_.sets[ending_.ends_at].fisher)
+        if (isSet() && description_.sets[ending_.ends_at].fisher) {
             errors.push_back(fault(".ends_at",
                                    "found a set of scattered orientation (fisher), allowed: a set of "
                                    "parallel planes, or a single plane"));
-        if (!isSet() && (single().radius || !single().polygon.empty()))
+        }
+        if (!isSet() && (single().radius || !single().polygon.empty())) {
             errors.push_back(fault(".ends_at",
                                    "found a finite joint, allowed: a joint set, or a single joint without "
                                    "radius and polygon"));
+        }
         return errors;
     }
 
@@ -98,7 +101,7 @@ class Ending {
     }
 
     std::optional<Error> fill(const Slab& slab) {
-        Random random(description_.seed ^ kStream, index_, slab.number);
+        Random random(description_.seed ^ kEndingStream, index_, slab.number);
         RockMass own;
         own.seed = random.next();
         own.sets.push_back(ending_.set);
@@ -108,10 +111,11 @@ class Ending {
         if (!planes) return planes.errors()[0];
         for (const JointPlane& plane : *planes) {
             add(plane.plane, slab);
-            if (joints_.size() > kMostJoints)
+            if (joints_.size() > kMostJoints) {
                 return fault(".spacing", "found more than " + std::to_string(kMostJoints) +
                                              " joints between the planes of the other, allowed: wider "
                                              "spacings");
+            }
         }
         return std::nullopt;
     }
@@ -119,10 +123,10 @@ class Ending {
     /// The rectangle of a plane between the two sides of a slab, if it comes near the region.
     void add(const Plane& plane, const Slab& slab) {
         const Vec3 along = across_.cross(plane.normal);
-        if (along.norm() < kParallel) return;  // a scattered one that follows the other joint
+        if (along.norm() < kParallelPlanes) return;  // a scattered one that follows the other joint
         const Vec3 strike = along.normalized(), up = plane.normal.cross(strike);
         const Vec3 centre = middle_ - plane.height(middle_) * plane.normal;
-        // Up the plane, heights across the other joint rise, or fall, in proportion.
+        // Up the plane, the distance from the other joint changes linearly.
         const double slope = across_.dot(up), at = across_.dot(centre);
         const double a = (slab.low - at) / slope, b = (slab.high - at) / slope;
         const double low = std::max(std::min(a, b), -reach_), high = std::min(std::max(a, b), reach_);
@@ -152,7 +156,7 @@ class Ending {
     const RockMass& description_;
     Vec3 across_ = Vec3::UnitZ();  ///< normal of the other joint
     Vec3 middle_ = Vec3::Zero();   ///< of the region's box [m]
-    double reach_ = 0;             ///< farther than anything of the region from there [m]
+    double reach_ = 0;             ///< farther than any point of the region from there [m]
     std::vector<SingleJoint> joints_;
 };
 

@@ -9,9 +9,9 @@ namespace talus::rock_mass {
 
 namespace {
 
-constexpr std::size_t kDirections = 16;     // that stand for the planes of a joint set with scatter
-constexpr double kInFace = 1e-9;            // of the region: a plane this near to its side cuts nothing
-constexpr std::size_t kMostFamilies = 200;  // triples of them are looked at one by one
+constexpr std::size_t kScatterDirections = 16;  // that stand for the planes of a joint set with scatter
+constexpr double kInFace = 1e-9;                // of the region: a plane this near to its side cuts nothing
+constexpr std::size_t kMostFamilies = 200;      // triples of them are looked at one by one
 
 /// Parallel planes.
 struct Family {
@@ -24,7 +24,7 @@ struct Region {
     double volume;      ///< [m^3]
 };
 
-/// Area of a plane in the region: of one that meets it, the mean over all places it may have there [m^2].
+/// Mean area in the region of a plane that meets it, over all its positions [m^2].
 double areaOf(const JointPlane& joint, const Region& region) {
     const double across = joint.plane.normal.cwiseAbs().dot(region.size);
     if (std::abs(joint.plane.height(region.middle)) > (0.5 - kInFace) * across) return 0;
@@ -44,9 +44,9 @@ bool meets(const Reach& reach, const Region& region) {
            (reach.min.array() < (region.middle + half).array()).all();
 }
 
-/// Blocks that a finite joint meets among so many in a volume, and so cuts from side to side: of cubes that
-/// lie as they may the mean is 1 + n (S b' + S' b) / 2 by the kinematic formula, S being surfaces, b mean
-/// widths and n the cubes in a volume.
+/// Mean number of blocks that a finite joint meets, and so cuts from side to side. For randomly placed cubes
+/// it is 1 + n (S b' + S' b) / 2 by the kinematic formula, with surfaces S, mean widths b and n cubes per
+/// volume.
 double blocksMet(const JointPlane& joint, const Region& region, double count) {
     const Reach& reach = *joint.reach;
     const double through = areaOf(joint, region);
@@ -59,7 +59,7 @@ double blocksMet(const JointPlane& joint, const Region& region, double count) {
     return 1 + 1.5 * inside * own / (side * side) + 0.75 * std::sqrt(inside) * round / side;
 }
 
-/// Some of a list, evenly, in place of all.
+/// An evenly spaced sample of a list.
 template <class T>
 std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
     if (all.size() <= most) return all;
@@ -68,7 +68,7 @@ std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
     return some;
 }
 
-/// A set's planes, a single joint, or many of these by some of their directions.
+/// A set's planes, a single joint, or a sample of directions for many of these.
 void appendFamilies(const std::vector<JointPlane>& joints, const std::vector<std::size_t>& members,
                     const Region& region, std::vector<Family>& families) {
     double density = 0;
@@ -76,7 +76,7 @@ void appendFamilies(const std::vector<JointPlane>& joints, const std::vector<std
     const bool parallel = std::all_of(members.begin(), members.end(), [&](std::size_t m) {
         return joints[m].plane.normal == joints[members[0]].plane.normal;
     });
-    const auto some = thinned(members, parallel ? 1 : kDirections);
+    const auto some = thinned(members, parallel ? 1 : kScatterDirections);
     for (const std::size_t m : some)
         families.push_back({joints[m].plane.normal, density / static_cast<double>(some.size())});
 }
@@ -118,7 +118,7 @@ double expectedBlocks(const std::vector<JointPlane>& joints, const Vec3& min, co
             for (std::size_t k = 0; k < j; ++k)
                 count += pair * families[k].density * std::abs(line.dot(families[k].normal)) * volume;
         }
-    // Finite joints cut one after the other what is there by then.
+    // Finite joints cut in turn the blocks that exist by then.
     for (std::size_t k = 0; k < joints.size() && count <= enough; ++k)
         if (joints[k].reach) count += blocksMet(joints[k], region, count);
     return count;

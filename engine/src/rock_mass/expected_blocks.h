@@ -1,5 +1,5 @@
 #pragma once
-// How many blocks joints will make of a region, before anything is cut.
+// Estimate of the number of blocks, before anything is cut.
 
 #include <vector>
 

@@ -20,8 +20,8 @@ namespace {
 using namespace rock_mass;
 
 constexpr std::size_t kMostFractures = 1'000'000;
-// Tries per disc that lies in the region, and the first ones: a region that fills less of its box has none to
-// speak of.
+// Tries per disc that lies in the region, and the first ones: a region that needs more fills almost none of
+// its box.
 constexpr std::size_t kMostTries = 1000, kFirstTries = 100'000;
 constexpr int kMostMisses = 20'000;  // discs drawn again, one after the other
 constexpr double kReached = 0.01;    // of the target
@@ -57,7 +57,7 @@ class Drawing {
  public:
     Drawing(const FractureSet& set, const TriangleSurface& region, std::uint64_t seed, std::size_t index,
             const std::atomic<bool>* stop)
-        : set_(set), region_(region), random_(seed, kStream + index, 0), stop_(stop) {
+        : set_(set), region_(region), random_(seed, kFractureStream + index, 0), stop_(stop) {
         for (const Vec3& v : region.vertices) box_.add(v);
         mean_ = upwardNormal(set.dip, set.dip_direction);
     }
@@ -68,7 +68,7 @@ class Drawing {
     }
 
  private:
-    static constexpr std::uint64_t kStream = 0x66726163ULL;  // apart from those of joint sets
+    static constexpr std::uint64_t kFractureStream = 0x66726163ULL;  // apart from those of joint sets
 
     Result<std::vector<Fracture>> toCount() {
         std::vector<Fracture> discs;
@@ -123,8 +123,8 @@ class Drawing {
         return tries > kFirstTries + kMostTries * found;
     }
 
-    /// Where centres of discs that may reach into the region are, per unit of their density in space [m^3]:
-    /// those drawn by the law times r^k, each with the ones before it.
+    /// Volumes of the centres of discs that may reach into the region [m^3]: cumulative, for radii drawn by
+    /// the law times r^k.
     struct Places {
         std::array<double, 4> up_to_power{};
         bool slab = false;  // about the sphere around the region, or else about its box
@@ -136,10 +136,10 @@ class Drawing {
         return {volume, slab};
     }
 
-    /// A disc of radius r has its centre within r of the box, or within the radius R of the sphere from its
-    /// own plane and r + R in it: (a + 2r)(b + 2r)(c + 2r), or 2 pi R (r + R)^2. Few of the discs of the
-    /// first kind reach a region much smaller than they are, few of the second a long one much larger than
-    /// they.
+    /// A disc of radius r that meets the box has its centre within r of it: (a + 2r)(b + 2r)(c + 2r). One that
+    /// meets the sphere of radius R has its plane within R of the sphere's centre, and its own centre within
+    /// r + R of there in the plane: 2 pi R (r + R)^2. Discs drawn about the box rarely reach a region much
+    /// smaller than themselves; those about the sphere rarely reach a long region much larger than themselves.
     Places fewestPlaces() const {
         const Vec3 side = box_.max - box_.min;
         const double faces = side.x() * side.y() + side.y() * side.z() + side.z() * side.x();
@@ -150,7 +150,7 @@ class Drawing {
         return slab.up_to_power.back() < box.up_to_power.back() ? slab : box;
     }
 
-    /// For the intensity that is wanted: n discs per volume have an area of n pi E[r^2] in it.
+    /// Number for the target intensity: n discs per volume have an area of n pi E[r^2] in it.
     double expectedDiscs(const Places& places) const {
         return *set_.p32 / (kPi * radiusMoment(set_, 2)) * places.up_to_power.back();
     }

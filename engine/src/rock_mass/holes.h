@@ -1,5 +1,5 @@
 #pragma once
-// Holes of surfaces: their outlines, and triangles that close them.
+// Holes in surfaces: their outlines, and triangles that close them.
 
 #include <array>
 #include <vector>
@@ -14,7 +14,7 @@ using Outline = std::vector<std::int32_t>;
 /// All of them; where several meet in a corner, each comes back to itself there.
 std::vector<Outline> openOutlines(const TriangleSurface& surface);
 
-/// Its area along the normal that suits it best (Newell), along that of the triangles beside it [m^2].
+/// Its area vector by Newell's formula, on the side of the triangles beside it [m^2].
 Vec3 areaVectorOf(const Outline& outline, const TriangleSurface& surface);
 
 SurfaceHole holeOf(const Outline& outline, const TriangleSurface& surface);

@@ -13,7 +13,7 @@ namespace talus {
 Vec3 upwardNormal(double dip, double dip_direction) {
     Vec3 normal(std::sin(dip) * std::sin(dip_direction), std::sin(dip) * std::cos(dip_direction),
                 std::cos(dip));
-    // Right angles in degrees leave some 1e-16 behind.
+    // Right angles given in degrees are exact to some 1e-16 only.
     for (double& component : normal)
         if (std::abs(component) < 1e-15) component = 0;
     return normal.normalized();

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers and places as messages have them.
+// Numbers and places as text for messages.
 
 #include <charconv>
 #include <string>

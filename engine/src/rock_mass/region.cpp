@@ -84,7 +84,7 @@ class Decomposer {
             for (std::size_t i = 0; i < 3; ++i)
                 owner[{surface_.triangles[t][i], surface_.triangles[t][(i + 1) % 3]}] = t;
         }
-        // The largest triangles first: they know the direction of their face best.
+        // The largest triangles first: their normals are the most accurate.
         std::vector<std::size_t> order(facets_.size());
         std::vector<double> size(facets_.size());
         for (std::size_t t = 0; t < order.size(); ++t) order[t] = t, size[t] = areaVector(t).norm();
@@ -115,7 +115,7 @@ class Decomposer {
         }
     }
 
-    /// The plane of a triangle; that of the box where it lies in one.
+    /// The plane of a triangle; that of the box where the triangle lies in it.
     std::int32_t planeOf(std::size_t t) {
         for (std::int32_t p = 0; p < 6; ++p)
             if (liesIn(p, t)) return p;
@@ -206,7 +206,7 @@ class Decomposer {
         return true;
     }
 
-    /// The one whose plane cuts the fewest of the others; of these the largest.
+    /// The triangle whose plane cuts the fewest others; of these the largest.
     std::size_t bestFacet(const std::vector<std::size_t>& facets) const {
         std::size_t best = facets[0], fewest = facets.size() + 1;
         double largest = 0;

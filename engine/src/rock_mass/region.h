@@ -1,10 +1,9 @@
 #pragma once
 // The region as convex cells.
 //
-// Planes of the surface that the whole surface lies behind (its convex hull's) cut a box about it first: a
-// convex region is done then. Elsewhere a cell that a triangle reaches into is cut by the plane of that
-// triangle, until none does; what a vertical ray finds inside the surface is kept. Cells cut apart inside the
-// region belong together, they are pieces of one solid.
+// First the planes of its convex hull cut a box about it: a convex region is then complete. Otherwise the
+// plane of any triangle that reaches into a cell cuts that cell, until none does. Cells that a vertical ray
+// finds inside the surface are kept. Cells cut apart inside the region are pieces of one solid.
 
 #include <atomic>
 #include <vector>

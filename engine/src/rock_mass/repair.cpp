@@ -13,8 +13,8 @@ namespace {
 
 using namespace rock_mass;
 
-constexpr double kRounding = 4e-16;  // of the largest coordinate: nothing lies between
-constexpr int kMostRounds =
+constexpr double kCoordinateRounding = 4e-16;  // of the largest coordinate: nothing lies between
+constexpr int kMostRepairRounds =
     16;  // an edge is divided at all its corners at once; pieces may meet further ones
 
 class Repair {
@@ -29,7 +29,7 @@ class Repair {
         mergeVertices();
         if (tolerance_ > 0) {
             dropNarrow();
-            for (int round = 0; round < kMostRounds && splitOpenEdges(); ++round) {
+            for (int round = 0; round < kMostRepairRounds && splitOpenEdges(); ++round) {
             }
         }
         dropUnused();
@@ -48,7 +48,7 @@ class Repair {
     void mergeVertices() {
         double farthest = 0;
         for (const Vec3& v : vertices()) farthest = std::max(farthest, v.cwiseAbs().maxCoeff());
-        const double near = std::max(tolerance_, kRounding * farthest);
+        const double near = std::max(tolerance_, kCoordinateRounding * farthest);
         VertexTable table(near > 0 ? near : 1);
         std::vector<Vec3> kept;
         std::vector<std::int32_t> same(vertices().size());
@@ -65,8 +65,8 @@ class Repair {
             for (std::int32_t& corner : triangle) corner = same[static_cast<std::size_t>(corner)];
     }
 
-    /// What is no wider than the tolerance (twice its area over its longest side). The two triangles beside
-    /// such a one then meet in its corners, or in a T-junction.
+    /// Triangles no wider than the tolerance (twice the area over the longest side). The two triangles beside
+    /// such a one then meet at its corners, or in a T-junction.
     void dropNarrow() {
         keepIf([&](std::size_t t) {
             const auto& [a, b, c] = result_.surface.triangles[t];
@@ -107,7 +107,7 @@ class Repair {
         bool any = false;
         std::vector<bool> divided(result_.surface.triangles.size());
         for (const OpenEdge& edge : open) {
-            if (divided[edge.triangle]) continue;  // its other edges are another round's
+            if (divided[edge.triangle]) continue;  // its other edges are treated in another round
             const auto between = cornersOn(edge, corners);
             if (between.empty()) continue;
             divided[edge.triangle] = any = true;

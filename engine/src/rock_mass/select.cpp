@@ -1,4 +1,4 @@
-// Which blocks of a rock mass a user means: by place.
+// Selection of blocks of a rock mass by place.
 
 #include <algorithm>
 

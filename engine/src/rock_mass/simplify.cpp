@@ -1,14 +1,13 @@
-// A coarser surface within a stated deviation, by taking out one vertex after the other.
+// A coarser surface within a stated deviation, by removal of one vertex after the other.
 //
 //   star of u --u goes to its neighbour v--> fan of v in the star's outline
 //
 // Both are graphs over the same outline in a plane, so pushing along that plane's normal maps one onto the
-// other, one to one. How far it pushes is a function that is linear between the corners of the two drawn over
-// each other, so it is largest in one of these: in u, or where an edge of the star crosses one of the fan.
-// Every triangle keeps the sum of the pushes that made it. The maps of all steps one after the other take the
-// first surface onto the last one, and no point goes farther than that sum: so it bounds the Hausdorff
-// distance both ways. It is not the least bound (pushes to and fro add up), but needs no search in the first
-// surface.
+// other, one to one. The displacement is linear between the corners of the two superposed. So it is largest
+// at one of these: at u, or where an edge of the star crosses one of the fan. Every triangle keeps the sum of
+// the displacements that made it. The maps of all steps in turn take the first surface onto the last one, and
+// no point moves farther than that sum. It bounds the Hausdorff distance both ways. It is not the least bound
+// (opposite displacements add up), but needs no search in the first surface.
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +22,12 @@ namespace {
 
 using namespace rock_mass;
 
-constexpr double kLeastLean = 0.05;   // cosine between a triangle and the plane its star is drawn in
-constexpr double kUpright = 1e-6;     // likewise, of what looks up and has to go on doing so
-constexpr double kInLine = 1e-9;      // of the length: corners of the rim this near to a line in plan may go
-constexpr double kSlender = 0.02;     // shape (1 is equilateral) of the worst triangle that may be made ...
-constexpr double kShapeShare = 0.05;  // ... and how much of the deviation a good one is worth
+constexpr double kLeastLean = 0.05;    // cosine between a triangle and the plane its star is drawn in
+constexpr double kStillUpward = 1e-6;  // likewise, for triangles that face up and must stay so
+constexpr double kInLine = 1e-9;       // of the length: corners of the rim this near to a line in plan may be
+                                       // removed
+constexpr double kWorstShape = 0.02;   // shape (1 is equilateral) of the worst triangle that may be made ...
+constexpr double kShapeShare = 0.05;   // ... and the deviation accepted for a good one, as a share
 
 using Vec2d = Eigen::Vector2d;
 using Corners = std::array<std::int32_t, 3>;
@@ -68,9 +68,9 @@ double gapAtCrossing(const Drawn& a, const Drawn& b, const Drawn& c, const Drawn
     return std::abs(a.height + s * (b.height - a.height) - c.height - t * (d.height - c.height));
 }
 
-/// What taking out a vertex would be.
+/// A candidate removal of a vertex.
 struct Removal {
-    double cost = 0;       ///< what is done first [m]
+    double cost = 0;       ///< priority [m]
     double deviation = 0;  ///< of the triangles it makes, from the first surface [m]
     std::int32_t vertex = 0, onto = 0;
     std::size_t version = 0;  ///< of the vertex' star when this was computed
@@ -174,7 +174,7 @@ class Simplifier {
             old_shape = std::min(old_shape, shape(corners(t)));
         }
         for (const Corners& t : fan) new_shape = std::min(new_shape, shape(t));
-        if (new_shape < std::min(kSlender, old_shape)) return std::nullopt;
+        if (new_shape < std::min(kWorstShape, old_shape)) return std::nullopt;
         const auto push = largestPush(u, v, star, fan, around, on_rim);
         if (!push || !(before + *push <= allowed_)) return std::nullopt;
         return Removal{before + *push + kShapeShare * allowed_ * (1 - new_shape), before + *push, u, v};
@@ -205,7 +205,7 @@ class Simplifier {
         for (const std::size_t t : star) {
             const Vec3 a = area(corners(t));
             normal += a;
-            looks_up = looks_up && a.z() > kUpright * a.norm();
+            looks_up = looks_up && a.z() > kStillUpward * a.norm();
         }
         if (on_rim && !looks_up) return std::nullopt;
         if (on_rim) normal = Vec3::UnitZ();  // along the rim both have the same outline in plan only
@@ -214,7 +214,7 @@ class Simplifier {
             if (!leans(area(corners(t)), sheet)) return std::nullopt;
         for (const Corners& t : fan) {
             const Vec3 a = area(t);
-            if (!leans(a, sheet) || (looks_up && !(a.z() > kUpright * a.norm()))) return std::nullopt;
+            if (!leans(a, sheet) || (looks_up && !(a.z() > kStillUpward * a.norm()))) return std::nullopt;
         }
         return pushIn(sheet, u, v, fan, around);
     }
@@ -243,8 +243,7 @@ class Simplifier {
         return push;
     }
 
-    /// What its neighbour has come to touch meanwhile may be in the way: then the vertex looks for another
-    /// one.
+    /// Later changes around its neighbour may obstruct the removal: then the vertex gets another neighbour.
     bool isStillSound(const Removal& removal) {
         const auto around = neighbours(removal.vertex);
         const bool on_rim =
@@ -302,7 +301,7 @@ class Simplifier {
     double allowed_;                              ///< [m]
     std::vector<std::vector<std::size_t>> star_;  ///< triangles of each vertex
     std::vector<std::size_t> version_;
-    std::vector<double> deviation_;  ///< of each triangle: how far its points may have come [m]
+    std::vector<double> deviation_;  ///< of each triangle: largest displacement of its points [m]
     std::priority_queue<Removal> queue_;
 };
 

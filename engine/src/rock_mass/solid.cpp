@@ -12,7 +12,7 @@ namespace talus::rock_mass {
 
 namespace {
 
-constexpr double kTouch = 1e-9;  // of the smaller face: less common area is none
+constexpr double kLeastCommonArea = 1e-9;  // of the smaller face: less common area is none
 
 struct FaceOf {
     std::int32_t plane;
@@ -40,7 +40,8 @@ double faceArea(const CellFace& face, const VertexTable& vertices) {
 
 bool touch(const CellFace& a, const CellFace& b, const Knife& knife) {
     const double common = sharedArea(a, b, knife.planes, knife.vertices);
-    return common > 0 && common > kTouch * std::min(faceArea(a, knife.vertices), faceArea(b, knife.vertices));
+    return common > 0 &&
+           common > kLeastCommonArea * std::min(faceArea(a, knife.vertices), faceArea(b, knife.vertices));
 }
 
 Box boundsOf(const Cell& piece, const VertexTable& vertices) {
@@ -56,8 +57,8 @@ Solid bounded(std::vector<Cell> pieces, const VertexTable& vertices) {
     return {std::move(pieces), bounds.min, bounds.max};
 }
 
-/// Pieces parted inside the region only, and no longer in need of it, become one again: each with the first
-/// behind it that it fits, and once grown with those it did not fit before.
+/// Merges pieces that were divided inside the region only, where possible: each with the first later one that
+/// it fits. A grown piece tries the others again.
 void mergePieces(std::vector<Cell>& pieces, const Knife& knife) {
     std::vector<Box> bounds;
     for (const Cell& piece : pieces) bounds.push_back(boundsOf(piece, knife.vertices));
@@ -102,7 +103,7 @@ std::vector<Vec3> corners(const CellFace& face, const VertexTable& vertices) {
     return points;
 }
 
-/// Faces the region was decomposed along become faces of a joint that runs in them.
+/// Faces of the region's decomposition become faces of a joint that lies in them.
 void giveFacesTo(std::vector<Cell>& cells, std::int32_t index, const Knife& knife) {
     const Plane& plane = knife.planes[static_cast<std::size_t>(index)];
     for (Cell& cell : cells)
@@ -151,9 +152,9 @@ std::vector<std::array<std::size_t, 2>> sharedFaces(const std::vector<Cell>& cel
     std::vector<std::array<std::size_t, 2>> pairs;
     const auto faces = facesByPlane(cells);
     const auto face_of = [&](const FaceOf& f) -> const CellFace& { return cells[f.cell].faces[f.face]; };
-    // What lies in a plane does so within the weld distance.
+    // Points lie in a plane to within the weld distance.
     const double margin = 4 * knife.vertices.weld();
-    std::vector<FaceOf> below;  // the plane, whose normal points out of them; those above it look at these
+    std::vector<FaceOf> below;  // the plane, whose normal points out of them; those above it face them
     for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
         below.clear();
         std::vector<Box> bounds;
@@ -260,7 +261,7 @@ CutOutcome cutSolid(const Solid& solid, std::int32_t plane, const Reach* reach, 
     for (Solid& part : joined(std::move(sides.upper), knife)) outcome.parts.push_back(std::move(part));
     for (const Solid& part : outcome.parts) {
         const double thin = thicknessOf(part, knife);
-        // A region that is that thin itself is the user's will; only what the cut makes thinner is a sliver.
+        // The region itself may be that thin; only a part that the cut makes thinner is a sliver.
         if (thin < knife.min_thickness && thin < (1 - 1e-9) * thicknessOf(solid, knife))
             return {CutOutcome::Kind::sliver, {}, 0.5 * (part.min + part.max), thin};
     }

@@ -1,6 +1,5 @@
 #pragma once
-// A solid: one block of the rock mass as its joints part it. It is one convex cell, or several that belong
-// together where the region is not convex.
+// A solid: one block of the rock mass. It is one convex cell, or several where the region is not convex.
 
 #include <vector>
 
@@ -14,7 +13,7 @@ struct Solid {
     Vec3 min = Vec3::Zero(), max = Vec3::Zero();  ///< bounds [m]
 };
 
-/// What a cut works on; refers to the caller's tables.
+/// Data of a cut; refers to the caller's tables.
 struct Knife {
     std::vector<Plane>& planes;
     VertexTable& vertices;

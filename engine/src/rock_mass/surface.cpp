@@ -77,8 +77,8 @@ std::string edgeText(const TriangleSurface& surface, const Side& side) {
            placeText(surface.vertices[static_cast<std::size_t>(side.to)]);
 }
 
-/// Of two triangles that face opposite ways the one that does so against more of its neighbours is told, and
-/// told once.
+/// Of two triangles that face opposite ways, the one that does so against more of its neighbours is reported,
+/// once.
 std::vector<Error> oppositeErrors(const TriangleSurface& surface, const std::vector<Side>& sides) {
     std::vector<std::size_t> at;
     std::unordered_map<std::size_t, int> conflicts;

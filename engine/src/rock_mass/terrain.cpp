@@ -48,7 +48,7 @@ class Closing {
  private:
     const Vec3& at(std::int32_t vertex) const { return surface_.vertices[static_cast<std::size_t>(vertex)]; }
 
-    /// Its area in plan says where it looks as a whole; overhangs may look down.
+    /// Its area in plan decides whether it faces up or down as a whole; overhangs may face down.
     void lookUp() {
         double plan = 0;
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t) plan += areaVector(surface_, t).z();
@@ -171,7 +171,7 @@ class Closing {
         for (const auto& [a, b, c] : floor) surface_.triangles.push_back({first + a, first + c, first + b});
     }
 
-    /// What is wrong with the whole; triangles made here have no number in the user's file.
+    /// Faults of the whole; triangles made here have no number in the user's file.
     std::vector<Error> sideErrors(std::size_t own) const {
         auto errors = checkSurface(surface_);
         for (Error& error : errors)

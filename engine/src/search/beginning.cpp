@@ -13,8 +13,8 @@ namespace {
 using equilibrium::EquilibriumPath;
 using equilibrium::Released;
 
-constexpr double kNothing = 1e-12;  // [rad], or of the weight
-// Attempts, each with more strength than the last, to bring the weight on.
+constexpr double kNoLoad = 1e-12;  // [rad], or of the weight
+// Attempts to apply the weight, each with more strength than the last.
 constexpr int kWeightAttempts = 3;
 constexpr double kPartsLess = 0.5;
 
@@ -30,7 +30,7 @@ PathResult resultOf(Released released) {
     return PathResult::lost;
 }
 
-/// A load that goes from nothing to what is wanted, in shares of that.
+/// A load that grows from nothing to its target, in shares of that.
 LoadAxis shareOf(const LoadAxis& axis, double wanted) {
     LoadAxis shares = axis;
     const double size = std::abs(wanted);
@@ -51,15 +51,14 @@ class Loader {
         : path_(path), model_(model), start_(start) {}
 
     Begun run() {
-        // Gravity of a direction of its own is that of a site: it has no level ground to begin from.
+        // A given direction of gravity is that of a site: there is no level ground to begin from.
         double level = model_.gravity.direction ? start_.tilt : 0.0;
         const LoadAxis tilting = tiltAxis(model_, path_.rules());
         path_.vary(tilting.loading, level);
         const auto bare = path_.place();
         if (!weigh()) {
-            // A block may stand at its tilt that falls on level ground.
-            if (begun_.result != PathResult::failed || std::abs(start_.tilt - level) < kNothing)
-                return begun_;
+            // A block that falls on level ground may be stable at its tilt.
+            if (begun_.result != PathResult::failed || std::abs(start_.tilt - level) < kNoLoad) return begun_;
             path_.goBack(bare);
             level = start_.tilt;
             path_.vary(tilting.loading, level);
@@ -67,12 +66,12 @@ class Loader {
         }
         if (start_.weighted && start_.weighted(path_) && !bringOn(weightAxis(start_.imbalance), "weight"))
             return begun_;
-        const bool may_be_later = std::abs(start_.tilt - level) > kNothing;
+        const bool may_be_later = std::abs(start_.tilt - level) > kNoLoad;
         if (!model_.hasWater()) {
             if (weaken() && tilt(tilting, level)) push();
             return begun_;
         }
-        // Water that pushes uphill may need the tilt to stand against.
+        // An assembly under water that pushes uphill may need the tilt to be stable.
         const auto dry = path_.place();
         const double dry_factor = begun_.factor;
         bool stands = bringOn(waterAxis(start_.imbalance), "water");
@@ -97,7 +96,7 @@ class Loader {
 
  private:
     /// Brings the weight on with more strength than is wanted, so much that joints only give, and that water
-    /// can come on after it. What parts as much with more strength had joints to close.
+    /// can come on after it. Blocks that part as much with more strength had joints to close.
     bool weigh() {
         const auto bare = path_.place();
         std::optional<EquilibriumPath::Place> best;
@@ -108,7 +107,7 @@ class Loader {
             path_.vary(start_.strength.loading, factor);
             const bool stands = bringOn(weightAxis(start_.imbalance), "weight");
             if (path_.stopped()) return false;
-            if (!stands) {  // what falls even with the most strength always does
+            if (!stands) {  // blocks that fall even with the most strength always fall
                 k = std::max(k, kWeightAttempts - 2);
                 continue;
             }
@@ -131,7 +130,7 @@ class Loader {
         return true;
     }
 
-    /// From the strength that the weight came on with to that which the search begins with.
+    /// From the strength under which weight was applied to that of the search's beginning.
     bool weaken() {
         if (!start_.weakens) return true;
         begun_.stage = "strength";
@@ -147,8 +146,8 @@ class Loader {
         return true;
     }
 
-    /// All at once, against a drag; what does not come to rest so is tried from joints that hold.
-    /// \return whether it comes to an equilibrium
+    /// At once, against a drag; without equilibrium it is tried again with unbreakable joints.
+    /// \return whether it reaches equilibrium
     bool bringOn(const LoadAxis& axis, const char* stage) {
         begun_.stage = stage;
         start_.report(stage);
@@ -170,7 +169,7 @@ class Loader {
 
     bool follow(const LoadAxis& axis, double wanted, double rise, const char* stage) {
         begun_.stage = stage;
-        if (std::abs(wanted) < kNothing) return true;
+        if (std::abs(wanted) < kNoLoad) return true;
         const LoadAxis shares = shareOf(axis, wanted);
         path_.vary(shares.loading, 0);
         Follow follow = following(
@@ -197,7 +196,7 @@ class Loader {
         return follow(from_level, start_.tilt - level, start_.rise, "tilt");
     }
 
-    /// Water that comes after the tilt: on a slope, what it parts is a failure.
+    /// Water applied after the tilt: blocks that it parts on a slope have failed.
     bool rise() {
         const LoadAxis axis = waterAxis(start_.imbalance);
         return follow(axis, 1, path_.rules().rise * axis.loading.cell, "water");

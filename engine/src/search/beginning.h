@@ -20,7 +20,8 @@ struct Start {
     double horizontal = 0;  ///< k_h of the pseudo-static earthquake
     double factor = 1;      ///< that strengths are divided by where it begins
     bool weakens =
-        true;  ///< to that, after weight and water; else it begins with the strength that they came on with
+        true;  ///< to that, after weight and water; else it begins with the strength under which they were
+               ///< applied
     LoadAxis strength{};
     double imbalance = 0;  ///< out-of-balance force over the weight that a cell of the search amounts to
     std::vector<double> displacements{};  ///< as in Follow
@@ -36,7 +37,7 @@ struct Start {
 /// How the loading path ended.
 struct Begun {
     PathResult result = PathResult::lost;
-    double parted = 0;  ///< of neighbours, as weight came on, less what joints give [median block sizes]
+    double parted = 0;  ///< of neighbours under the weight, less elastic displacement [median block sizes]
     double factor = 1;  ///< that strengths are divided by in the end
     const char* stage = "weight";
     Followed followed{};  ///< the last piece of the path, in shares of its load

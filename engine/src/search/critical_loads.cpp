@@ -12,8 +12,8 @@
 namespace talus {
 namespace {
 
-/// Strength that is lost at the first slip or opening: how a warning of it begins, and as limit equilibrium
-/// has it, kept.
+/// Strength that is lost at the first slip or opening: the beginning of its warning, and the same joints with
+/// that strength kept, as in limit equilibrium.
 struct LostStrength {
     const char* warning;
     const char* name;
@@ -30,7 +30,7 @@ constexpr LostStrength kLostStrengths[] = {
     {search::kDependsOnFriction, "peak friction",
      [](Joint& joint) { joint.residual_friction = std::max(joint.residual_friction, joint.friction); }}};
 
-/// To the warning of an answer that depends on strength lost so adds the answer for strength that is kept.
+/// Adds the answer for kept strength to the warning of an answer that depends on lost strength.
 void addKeptStrength(Varied varied, const Model& model, const Control& control, const SearchRules& rules,
                      SearchResult& result) {
     if (result.status != SearchStatus::found || !control.interval) return;

@@ -1,5 +1,5 @@
 #pragma once
-// The load that a search raises: a tilt, what strength is divided by, a horizontal acceleration; before them
+// The load that a search raises: a tilt, the divisor of strength, a horizontal acceleration; before them
 // weight and water.
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace talus::search {
 /// A load and its steps. Loads of the three searches are in the unit of the answer: [rad], factor, share of
 /// the weight.
 struct LoadAxis {
-    equilibrium::Loading loading{};  ///< its cell is the width of bracket that is wanted
+    equilibrium::Loading loading{};  ///< its cell is the wanted width of the bracket
     double start = 0;
     double stop = kInfinity;                   ///< the search ends there if nothing has failed
     double longest_step = 0;                   ///< along the path
@@ -26,7 +26,7 @@ struct LoadAxis {
 
 /// Of a critical angle: the tilt [rad], from the analysis' start to its stop.
 LoadAxis tiltAxis(const Model& model, const SearchRules& rules);
-/// Of a factor of safety: what strength is divided by. The model must outlive it.
+/// Of a factor of safety: the divisor of strength. The model must outlive it.
 LoadAxis strengthAxis(const Model& model, const SearchRules& rules);
 /// Of a critical acceleration: the horizontal seismic coefficient.
 LoadAxis accelerationAxis(const Model& model, const SearchRules& rules);

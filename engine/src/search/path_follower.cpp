@@ -18,7 +18,7 @@ using equilibrium::Parting;
 using equilibrium::PathStep;
 using equilibrium::Released;
 
-constexpr int kMostSteps = 4'000;
+constexpr int kMostPathSteps = 4'000;
 constexpr double kShortOfTarget = 0.9;
 constexpr std::int64_t kLeastWorkBeyond = 60;  // factorisations
 constexpr double kLeastGrowth = 0.5, kMostGrowth = 2;
@@ -42,7 +42,7 @@ class Follower {
     }
 
     Followed run() {
-        for (int k = 0; k < kMostSteps; ++k) {
+        for (int k = 0; k < kMostPathSteps; ++k) {
             if (path_.stopped()) return ended(PathResult::interrupted);
             if (const auto result = look()) return ended(*result);
             mended_ = false;
@@ -57,8 +57,7 @@ class Follower {
     }
 
  private:
-    /// The arc of the next step, and where parting counts from: after a beginning, a leap, or blocks taken
-    /// out.
+    /// The arc of the next step, and the start of parting: after a beginning, a leap, or removed blocks.
     void beginAnew() {
         arc_.displacement = rules_.first_step * rules_.step_displacement;
         arc_.load = rules_.first_step * longest();
@@ -96,9 +95,9 @@ class Follower {
         return std::nullopt;
     }
 
-    /// Blocks that slide much farther than in a failure while the load hardly rises have failed where that
-    /// began: what they slide on hardens, as bolts across a slide do. Columns that lean on soft joints move
-    /// as slowly, and yet stand: what is elastic slides nowhere.
+    /// Blocks that slide far beyond the failure displacement while the load hardly rises failed where that
+    /// began: their resistance hardens, as that of bolts across a slide. Columns that lean on soft joints
+    /// move as slowly and are stable: elastic displacement is no sliding.
     std::optional<PathResult> creeps() {
         if (!creep_) return std::nullopt;
         const double slid = path_.slidSince(creep_->since);
@@ -151,16 +150,16 @@ class Follower {
         return std::nullopt;
     }
 
-    /// Whether what parts farther is the failure that counts, seen longer.
+    /// Whether the farther parting is the same failure, observed longer.
     bool isSameMotion(double load) const { return load <= found_.bracket.fails; }
 
-    /// What joints and bolts give: no part of a failure [median block sizes].
+    /// Elastic displacement of joints and bolts: no part of a failure [median block sizes].
     double allowance() const {
         return (rules_.elastic_parting * path_.elasticDisplacement() + tieReach(path_.state())) /
                path_.state().geometry->length_scale;
     }
 
-    /// \return whether the path has gone on, or a shorter step is to be tried
+    /// \return whether the path has advanced; else a shorter step is to be tried
     bool stepAlong() {
         if (slow_ >= static_cast<int>(rules_.slow_steps)) return false;
         if (follow_.report) follow_.report(path_.load(), "stands");
@@ -176,7 +175,7 @@ class Follower {
         const int iterations = step.iterations;
         before_ = path_.place();
         path_.commit(std::move(step));
-        // Contacts found anew, and bonds that the step has overloaded, have to come to rest at its load.
+        // After new contacts, or bonds overloaded by the step, equilibrium is needed again at its load.
         if ((path_.bondsGive() || !path_.isBalanced()) && !settle()) {
             if (gain <= rules_.peak_accuracy * cell_) return false;
             path_.goBack(*before_);
@@ -186,7 +185,7 @@ class Follower {
         }
         const double parted = path_.partedSince(before);
         if (!creep_ &&
-            !risesFast(gain, path_.slidSince(before))) {  // from where, is to be known as well as a peak
+            !risesFast(gain, path_.slidSince(before))) {  // the load where it began is refined like a peak
             if (gain > rules_.peak_accuracy * cell_ && length > kTooShort) {
                 path_.goBack(*before_);
                 arc_.displacement = rules_.shorter_at_peak * length;
@@ -208,8 +207,8 @@ class Follower {
         return true;
     }
 
-    /// A step along which the load falls has a peak in it, or begins beyond one that the step before has
-    /// leapt over. No path that bends one way lies above its tangents.
+    /// A step along which the load falls contains a peak, or begins beyond one that the previous step passed.
+    /// A concave path lies below its tangents.
     /// \return whether the peak is known well enough; else the next step is a shorter one
     bool isPeakKnown(const PathStep& step) {
         const PathStep& last = path_.last();
@@ -236,8 +235,8 @@ class Follower {
                Released::rests;
     }
 
-    /// Where steps along the path gain nothing, or do not converge, the assembly is released at a little more
-    /// load.
+    /// Where steps along the path gain nothing, or do not converge, the assembly is released at a slightly
+    /// higher load.
     std::optional<PathResult> leapOver() {
         const double load = std::max(path_.load(), highest_) + leap_;
         if (follow_.report) follow_.report(load, "released");
@@ -249,7 +248,7 @@ class Follower {
         const double parted = path_.partedSince(since) - gives;
         const bool is_near = released == Released::rests && parted <= follow_.displacements[follow_.counts];
         if (released == Released::lost && parted <= follow_.displacements[follow_.counts]) {
-            // Newton's method may find its way at a little more load; the bracket is as much wider.
+            // Newton's method may converge at a slightly higher load; the bracket is as much wider.
             if (leap_ >= kMostLeap * cell_) return PathResult::lost;
             path_.goBack(place);
             least_leap_ = leap_ = 2 * leap_;
@@ -350,8 +349,8 @@ class Follower {
     Arc arc_{};
     double leap_ = rules_.overload * cell_, least_leap_ = leap_;
     int slow_ = 0;
-    bool mended_ = false;   ///< by the caller: the path is in equilibrium again
-    std::size_t next_ = 0;  ///< the least displacement that nothing has failed by
+    bool mended_ = false;   ///< mended by the caller: the path is in equilibrium again
+    std::size_t next_ = 0;  ///< the least displacement not yet reached
     std::int64_t factors_ = 0, noted_ = 0;
     std::optional<EquilibriumPath::Place> stood_{}, before_{};
     /// Where the load began to rise slowly.

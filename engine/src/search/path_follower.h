@@ -1,6 +1,6 @@
 #pragma once
-// Follows the equilibrium path of a load up to a target, or to the first peak beyond which neighbouring
-// blocks part by more than the failure displacement before equilibrium is found again.
+// Follows the equilibrium path of a load up to a target or to failure. Failure is the first peak beyond which
+// neighbouring blocks part by more than the failure displacement before equilibrium is found again.
 
 #include <functional>
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace talus::search {
 
-/// A load that stands and one at which the assembly was seen to leave its place.
+/// A stable load, and one at which the assembly was found to fail.
 struct Bracket {
     double stands = 0, fails = 0;
 };
@@ -22,18 +22,17 @@ struct Bracket {
 enum class PathResult : std::uint8_t {
     reached,  ///< the target, in equilibrium
     failed,   ///< below it
-    lost,     ///< neither is known: Newton's method finds no way on
+    lost,     ///< neither is known: Newton's method does not converge
     interrupted
 };
 
-/// What is known of a path.
+/// Results of a path.
 struct Followed {
     PathResult result = PathResult::lost;
     Bracket bracket{};  ///< of the failure that counts
-    /// For each displacement asked about: where the path first fails by it; nothing where it was not seen to.
+    /// For each given displacement: where the path first fails by it; nothing where it does not.
     std::vector<std::optional<Bracket>> by_displacement{};
-    /// The last equilibrium below the failure, and the assembly as it has left its place by the failure
-    /// displacement.
+    /// The last equilibrium below the failure, and the assembly displaced by the failure displacement.
     std::optional<equilibrium::EquilibriumPath::Place> stood{};
     std::optional<State> failing{};
     equilibrium::Parting since{};     ///< from when the displacement of the failure counts
@@ -47,8 +46,8 @@ struct Follow {
     std::vector<double> displacements{};
     std::size_t counts = 0;  ///< which of them is that
     double rise = 0;         ///< of the load, from which on parting counts anew; 0: SearchRules::rise
-    /// Called where the failure that counts is seen, the path being there. If it mends that (by taking blocks
-    /// out), true: the path goes on from where it is then.
+    /// Called at the failure that counts. True if it mends that by removing blocks: the path then continues
+    /// from its new end.
     std::function<bool(const Followed&)> mends{};
     std::function<void(double load, const char* what)> report{};
 };

@@ -24,7 +24,7 @@ using checks::areTied, checks::freeMass, checks::kMostLoose, checks::looseShare,
     checks::movingBlocks, checks::touchesSomething, checks::withoutBlocks;
 using equilibrium::Released;
 
-// Failure displacements that every answer is told for.
+// Failure displacements for which every answer is reported.
 constexpr std::array kDisplacements{1e-4, 3e-4, 1e-3, 3e-3, 1e-2};
 constexpr double kStrongest = 0.1;  // of the factors tried
 
@@ -200,7 +200,7 @@ void Search::follow(Course& course) {
     if (course.begun.result != PathResult::reached) return;
     if (std::isfinite(begins_failing_)) {
         if (!raiseTo(course, begins_failing_)) return;
-        if (result_.let_go.empty()) return narrowBeginnings(course);
+        if (result_.removed_groups.empty()) return narrowBeginnings(course);
         raiseTo(course, axis().stop);
         return;
     }
@@ -252,7 +252,7 @@ bool Search::raiseTo(Course& course, double target) {
     Followed followed = followPath(path, axis(), follow);
     effort(path);
     const bool stands = followed.result == PathResult::reached;
-    if (course.is_followed) {  // the way to the scenario's own strength comes before
+    if (course.is_followed) {  // the path to the scenario's own strength comes before
         const auto prepend = [](auto& before, auto& after) {
             before.insert(before.end(), after.begin(), after.end());
             after = std::move(before);
@@ -267,7 +267,7 @@ bool Search::raiseTo(Course& course, double target) {
 }
 
 double Search::progressOf(double load, double from, double target) {
-    // Most searches end long before their target: the bar slows down and never stands.
+    // Most searches end long before their target: the progress bar slows down and never stops.
     const double way = std::abs(load - from) / std::max(0.1 * std::abs(target - from), 0.2);
     return way / (1 + way);
 }
@@ -308,7 +308,7 @@ bool Search::letSmallGo(EquilibriumPath& path, const Followed& found, bool is_an
         group.low = found.bracket.stands, group.high = found.bracket.fails;
         group.factor = 0.5 * (group.low + group.high);
     }
-    result_.let_go.push_back(std::move(group));
+    result_.removed_groups.push_back(std::move(group));
     return true;
 }
 Result<SearchResult> searchFor(Varied varied, const Model& model, const Control& control,

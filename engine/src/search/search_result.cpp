@@ -18,7 +18,7 @@ namespace {
 
 using checks::movingBlocks;
 
-// Of the answer: answers nearer than that are the same.
+// Of the answer: nearer answers count as equal.
 constexpr double kSameAnswer = 1.0;  // cells
 
 }  // namespace
@@ -106,7 +106,7 @@ void Search::describe(Course& course, bool has_begun) {
         const PositionArray& position = is_seen ? followed.since.poses().position : built_->blocks.position;
         const QuaternionArray& orientation =
             is_seen ? followed.since.poses().orientation : built_->blocks.orientation;
-        // What blocks give elastically is no motion, as long as they go farther than that.
+        // Elastic displacement is not counted as motion, as long as blocks move farther than that.
         const double gives = std::min(course.path->elasticDisplacement(),
                                       kLeastMotion * largestMotion(last, position, orientation));
         failure::Failure failure = failure::describeFailure(position, orientation, last, gives);
@@ -127,7 +127,7 @@ void Search::describe(Course& course, bool has_begun) {
     const ContactCount contacts = countContacts(last.interfaces);
     result_.interfaces = contacts.interfaces;
     result_.contact_points = contacts.points;
-    const bool alike = gone_ == std::vector<char>(gone_.size(), 0) && result_.let_go.empty();
+    const bool alike = gone_ == std::vector<char>(gone_.size(), 0) && result_.removed_groups.empty();
     if (fails && control_.keep_failing_state && alike) keepFailing(course, last);
     for (std::string& warning : searchWarnings(*built_, last, fails, !has_begun))
         result_.warnings.push_back(std::move(warning));
@@ -145,7 +145,7 @@ void Search::keepFailing(Course& course, const State& last) {
                                                           : axis().start;
     if (followed.stood) {
         course.path->goBack(*followed.stood);
-        course.path->putUnder(has_begun ? failing->load : 1.0);  // on the way there loads are shares
+        course.path->putUnder(has_begun ? failing->load : 1.0);  // before the search begins loads are shares
     }
     failing->state = fullFrameOf(followed.stood ? course.path->exactState() : last);
     std::vector<char> moving(last.blocks.size(), 0);

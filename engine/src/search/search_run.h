@@ -1,6 +1,6 @@
 #pragma once
-// One search as it goes: what it has read, built and found so far. search.cpp has its course,
-// search_result.cpp what becomes of the result, search_beside.cpp what stands beside the answer.
+// One search in progress: its input, model and results so far. search.cpp has its course, search_result.cpp
+// the result, search_beside.cpp the secondary answers.
 
 #include <atomic>
 #include <cmath>
@@ -24,7 +24,7 @@ namespace talus::search {
 
 using equilibrium::EquilibriumPath;
 
-/// What a path has come to, wherever it ended.
+/// The end of a path.
 struct Course {
     std::unique_ptr<EquilibriumPath> path{};
     Begun begun{};
@@ -48,7 +48,7 @@ class Search {
     void tellDisplacements();
     LoadAxis axisOf(const Model& model) const;
 
-    /// The model without the blocks that are gone, its state and what is wrong with it.
+    /// The model without the removed blocks, its state and its errors.
     std::vector<Error> build();
     void warnOfLooseBlocks();
     void stopDrivenBlocks();
@@ -61,74 +61,73 @@ class Search {
     bool isLevel() const { return rest_->gravity.direction || std::abs(startTilt()) < kNoTilt; }
 
     /// A path that begins with strengths divided by a factor.
-    /// \param weakens  to that after the weight has come on with more strength
+    /// \param weakens to that, after the weight was applied with more strength
     Course beginAt(double factor, bool weakens = true);
 
-    /// What fails on the way to its own tilt is tilted with more strength, no more than is needed.
+    /// A slope that fails before its own tilt is tilted with more strength, as little as possible.
     Course begin();
 
-    /// Blocks that fall as weight comes on, whatever the strength, are taken out if they are few.
+    /// Blocks that fall under their weight whatever the strength are removed if they are few.
     bool letFall(const Course& course);
 
-    /// \param blocks  of the model that is left \param count  of those taken out so
+    /// \param blocks of the remaining model \param count of those taken out so
     bool takeOutOfModel(const std::vector<std::size_t>& blocks, std::size_t* count);
 
     /// Follows the load that is searched for from where the path began.
     void follow(Course& course);
 
-    /// The slope fails as it is tilted with strengths divided by some factor, yet stands so when it comes
-    /// there from more strength: the path decides. The answer is the factor from which on it fails on its way
-    /// to the tilt.
+    /// The slope fails while it is tilted with strengths divided by some factor, but is stable there if
+    /// strength is reduced after the tilt. The answer depends on the path: it is the least factor at which
+    /// the slope fails during the tilt.
     void narrowBeginnings(Course& course);
 
     /// \return whether it stands there
     bool raiseTo(Course& course, double target);
     static double progressOf(double load, double from, double target);
 
-    /// What has failed and has less mass than an answer is taken out where the rest stood, and the path goes
-    /// on.
+    /// Failed blocks of too little mass for an answer are removed from the last equilibrium, and the path
+    /// continues.
     /// \param is_answer  of the load that is searched for
     bool letSmallGo(EquilibriumPath& path, const Followed& found, bool is_answer);
     BlockGroup groupOf(const std::vector<std::size_t>& blocks, double load) const;
     void effort(const EquilibriumPath& path);
     Result<SearchResult> interruptedBefore();
 
-    /// From what the paths have come to.
+    /// From the ends of the paths.
     void finish(Course& course);
     void addDisplacements(const Followed& followed);
 
     /// How it fails, and the state the search ended in.
     void describe(Course& course, bool has_begun);
 
-    /// From the last equilibrium, which the load that fails is put on.
+    /// From the last equilibrium, under the failing load.
     void keepFailing(Course& course, const State& last);
     void nameFallen();
 
-    /// Who goes next, and at which factor: what has failed is taken out where the rest stood, and the path
-    /// goes on.
+    /// Successive failure groups and their factors: failed blocks are removed from the last equilibrium, and
+    /// the path continues.
     void addGroups(Course& course);
 
-    /// By limit analysis: of the assembly as built, or as it settled where joints had to close first.
+    /// By limit analysis: of the assembly as built, or as loaded where joints had to close first.
     void addUpperBound(const Course& course);
     Ceiling boundOf(const Course& course);
 
-    /// Joints that carry nothing where the search begins, with more strength than the assembly has: there
-    /// nothing has slid that could press them.
+    /// Joints that carry nothing at the search's beginning, under increased strength: before any slide that
+    /// could press them.
     UnloadedJoints unloadedAtFirst();
 
     /// The least factor by block theory, for the blocks that the answer is for.
     void addLimitEquilibrium();
     /// The lowest and the highest answer found.
     void addInterval(const Course& course);
-    /// From what else was seen on the way to the answer.
+    /// From other results on the path to the answer.
     void addBounds();
     /// The lowest answer that another loading path leaves open: joints that carry nothing when the assembly
     /// is first in equilibrium get no friction.
     void addUnloadedJoints(const Course& course);
-    /// What turns does so about a pivot inside its edge where the joint under it is elastic, and leans
-    /// before.
+    /// On an elastic joint a block turns about a pivot inside its edge, and leans before.
     void addElasticity(const Course& course);
-    /// Of a model that differs a little: widens the interval where the answer is another. \return that answer
+    /// Of a slightly different model: widens the interval where the answer differs. \return that answer
     std::optional<double> addAnswerOf(const Model& model, const std::string& what);
     Result<SearchResult> answerOf(const Model& model) const;
     void lowerInterval(double answer, const std::string& reason);
@@ -136,11 +135,11 @@ class Search {
     static constexpr double kNoTilt = 1e-9;               // [rad]
     static constexpr double kLoading = 0.2, kPath = 0.9;  // of the progress
     static constexpr double kLeastMotion = 0.05;          // of the farthest block's
-    // Cells beyond the bracket at which a failure is played on: at the peak itself it would take minutes to
+    // Cells beyond the bracket at which a failure is continued: at the peak itself it would take minutes to
     // begin.
     static constexpr double kPlayedBeyond = 8;
 
-    /// Blocks that fall because those before them have left: where they were seen to go.
+    /// Blocks that fall because earlier groups have left, with the load.
     struct Followers {
         std::vector<std::size_t> blocks;
         PositionArray position;
@@ -160,7 +159,7 @@ class Search {
     const SearchRules& rules_;
     std::vector<double> displacements_{};
     std::size_t counts_ = 0;
-    std::vector<char> gone_;  ///< per block of the model: taken out before the search
+    std::vector<char> gone_;  ///< per block of the model: removed before the search
     std::size_t fallen_ = 0, slivers_ = 0;
     std::shared_ptr<const Model> rest_{};
     std::optional<LoadAxis> axis_{}, strength_{};
@@ -170,13 +169,14 @@ class Search {
     UnloadedJoints unloaded_{};       ///< where the search begins, with more strength
     bool without_friction_ = false;
     const EquilibriumPath* path_now_ = nullptr;
-    /// For an answer beside the answer: what it may cost, and what ends it then.
+    /// For a secondary answer: its limit of work, and its interruption.
     std::int64_t most_factors_ = 0;
     std::atomic<bool>* enough_ = nullptr;
     std::optional<Followers> followers_{};  ///< of what was too small to be the answer without them
-    bool mends_on_the_way_ = true;          ///< to where the search begins: small failures are taken out
+    bool mends_on_the_way_ = true;          ///< of the loading path: small failures are removed
     double begins_failing_ = kInfinity;  ///< least factor with which the slope fails on its way to its tilt
-    double jammed_at_ = -kInfinity;  ///< factor at which it stands though it fails on its way there with that
+    double jammed_at_ = -kInfinity;  ///< factor at which it is stable although it fails during the tilt with
+                                     ///< that
     equilibrium::PathWork counted_{};  ///< of the path that is followed
     SearchResult result_{};
 };

@@ -47,7 +47,7 @@ std::optional<std::string> ofLostCohesion(double lost) {
            "is kept";
 }
 
-/// What tears at once does so at its edge first.
+/// A brittle bond tears at its edge first.
 std::optional<std::string> ofLostTension(double lost) {
     if (lost == 0) return std::nullopt;
     return kDependsOnTension + std::string(" at once where a joint first opens or slips (") +
@@ -57,7 +57,7 @@ std::optional<std::string> ofLostTension(double lost) {
            "kept";
 }
 
-/// Limit equilibrium counts the peak everywhere at once; a joint slips at one point after the other.
+/// Limit equilibrium counts the peak everywhere at once; a real joint slips progressively.
 std::optional<std::string> ofLostFriction(double lost) {
     if (lost == 0) return std::nullopt;
     return kDependsOnFriction + std::string(" where a joint first slips or opens (") +
@@ -67,8 +67,7 @@ std::optional<std::string> ofLostFriction(double lost) {
            "bound of limit analysis assumes peak friction";
 }
 
-/// At the start nothing is known of what blocks move at rest, but how far what lies on them presses their
-/// joints.
+/// At the start the elastic displacement is unknown; only the closure of joints under the load on them is.
 std::optional<std::string> ofJointsPressedIn(const State& state) {
     constexpr double kPressed = 5e-3;  // of the smaller block's size
     double most = 0, size = 1;

@@ -1,5 +1,5 @@
 #pragma once
-// What users should know of an answer beside the figure.
+// Warnings of an answer.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace talus::search {
 
-/// How the warning begins of an answer that depends on cohesion lost at the first slip.
+/// Beginning of the warning that an answer depends on cohesion lost at the first slip.
 inline constexpr const char* kDependsOnCohesion = "the answer depends on cohesion that is lost";
 /// Likewise, on tensile strength.
 inline constexpr const char* kDependsOnTension = "the answer depends on tensile strength that is lost";
@@ -17,11 +17,11 @@ inline constexpr const char* kDependsOnTension = "the answer depends on tensile 
 inline constexpr const char* kDependsOnFriction = "the answer depends on peak friction that is lost";
 
 /// \param built  the state before the search
-/// \param last   the one it ended in: where the assembly has left its place, if it `fails`
+/// \param last the final one: the failing state, if it `fails`
 /// \param at_start  it fails before the search begins
 std::vector<std::string> searchWarnings(const State& built, const State& last, bool fails, bool at_start);
 
-/// Share of the area of joints whose cohesion goes at the first slip that has lost it, 0..1.
+/// Share of brittle joint area that has lost its cohesion, 0..1.
 double lostCohesion(const State& state);
 
 }  // namespace talus::search

@@ -47,8 +47,8 @@ class ReducedTheory {
 };
 
 /// The strength reduction at which the predicted critical tilt is the model's own tilt. Nothing where no
-/// formula applies, and nothing where overturning decides: strength has no part in that. The formulas may be
-/// silent for strong joints (columns lean) and for weak ones (water pushes uphill), so the first factor that
+/// formula applies, or where overturning governs, which does not depend on strength. The formulas may not
+/// apply to strong joints (columns lean) or to weak ones (water pushes uphill), so the first factor that
 /// slides is sought upwards.
 std::optional<TheoryFigure> theoryOfFactor(const Model& model, const std::atomic<bool>* stop) {
     constexpr double kLowest = 0.02, kHighest = 50, kRatio = 1.05;
@@ -94,7 +94,7 @@ void tilt(Model& model, double value) {
     model.gravity.tilt = value;
 }
 
-/// What a scenario with `gravity.direction` has turned into that.
+/// A value derived from a scenario's `gravity.direction`.
 double turnedInto(const Model& m) { return m.gravity.direction ? m.gravity.tilt : 0.0; }
 
 template <int Axis>
@@ -249,7 +249,7 @@ const LoadSearch* loadSearch(std::string_view name) {
 
 std::vector<std::string> leftOut(const SearchResult& result) {
     std::vector<std::string> names = result.fallen_at_start;
-    for (const BlockGroup& group : result.let_go)
+    for (const BlockGroup& group : result.removed_groups)
         names.insert(names.end(), group.blocks.begin(), group.blocks.end());
     return names;
 }

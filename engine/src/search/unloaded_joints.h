@@ -1,8 +1,7 @@
 #pragma once
-// Joints that carry no normal force when an assembly is first in equilibrium. Friction may lock on them
-// later, as blocks turn a little between their neighbours, and then holds what statics alone would not: how
-// much of it acts depends on the loading path. Without any friction there an answer is the lowest that
-// statics allows them.
+// Joints that carry no normal force when an assembly is first in equilibrium. As blocks turn slightly between
+// their neighbours, friction may lock on them and stabilise what statics alone would not. How much of it acts
+// depends on the loading path. Without friction there, the answer is the lowest that statics allows.
 
 #include <cstdint>
 #include <set>

@@ -1,5 +1,5 @@
 #pragma once
-// Which of the kernels' builds is used. Chosen once per simulation, so that one binary runs on any x86-64.
+// Choice of the kernels' build, once per simulation, so that one binary runs on any x86-64.
 
 #include <cstdint>
 
@@ -17,7 +17,7 @@ InstructionSet bestInstructionSet();
 /// Whether this processor has it.
 bool isAvailable(InstructionSet set);
 
-/// The one of three builds that is for this instruction set.
+/// Of three builds, the one for this instruction set.
 template <class Build>
 const Build& buildFor(InstructionSet set, const Build& scalar, const Build& avx2, const Build& avx512) {
     switch (set) {

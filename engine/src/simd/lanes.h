@@ -1,7 +1,7 @@
 #pragma once
-// Four or eight doubles at a time, as many as the instruction set of the file that includes this has in a
-// register: the operations of scalar.h for kWidth lanes. Only kernels' own source files include this, and
-// everything is local to them.
+// Four or eight doubles at a time, by the register width of the including file's instruction set: the
+// operations of scalar.h for kWidth lanes. Only kernels' own source files include this, and everything is
+// local to them.
 
 #include <cstring>
 
@@ -114,8 +114,7 @@ TALUS_KERNEL Lanes squareRoot(Lanes a) {
 /// apart).
 using FourLanes = FourOf<Lanes>;
 #if defined(__AVX512F__)
-/// Halves of rows 0, 2 and of rows 1, 3 side by side: the place of each record's numbers in a register of two
-/// records.
+/// Halves of rows 0, 2 and of rows 1, 3 side by side: places of the numbers in a register of two records.
 TALUS_KERNEL FourLanes transposed(__m512d a, __m512d b, __m512d c, __m512d d) {
     const __m512d ab_even = _mm512_unpacklo_pd(a, b), ab_odd = _mm512_unpackhi_pd(a, b);
     const __m512d cd_even = _mm512_unpacklo_pd(c, d), cd_odd = _mm512_unpackhi_pd(c, d);
@@ -200,7 +199,7 @@ typedef std::uint64_t LaneWords __attribute__((vector_size(sizeof(double) * kWid
 
 }  // namespace
 
-/// By the addresses of the piece that the bits of zero would tell: the rest is a shift and a sum.
+/// The base address is that for the bits of zero; the rest is a shift and a sum.
 template <>
 struct TablesOf<Lanes> {
     LaneWords zero;

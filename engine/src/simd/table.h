@@ -3,8 +3,8 @@
 // variable, 64 pieces to a power of two. The same steps for one number here and for several in lanes.h.
 //
 // A table has kPieces pieces: below 1, from 1 to kGreatest, and beyond. A piece holds up to its fourth
-// number; what lies beyond that but before the next piece is sought among the pieces that follow all others,
-// the last of which has no end.
+// number; between that and the next piece, the value is sought in the pieces after all others, the last of
+// which has no end.
 
 #include <cstring>
 
@@ -28,7 +28,7 @@ inline constexpr std::uint64_t kPieces = 2 + kOctaves * kPiecesPerOctave;
 inline constexpr double kGreatest = 0x1p40;                                // where the last piece begins
 inline constexpr double kLeast = 1.0 - 1.0 / (2 * kPiecesPerOctave);       // anything in the first piece
 inline constexpr int kPieceShift = 52 - 6;                                 // leaves exponent and six bits
-inline constexpr std::uint64_t kFirstPiece = 1023 * kPiecesPerOctave - 1;  // what the bits of kLeast say
+inline constexpr std::uint64_t kFirstPiece = 1023 * kPiecesPerOctave - 1;  // the bits of kLeast
 
 TALUS_KERNEL const double* pieceFor(const double* table, double x) {
     const double inside = larger(smaller(x, kGreatest), kLeast);

@@ -1,6 +1,6 @@
 #pragma once
-// Two numbers (each a double or a register of them) that go through a kernel side by side: where one has to
-// wait for its last result, the processor works on the other.
+// Two numbers (each a double or a register of them) side by side in a kernel: while one waits for its last
+// result, the processor works on the other.
 
 #include "simd/scalar.h"
 

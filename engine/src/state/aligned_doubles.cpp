@@ -32,7 +32,7 @@ double* allocate(std::size_t bytes) {
 #ifdef __linux__
     if (bytes >= kHuge) {
         double* at = mapped(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
-        madvise(at, bytes, MADV_HUGEPAGE);  // a wish only
+        madvise(at, bytes, MADV_HUGEPAGE);  // a hint only
         return at;
     }
 #endif

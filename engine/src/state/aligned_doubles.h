@@ -1,7 +1,7 @@
 #pragma once
 // A growing array of doubles for the big arrays of a state. Unlike a std::vector it begins on a cache line,
-// so that a register of eight is one line; asks for huge pages, so that streams of a model beyond the caches
-// do not wait for page tables; and grows by moving pages, so that it never needs twice its own memory.
+// so that a register of eight is one line. It requests huge pages, so that streams of large models do not
+// wait for page tables. It grows by moving pages, so it never needs twice its own memory.
 
 #include <cstddef>
 

@@ -73,13 +73,13 @@ struct Blocks {
     VectorArray inverse_inertia;       ///< likewise [1/(kg m^2)]
     std::vector<Motion> motion;
     std::vector<std::uint8_t> free;    ///< 1 where motion is free, for the kernels
-    std::vector<std::uint8_t> gone{};  ///< 1: taken out (takeOut), fixed and touching nothing; empty: none is
+    std::vector<std::uint8_t> gone{};  ///< 1: removed (takeOut), fixed and touching nothing; empty: none is
 
     std::size_t size() const { return mass.size(); }
     bool isGone(std::size_t b) const { return !gone.empty() && gone[b] != 0; }
 };
 
-/// What an interface is between.
+/// Kind of an interface.
 enum class InterfaceKind : std::uint8_t {
     faces,       ///< two faces that lie against each other
     vertex_edge  ///< a place for a vertex on a face, or for two edges that cross (contacts/vertex_edge.h)
@@ -143,8 +143,8 @@ struct Interfaces {
     }
 };
 
-/// What contact points remember; where they lie follows from the patch (law/points.h), and the
-/// forces they carry from the poses (contactPoints).
+/// Memory of contact points. Their places follow from the patch (law/points.h), and their forces from the
+/// poses (contactPoints).
 struct ContactPoints {
     LaneArray memory{
         kSlideQuantities};  ///< as Interfaces::pointSlot says; with bond and dilation where a joint has those
@@ -247,7 +247,7 @@ struct ForceParts {
     std::vector<double> numbers;
 };
 
-/// What does not change while blocks move: shapes, names, the description itself.
+/// Constant data: shapes, names, the model itself.
 struct Geometry {
     explicit Geometry(std::shared_ptr<const Model> of)
         : description(std::move(of)), model(*description), joints(model) {}
@@ -283,13 +283,13 @@ struct Load {
     bool shaken = false;       ///< whether the ground moves: in time histories only
 };
 
-/// What springs that are pressed do with the energy they hold.
+/// Energy of pressed springs in a search for contacts.
 enum class Springs : std::uint8_t {
-    /// A search makes their force a function of the gap and the new area, whatever they held: quasi-static
-    /// work, whose answer no search may move.
+    /// A search makes their force a function of the gap and the new area, whatever their energy: quasi-static
+    /// work, whose equilibrium must not depend on the search.
     follow_gaps,
-    /// They hold no more after a search than before (contacts/energy_balance.h), and give back what they
-    /// hold: motion with true inertia.
+    /// They hold no more energy after a search than before (contacts/energy_balance.h), and return it: motion
+    /// with true inertia.
     keep_energy
 };
 
@@ -318,7 +318,7 @@ struct State {
     PositionArray search_position;  ///< poses at the last neighbour search
     QuaternionArray search_orientation;
     double search_margin = 0;  ///< gap up to which that search made interfaces [m]
-    /// A search is around the blocks that have gone far; poses at the last one are of each block its own.
+    /// A search is around the blocks that have moved far; each block has its own pose at its last search.
     bool searches_around = false;
     double shear_lost = 0;  ///< shear force that could not be carried over to clipped patches, in all [N]
     std::vector<std::string> warnings;

@@ -1,5 +1,5 @@
 #pragma once
-// How blocks move: what follows from their momenta, inertia and poses alone.
+// Motion of blocks from their momenta, inertia and poses alone.
 
 #include <vector>
 
@@ -17,7 +17,7 @@ void setAtRest(Blocks& blocks);
 /// Angular velocity of a block in the model frame [rad/s].
 Vec3 angularVelocity(const Blocks& blocks, std::size_t block);
 
-/// Angular velocities of the poses and momenta as they are, for when something but a drift has changed them.
+/// Angular velocities of the present poses and momenta, after a change by anything but a drift.
 /// Writes: angular_velocity
 void updateSpin(State& state, Range blocks);
 
@@ -30,7 +30,7 @@ Vec3 velocityAt(const Blocks& blocks, std::size_t block, const Vec3& place);
 /// Angle a block has turned from a given orientation [rad].
 double rotationFrom(const QuaternionArray& from, const QuaternionArray& to, std::size_t block);
 
-/// How far a point of a block has gone at most from a given position and orientation, to first order [m].
+/// Largest displacement of any point of a block from a given position and orientation, to first order [m].
 double wayFrom(const PositionArray& position, const QuaternionArray& orientation, const State& state,
                std::size_t block);
 

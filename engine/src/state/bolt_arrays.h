@@ -1,5 +1,5 @@
 #pragma once
-// Bolts in the state: a segment is where one ties two blocks, and each remembers what it has given.
+// Bolts in the state: a segment is where one ties two blocks; its memory is its plastic displacement.
 
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace talus {
 
-/// What one segment is made of (forces/bolt_law.h).
+/// Properties of one segment (forces/bolt_law.h).
 struct BoltLaw {
     double stiffness = 0;        ///< axial [N/m]
     double rigidity = 0;         ///< E A [N]
@@ -20,7 +20,7 @@ struct BoltLaw {
     double dowel_strength = 0;   ///< [N]
 };
 
-/// What a segment remembers.
+/// Memory of a segment.
 struct BoltMemory {
     double yielded = 0;         ///< elongation of the bar that stays [m]
     double slipped = 0;         ///< of the bar through its grout [m]

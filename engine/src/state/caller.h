@@ -1,5 +1,5 @@
 #pragma once
-// What long work asks of its caller now and then: whether to go on.
+// Interruption of long computations by their caller.
 
 #include "talus/control.h"
 

@@ -1,7 +1,6 @@
 #pragma once
-// Blocks that the model holds fixed, where they stand. Nothing moves them, so they are placed once,
-// when the model is built, and a search for contacts looks only at those of their parts that another
-// block is near to: a ground of 100,000 triangles costs a search what a plane does.
+// Fixed blocks at their places. They never move, so they are placed once, in the build. A search for contacts
+// visits only their parts near another block: a ground of 100,000 triangles costs it no more than a plane.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,9 +20,9 @@ struct FixedShapes {
     std::vector<Vec3> normals{};                              ///< outward unit normal per face
     std::vector<std::int32_t> parts{};                        ///< as Geometry numbers them, ascending
     BoxTree boxes{};                                          ///< of these parts, in their order
-    /// Blocks that touch each other, as one body with these parts in their order: its surface is what other
-    /// blocks meet. Else a block that slides over two blocks whose tops are level would hang on the edge
-    /// between them by as much as it is pressed into its joint. Empty where no two touch.
+    /// Touching blocks as one body with these parts in their order, whose surface other blocks meet.
+    /// Otherwise a block that slides over two level tops would catch on the edge between them by its elastic
+    /// overlap. Empty where no two touch.
     Polyhedron together{};
     std::vector<FacePlane> planes{};  ///< of its faces
     double tolerance = 0;             ///< of PartOfBody [m]

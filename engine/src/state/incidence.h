@@ -1,5 +1,5 @@
 #pragma once
-// Which interfaces there are: of what kind, on which block, between which faces.
+// Interfaces by kind, block and faces.
 
 #include "state/arrays.h"
 
@@ -12,7 +12,7 @@ inline constexpr std::size_t kPlacesOfPair = 4;
 bool isVertexEdge(const Interfaces& interfaces, std::size_t interface);
 bool isIdle(const Interfaces& interfaces, std::size_t interface);
 
-/// Says of a group of places whether all of them are idle; what they carry is zero then.
+/// Records whether all places of a group are idle; their forces are zero then.
 /// Reads: idle. Writes: the group, its wrenches
 void markIdle(Interfaces& interfaces, std::size_t group);
 
@@ -25,8 +25,8 @@ ContactCount countContacts(const Interfaces& interfaces);
 /// Finds which interfaces push on which block. Reads interfaces, writes their part of incidence.
 void buildIncidence(State& state);
 
-/// Largest length that a block's gaps are differences of: its own coordinates, and those of what it touches
-/// with the arms from there to the contact. A gap is rounded by that times the rounding of one [m].
+/// Largest length in the differences that give a block's gaps: its own coordinates, and those of its
+/// neighbours with the arms to the contact. A gap is rounded by that times the rounding of one [m].
 double coordinateReach(const State& state, const PositionArray& position, std::size_t block);
 
 /// The interface of two blocks, the one with the largest patch if there are several; -1 when they share none.

@@ -16,8 +16,8 @@ namespace talus {
 struct InterfaceFrame {
     Vec3 origin_a = Vec3::Zero();  ///< in a's own frame [m]
     Vec3 e1_a = Vec3::Zero(), e2_a = Vec3::Zero();
-    /// in b's own frame: b's face plane; e1 and e2 as they lay at the clipping, of faces carried into b's
-    /// plane along e3, hence as much longer than one as it is tilted
+    /// in b's own frame: b's face plane; e1 and e2 of the last clipping, projected into b's plane along e3,
+    /// so longer than one where it is tilted
     Vec3 origin_b = Vec3::Zero();
     Vec3 e1_b = Vec3::Zero(), e2_b = Vec3::Zero();
     /// gap [m] and its two slopes along e1, e2 that count as closed and unstressed
@@ -28,7 +28,7 @@ inline constexpr std::array<Vec3 InterfaceFrame::*, 7> kFrameVectors{
     &InterfaceFrame::origin_b,     &InterfaceFrame::e1_b, &InterfaceFrame::e2_b,
     &InterfaceFrame::reference_gap};
 
-/// What springs and dashpots do.
+/// Forces of springs and dashpots.
 struct InterfaceWrench {
     Vec3 force = Vec3::Zero();     ///< on b [N]
     Vec3 moment_a = Vec3::Zero();  ///< on a about a's centroid [N m]

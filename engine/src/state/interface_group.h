@@ -5,7 +5,7 @@
 
 namespace talus {
 
-/// Interfaces that a kernel takes at once: neighbours in the arrays whose patches have as many corners and
+/// Interfaces that a kernel treats at once: neighbours in the arrays with equal numbers of corners and
 /// contact points. Their contact points and corners lie interleaved: the k-th of all members side by side, in
 /// kLanes slots, the unused ones zero.
 struct InterfaceGroup {

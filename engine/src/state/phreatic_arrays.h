@@ -1,5 +1,5 @@
 #pragma once
-// Walls below a phreatic surface, or that may come below it: all faces of free blocks.
+// Walls below a phreatic surface, now or later: all faces of free blocks.
 
 #include <cstdint>
 #include <limits>
@@ -24,7 +24,7 @@ struct PhreaticWalls {
     /// Of each wall's face; they never change.
     std::shared_ptr<const std::vector<phreatic::Outline>> outlines{};
 
-    // Pieces of the surface for the load that they were last made for; they follow from it.
+    // Pieces of the surface for the last load, from which they follow.
     std::shared_ptr<const phreatic::Cells> cells;
     double cells_tilt = std::numeric_limits<double>::quiet_NaN(), cells_share = 0;
 

@@ -14,10 +14,10 @@ namespace talus {
 /// A block's shape in the model frame, where it is now.
 Polyhedron placedShape(const State& state, std::size_t block);
 
-/// The same into a shape there is already: blocks one after the other need no new memory.
+/// The same into an existing shape, so that blocks in turn need no new memory.
 void placeShape(const State& state, std::size_t block, Polyhedron& shape);
 
-/// Places what the model holds fixed.
+/// Places the fixed blocks.
 /// \pre the geometry's shapes and parts are those of these blocks, where the model has them
 FixedShapes placeFixed(const Blocks& blocks, const Geometry& geometry);
 
@@ -37,7 +37,7 @@ std::int32_t firstFace(const Geometry& geometry, std::int32_t part);
 std::pair<std::int32_t, std::int32_t> partsOf(const Geometry& geometry, const Interfaces& interfaces,
                                               std::size_t interface);
 
-/// Nothing for the only part of a block, but where it is fixed and touches other fixed blocks: those are one
+/// Nothing for the only part of a block, unless it is fixed and touches other fixed blocks, which form one
 /// body (FixedShapes::together).
 std::optional<PartOfBody> partOfBody(const State& state, std::int32_t part);
 

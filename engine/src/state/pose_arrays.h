@@ -1,6 +1,6 @@
 #pragma once
-// Poses of blocks. Interfaces read them block by block in no order, so here the numbers of one block lie side
-// by side, and a block's pose is in two cache lines instead of seven.
+// Poses of blocks. Interfaces read them in no order of blocks, so the numbers of one block lie side by side:
+// a pose takes two cache lines instead of seven.
 
 #include <cstddef>
 #include <vector>

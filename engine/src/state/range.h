@@ -1,8 +1,8 @@
 #pragma once
 // One range body, serial or parallel: the driver only cuts the range.
 //
-// TALUS_PLAIN_THREADS: by threads of its own. Debian's TBB is not built for the sanitizer of threads, which
-// then sees neither its races nor what it puts in order; with plain threads it sees those of the bodies.
+// TALUS_PLAIN_THREADS: by threads of its own. Debian's TBB is not built for the thread sanitizer, which then
+// sees neither its races nor its synchronisation; with plain threads it sees the races of the bodies.
 
 #ifdef TALUS_PLAIN_THREADS
 // in place of TBB's loops
@@ -27,8 +27,7 @@ struct Range {
 #ifdef TALUS_PLAIN_THREADS
 template <class Body>
 void forPieces(std::size_t n, std::size_t grain, const Body& body) {
-    // Each takes every fourth piece, however fast it is: what one of them writes another would have to read
-    // in order.
+    // Each takes every fourth piece, at any speed: data of one must not be needed by another in order.
     constexpr std::size_t kThreads = 4;
     const auto work = [&](std::size_t first) {
         for (std::size_t begin = first * grain; begin < n; begin += kThreads * grain) {
@@ -51,7 +50,7 @@ void forPieces(std::size_t n, std::size_t grain, const Body& body) {
 #endif
 
 /// Calls body(Range) over [0, n), cut into pieces of about `grain` when `parallel`. Bodies write only slots
-/// of their own indices, so that the cuts do not show in the result.
+/// of their own indices, so the cuts do not affect the result.
 template <class Body>
 void forRange(std::size_t n, std::size_t grain, bool parallel, const Body& body) {
     if (!parallel || n <= grain)

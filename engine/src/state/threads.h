@@ -1,12 +1,12 @@
 #pragma once
-// When several threads are worth their while.
+// When several threads save time.
 
 #include "state/arrays.h"
 #include "talus/parallel.h"
 
 namespace talus {
 
-/// Below some thousand interfaces a step is shorter than the hand-over between threads is worth.
+/// Below some thousand interfaces a step takes less time than starting it on several threads.
 inline bool worthThreads(const State& state, int threads) {
     return threads != 1 && state.interfaces.size() >= 4096;
 }

@@ -44,8 +44,7 @@ struct Consecutive<double> {
     }
 };
 
-/// The last of them that V has room for, when those before `from` are done: of these it leaves everything as
-/// it is.
+/// The last blocks that fill V, when those before `from` are done: these stay unchanged.
 /// \pre `block` and what follows belong to the caller's range
 template <class V>
 struct Last;
@@ -92,10 +91,9 @@ TALUS_KERNEL Triple<V> selectTriple(const Mask& mask, const Triple<V>& yes, cons
 }
 
 /// Turns the pair (angular momentum in the block's frame, orientation) about one principal axis: the exact
-/// flow of one third of the free rigid body's energy, but for tan(angle/2) ~ angle/2, which keeps it
-/// symplectic (it is the exact flow of a function of the same component) and second order. `t` is that
-/// tangent; a, j, k go round x, y, z. Splitting after Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107
-/// (1997) 5840.
+/// flow of one third of the free rigid body's energy, with tan(angle/2) ~ angle/2. It stays symplectic, as
+/// the exact flow of a function of the same component, and of second order. `t` is that tangent; a, j, k go
+/// round x, y, z. Splitting after Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107 (1997) 5840.
 template <class V>
 TALUS_KERNEL void spinAbout(V t, V& m_j, V& m_k, V& q_w, V& q_a, V& q_j, V& q_k) {
     const V one = V{} + 1.0;
@@ -214,7 +212,7 @@ typedef double ThreeOfFour __attribute__((vector_size(4 * sizeof(double))));
 /// Weight and interfaces of free blocks, added up in stored order, into force and torque.
 inline void sumWrenches(const MotionView& view, std::size_t begin, std::size_t end) {
     constexpr double kSign[2] = {-1.0, 1.0};  // of the force on b, as a's and as b's
-    // Locals: what is written might be the view's members, for all the compiler knows.
+    // Locals, because the compiler cannot exclude that writes change the view's members.
     const double *const mass = view.mass, *const wrenches = view.wrenches;
     const std::int64_t* const interface_begin = view.interface_begin;
     const std::int32_t* const places = view.wrench;
@@ -225,7 +223,7 @@ inline void sumWrenches(const MotionView& view, std::size_t begin, std::size_t e
         if (free[b] == 0) continue;
         ThreeOfFour force = mass[b] * gravity, torque{};
         for (std::int64_t k = interface_begin[b]; k < interface_begin[b + 1]; ++k) {
-            // Without branches: which side a block is on follows no pattern.
+            // Without branches: the side of a block follows no pattern.
             const auto place = static_cast<std::uint32_t>(places[k]), is_b = place & 1U;
             const double* record = wrenches + 9 * static_cast<std::size_t>(place >> 1U);
             ThreeOfFour on_b, moment;

@@ -1,5 +1,5 @@
 #pragma once
-// How two blocks move against each other where they touch, and an impulse that takes energy from that.
+// Relative motion of two blocks at a contact, and an impulse that takes energy from it.
 
 #include "state/arrays.h"
 
@@ -12,13 +12,13 @@ struct DeepestPoint {
 };
 DeepestPoint deepestPoint(const State& state, std::size_t interface);
 
-/// How the two blocks of an interface move against each other at a place.
+/// Relative motion of the two blocks of an interface at a place.
 struct RelativeMotion {
     Vec3 direction = Vec3::Zero();
     double speed = 0;     ///< of b over a [m/s]
     double mobility = 0;  ///< change of that per impulse along it [1/kg]
 
-    /// What an impulse can take of it at most [J].
+    /// Largest energy that an impulse can take from it [J].
     double energy() const { return mobility > 0 ? 0.5 * speed * speed / mobility : 0.0; }
 };
 RelativeMotion motionAt(const State& state, std::size_t interface, const Vec3& place);

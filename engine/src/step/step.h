@@ -6,9 +6,9 @@
 //                                    └─> update water ────> wet wrenches ───────┴─> gather ─> forces,
 //                                    velocities
 //
-// Every stage writes slots of its own index only and reads what earlier stages wrote, so the cut of the
-// ranges among threads does not show in a single bit. Between two steps gather and drift are one pass over
-// the blocks.
+// Every stage writes slots of its own index only and reads what earlier stages wrote, so the bits do not
+// depend on the cut of the ranges among threads. Between two steps gather and drift are one pass over the
+// blocks.
 
 #include <functional>
 
@@ -22,8 +22,8 @@ struct StepOptions {
     bool parallel = false;
 };
 
-/// Puts on the load of a step, the `k`-th of those asked for (from 0): tilt, level, strengths. Poses,
-/// velocities and forces are not its to read.
+/// Applies the load of step `k` (from 0) of a call: tilt, level, strengths. It must not read poses,
+/// velocities or forces.
 using SetLoad = std::function<void(int k)>;
 
 /// Forces for the state as it stands (at the start, or after loads changed by hand); poses and velocities

@@ -15,7 +15,7 @@ namespace {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// Adds what a spring on a block at an arm from its centroid gives, but for the lower left.
+/// Adds the stiffness of a spring on a block at an arm from its centroid, without the lower left block.
 void addSpring(const Mat3& k, const Vec3& arm, Mat6& sum) {
     const double x = arm.x(), y = arm.y(), z = arm.z();
     // u = v + C theta, with the columns (0, -z, y), (z, 0, -x), (-y, x, 0) of C.
@@ -48,7 +48,7 @@ Mat6 interfaceStiffness(const State& state, std::size_t i, const Vec3& centre) {
     return sum;
 }
 
-/// Of what ties a block to others beside contacts, counted as twice the stiffness against one that moves.
+/// Stiffness of ties on a block, counted twice against a block that moves.
 Mat6 tieStiffness(const State& state, std::size_t block) {
     Mat6 sum = Mat6::Zero();
     eachBlockForce(state, [&](const BlockForce& force, const ForceParts& parts) {
@@ -74,8 +74,8 @@ double boundAnywhere(const State& state, std::size_t block, double area) {
            (3.0 / state.blocks.mass[block] + 3.0 * r * r / state.blocks.inertia.get(block).minCoeff());
 }
 
-/// Half the surface, on which no more than one side of a block can touch, of a block of several parts; else
-/// the largest face [m^2].
+/// For a block of several parts half the surface, as it can touch on one side only; else the largest face
+/// [m^2].
 double largestSide(const Polyhedron& shape) {
     double largest = 0, surface = 0;
     for (std::size_t f = 0; f < shape.faces.size(); ++f) {
@@ -87,7 +87,7 @@ double largestSide(const Polyhedron& shape) {
     return shape.partCount() == 1 ? largest : 0.5 * surface;
 }
 
-/// What the first contact of a block in the air may be: its largest side.
+/// Bound for the first contact of a block in the air: its largest side.
 double boundInTheAir(const State& state, std::size_t block) {
     return boundAnywhere(state, block, largestSide(state.geometry->shape[block]));
 }
@@ -98,7 +98,7 @@ double frequencyBound(const State& state, std::size_t block) {
     const auto begin = incidence.interface_begin[block], end = incidence.interface_begin[block + 1];
     if (blocks.motion[block] != Motion::free) return 0.0;
     Mat6 stiffness = Mat6::Zero();
-    double idle_area = 0;  // of vertices and edges that may come to touch before this is asked again
+    double idle_area = 0;  // of vertices and edges that may touch before the next call
     bool touches_nothing = true;
     for (auto k = begin; k < end; ++k) {
         const auto i = static_cast<std::size_t>(incidence.interface[static_cast<std::size_t>(k)]);

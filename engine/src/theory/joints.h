@@ -1,5 +1,5 @@
 #pragma once
-// Which joint acts between two faces, and whether a formula without memory may speak of it.
+// The joint between two faces, and whether a formula without memory applies to it.
 
 #include <optional>
 
@@ -18,7 +18,7 @@ std::optional<WetFace> faceTowards(const Model& model, std::int32_t block, const
 /// failure is progressive and limit equilibrium only an upper bound.
 bool isPlainCoulomb(const Joint& joint);
 
-/// Nothing holds the joint together when it is pulled or sheared without normal force.
+/// The joint has no strength in tension, or in shear without normal force.
 bool partsFreely(const Joint& joint);
 
 }  // namespace talus::theory

@@ -24,7 +24,7 @@ void weakestOfGroup(const Section& section, std::size_t bed_index, std::size_t f
     keepWeaker(best, {bed_index, first, first, true, topplingTilt(massOf(bed, first, first))});
 }
 
-/// What a column passes on to its downhill neighbour.
+/// Push of a column on its downhill neighbour.
 struct Push {
     double force = 0;   ///< [N]
     double moment = 0;  ///< about the bed's level [N m]

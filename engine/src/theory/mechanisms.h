@@ -8,8 +8,7 @@
 
 namespace talus::theory {
 
-/// A mass that can move downhill without asking any other: it is free in front and parts from what is behind
-/// it.
+/// A mass that can move downhill by itself: it is free in front and parts from the mass behind it.
 struct Mechanism {
     std::size_t bed = 0;                            ///< index into Section::beds
     std::size_t first_column = 0, last_column = 0;  ///< 0-based

@@ -100,7 +100,7 @@ std::optional<Prediction> predict(const Model& model) {
     if (!section) return std::nullopt;
     const Mechanism weakest = weakestMechanism(*section);
     if (!(weakest.tilt < kSteepest) || !canStand(*section, weakest.tilt - kJustBelow)) return std::nullopt;
-    // Water may push the other way: a slope that moves uphill when the search starts has no tilt to speak of.
+    // Water may push uphill: a slope that moves uphill when the search starts has no critical tilt.
     const double start = model.analysis.start.value_or(model.gravity.tilt);
     if (!canStand(mirrored(*section), -start)) return std::nullopt;
     return Prediction{weakest.tilt, weakest.topples, formula(*section, weakest), reasons(*section),

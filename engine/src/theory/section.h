@@ -1,6 +1,6 @@
 #pragma once
-// The two-dimensional section of a model that the closed formulas speak of: columns side by side above each
-// bed. A model that is not of this kind has no section, and then no prediction: nothing rather than a guess.
+// The two-dimensional section of a model for the closed formulas: columns side by side above each bed. Other
+// models have no section and no prediction: nothing rather than a guess.
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace talus::theory {
 
-/// What one column carries above one bed, for the full width of the model. "Front" is the side towards -x.
+/// Loads of one column above one bed, for the full width of the model. "Front" is the side towards -x.
 struct Body {
     double length = 0;                   ///< along x [m]
     double height = 0;                   ///< above the bed [m]

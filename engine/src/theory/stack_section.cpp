@@ -1,5 +1,5 @@
-// A regular stack as a section: blocks found by where they are, each bed's joint and each wall's water
-// gathered per slice; all slices must be alike, or the section would not speak for the model.
+// A regular stack as a section: blocks by their positions, each bed's joint and each wall's water per slice.
+// All slices must be alike, or the section would not represent the model.
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +95,7 @@ bool columnsAreWhole(const Stack& stack) {
     return true;
 }
 
-/// Upright joints across x must let go of what moves away.
+/// Upright joints across x must open without resistance.
 bool fissuresPartFreely(const Stack& stack) {
     for (int column = 0; column + 1 < stack.shape.columns; ++column)
         for (int row = 0; row < stack.shape.rows; ++row)
@@ -109,7 +109,7 @@ bool fissuresPartFreely(const Stack& stack) {
     return true;
 }
 
-/// What one slice of a column carries above a bed (row 0: the floor); empty above the column's top.
+/// Loads of one slice of a column above a bed (row 0: the floor); empty above the column's top.
 std::optional<Body> sliceBody(const Stack& stack, int column, int first_row, int slice) {
     const Vec3& size = stack.shape.block;
     const double bed_z = stack.shape.origin.z() + first_row * size.z();
@@ -174,8 +174,8 @@ bool columnBody(const Stack& stack, int column, int row, std::optional<Body>& re
     return true;
 }
 
-/// The columns of a group share the load between them in a way limit equilibrium does not tell, so their bed
-/// must have one strength.
+/// Limit equilibrium does not determine how the columns of a group share their load, so their bed must have
+/// one strength.
 bool hasOneStrength(const Bed& bed) {
     const Body* first = nullptr;
     for (const auto& body : bed.columns) {

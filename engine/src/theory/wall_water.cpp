@@ -34,8 +34,8 @@ bool isUprightRectangleAcrossX(const Model& model, const WetFace& wall) {
     return (small(edge.y()) && small(next.z())) || (small(edge.z()) && small(next.y()));
 }
 
-/// A level over time counts with what it is at the start, as in the analyses; a joint that would drain has
-/// not opened before the first failure.
+/// A level over time counts by its value at the start, as in the analyses; a draining joint has not opened
+/// before the first failure.
 bool hasDepth(const Water& water) {
     return water.kind == Water::Level::depth && !water.pair && !water.level.empty() && water.outline.empty();
 }

@@ -32,7 +32,7 @@ bool isUnit(const Quaternion& q) {
     return std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1.0) < kUnit;
 }
 
-/// Free blocks have inertia, the others none: nothing moves them.
+/// Free blocks have inertia, the others none, as no force moves them.
 bool hasFittingInertia(const Blocks& blocks, std::size_t b) {
     const Vec3 inverse = blocks.inverse_inertia.get(b);
     if (blocks.motion[b] == Motion::free) return blocks.inverse_mass[b] > 0 && inverse.minCoeff() > 0;

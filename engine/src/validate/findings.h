@@ -1,5 +1,5 @@
 #pragma once
-// The list that the parts of validate.h fill.
+// The list filled by the parts of validate.h.
 
 #include <cmath>
 #include <cstddef>
@@ -20,7 +20,7 @@ class Findings {
         if (!holds && list_.size() < kMost) list_.emplace_back(rule);
         return holds;
     }
-    /// Likewise of one of many: "what index: rule".
+    /// The same for one of many: "what index: rule".
     bool expect(bool holds, const char* what, std::size_t index, const char* rule) {
         if (!holds && list_.size() < kMost)
             list_.push_back(std::string(what) + ' ' + std::to_string(index) + ": " + rule);
@@ -36,12 +36,12 @@ class Findings {
 
 /// Unit and at right angles, to the rounding of many turns.
 inline bool areOrthonormal(const Vec3& e1, const Vec3& e2) {
-    constexpr double kRounding = 1e-9;
-    return std::abs(e1.squaredNorm() - 1.0) < kRounding && std::abs(e2.squaredNorm() - 1.0) < kRounding &&
-           std::abs(e1.dot(e2)) < kRounding;
+    constexpr double kFrameRounding = 1e-9;
+    return std::abs(e1.squaredNorm() - 1.0) < kFrameRounding &&
+           std::abs(e2.squaredNorm() - 1.0) < kFrameRounding && std::abs(e1.dot(e2)) < kFrameRounding;
 }
 
-// Parts of validate, each of them safe once those before it have found nothing.
+// Parts of validate. Each is safe once those before it have found nothing.
 void checkBlocks(const State& state, Findings& findings);
 void checkLayout(const State& state, Findings& findings);  ///< sizes, groups, slots and indices of interfaces
 void checkFrames(const State& state, Findings& findings);

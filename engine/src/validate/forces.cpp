@@ -13,22 +13,22 @@
 namespace talus {
 namespace {
 
-constexpr double kSame = 1e-9;    // of the sum of magnitudes
+constexpr double kSumRounding = 1e-9;  // of the sum of magnitudes
 constexpr double kPlace = 1e-10;  // of the patch's size: rounding of places, which stiffness makes a force
 
-/// What the contact points of an interface add up to.
+/// Sums over the contact points of an interface.
 struct PointSum {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< on b; about the interface's origin [N, N m]
     double magnitude = 0;                              ///< of the forces, all of one sign [N]
     double energy = 0;                                 ///< of the springs' lengths [J]
     double rounding = 0;                               ///< of that, from the rounding of places [J]
-    bool dilates = false;  ///< it may have slipped, which the next call of the law feels
+    bool dilates = false;  ///< it may have slipped, which affects the next call of the law
 };
 
 double affineAt(const Vec3& f, const Eigen::Vector2d& at) { return f.x() + at.x() * f.y() + at.y() * f.z(); }
 
-/// What it takes to bring a closed contact point's springs to the lengths they have [J]: not by way of their
-/// forces, which elasticEnergy takes. Where strength cuts a force, that tells the length.
+/// Energy to bring a closed contact point's springs to their lengths [J], independent of their forces, which
+/// elasticEnergy uses. Where strength limits a force, the limit gives the length.
 double normalEnergy(const contact::JointLaw& law, const ContactPoint& point) {
     const contact::PointForce& force = point.force;
     if (force.open) return 0;
@@ -104,11 +104,11 @@ void checkInterface(const State& state, std::size_t i, PointSum& all, Findings& 
     const double length = std::sqrt(f.area[i]),
                  reach = (pose.origin - x_a).norm() + (pose.origin - x_b).norm() + length;
     const double balance =
-        kSame * (wrench.force.norm() * reach + wrench.moment_a.norm() + wrench.moment_b.norm());
+        kSumRounding * (wrench.force.norm() * reach + wrench.moment_a.norm() + wrench.moment_b.norm());
     findings.expect((wrench.moment_a + wrench.moment_b + (x_b - x_a).cross(wrench.force)).norm() <= balance,
                     "interface", i, "its wrenches on the two blocks are not opposite");
     if (state.damping.contact > 0 || state.damping.restitution || sum.dilates) return;
-    const double rounding = kSame * sum.magnitude + kPlace * stiffness * length;
+    const double rounding = kSumRounding * sum.magnitude + kPlace * stiffness * length;
     findings.expect((wrench.force - sum.force).norm() <= rounding, "interface", i,
                     "its force is not the sum over its contact points");
     const Vec3 moment_b = (pose.origin - x_b).cross(sum.force) + sum.moment;
@@ -125,8 +125,9 @@ std::vector<std::string> validateForces(const State& state) {
     const double elastic = elasticEnergy(state);
     findings.expect(kineticEnergy(state) >= 0 && elastic >= 0, "an energy is negative");
     if (!all.dilates)
-        findings.expect(std::abs(elastic - all.energy - tieEnergy(state)) <= kSame * elastic + all.rounding,
-                        "the elastic energy is not that of the springs");
+        findings.expect(
+            std::abs(elastic - all.energy - tieEnergy(state)) <= kSumRounding * elastic + all.rounding,
+            "the elastic energy is not that of the springs");
     return findings.take();
 }
 

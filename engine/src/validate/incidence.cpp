@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-/// Rows of a list by block that are asked for entry by entry.
+/// Rows of a list by block, read entry by entry.
 struct Rows {
     const std::vector<std::int64_t>& begin;
     std::vector<std::int64_t> next;

@@ -79,7 +79,7 @@ bool areUnused(const LaneArray& array, std::size_t row, std::size_t used) {
     return true;
 }
 
-/// What lies beside a group's members must not turn into a number that matters, or into none at all.
+/// Unused lanes beside a group's members must not become a number with an effect, or nan.
 void checkUnusedLanes(const State& state, Findings& findings) {
     const Interfaces& f = state.interfaces;
     const ContactPoints& points = state.points;

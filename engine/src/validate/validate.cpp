@@ -9,7 +9,7 @@ std::vector<std::string> validate(const State& state) {
     for (const auto part :
          {checkBlocks, checkLayout, checkFrames, checkPlaces, checkPoints, checkIncidence, checkWalls}) {
         part(state, findings);
-        if (!findings.none()) break;  // what comes after indexes arrays that this part has looked at
+        if (!findings.none()) break;  // later parts index arrays that this part has checked
     }
     return findings.take();
 }

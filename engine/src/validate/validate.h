@@ -1,7 +1,7 @@
 #pragma once
-// Invariants of a state: what every function that takes one may rely on. Debug builds look after every update
-// of the contacts (contacts/update.cpp), tests after what they test, and a frame from a file has to keep them
-// before it gets in (frame/frame.h).
+// Invariants of a state, on which every function that takes one may rely. Debug builds check them after every
+// update of the contacts (contacts/update.cpp), and tests after each test. A frame from a file must satisfy
+// them before it is used (frame/frame.h).
 
 #include <string>
 #include <vector>
@@ -10,14 +10,14 @@
 
 namespace talus {
 
-/// What does not hold, and where: at most Findings::kMost lines such as "interface 12: its area is not
-/// positive". Empty when all is well.
+/// Violated invariants with their place: at most Findings::kMost lines such as "interface 12: its area is not
+/// positive". Empty when all hold.
 ///  - blocks: arrays of one size, unit quaternions, positive masses and moments of inertia, none for blocks
 ///    that are not free;
-///  - interfaces: groups of equal corners and contact points that follow each other, slots that go with them,
-///    nothing in
-///    unused lanes; indices within their arrays; a pair of faces once; frames orthonormal, in the two faces'
-///    planes, from a to b; patches convex, counter-clockwise, of the area they say;
+///  - interfaces: groups of equal corners and contact points that follow each other, with their slots and
+///    nothing in unused lanes; indices within their arrays; a pair of faces once;
+///  - frames: orthonormal, in the two faces' planes, from a to b;
+///  - patches: convex, counter-clockwise, of the stated area;
 ///  - places for vertices and edges: four for a pair of blocks, idle ones carry nothing;
 ///  - contact points: their areas add up to the patch's, bonds in 0..1, stored places those of the rule;
 ///  - incidence: of each block exactly its interfaces and wet walls in their order, with side and slot;
@@ -25,10 +25,10 @@ namespace talus {
 ///  - search: poses of as many blocks, a margin.
 std::vector<std::string> validate(const State& state);
 
-/// For a state whose interfaces' wrenches were computed for its poses and laws as they are: each is the sum
-/// over its contact points, the law asked anew, and equal and opposite on the two blocks; energies are not
-/// negative, and the elastic one is that of the springs' lengths. With dashpots the wrench holds more than
-/// springs, and only that it is opposite is looked at.
+/// For a state whose interface wrenches belong to its present poses and laws. Each wrench is the sum over its
+/// contact points by a new call of the law, and equal and opposite on the two blocks. Energies are not
+/// negative, and the elastic one is that of the springs' lengths. With dashpots the wrench has more than
+/// springs, and only its opposite is checked.
 /// \pre validate(state) is empty
 std::vector<std::string> validateForces(const State& state);
 

@@ -103,7 +103,7 @@ void append(std::vector<float>& flat, const Vec3& v) {
     for (const double part : {v.x(), v.y(), v.z()}) flat.push_back(static_cast<float>(part));
 }
 
-/// x, y, z, w of a turn about an axis by its length [rad].
+/// Quaternion x, y, z, w of a rotation vector [rad].
 Eigen::Quaterniond quaternionOf(const Vec3& rotation) {
     const double angle = rotation.norm();
     if (angle == 0) return Eigen::Quaterniond::Identity();
@@ -153,7 +153,7 @@ bool moves(const std::vector<LightFrame>& frames, std::size_t b) {
     });
 }
 
-/// The way of one block through the frames, as a channel each for its place and its turn.
+/// The path of one block through the frames: a channel each for translation and rotation.
 void addChannels(Gltf& gltf, Json& animation, const std::vector<LightFrame>& frames, std::size_t b,
                  const Vec3& start, std::size_t node, std::size_t times) {
     std::vector<float> places, turns;
@@ -190,7 +190,7 @@ Json blockNode(const SnapshotHeader& header, const LightFrame& frame, std::size_
 std::string gltfBlocks(const SnapshotHeader& header, const std::vector<LightFrame>& frames) {
     const RunGeometry& g = header.geometry;
     const std::vector<FailureMode> roles = failureRoles(header, frames.back());
-    // Floats resolve little in survey coordinates: places are told from the first block, whose own place is
+    // Floats resolve little in survey coordinates, so places count from the first block, whose own place is
     // exact.
     const Vec3 origin = at(g.centroid, 0);
     Gltf gltf;

@@ -1,5 +1,6 @@
 #pragma once
-// Colours of blocks by how they move: those of the replay page (Okabe and Ito's, told apart by everybody).
+// Colours of blocks by how they move: those of the replay page (Okabe and Ito's, safe for colour-blind
+// readers).
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// Tables that people make with spreadsheets: their lines, and the cells of a line.
+// Tables made with spreadsheets: their lines, and the cells of a line.
 
 #include <string>
 #include <string_view>
@@ -21,7 +21,7 @@ class CsvLines {
     int number_ = 0;
 };
 
-/// What stands between two separators: without blanks around it, or within quotes (RFC 4180).
+/// The text between two separators: without surrounding blanks, or within quotes (RFC 4180).
 struct CsvCell {
     std::string text;
     bool quoted = false, closed = true;  ///< closed: by a quote, if it began with one
@@ -37,12 +37,11 @@ std::string rowFault(const std::vector<CsvCell>& cells, std::size_t columns, cha
 /// Without the blanks, tabs and carriage return around it.
 std::string_view withoutBlanks(std::string_view text);
 
-/// What stands between the columns of a table with this header: a tab, a semicolon or a comma, in quotes none
-/// of them.
+/// The separator of a table with this header: a tab, a semicolon or a comma outside of quotes.
 char separatorOf(std::string_view header);
 
-/// Why this cell, which stands without quotes in a table with this separator, cannot be what is meant:
-/// another separator than the header's, or a comma for a decimal point. Nothing when it can.
+/// Why an unquoted cell cannot be as intended in a table with this separator: another separator than the
+/// header's, or a decimal comma. Nothing when it can.
 std::string cellFault(std::string_view cell, char separator, bool decimal_comma = false);
 
 }  // namespace talus::formats

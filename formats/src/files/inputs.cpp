@@ -19,9 +19,8 @@ namespace talus::formats {
 
 namespace {
 
-/// Device and number on it: what a file is, under all of its names, as long as it exists. The number of one
-/// that is gone goes to the next that is made, with another time of birth or, in the same tick of the clock,
-/// another generation.
+/// Device and inode: they identify a file under all its names, as long as it exists. A new file may get the
+/// inode of a removed one, with another time of birth or, in the same tick of the clock, another generation.
 using Identity = std::pair<std::uint64_t, std::uint64_t>;
 
 struct Found {
@@ -56,7 +55,7 @@ std::optional<Found> find(const std::string& path) {
     return found;
 }
 
-/// What tells apart the files that have had one number, one after the other; not every file system has it.
+/// Distinguishes successive files with the same inode; not every file system has it.
 std::optional<int> generationOf(const std::string& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) return std::nullopt;
@@ -67,8 +66,8 @@ std::optional<int> generationOf(const std::string& path) {
     return generation;
 }
 
-/// Whether a file with the number of an input is still that one: where nobody knows when it was born, as long
-/// as a name of it leads there.
+/// Whether a file with the inode of an input is still that file: without a time of birth, as long as one of
+/// its names leads there.
 bool isStill(const Input& input, const Found& now, const std::string& path) {
     if (input.file.born && now.born) {
         if (*input.file.born != *now.born) return false;

@@ -25,8 +25,7 @@ Error refusal(const std::string& path, int error) {
     return {path, std::string("cannot be opened for writing: ") + std::strerror(error)};
 }
 
-/// A file that is there is opened as it is; one that is not is made, and then nobody can have put a link in
-/// its place.
+/// An existing file is opened as it is; a new one is created exclusively, so that no link can take its place.
 int openOrMake(const std::string& path, bool may_create, bool& created) {
     for (int attempt = 0; attempt < 100; ++attempt) {
         int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
@@ -61,9 +60,9 @@ Result<OutputFile> OutputFile::open(const std::string& path, bool may_create) {
                          "is being written by another process; wait for its end, or choose another file"};
         if (refused != 0 && !noLocksHere(refused)) return refusal(path, refused);
         output.reach_ = refused != 0 ? LockReach::none : formats::lockReach(file);
-        // Not before: between making and locking somebody else may have opened it, and writes.
+        // Only now: between creation and locking another process may have opened the file and written.
         output.created_ = created;
-        // Between opening and locking, who had the file may have taken it away.
+        // Between opening and locking, its previous owner may have removed the file.
         if (output.isAtItsPath()) return output;
     }
 }

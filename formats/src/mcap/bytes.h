@@ -12,7 +12,7 @@ namespace talus::mcap {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A stretch of bytes somebody else owns.
+/// A view of bytes owned elsewhere.
 struct View {
     const std::uint8_t* data = nullptr;
     std::size_t size = 0;

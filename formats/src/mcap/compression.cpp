@@ -12,13 +12,13 @@ namespace {
 constexpr int kLevel = 1;  // doubles hardly shrink further at higher levels, which take several times as long
 
 // Coordinates shrink by some ten per cent, blocks that have not moved yet to nothing: a frame of a million of
-// them is 36 MB of zeros. What claims more than both together was made to fill the memory.
+// them is 36 MB of zeros. A larger claim was made to exhaust the memory.
 constexpr std::uint64_t kMostOfLittle = std::uint64_t{64} << 20;  // [bytes]
 constexpr std::uint64_t kMostRatio = 1024;
 
 bool isPlausible(View bytes, std::uint64_t size) { return size <= kMostOfLittle + kMostRatio * bytes.size; }
 
-/// The frame's own head says nothing else; one that says nothing is believed until its bytes come.
+/// Agrees with the frame's own head; a head without a size is accepted until its bytes come.
 bool headAgrees(View bytes, std::uint64_t size) {
     const unsigned long long said = ZSTD_getFrameContentSize(bytes.data, bytes.size);
     return said == ZSTD_CONTENTSIZE_UNKNOWN || said == size;

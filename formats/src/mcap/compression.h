@@ -11,9 +11,8 @@ std::uint32_t crc32(std::uint32_t crc, View bytes);
 /// zstd frame; empty when there is no memory for it.
 Bytes compress(View bytes);
 
-/// Takes "zstd", "" (stored) ... of exactly `size` bytes; false when damaged, of another size, or of a
-/// compression this reader does not know, or when it claims to be beyond what such data shrink to. Never
-/// allocates more than is there.
+/// Takes "zstd", "" (stored) ... of exactly `size` bytes; false when damaged, of another size or unknown
+/// compression, or when it claims an impossible ratio. Never allocates more than the data hold.
 bool decompress(const std::string& compression, View bytes, std::uint64_t size, Bytes& out);
 
 }  // namespace talus::mcap

@@ -14,7 +14,7 @@ namespace talus::mcap {
 namespace {
 
 constexpr std::uint64_t kStretch = 1 << 20;  // [bytes] read at a time for a checksum
-// A record outside chunks (schema, metadata, index) that claims more than this is not one of ours, nor sane.
+// A record outside chunks (schema, metadata, index) that claims more than this is invalid.
 constexpr std::uint64_t kMostRecordBytes = std::uint64_t{1} << 28;
 constexpr std::size_t kMostFaults = 20;
 
@@ -22,8 +22,8 @@ void addFault(std::vector<std::string>& faults, std::string fault) {
     if (faults.size() < kMostFaults) faults.push_back(std::move(fault));
 }
 
-/// Every chunk is unpacked once by a scan, and by who reads all an index names: no more in all than a file of
-/// this size can mean.
+/// Every chunk is unpacked once by a scan, and once by readers of all messages: limit of the total for a file
+/// of this size.
 std::uint64_t mostUnpacked(std::uint64_t file_size) { return (std::uint64_t{1} << 30) + 256 * file_size; }
 
 /// Each message costs its file at least an index entry, so a false index cannot name more of them than this.
@@ -320,8 +320,8 @@ bool Reader::loadChunk(std::size_t chunk) {
     return true;
 }
 
-/// Whether the loaded chunk has a record of its own at every place that is named in it: else one record's
-/// bytes could be read again and again as many.
+/// Whether every place named in the loaded chunk has a record of its own. Otherwise the bytes of one record
+/// could be read as many.
 bool Reader::namesRecords(std::size_t chunk) const {
     const auto before = [](const MessagePlace& place, std::size_t wanted) { return place.chunk < wanted; };
     auto place = std::lower_bound(places_.begin(), places_.end(), chunk, before);

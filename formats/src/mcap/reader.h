@@ -1,6 +1,6 @@
 #pragma once
 // Reads an MCAP file by its index; a file without a sound index (cut, still being written) chunk by chunk
-// from the start. Nothing is trusted: every length is held against what is there.
+// from the start. Nothing is trusted: every length is checked against the file.
 
 #include <functional>
 #include <optional>
@@ -54,17 +54,17 @@ class Reader {
     bool finished() const { return finished_; }  ///< with a sound end and summary
     std::uint64_t size() const { return source_.size(); }
     std::uint64_t wholeSize() const { return whole_size_; }  ///< up to the end of the last whole record
-    /// What is wrong with the file, for people; empty when it is sound.
+    /// Faults of the file, in words; empty when it is sound.
     const std::vector<std::string>& faults() const { return faults_; }
 
     /// The bytes of a message, in a buffer of their own (aligned for FlatBuffers). Keeps the last chunk.
     /// Errors: a chunk whose checksum does not hold.
     Result<Bytes> message(const MessagePlace& place);
 
-    /// Reads every chunk and holds all checksums, that of the whole data section included; faults as text.
+    /// Reads every chunk and verifies all checksums, that of the whole data section included; faults as text.
     std::vector<std::string> verify();
 
-    /// What a writer needs to go on behind the first `chunks` chunks.
+    /// What a writer needs to continue after the first `chunks` chunks.
     Result<Written> prefix(std::size_t chunks);
 
  private:

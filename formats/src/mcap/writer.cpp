@@ -32,7 +32,7 @@ Writer::~Writer() {
 
 int Writer::append(View bytes) {
     if (refused_ != 0) return refused_;
-    // Devices and pipes cannot be cut or sought; a refusal to do so is none to be written to.
+    // Devices and pipes cannot be truncated or sought; that is no error of writing.
     if (!std::exchange(cut_, true)) {
         if (::ftruncate(file_, static_cast<off_t>(written_.size)) == 0) formats::appendFromNowOn(file_);
     } else if (!formats::isAsLong(file_, written_.size)) {

@@ -1,7 +1,6 @@
 #pragma once
-// Writes an MCAP file: messages are gathered into chunks, which go to the file whole, each compressed and
-// with its checksum and index; the summary follows at the end. A process that dies leaves all chunks it
-// wrote.
+// Writes an MCAP file. Messages are gathered into chunks, which are written whole, each compressed and with
+// its checksum and index. The summary follows at the end. A process that dies leaves all chunks it wrote.
 
 #include <optional>
 
@@ -9,7 +8,7 @@
 
 namespace talus::mcap {
 
-/// What the file holds so far; a file that is continued starts from what a reader found in it.
+/// Content of the file so far; a continued file starts from what a reader found in it.
 struct Written {
     std::uint64_t size = 0;      ///< [bytes]
     std::uint32_t data_crc = 0;  ///< of all of them

@@ -1,5 +1,5 @@
 #pragma once
-// What the mesh readers share: vertices by their coordinates, triangles with their lines.
+// Shared by the mesh readers: vertices by their coordinates, triangles with their lines.
 
 #include <array>
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace talus::formats::mesh {
 
-/// A surface as its file has it.
+/// A surface as given in its file.
 struct FileSurface {
     TriangleSurface surface;
     std::vector<int> lines;           ///< of each triangle; 0 in a binary file

@@ -19,7 +19,7 @@ class DxfPairs {
     int code() const { return code_; }
     std::string_view value() const { return value_; }  ///< without the blanks around it
     bool is(int code, std::string_view value) const { return code_ == code && value_ == value; }
-    /// Of the value; where the pairs are faulty, of what stands in place of a group code, which is `value`.
+    /// Of the value; where the pairs are faulty, of the text in place of a group code, which is `value`.
     int line() const { return line_; }
 
  private:
@@ -47,7 +47,7 @@ struct DxfEntity {
     bool has(int code) const { return numbers.count(code) > 0; }
 };
 
-/// What of such a type can be done so that it is read: "explode the block"; "" for most.
+/// Advice for an entity type that is not read: "explode the block"; "" for most.
 std::string_view dxfRemedy(std::string_view type);
 
 /// A unit of the header's $INSUNITS in metres; nothing where it has none.

@@ -14,15 +14,15 @@ std::string titleWord(std::string_view title);
 /// "N45E" -> 45, "S 30 W" -> 210 [degrees from north]; nothing for other texts.
 std::optional<double> quadrantAzimuth(std::string_view text);
 
-/// "45NE": the number and which way it is, 45 degrees from north.
+/// "45NE": the number and its direction, 45 degrees from north.
 struct QuadrantDip {
     std::string number;
     double towards = 0;  ///< [degrees from north]
 };
 std::optional<QuadrantDip> quadrantDip(std::string_view text);
 
-/// The dip direction, at a right angle to the strike, that is nearer to `towards`; nothing where that is
-/// within some 11 degrees of the strike, so that it tells nothing. [degrees from north]
+/// The dip direction, normal to the strike, that is nearer to `towards`; nothing where `towards` is within
+/// some 11 degrees of the strike and so decides nothing. [degrees from north]
 std::optional<double> dipDirectionTowards(double strike, double towards);
 
 /// Without degree signs.

@@ -20,7 +20,7 @@ using toml::numberText;
 /// Two notations of one plane may differ by the rounding of both to whole degrees, not by more.
 constexpr double kNotationsAgree = 2 * kDegree;
 
-/// A column: what it is called here, its unit, what else people call it, and what it may hold.
+/// A column: its name here, its unit, its usual other names, and its range.
 struct Column {
     std::string_view name, unit, other_titles;  ///< words of titleWord between blanks
     double least, most;
@@ -49,7 +49,7 @@ constexpr std::array<Column, kPlaneColumns> kColumns{
      {"scanline_plunge", "_deg", " traverseplunge ", -90, 90}}};
 
 using enum PlaneColumn;
-/// In the order in which they are believed.
+/// In order of preference.
 const std::array<std::vector<PlaneColumn>, 4> kNotations{
     {{dip, dip_direction}, {strike, dip}, {trend, plunge}, {nx, ny, nz}}};
 

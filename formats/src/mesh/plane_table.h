@@ -1,6 +1,6 @@
 #pragma once
-// Tables of planes that people make with spreadsheets: which column is what, whatever it is called, and what
-// a row says. Fractures and poles are read with it.
+// Tables of planes made with spreadsheets: columns by any usual name, and the contents of a row. Fractures
+// and poles are read with it.
 
 #include <array>
 #include <cstdint>
@@ -42,7 +42,7 @@ struct Orientation {
     double dip = 0, dip_direction = 0;  ///< [rad]
 };
 
-/// Rows of such a table. What is wrong is kept, up to kMostFaults; reading goes on with the next row.
+/// Rows of such a table. Faults are collected, up to kMostFaults; reading continues with the next row.
 class PlaneTable {
  public:
     static constexpr std::size_t kMostFaults = 20;

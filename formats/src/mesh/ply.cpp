@@ -62,7 +62,7 @@ class PlyReader {
     Result<FileSurface> read() {
         if (auto fault = readHeader()) return *fault;
         for (const Element& element : elements_) {
-            // It would take no byte of the file, and any number of them none.
+            // Such an element takes no bytes, so any number of them would fit the file.
             if (element.properties.empty())
                 return fault("found an element " + toml::quoted(element.name) + " without properties");
             for (std::size_t k = 0; k < element.count; ++k)

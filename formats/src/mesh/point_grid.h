@@ -23,7 +23,7 @@ struct PointGrid {
 /// squares is kept. \pre points, and a grid of at most mostCells
 PointGrid thinned(const std::vector<Vec3>& points, const Thinning& thinning);
 
-/// That so many points may be thinned to: most cells have one.
+/// Most cells for so many points: most cells then have one.
 inline double mostCells(std::size_t points) { return std::min(2e7, 1e4 + 100 * static_cast<double>(points)); }
 /// Cells of the grid over all points.
 double cellsOver(const std::vector<Vec3>& points, double cell);

@@ -15,9 +15,9 @@ struct SolidPart {
     std::vector<std::size_t> source;  ///< per triangle: index into those of the whole
 };
 
-/// Parts a surface by the solids it names, if no edge is shared by just two of them, which are then pieces of
-/// one; and each of these into what hangs together by edges of two triangles. A further solid of a name has
-/// "-2" and so on behind it.
+/// Divides a surface by the solids it names, unless just two of them share an edge and so are pieces of one;
+/// then each into the pieces connected by edges of two triangles. Further solids of the same name get "-2"
+/// and so on.
 /// \param solid  of each triangle, index into `names`; -1: none
 /// Errors ("triangles[i]"): an edge of more than two triangles of one solid, where two may touch.
 Result<std::vector<SolidPart>> solidsOf(const TriangleSurface& surface,

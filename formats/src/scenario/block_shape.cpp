@@ -12,14 +12,14 @@ namespace talus::formats::scenario {
 
 namespace {
 
-// Keeps the hull of a hostile list of points from taking minutes; real blocks have tens of vertices.
+// Limits the time of a hull to seconds; real blocks have tens of vertices.
 constexpr std::size_t kMaxVertices = 1000;
 constexpr std::size_t kMaxParts = 1000;
 constexpr std::size_t kMaxSolidName = 60;  // bytes
 
 using Shape = std::optional<Polyhedron>;
 
-/// Faults of a mesh file are told at the key that names it, with their own place in front.
+/// Faults of a mesh file are reported at the key that names it, with their own place in front.
 template <class T>
 std::optional<T> take(TableReader& table, std::string_view key, Result<T> made) {
     if (made) return std::move(*made);
@@ -146,10 +146,12 @@ bool isFitName(std::string_view name) {
 }  // namespace
 
 std::vector<NamedShape> readSolidShapes(Report& report, TableReader& table, const std::string& folder) {
-    for (const char* key : {"box", "vertices", "parts"})
-        if (table.has(key))
+    for (const char* key : {"box", "vertices", "parts"}) {
+        if (table.has(key)) {
             table.error(key, "found " + std::string(key) +
                                  " beside each_solid, allowed: each_solid only together with a mesh");
+        }
+    }
     checkOptions(table);
     const MeshOptions options = readOptions(table);
     const auto file = table.text("mesh");

@@ -18,7 +18,7 @@ namespace {
 
 using toml::Document;
 
-/// As the reader writes fields: joint."default".cohesion is joint.default.cohesion.
+/// Normalises a field as the reader does: joint."default".cohesion is joint.default.cohesion.
 std::string fieldName(const toml::FieldPath& path) {
     std::string name;
     for (const toml::PathPart& part : path)
@@ -30,8 +30,8 @@ std::string fieldName(const toml::FieldPath& path) {
 
 std::string enclosingTable(const std::string& field) { return field.substr(0, field.rfind('.')); }
 
-/// Whether an error is about what was changed: the field itself, part of it, or, where the file has no such
-/// table, what is missing in the one that it made.
+/// Whether an error concerns a change: the field itself, part of it, or a key missing in a table that the
+/// change added.
 bool isAbout(const Error& error, const std::string& changed) {
     const bool inside = error.field.starts_with(changed) &&
                         (error.field.size() == changed.size() || error.field[changed.size()] == '[');
@@ -86,15 +86,15 @@ std::vector<Error> unknownNames(const Document& document, const std::vector<Fiel
     return faults;
 }
 
-/// What an added joint or material lacks is said as its name: it was hardly meant to be added. Other faults
-/// stay.
+/// Missing keys of an added joint or material are reported as an unknown name: the addition was probably not
+/// intended. Other faults stay.
 std::vector<Error> sayUnknown(const std::vector<Error>& unknown, std::vector<Error> errors) {
     for (const Error& name : unknown) {
         const std::string table = enclosingTable(name.field) + ".";
         const auto lacks = [&](const Error& error) { return error.field.starts_with(table); };
         const auto first = std::find_if(errors.begin(), errors.end(), lacks);
         if (first == errors.end()) {
-            // With a second material blocks that name none lack one: that is the added one's fault.
+            // With a second material, blocks that name none lack one: the added material causes that fault.
             const bool leaves_open = std::any_of(errors.begin(), errors.end(), [](const Error& error) {
                 return error.field.ends_with(".material");
             });
@@ -107,7 +107,7 @@ std::vector<Error> sayUnknown(const std::vector<Error>& unknown, std::vector<Err
     return errors;
 }
 
-/// Errors of changed fields are said of who changed them: the file has no such line.
+/// Errors of changed fields name kChangedBy: the file has no such line.
 std::vector<Error> ofChanges(const std::vector<FieldChange>& changes, std::vector<Error> errors) {
     for (const FieldChange& wish : changes) {
         const auto path = toml::parseField(wish.field);

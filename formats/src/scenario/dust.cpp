@@ -1,4 +1,4 @@
-// Blocks that are no blocks but crumbs: what joints cut off a rugged ground where it rises just above them.
+// Very small blocks: fragments that joints cut off a rugged ground where it rises just above them.
 
 #include <algorithm>
 #include <cmath>

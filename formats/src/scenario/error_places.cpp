@@ -1,4 +1,4 @@
-// Errors as people read them, and the place in a scenario that an error of the engine speaks of.
+// Errors as text, and the place in a scenario of an error of the engine.
 
 #include <tuple>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The sections that say what pushes on blocks beside their weight and water: one list, each with its reader.
+// The sections of forces on blocks beside weight and water: one list, each with its reader.
 
 #include <span>
 #include <vector>

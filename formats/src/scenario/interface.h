@@ -1,5 +1,5 @@
 #pragma once
-// [[interface]]: the joint of one pair of blocks by hand, and properties in which it differs from that joint.
+// [[interface]]: a joint given for one pair of blocks, and properties in which the pair differs from it.
 
 #include "scenario/directory.h"
 #include "scenario/properties.h"

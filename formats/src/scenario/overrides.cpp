@@ -14,7 +14,8 @@ namespace talus::formats {
 namespace scenario {
 namespace {
 
-/// What a field stands for in a model. `put` takes the value in the file's unit and says whether it could.
+/// The target of a field in a model. `put` takes the value in the file's unit and returns whether it is
+/// allowed.
 struct Target {
     Interval allowed;
     std::function<bool(Scenario&, double)> put;
@@ -34,8 +35,8 @@ void settle(Scenario& scenario, std::size_t base) {
     }
 }
 
-/// Not the friction that bed levels are compared with, which decides whether they are joints of their own;
-/// nor a joint that others are mixed of.
+/// Not the friction that decides whether bed levels have their own joints; nor a joint from which others are
+/// mixed.
 std::optional<Target> jointTarget(const Scenario& scenario, const JointField& field) {
     const auto p = jointProperty(field.key);
     const auto& joints = scenario.model.joints;
@@ -99,27 +100,31 @@ std::optional<Target> waterTarget(const Scenario& scenario, const FieldPath& pat
     const auto* key = path.size() > 2 ? std::get_if<std::string>(&path[2]) : nullptr;
     if (!index || !key || *index >= scenario.model.waters.size()) return std::nullopt;
     const std::size_t water = *index;
-    if (path.size() == 3)
+    if (path.size() == 3) {
         if (auto target = numberTarget(kWaterFields, *key,
                                        [water](Model& model) -> Water& { return model.waters[water]; }))
             return target;
+    }
     if (!isGiven(scenario, joinField(elementField("water", water), *key))) return std::nullopt;
-    if (path.size() == 3)
+    if (path.size() == 3) {
         if (auto target = numberTarget(kClosedWaterFields, *key,
                                        [water](Model& model) -> Water& { return model.waters[water]; }))
             return target;
-    if (path.size() == 3 && *key == "inflow" && scenario.model.waters[water].inflow.size() == 1)
+    }
+    if (path.size() == 3 && *key == "inflow" && scenario.model.waters[water].inflow.size() == 1) {
         return Target{kInflow, [water](Scenario& changed, double value) {
                           changed.model.waters[water].inflow = {{0, value}};
                           return true;
                       }};
-    if (path.size() == 3 && *key == "overflow")
+    }
+    if (path.size() == 3 && *key == "overflow") {
         return Target{kCoordinate, [water](Scenario& changed, double value) {
                           Water& changing = changed.model.waters[water];
                           if (!(value >= changing.level[0].value)) return false;
                           changing.overflow = value;
                           return true;
                       }};
+    }
     if (const auto* end = path.size() == 4 && *key == "head" ? std::get_if<std::size_t>(&path[3]) : nullptr;
         end && *end < 2)
         return Target{kLength, [water, end = *end](Scenario& changed, double value) {

@@ -8,8 +8,7 @@ namespace talus::formats::scenario {
 
 namespace {
 
-// Shares of intact rock that are told apart: a network of 10,000 discs then makes a thousand joints, not
-// 50,000.
+// Distinct shares of intact rock: a network of 10,000 discs then makes a thousand joints, not 50,000.
 constexpr long kBridgeSteps = 1000;
 constexpr const char *kLaw = "law", *kShearStrength = "shear_strength";
 
@@ -35,7 +34,7 @@ JointProperties readGiven(TableReader& table, Joint& joint) {
             if (table.has(property.key)) reportOfAnotherLaw(table, property.key, joint.law);
             continue;
         }
-        const auto value = table.number(property.key, property.allowed, property.slip);
+        const auto value = table.number(property.key, property.allowed, property.mix_up);
         if (value) joint.*property.value = *value * property.toSi();
         given[p] = value.has_value();
     }
@@ -75,7 +74,7 @@ std::vector<EnvelopePoint> readEnvelope(Report& report, TableReader& table) {
     return envelope;
 }
 
-/// Nothing when it is none that there is.
+/// Nothing when there is no such one.
 std::optional<StrengthLaw> readLaw(TableReader& table) {
     static const std::vector<std::string> names(kStrengthLawNames.begin(), kStrengthLawNames.end());
     if (!table.has(kLaw)) return StrengthLaw::coulomb;
@@ -193,7 +192,7 @@ std::int32_t Joints::withBridge(std::int32_t base, std::int32_t rock, double sha
                                     ? std::atan((1 - part) * std::tan(own) + part * std::tan(of_rock))
                                     : (1 - part) * own + part * of_rock;
     }
-    // The share without a peak has none to lose: what there is of it softens as where it is.
+    // The part without peak strength has none to lose: the mixture softens as the part that has one.
     joint.softening_displacement =
         std::max(joints_[index].softening_displacement, joints_[other].softening_displacement);
     return derive(base, JointOrigin::Kind::bridge, JointProperties{}.set(), std::move(joint));
@@ -219,7 +218,7 @@ Materials readMaterials(Report& report, TableReader& root) {
         TableReader table(report, entry.node, entry.field, {"density"});
         table.require({"density"});
         materials.names.add(entry.name);
-        materials.densities.push_back(table.number("density", kDensity, kDensitySlip).value_or(1));
+        materials.densities.push_back(table.number("density", kDensity, kDensityMixUp).value_or(1));
     }
     return materials;
 }

@@ -13,7 +13,7 @@
 
 namespace talus::formats::scenario {
 
-/// The joint of all that name none.
+/// The joint of everything that names none.
 inline constexpr const char* kDefaultJoint = "default";
 
 /// Names in the order of the file, with their indices.
@@ -57,7 +57,7 @@ class Joints {
     /// is the same angle. The residual angle follows unless the file gave one.
     std::int32_t withFriction(std::int32_t base, double friction_deg);
 
-    /// What two faces have between them of which a share is intact rock, to a thousandth: friction (by its
+    /// The joint between two faces of which a share, to a thousandth, is intact rock: friction (by its
     /// tangent), cohesion, tensile strength and stiffness in proportion to the areas (J. E. Jennings, 1970).
     /// \pre both follow Coulomb's law
     std::int32_t withBridge(std::int32_t base, std::int32_t rock, double share);

@@ -14,8 +14,7 @@ namespace talus::formats::scenario {
 /// The tables and keys at the top of a scenario.
 std::vector<std::string> scenarioSections();
 
-/// As parseScenario; `text` is what the result says it was read from. `questions` hear what is asked of the
-/// document.
+/// As parseScenario; `text` is stored as the result's text. `questions` records the queries of the document.
 Result<Scenario> readDocument(const Document& document, std::string text, const std::string& path,
                               std::int64_t most_blocks = kMostBlocks, const std::atomic<bool>* stop = nullptr,
                               Questions* questions = nullptr,

@@ -1,5 +1,5 @@
 #pragma once
-// What every table of a scenario is read with, from the floor below.
+// Shared readers for all tables of a scenario, from the folder below.
 
 #include "toml/report.h"
 #include "toml/table_reader.h"

@@ -108,15 +108,16 @@ void appendFractures(Report& report, RockMassInput& input);
 /// Cuts it, names its blocks and finds the fixed ones; faults are reported. \pre the input has no faults
 std::optional<RockMassBlocks> cutBlocks(Report& report, const RockMassInput& input);
 
-/// Which blocks of a rugged ground are too small to be meant, and what helps; nothing where there are none.
+/// A warning of blocks of a rugged ground that are too small to be intended, with advice; nothing where there
+/// are none.
 std::optional<std::string> dustWarning(const RockMassBlocks& blocks);
 
 FiniteCuts summaryOf(const RockMassInput& input, const std::vector<JointCut>& cuts);
 
-/// That cuts go on beyond their joints, and what helps; nothing where they do not, or are bridged.
+/// A warning that cuts continue beyond their joints, with advice; nothing where they do not, or are bridged.
 std::optional<std::string> bridgeNote(const FiniteCuts& cuts);
 
-/// Appends the blocks, and what lies between those that a finite joint parts in part.
+/// Appends the blocks, and the mixed joints between blocks that a finite joint separates in part.
 void appendRockMass(const RockMassInput& input, RockMassBlocks blocks, Joints& joints, Model& model);
 
 /// All faces a joint made, or one plane of a joint set; not those wholly in a bridge. \param first  index of

@@ -57,7 +57,8 @@ void readAnalysis(TableReader& root, Model& model, double tilt_deg) {
     auto table = root.table(
         "analysis", {"start_deg", "stop_deg", "tolerance_deg", "factor_tolerance", "acceleration_tolerance",
                      "least_mass_share", "failure_displacement", "time_scaling", "reduce_tensile_strength"});
-    // Of a mass of many blocks the first to go is mostly a small one, and nobody asks about that.
+    // In a mass of many blocks the first failure is usually a small block, which is not the failure of
+    // interest.
     if (root.has("rock_mass")) settings.least_mass_share = kLeastMassOfRock;
     if (!table) return;
     const auto start_deg = table->number("start_deg", kTiltDeg);

@@ -1,6 +1,6 @@
 #pragma once
 // A slope profile turned about the vertical, so that its face looks to a stated azimuth. Coordinates are
-// turned, never directions that people give: x stays east, y north.
+// turned, never given directions: x stays east, y north.
 
 #include "talus/polyhedron.h"
 

@@ -107,8 +107,8 @@ class StackBuilder {
         return face_joints;
     }
 
-    /// Two blocks on one face (the floor's top, a bed in running bond) may want two joints: the upper block's
-    /// column decides, whichever joint has less friction.
+    /// Two blocks on one face (the floor's top, a bed in running bond) may have two joints: the upper block's
+    /// column decides, not the lesser friction.
     void appendPairJoints() {
         for (int column = 0; column < stack_.columns; ++column)
             for (int row = 0; row < stack_.heights[static_cast<std::size_t>(column)]; ++row) {

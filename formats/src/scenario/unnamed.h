@@ -1,5 +1,5 @@
 #pragma once
-// Materials and joints that a file gives and nothing in it has: a name misspelt in one of two places.
+// Materials and joints that a file defines but never uses: a name misspelt in one of two places.
 
 #include <optional>
 #include <string>
@@ -15,12 +15,12 @@ struct KnownNames {
     std::vector<std::string> joints, materials;
 };
 
-/// What is wrong with a field of a joint or a material that is none of those: it would be added, with nothing
-/// that has it. Nothing for other fields, where there are none to compare with, and for "*".
+/// Error for a field of a joint or material not among those: it would be added without any use. Nothing for
+/// other fields, where there are none to compare with, and for "*".
 std::optional<std::string> unknownName(const FieldPath& path, const KnownNames& known);
 
-/// Warns of each [material.NAME] and [joint.NAME] whose name no other value of the file is: blocks and joints
-/// that were to have it have another's strength or density. [joint.default] needs no name, nor does the only
+/// Warns of each [material.NAME] and [joint.NAME] whose name occurs nowhere else in the file: its intended
+/// blocks and joints have another's strength or density. [joint.default] needs no name, nor does the only
 /// material.
 /// \param root  of the file
 void warnOfUnnamed(Report& report, const Node& root);

@@ -34,7 +34,7 @@ struct WaterEntry {
     bool fills_crack_alone = false;
 };
 
-/// What joints there are for water to stand in.
+/// The joints that can hold water.
 struct WaterPlaces {
     const std::vector<Stack>& stacks;
     const RockMassInput* rock = nullptr;

@@ -6,7 +6,7 @@ namespace talus::formats::schema {
 
 namespace {
 
-// Numbers of a joint explain themselves in talus/joint.h.
+// Numbers of a joint are described in talus/joint.h.
 constexpr Description kScenario[] = {
     {"format", "version of the file format"},
 

@@ -1,7 +1,6 @@
 #pragma once
-// What each key of a scenario and a sweep means, for editors, the guide's reference and whoever reads the
-// schema. A key that has no line here, and a line that has no key, are missed by
-// tests/formats/schema/schema_test.cpp.
+// The meaning of each key of a scenario and a sweep, for editors, the guide's reference and the schema.
+// tests/formats/schema/schema_test.cpp finds keys without a line here, and lines without a key.
 
 #include <span>
 #include <string>

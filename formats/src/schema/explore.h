@@ -1,6 +1,6 @@
 #pragma once
-// Finds out what a reader asks, by giving it documents until it asks nothing new: every key of every table
-// alone, in pairs and all together, with values of the kinds that it has asked for.
+// Finds a reader's queries by giving it documents until it makes no new ones: every key of every table alone,
+// in pairs and all together, with values of the kinds it queries.
 
 #include <functional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-// What the verifier of FlatBuffers 2.0 leaves open: it holds the length of a vector to four bytes, but not
-// the elements behind it to their own size, and compilers take doubles to be where doubles may be.
+// A check missing in the verifier of FlatBuffers 2.0: it aligns a vector's length to four bytes, but not the
+// elements to their own size, and compilers assume aligned doubles.
 
 #include "mcap/bytes.h"
 

@@ -1,7 +1,7 @@
 #pragma once
-// Arrays of a full frame to tables of the schema and back, name by name: what the schema calls a field is
-// what the table of the frame's arrays (talus/frame_table.h) calls it, and a name that only one of the two
-// has does not compile. Fields are written in the schema's order.
+// Arrays of a full frame to tables of the schema and back, name by name. The schema and the table of the
+// frame's arrays (talus/frame_table.h) use the same names; a name in only one of them does not compile.
+// Fields are written in the schema's order.
 
 #include <array>
 #include <cstddef>

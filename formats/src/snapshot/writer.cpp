@@ -57,7 +57,7 @@ mcap::Metadata metadataOf(const SnapshotEnd& end) {
 }  // namespace
 
 struct SnapshotWriter::Work {
-    // The container closes what it writes to; the lock stays with the other descriptor of the same open file.
+    // The container closes its descriptor; the lock stays with the other descriptor of the same open file.
     Work(OutputFile output, mcap::Written written)
         : target(std::move(output)),
           begun(written.size > 0),

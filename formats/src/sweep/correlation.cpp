@@ -15,7 +15,8 @@ using namespace toml;
 
 using Matrix = std::vector<std::vector<double>>;
 constexpr Interval kCoefficient{-1, 1, false, false};
-// What is left of a variable's variance once those before it are known: less is rounding, or a contradiction.
+// Least remaining variance of a variable once those before it are known: less is rounding, or a
+// contradiction.
 constexpr double kLeastVariance = 1e-9;
 
 /// Places of the variables that are named, in the order of the list.

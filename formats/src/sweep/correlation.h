@@ -1,5 +1,5 @@
 #pragma once
-// [correlation]: random variables that go together.
+// [correlation]: correlated random variables.
 //
 // By normal scores: each variable's share u becomes the score z = Phi^-1(u); independent scores are mixed by
 // the rows of the matrix's Cholesky factor L, and Phi(L z) are the shares that the distributions take. So

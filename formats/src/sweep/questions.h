@@ -1,5 +1,5 @@
 #pragma once
-// What the reader of sweeps asks of a document.
+// The queries of the reader of sweeps.
 
 #include "talus/formats/scenario.h"
 #include "toml/document.h"

@@ -1,6 +1,6 @@
 #pragma once
 // Random numbers without a state: number n of stream s is a function of (seed, s, n). So a sample does not
-// depend on which worker drew what before it, and any one sample can be drawn again on its own.
+// depend on the worker or on earlier draws, and any sample can be drawn again alone.
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// What all runs of a sweep have in common, worked out once.
+// Data common to all runs of a sweep, computed once.
 
 #include <memory>
 

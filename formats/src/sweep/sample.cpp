@@ -72,8 +72,8 @@ std::optional<double> numberIn(const SweepValue& value) {
     return std::nullopt;
 }
 
-/// The sweep's scenario with the run's values put into its model; nothing when one of them needs the reader,
-/// be it that it decides which blocks there are, or that it is wrong and the reader is to say so.
+/// The sweep's scenario with the run's values put into its model; nothing when a value needs the reader: it
+/// defines blocks, or is wrong and needs an error.
 std::optional<Scenario> overridden(const Sweep& sweep, const SweepRun& run) {
     if (!sweep.base || !sweep.only_overrides) return std::nullopt;
     Scenario scenario = *sweep.base;

@@ -216,8 +216,8 @@ class SweepReader {
         return check(scenarioOf(sweep_, run), list, suspect, value);
     }
 
-    /// Says of a scenario that is not good which of the sweep's values made it so: the one whose field the
-    /// scenario's reader complains of, else the one that was changed last.
+    /// The sweep's value that made a scenario invalid: the one whose field the reader's error names, else the
+    /// one changed last.
     bool check(const Result<SampledScenario>& scenario, const std::vector<Variable>& list,
                const Variable* suspect, std::size_t value) {
         for (const Error& error : scenario.errors()) {

@@ -1,6 +1,6 @@
 #pragma once
-// A parsed TOML text as plain nodes with their places. The one door to toml++, which takes long to compile
-// and is therefore seen by document.cpp alone.
+// A parsed TOML text as plain nodes with their places. Only document.cpp includes toml++, which takes long to
+// compile.
 
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,6 @@
 #pragma once
-// What the readers ask of a document: which keys a table may have and must have, and what may stand under
-// each. Readers are their own description: who wants it lets them read and writes down their questions
-// (schema/explore.h).
+// The readers' queries of a document: keys that a table may and must have, and their allowed values. They
+// describe the format: schema/explore.h lets the readers read and records the queries.
 
 #include <cstdint>
 #include <map>
@@ -20,7 +19,7 @@ struct Bounds {
     std::int64_t max = 0;
 };
 
-/// What a reader takes under a key.
+/// Values that a reader accepts under a key.
 struct Asked {
     enum class Kind : std::uint8_t {
         number,

@@ -18,7 +18,7 @@ class Report {
 
     void add(Place place, std::string field, std::string message);
 
-    /// What is allowed, but hardly meant.
+    /// Values that are allowed but probably not intended.
     void warn(std::string message);
     std::vector<std::string> takeWarnings() { return std::move(warnings_); }
 
@@ -36,7 +36,7 @@ class Report {
     void mark(const std::string& field, Place place) { places_[field] = {place.line, place.column}; }
     std::map<std::string, std::pair<int, int>> takePlaces() { return std::move(places_); }
 
-    /// Where readers write down what they ask; nobody, unless that is wanted.
+    /// Record of the readers' queries; null unless wanted.
     void listen(Questions* questions) { questions_ = questions; }
     Questions* questions() const { return questions_; }
 

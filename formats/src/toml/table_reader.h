@@ -1,6 +1,6 @@
 #pragma once
-// Typed access to one table of a scenario. Every read checks the type and the range, reports what is wrong at
-// its place and then yields nothing, so that reading goes on and all faults are found in one pass.
+// Typed access to one table of a scenario. Every read checks the type and the range. It reports a fault at
+// its place and then returns nothing, so that reading continues and all faults are found in one pass.
 
 #include <cstdint>
 #include <initializer_list>
@@ -39,10 +39,10 @@ struct FieldNode {
     Node node;
 };
 
-// One node each; `field` names it in messages. A number that looks like a slip in the unit is told so: beside
+// One node each; `field` names it in messages. A number that looks like another unit is reported so: beside
 // the fault, or as a warning where it is allowed.
 std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Interval& range,
-                                 const Slip& slip = {});
+                                 const UnitMixUp& mix_up = {});
 std::optional<std::int64_t> readInteger(Report& report, Node node, const std::string& field, Bounds bounds);
 std::optional<std::string> readText(Report& report, Node node, const std::string& field);
 /// \param length the number of elements wanted, any when nothing
@@ -50,7 +50,7 @@ std::optional<std::vector<double>> readNumbers(Report& report, Node node, const 
                                                const Interval& range, std::optional<std::size_t> length);
 std::optional<Vec3> readVector(Report& report, Node node, const std::string& field, const Interval& range);
 
-/// Writes down what is asked, where somebody listens.
+/// Records the query, if wanted.
 template <class What>
 void ask(Report& report, const std::string& field, const What& what) {
     if (report.questions() != nullptr) report.questions()->ask(field, what());
@@ -85,7 +85,7 @@ class TableReader {
         const std::vector<std::string>& keys) const;  ///< those of `keys` that are there
 
     // Nothing when the key is missing or its value is not allowed (which is then reported).
-    std::optional<double> number(std::string_view key, const Interval& range, const Slip& slip = {});
+    std::optional<double> number(std::string_view key, const Interval& range, const UnitMixUp& mix_up = {});
     std::optional<std::int64_t> integer(std::string_view key, Bounds bounds);
     std::optional<bool> boolean(std::string_view key);
     std::optional<std::string> text(std::string_view key);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLongestQuote = 60;
 constexpr std::size_t kLongestList = 28;      // [[water]] has 25 keys, the most of all tables
-constexpr std::size_t kLongestCompared = 80;  // longer texts are nobody's typing error
+constexpr std::size_t kLongestCompared = 80;  // longer texts are no typing errors
 
 std::string lowered(std::string_view text) {
     std::string lower(text);
@@ -41,8 +41,8 @@ bool continues(std::string_view longer, std::string_view shorter) {
     return shorter.size() >= 3 && longer.substr(0, shorter.size()) == shorter;
 }
 
-/// Edits between two texts in lower case, or between the first and the second without its last part
-/// ("duraton" for "duration_s"), which counts as one more; a text that continues the other is one edit away.
+/// Edits between two texts in lower case. The second may lose its last part for one more edit ("duraton" for
+/// "duration_s"). A text that continues the other is one edit away.
 std::size_t distance(const std::string& found, const std::string& candidate) {
     if (found == candidate) return 0;
     if (continues(found, candidate) || continues(candidate, found)) return 1;

@@ -70,7 +70,7 @@ Eigen::Matrix3d differences(const Case& c) {
 }  // namespace
 
 TEST_SUITE("equilibrium") {
-    TEST_CASE("the response is the contact law's, nothing let down") {
+    TEST_CASE("the response is the contact law's, without release") {
         std::mt19937 random(5);
         int slips = 0, open = 0, softened = 0;
         for (int k = 0; k < 20000; ++k) {
@@ -78,7 +78,7 @@ TEST_SUITE("equilibrium") {
             contact::PointMemory memory = c.memory;
             const contact::PointForce law =
                 contact::contactLaw(c.joint, c.area, c.gap, c.slide_1, c.slide_2, 0.0, memory);
-            // What softens further is let down when the step is committed.
+            // Further softening is released when the step is committed.
             if (memory.bond != c.memory.bond) continue;
             const PointResponse point = responseOf(c);
             REQUIRE((forceOf(point) - Eigen::Vector3d(law.shear_1, law.shear_2, law.normal)).norm() <=

@@ -149,7 +149,7 @@ TEST_SUITE("search") {
         CHECK(factors <= loaded.path.work().factors);
     }
 
-    // A block slides onto a stop: a failure for those who count less than the gap, none for the others.
+    // A block slides onto a stop: a failure by displacements below the gap, none by larger ones.
     TEST_CASE(
         "each displacement has the load at which blocks part by that before equilibrium is found again") {
         constexpr double kSize = 0.3;
@@ -176,7 +176,7 @@ TEST_SUITE("search") {
         }
     }
 
-    TEST_CASE("where the caller takes out what has failed, the path goes on with the rest") {
+    TEST_CASE("where the caller removes failed blocks, the path continues with the others") {
         LoadedPath loaded(boxes({25, 20, 30}));
         std::vector<double> failed;
         Follow follow = upTo(radians(60));
@@ -197,7 +197,7 @@ TEST_SUITE("search") {
         CHECK(degrees(followed.bracket.stands) == doctest::Approx(30).epsilon(1e-3));
     }
 
-    TEST_CASE("a path that is stopped says so, and what it knows") {
+    TEST_CASE("an interrupted path says so, with its results so far") {
         const Model model = boxes({20});
         std::atomic<bool> stop{false};
         const LoadAxis weight = weightAxis(1e-4), tilt = tiltAxis(model, {});

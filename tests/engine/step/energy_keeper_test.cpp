@@ -1,5 +1,4 @@
-// Energy that is taken out of how blocks move against each other: as much as was asked for, and no momentum
-// with it.
+// Energy taken from relative motion of blocks: the given amount, without momentum.
 
 #include "step/energy_keeper.h"
 
@@ -49,7 +48,7 @@ Momenta momentaOf(const State& state) {
 }  // namespace
 
 TEST_SUITE("engine/step") {
-    TEST_CASE("an impulse takes the energy it is asked for, and leaves both momenta") {
+    TEST_CASE("an impulse takes the given energy, and conserves both momenta") {
         State state = pressedBoxes();
         const Momenta before = momentaOf(state);
         const double kinetic = kineticEnergy(state);

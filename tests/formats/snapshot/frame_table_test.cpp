@@ -1,5 +1,5 @@
-// The one table of a frame's arrays (talus/frame_table.h) against all others who know them: the schema, the
-// codec, and the decoder of the replay page.
+// The table of a frame's arrays (talus/frame_table.h) against the schema, the codec, and the decoder of the
+// replay page.
 
 #include "talus/frame_table.h"
 
@@ -218,7 +218,7 @@ TEST_CASE("the codec puts each array under its own name, and back") {
     }
 }
 
-TEST_CASE("the replay page asks for fields that are there") {
+TEST_CASE("the replay page reads existing fields only") {
     const std::string source =
         test::contentOf(std::string(TALUS_SOURCE_DIR) + "/tools/replay/src/data/messages.js");
     static const std::map<std::string, std::string> kMessages{{"header", "Header"},

@@ -2,12 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include <atomic>
 #include <cmath>
 
 #include "answers/search.h"
 #include "cli/text.h"
-#include "support/wedged_columns.h"
 #include "talus/formats/scenario.h"
 #include "tools/program.h"
 
@@ -146,7 +144,8 @@ TEST_CASE(
     CHECK(strong.json().at("critical_k").is_null());
 }
 
-TEST_CASE("a splinter that rounding would move is named and left out, and the others get their answer") {
+TEST_CASE(
+    "a small sliver that rounding would move is named and left out, and the other blocks get their answer") {
     const TemporaryFolder folder;
     // Cubes beside the block: of their weight rounding is eps x k / (rho g size), with 1e11 Pa/m from 20 um
     // on too much.
@@ -350,69 +349,7 @@ TEST_CASE(
     CHECK(warns(with({"run", undrained}), "water[0] never drains: block \\\"key\\\" is displaced by"));
 }
 
-TEST_CASE("an interrupted search says so once, with what it knows, and nothing beside an answer it has not") {
-    const std::string slope = std::string(TALUS_SOURCE_DIR) + "/bench/verification/rock-slope-842.toml";
-    for (const double begun : {0.3, 1.0, 2.5}) {
-        CAPTURE(begun);
-        Program program({"safety-factor", slope, "--threads", "1", "--quiet"});
-        REQUIRE(waitFor([&] { return program.hasBegun(kSlower * begun); }));
-        program.signal(SIGINT);
-        const Outcome outcome = program.outcome();
-        CHECK(outcome.exit_code == 130);
-        const std::string all = outcome.out + outcome.err;
-        const std::size_t said = all.find("interrupted");
-        REQUIRE(said != std::string::npos);
-        CHECK(all.find("interrupted", said + 1) == std::string::npos);
-        CHECK(outcome.out.find("failure mode") == std::string::npos);
-        CHECK(outcome.out.find("theory") == std::string::npos);
-        CHECK(outcome.out.find(", fails at") == std::string::npos);
-    }
-}
-
-TEST_CASE("an interrupted limit analysis says so, and the bounds it has") {
-    const std::string spur = std::string(TALUS_SOURCE_DIR) + "/bench/examples/spur.toml";
-    Program program({"limit-analysis", spur, "--for", "factor", "--threads", "1", "--quiet"});
-    REQUIRE(waitFor([&] { return program.hasBegun(kSlower * 1.0); }));
-    program.signal(SIGINT);
-    CHECK(program.endsWithin(kSlower * 0.5));
-    const Outcome outcome = program.outcome();
-    CHECK(outcome.exit_code == 130);
-    CHECK(outcome.out.find("interrupted; so far: at least ") != std::string::npos);
-    CHECK(outcome.out.find("undecided") == std::string::npos);
-}
-
-TEST_CASE("interrupted after the search, a command keeps its answer and ends with 130") {
-    const TemporaryFolder folder;
-    const auto scenario =
-        talus::formats::readScenario(folder.write("columns.toml", talus::test::wedgedColumns(5)));
-    REQUIRE(scenario.ok());
-    for (const talus::LoadSearch& search : talus::loadSearches()) {
-        for (const std::string stage : {"upper bound", "the interval"}) {
-            CAPTURE(search.name);
-            CAPTURE(stage);
-            std::atomic<bool> stop = false;
-            talus::Control control;
-            control.stop = &stop;
-            control.progress = [&](const talus::Progress& progress) {
-                stop = stop || progress.stage == stage;
-            };
-            SearchRequest request;
-            request.upper_bound = talus::Beside::always;
-            const SearchReport report = answer(search, *scenario, request, {}, control);
-            REQUIRE(stop);
-            CHECK(exitCode(report) == 130);
-            const Json json = searchJson(report);
-            CHECK(json["status"] == "found");
-            CHECK(json["interrupted"] == true);
-            CHECK(json["answer_interval"].is_array());
-            CHECK(json["ceiling"].is_null() == (stage == "upper bound"));
-            if (stage == "upper bound")
-                CHECK(searchText(report, false).find("limit analysis was interrupted") != std::string::npos);
-        }
-    }
-}
-
-TEST_CASE("an upper bound that cuts through the answer's bracket stands below no answer") {
+TEST_CASE("no answer exceeds an upper bound inside its bracket") {
     using namespace talus;
     const auto scenario = formats::parseScenario(blockScenario(0, 12), "block.toml");
     REQUIRE(scenario);
@@ -482,7 +419,7 @@ TEST_CASE("a model in which no block can move has no answer: bad input, with the
               .exit_code == 0);
 }
 
-TEST_CASE("what is doubtful in a scenario is told beside each result, to those who read it as JSON, too") {
+TEST_CASE("doubts of a scenario are reported with each result, in JSON, too") {
     const TemporaryFolder folder;
     const std::string path = folder.write("box.toml", blockScenario(12, 0.6, "[run]\nduration_s = 0.01\n"));
     for (const std::string command :
@@ -495,7 +432,7 @@ TEST_CASE("what is doubtful in a scenario is told beside each result, to those w
     }
 }
 
-TEST_CASE("an answer that is one of a small part of the slope says so, with the way to the rest") {
+TEST_CASE("an answer for a small part of the slope says so, and how to search for the rest") {
     const TemporaryFolder folder;
     // A pebble on the steeper plane goes at tan(20)/tan(40), the block at tan(20)/tan(12).
     const auto slope = [&](const std::string& pebble) {

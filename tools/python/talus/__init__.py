@@ -5,9 +5,12 @@
     result = talus.safety_factor(model)
     result.safety_factor, result.failure_mode   # the names of the command line's JSON
 
-Units are SI; angles are degrees where a name ends in ``_deg``. Every function that computes takes ``threads`` (0: all cores; the
-answer is the same to the bit) and ``progress``, called with (stage, fraction, detail) now and then. Python's lock is free while
-it computes, and Ctrl-C stops it. What is wrong with the input is raised as ``talus.ScenarioError``.
+Units are SI; angles are degrees where a name ends in ``_deg``. A model is a ``talus.Model`` or the path of a scenario file.
+Functions that compute take ``threads`` (0: all cores; the answer is the same to the bit) and ``progress``, a function called from
+time to time with (stage, fraction 0..1, detail). They release Python's global lock, and Ctrl-C stops them.
+
+Errors of all functions: ``talus.ScenarioError`` for faults of a model, a file or an argument, with all faults found; ``OSError``
+for a file that cannot be written, or that exists and may not be replaced; ``KeyboardInterrupt`` after Ctrl-C.
 """
 
 from . import _core
@@ -41,12 +44,12 @@ __all__ = [
 
 
 def load(file):
-    """Reads a scenario file (TOML). Raises ScenarioError with every fault, its line and column."""
+    """A scenario file (TOML) as a Model. Raises ScenarioError with the line and column of every fault."""
     return Model._loaded(_core.read(_path_of(file)))
 
 
 def _model(model):
-    """A model, or the file it is in."""
+    """The scenario of a model or of a scenario file."""
     return (model if isinstance(model, Model) else load(model))._read()
 
 
@@ -72,12 +75,17 @@ def _search(name, model, *, threads=0, progress=None, groups=1, ceiling=None, ra
 
 def critical_angle(model, *, threads=0, progress=None, ceiling=None, range=None, keep_run=None, keep_run_seconds=None, force=False,
                    plot=None, picture=None):
-    """The tilt at which the assembly first fails: ``critical_angle_deg``, ``bracket_deg``, ``failure_mode``, ... [degrees]
+    """The tilt at which the assembly first fails, as a SearchResult.
 
-    ceiling: True, False, or None: limit analysis beside it up to a model's size; range: likewise another loading history, for
-    ``range`` and ``range_reason``. keep_run: a .mcap file for the run in which it
-    fails, over keep_run_seconds or until it is plain to see; force replaces a finished one. plot, picture: .svg files for the curve
-    of load against displacement and for the blocks that fail.
+    Main entries: ``critical_angle_deg`` and ``bracket_deg`` (last stable and first failing tilt) [degrees], ``failure_mode``.
+
+    ceiling: whether limit analysis gives an upper bound; None: for models up to a certain size.
+    range: whether a second loading path gives the lower end of ``answer_interval``; None: for models up to a certain size.
+    keep_run: a .mcap file for the failing run, over keep_run_seconds [s] or until the failure is plain to see.
+    force: whether keep_run may replace a finished run.
+    plot, picture: .svg files for the curve of load against displacement and for the failing blocks.
+
+    Method: the equilibrium path with the tilt as an unknown; see "How a search decides" in the guide.
     """
     return _search("critical-angle", model, threads=threads, progress=progress, ceiling=ceiling, range=range, keep_run=keep_run,
                    keep_run_seconds=keep_run_seconds, force=force, plot=plot, picture=picture)
@@ -85,9 +93,11 @@ def critical_angle(model, *, threads=0, progress=None, ceiling=None, range=None,
 
 def safety_factor(model, *, threads=0, progress=None, groups=1, ceiling=None, range=None, keep_run=None, keep_run_seconds=None,
                   force=False, plot=None, picture=None):
-    """The factor by which all strengths can be divided before it fails, at the model's own tilt: ``safety_factor``, ``bracket``.
+    """The factor by which all strengths can be divided before the assembly fails at its own tilt, as a SearchResult.
 
-    groups: how many groups of blocks to follow, one going after the other. The rest as of critical_angle.
+    Main entries: ``safety_factor`` and ``bracket`` (last stable and first failing factor) [-], ``failure_mode``.
+
+    groups: number of successive failure groups to find. Other arguments as in critical_angle.
     """
     return _search("safety-factor", model, threads=threads, progress=progress, groups=groups, ceiling=ceiling, range=range,
                    keep_run=keep_run, keep_run_seconds=keep_run_seconds, force=force, plot=plot, picture=picture)
@@ -95,18 +105,25 @@ def safety_factor(model, *, threads=0, progress=None, groups=1, ceiling=None, ra
 
 def critical_acceleration(model, *, threads=0, progress=None, ceiling=None, range=None, keep_run=None, keep_run_seconds=None,
                           force=False, plot=None, picture=None):
-    """The horizontal seismic coefficient at which it first fails, at the model's own tilt: ``critical_k`` [share of the weight].
+    """The horizontal seismic coefficient at which the assembly first fails at its own tilt, as a SearchResult.
 
-    The rest as of critical_angle.
+    Main entries: ``critical_k`` and ``bracket`` (last stable and first failing one) [share of the weight], ``failure_mode``.
+
+    Arguments as in critical_angle.
     """
     return _search("critical-acceleration", model, threads=threads, progress=progress, ceiling=ceiling, range=range, keep_run=keep_run,
                    keep_run_seconds=keep_run_seconds, force=force, plot=plot, picture=picture)
 
 
 def limit_analysis(model, load="factor", *, max_points=_core.max_contact_points, threads=0, progress=None):
-    """The limit of the associated rigid-block problem, which no other answer is above: ``lower``, ``upper``, ``moving_blocks``.
+    """The limit load of the associated rigid-block problem, an upper bound of every search's answer.
 
-    load: what grows, "tilt" [degrees], "factor" or "horizontal" [share of the weight].
+    Main entries: ``lower`` and ``upper`` (ends of its bracket, in the load's unit), ``moving_blocks`` (names).
+
+    load: the load that grows, "tilt" [degrees], "factor" [-] or "horizontal" [share of the weight].
+    max_points: largest number of contact points; a larger model raises ScenarioError.
+
+    Source: the static theorem (Drucker 1954; for blocks Livesley 1978), as linear programmes.
     """
     return Result.of_json(
         _core.limit_analysis(_model(model), load=load, max_points=max_points, threads=threads, progress=progress)
@@ -114,21 +131,31 @@ def limit_analysis(model, load="factor", *, max_points=_core.max_contact_points,
 
 
 def keyblocks(model, *, most=_core.most_groups, threads=0, progress=None):
-    """Block theory: removable ``blocks`` and ``moving_groups`` with their factors, by limit equilibrium (translation only).
+    """Block theory: removable blocks and groups that move together, by limit equilibrium in translation.
 
-    most: how many groups to list, those with the least factors of safety.
+    Main entries: ``blocks`` (mode, direction and factor of safety of each free block), ``moving_groups`` (by ascending factor).
+
+    most: number of groups to list, those with the least factors of safety.
+
+    Sources: Goodman and Shi (1985) for removability, Warburton (1981) for the direction of motion.
     """
     return Result.of_json(_core.keyblocks(_model(model), most=most, threads=threads, progress=progress))
 
 
 def kinematics(source, *, slope, friction, lateral=20.0, sets=0, scanline=None, bias_limit=None, stereonet=None, view="poles",
                net="equal-area", contours="fisher", counting_area=1.0):
-    """What of a slope's planes can slide or topple: ``planar``, ``wedge``, ``direct_toppling``, ``flexural_toppling``, ``sets``.
+    """Kinematic tests: which planes and lines of intersection of a slope can slide or topple.
 
-    source: a table of poles (.csv, .tsv, .txt, .dat), a scenario file, or a model with a rock mass. slope: dip and dip direction of
-    the face [degrees]; friction and lateral limits [degrees]. sets: so many are found, in place of those of the source.
-    scanline: trend and plunge [degrees], for Terzaghi's weights, down to bias_limit. stereonet: an .svg file, of the "poles" or
-    the "intersections", on an "equal-area" or "equal-angle" net; contours by "fisher", "circle" or "none", per counting_area [%].
+    Main entries: ``planar``, ``wedge``, ``direct_toppling``, ``flexural_toppling`` (counts and percent), ``sets``.
+
+    source: a table of poles (.csv, .tsv, .txt, .dat), a scenario file, or a model with a rock mass.
+    slope: (dip, dip direction) of the face [degrees]. friction, lateral: friction angle and lateral limits [degrees].
+    sets: number of sets to find; 0: those of the source.
+    scanline: (trend, plunge) [degrees], for Terzaghi's weights. bias_limit: least angle for these weights [degrees].
+    stereonet: an .svg file. view: "poles" or "intersections". net: "equal-area" or "equal-angle".
+    contours: "fisher", "circle" or "none". counting_area: of the contours [% of the hemisphere].
+
+    Sources: Markland (1972) and Hocking (1976) for sliding, Goodman and Bray (1976) and Hudson and Harrison (1997) for toppling.
     """
     table = not isinstance(source, Model) and _core.is_pole_table(_path_of(source))
     return Result.of_json(
@@ -151,12 +178,15 @@ def kinematics(source, *, slope, friction, lateral=20.0, sets=0, scanline=None, 
 
 
 def report(model, output, *, figures=None, analysis=None, slope=None, groups=1, sensitivity=None, threads=0, progress=None):
-    """One page about a slope (.html), its figures as SVG and CSV beside it: ``page``, ``figures``, ``search``, ``key_blocks``.
+    """Writes a page about a slope (.html), with its figures as SVG and CSV files.
 
-    figures: their folder, by default FILE_figures beside the page. analysis: "safety-factor", "critical-angle" or
-    "critical-acceleration", by default that of the scenario. slope: dip and dip direction of the stereonet's face [degrees],
-    by default that of the model. groups: how many a search for a factor of safety follows. sensitivity: search again with
-    friction and stiffness less and more by so many percent.
+    Main entries: ``page``, ``figures`` (paths), ``search``, ``key_blocks`` (results).
+
+    output: the page. figures: their folder; by default FILE_figures beside the page.
+    analysis: "safety-factor", "critical-angle" or "critical-acceleration"; by default that of the scenario.
+    slope: (dip, dip direction) of the stereonet's face [degrees]; by default that of the model.
+    groups: number of successive failure groups in a search for a factor of safety.
+    sensitivity: change of friction and stiffness, each way, for repeated searches [%]; None: no such searches.
     """
     return Result.of_json(
         _core.report(
@@ -174,10 +204,14 @@ def report(model, output, *, figures=None, analysis=None, slope=None, groups=1, 
 
 
 def run(model=None, output=None, *, resume=None, full_every=10, force=False, threads=0, progress=None):
-    """Time history: ``steps``, ``kinetic_energy_j``, ``watch``, ``state_hash``, ...; frames go to a .mcap file, energies to a .csv.
+    """A time history of a model.
 
-    output: that file, or None. resume: a .mcap file that was begun earlier, in place of the model; it goes on to the same bits.
-    full_every: the full state, with contacts, every so many frames. force replaces a finished file.
+    Main entries: ``steps``, ``simulated_seconds`` [s], ``kinetic_energy_j`` [J], ``watch`` (watched blocks), ``state_hash``.
+
+    output: a .mcap file for frames, or a .csv file for energies; None: no file.
+    resume: a .mcap file of an earlier run, in place of the model; the run continues to the same bits.
+    full_every: number of frames from one full state, with contacts, to the next.
+    force: whether a finished file may be replaced.
     """
     if (model is None) == (resume is None):
         raise TypeError("give either a model or resume=FILE, which brings its own")
@@ -195,10 +229,12 @@ def run(model=None, output=None, *, resume=None, full_every=10, force=False, thr
 
 
 def batch(sweep, folder, *, retry=False, threads=0, progress=None):
-    """A sweep or Monte Carlo: many runs of one scenario side by side, results.csv and a report in a folder.
+    """A sweep or Monte Carlo simulation: many runs of one scenario in parallel, with results.csv and a report in a folder.
 
-    sweep: its file; the same call goes on where it was stopped. retry computes failed runs again.
-    Gives ``runs``, ``done``, ``failed``, ``results`` (the CSV file), ``summary`` and ``page``.
+    Main entries: ``runs``, ``done``, ``failed`` (counts), ``results`` (the CSV file), ``summary``, ``page``.
+
+    sweep: the sweep file (TOML). folder: of the results; the same call continues an interrupted batch.
+    retry: whether failed runs are computed again.
     """
     return Result.of_json(
         _core.batch(_path_of(sweep), _path_of(folder), retry=retry, threads=threads, progress=progress)

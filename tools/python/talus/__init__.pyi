@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 _Path = str | PathLike[str]
 _Progress = Callable[[str, float, str], object]
-"""Called with (stage, fraction of the whole 0..1, one line for people)."""
+"""Called with (stage, fraction of the whole 0..1, one line of text)."""
 
 __version__: str
 

@@ -1,12 +1,12 @@
-"""What is wrong with the input."""
+"""Errors of the input."""
 
 import os
 
 
 class ScenarioError(ValueError):
-    """Faults of a model, a file or an argument: all that were found.
+    """All faults found in a model, a file or an argument.
 
-    errors: list of (file, line, column, field, message); file, line and column are None where nothing is known.
+    errors: list of (file, line, column, field, message); file, line and column are None where unknown.
     """
 
     def __init__(self, errors):
@@ -18,7 +18,7 @@ class ScenarioError(ValueError):
 
 
 def path_of(file):
-    """A path as text. Raises ScenarioError for one with a NUL, at which the system would end it."""
+    """A path as text. Raises ScenarioError for a path with a NUL character, where the system would cut it."""
     path = os.fspath(file)
     if ("\0" if isinstance(path, str) else b"\0") in path:
         raise ScenarioError([(None, None, None, "", f"found the path {path!r}, allowed: one without NUL characters")])
@@ -26,7 +26,7 @@ def path_of(file):
 
 
 def _line(error):
-    """FILE:LINE:COLUMN: FIELD: MESSAGE, as the command line says it."""
+    """FILE:LINE:COLUMN: FIELD: MESSAGE, as on the command line."""
     file, line, column, field, message = error
     place = ":".join(str(part) for part in (file, line, column) if part is not None)
     return ": ".join(part for part in (place, field, message) if part)

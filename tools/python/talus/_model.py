@@ -13,7 +13,7 @@ from ._errors import ScenarioError, path_of
 
 @functools.cache
 def _sections():
-    """What sections a scenario file has: {"joint": "named", "bolt": "list", "gravity": "single", ...}."""
+    """The sections of a scenario file: {"joint": "named", "bolt": "list", "gravity": "single", ...}."""
     def kind(schema):
         if schema["type"] == "array":
             return "list"
@@ -24,9 +24,9 @@ def _sections():
 
 
 class Model:
-    """A slope: what a scenario file says, in the file's words and units.
+    """A slope: the content of a scenario file, with the file's keys and units.
 
-    Built in code by one method per section of the file, with the file's keys as arguments; each returns the model::
+    One method per section of the file builds it in code, with the file's keys as arguments; each returns the model::
 
         model = talus.Model()
         model.material("rock", density=2700.0)                          # kg/m^3
@@ -35,12 +35,14 @@ class Model:
         model.block("key", box=dict(min=[0, 0, 0], max=[1, 1, 1]))
         model.gravity(tilt_deg=20.0)
 
-    ``model["joint.default.friction_deg"] = 25`` changes one field by the name messages call it, ``model[...]`` reads what is
-    given. Nothing is checked before the model is used or ``validate()`` is called.
+    ``model["joint.default.friction_deg"] = 25`` changes one field by its name in messages; ``model[...]`` reads a given value and
+    raises KeyError for one that is not given. Values are checked when the model is used or ``validate()`` is called.
+
+    The reference of all keys, with their units, ranges and defaults, is the guide's page "Keys".
     """
 
     def __init__(self, tables=None, *, folder=""):
-        """tables: those of a scenario as dictionaries and lists; folder: where its mesh files are looked for."""
+        """tables: those of a scenario as dictionaries and lists. folder: the folder of its mesh files."""
         self._tables = copy.deepcopy(dict(tables)) if tables else {}
         self._path = os.path.join(path_of(folder), "model") if folder else "model"
         self._scenario = None
@@ -56,7 +58,7 @@ class Model:
     # --- building -------------------------------------------------------------------------------------------------------
 
     def add(self, section, name=None, /, **keys):
-        """Adds a section of any kind: a table of a list ([[block]]), a named one ([joint.NAME]), or keys of a single one."""
+        """Adds a table to a list ([[block]]), a named table ([joint.NAME]), or keys to a single table ([gravity])."""
         kind = _sections().get(section)
         if kind == "list":
             if name is not None:
@@ -85,7 +87,7 @@ class Model:
         return self.add("joint", name, **keys)
 
     def interface(self, block_a, block_b, **keys):
-        """The joint of one pair of blocks: joint (its name), or properties of its own."""
+        """The joint of one pair of blocks: joint (its name), or properties that differ from the pair's joint."""
         return self.add("interface", between=[block_a, block_b], **keys)
 
     def water(self, **keys):
@@ -101,11 +103,11 @@ class Model:
         return self.add("bolt", name, **keys)
 
     def bolt_pattern(self, name=None, **keys):
-        """Bolts with heads on the free faces inside a box."""
+        """A grid of bolts with heads on the free faces inside a box: spacing and length [m], plunge_deg, trend_deg, ..."""
         return self.add("bolt_pattern", name, **keys)
 
     def rock_mass(self, **keys):
-        """A region that joints cut into blocks: box, mesh, ..."""
+        """A region that joints cut into blocks: region (a box, a profile or a mesh) [m], material, fixed, ..."""
         return self.add("rock_mass", **keys)
 
     def joint_set(self, name=None, **keys):
@@ -113,27 +115,27 @@ class Model:
         return self.add("joint_set", name, **keys)
 
     def single_joint(self, name=None, **keys):
-        """One joint through the rock mass."""
+        """One joint in the rock mass: point [m], dip_deg, dip_direction_deg, radius [m], ..."""
         return self.add("single_joint", name, **keys)
 
     def gravity(self, **keys):
-        """magnitude [m/s^2]; tilt_deg, positive downhill towards -x; or direction."""
+        """Gravity: magnitude [m/s^2]; tilt_deg, positive downhill towards -x; or direction."""
         return self.add("gravity", **keys)
 
     def analysis(self, **keys):
-        """Of searches: start_deg, stop_deg, tolerance_deg, factor_tolerance, ..."""
+        """Settings of searches: start_deg, stop_deg, tolerance_deg, factor_tolerance [-], ..."""
         return self.add("analysis", **keys)
 
     def run(self, **keys):
-        """Of time histories: duration_s, frame_interval_s, time_step_s, watch, start."""
+        """Settings of time histories: duration_s, frame_interval_s, time_step_s, watch (block names), start."""
         return self.add("run", **keys)
 
     def damping(self, **keys):
-        """mass and rotation [1/s], contact [s], local [0..1]."""
+        """Damping: mass and rotation [1/s], contact [s], local (0..1)."""
         return self.add("damping", **keys)
 
     def contact(self, **keys):
-        """points: where contact points lie."""
+        """Contacts: points, the rule by which contact points lie on a patch."""
         return self.add("contact", **keys)
 
     def seismic(self, **keys):
@@ -141,13 +143,13 @@ class Model:
         return self.add("seismic", **keys)
 
     def ground_motion(self, **keys):
-        """Motion of the fixed blocks: file, scale."""
+        """Motion of the fixed blocks: file, scale [-], baseline."""
         return self.add("ground_motion", **keys)
 
     # --- fields ---------------------------------------------------------------------------------------------------------
 
     def __getitem__(self, field):
-        """What is given for a field: ``model["joint.default.friction_deg"]``, ``model["block[2].box.min[0]"]``."""
+        """The given value of a field: ``model["joint.default.friction_deg"]``, ``model["block[2].box.min[0]"]``; else KeyError."""
         node = self._tables
         for part in _parts(field):
             try:
@@ -184,7 +186,7 @@ class Model:
         self._changed()
 
     def copy(self):
-        """A model of its own with the same tables."""
+        """An independent model with the same tables."""
         twin = Model()
         twin.__dict__.update(self.__dict__, _tables=copy.deepcopy(self._tables))
         return twin
@@ -197,16 +199,16 @@ class Model:
         return copy.deepcopy(self._tables)
 
     def to_toml(self):
-        """The text of a scenario file that says the same; of a file that was loaded and not changed, its own text."""
+        """The model as the text of a scenario file; for an unchanged loaded file, its own text."""
         return self._scenario.text if self._scenario else _toml.text_of(self._tables)
 
     def save(self, file):
-        """Writes that text."""
+        """Writes the text of ``to_toml()`` to a file. Raises OSError."""
         with open(file, "w", encoding="utf-8") as out:
             out.write(self.to_toml())
 
     def validate(self, threads=0):
-        """Raises ScenarioError with all that is wrong: keys, values, blocks that overlap, water on no face."""
+        """Raises ScenarioError with all faults: unknown keys, values out of range, blocks that overlap, water on no face."""
         self._read().check(threads)
 
     @property
@@ -216,7 +218,7 @@ class Model:
 
     @property
     def warnings(self):
-        """What the reader says of a model that it takes nevertheless."""
+        """Warnings of the reader about a model without faults."""
         return self._read().warnings
 
     def picture(self, azimuth_deg=235.0, elevation_deg=25.0):
@@ -225,7 +227,7 @@ class Model:
 
     @property
     def path(self):
-        """What messages call the model; its folder is where mesh files are looked for."""
+        """The model's name in messages; its folder is that of its mesh files."""
         return self._path
 
     def _read(self):
@@ -268,7 +270,7 @@ def _parts(field):
 
 
 def _keys(field):
-    """Cut at dots outside of quotes."""
+    """The keys of a field, split at dots outside of quotes."""
     keys, quoted = [""], False
     for letter in field:
         if letter == '"':

@@ -1,4 +1,4 @@
-"""Results: the JSON of the command line with its names as attributes."""
+"""Results: the JSON of the command line with its keys as attributes."""
 
 import html
 import json
@@ -10,10 +10,11 @@ from . import _core
 
 
 class Result:
-    """A result with the names of the command line's JSON as attributes, in its units (``bracket_deg``: degrees).
+    """A result with the keys of the command line's JSON as attributes, in its units (``bracket_deg``: degrees).
 
-    Objects in it (``provenance``, the entries of ``evidence``) are Results, too; null is None. ``to_dict()`` gives plain
-    dictionaries and lists, ``result["name"]`` what ``result.name`` gives, also for names that are not Python's.
+    Objects in it (``provenance``, the entries of ``evidence``) are Results, too; null is None. ``result["name"]`` is the same as
+    ``result.name``, also for keys that are no Python names. ``to_dict()`` gives plain dictionaries and lists. An unknown name
+    raises AttributeError or KeyError.
     """
 
     def __init__(self, values):
@@ -21,7 +22,7 @@ class Result:
 
     @classmethod
     def of_json(cls, text):
-        """Of a JSON object's text, as the command line prints it."""
+        """The result of a JSON object's text, as the command line prints it."""
         return cls(json.loads(text))
 
     def __getattr__(self, name):
@@ -74,7 +75,7 @@ class Result:
         return f"{self._picture()}<table>{rows}</table>"
 
     def _picture(self):
-        """The curve of a search, and the failing run that it kept, played; of a batch its report."""
+        """The curve of a search with the replay of its kept run, or the report of a batch."""
         kept, page = (self._values.get("kept_run") or {}).get("file"), self._values.get("page")
         played = _core.Snapshots(kept).page() if kept and os.path.exists(kept) else ""
         if page and os.path.exists(page):
@@ -85,13 +86,13 @@ class Result:
 
 
 class SearchResult(Result):
-    """Of ``critical_angle``, ``safety_factor`` or ``critical_acceleration``: beside the answer and its bracket
+    """The result of ``critical_angle``, ``safety_factor`` or ``critical_acceleration``. Beside the answer and its bracket:
 
-    - ``path``: the curve, an array of shape (n, 2): largest displacement of a block [m], load (as the answer)
-    - ``answer_interval``, ``answer_interval_reasons``: the lowest and the highest answer found, and how; None without an answer
-    - ``failure_displacement``: from which on a failure counts, between neighbours, as a share of the median block size
-    - ``answers_by_displacement``: ``displacement``, ``load`` of each other answer that another one would give
-    - ``failing_volume_m3``, ``failing_mass_kg``: of the blocks that fail
+    - ``path``: the curve, an array of shape (n, 2): largest displacement of a block [m], load (in the answer's unit)
+    - ``answer_interval``, ``answer_interval_reasons``: lowest and highest answer found, and their causes; None without an answer
+    - ``failure_displacement``: displacement between neighbours that counts as failure [share of the median block size]
+    - ``answers_by_displacement``: ``displacement`` and ``load`` where another failure displacement gives another answer
+    - ``failing_volume_m3``, ``failing_mass_kg``: of the failing blocks [m^3, kg]
     - ``limit_equilibrium``: ``value``, ``kind``, ``blocks`` of the closed formula; None where none applies
     """
 
@@ -103,7 +104,7 @@ class SearchResult(Result):
 
 
 def frame_of(page):
-    """A page inside the notebook's."""
+    """A page embedded in a notebook."""
     return f'<iframe srcdoc="{html.escape(page)}" width="100%" height="640" style="border:0"></iframe>'
 
 

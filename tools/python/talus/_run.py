@@ -9,12 +9,17 @@ from ._result import frame_of
 
 
 class Contacts:
-    """Contact points at one instant, an entry each, in the model frame (numpy arrays of n, or of (n, 3)).
+    """The n contact points at one instant, in the model frame, as numpy arrays of shape (n,) or (n, 3).
 
-    position [m] on block a's face; normal, unit, from a to b; gap [m], 0 where it closed and negative when pressed; area [m^2];
-    force on b by its springs [N], with shear its part in the face and normal_force its size along the normal, compression
-    positive; water_force [N]; mobilised, shear force over strength, 0..1; state: 0 open, 1 sticking, 2 slipping; interface,
-    block_a, block_b, joint: indices.
+    - position (n, 3) [m]: on block a's face
+    - normal (n, 3): unit vector from a to b
+    - gap (n,) [m]: 0 at closure, negative when pressed
+    - area (n,) [m^2]: tributary area
+    - force (n, 3) [N]: of the springs on b; shear (n, 3) [N]: its part in the face
+    - normal_force (n,) [N]: effective, compression positive; water_force (n,) [N]
+    - mobilised (n,): shear force over shear strength, 0..1
+    - state (n,): OPEN, STICKING or SLIPPING
+    - interface, block_a, block_b, joint (n,): indices
     """
 
     OPEN, STICKING, SLIPPING = 0, 1, 2
@@ -30,11 +35,11 @@ class Contacts:
 
 
 class Simulation:
-    """A time history that is taken by hand.
+    """A time history taken step by step.
 
-    It begins as ``talus.run`` does (in equilibrium under weight and water where there is one), and passes through the same bits in
-    whole tens of steps. ``positions``, ``velocities`` and ``quaternions`` are views of the simulation's own memory: an array taken
-    once shows the latest step, nothing is copied. They can be read only.
+    It begins as ``talus.run`` does (in equilibrium under weight and water where there is one) and gives the same bits after
+    every ten steps. ``positions``, ``velocities`` and ``quaternions`` are read-only views of the simulation's memory: an array
+    obtained once always shows the latest step.
     """
 
     def __init__(self, model, *, threads=0, progress=None):
@@ -44,7 +49,10 @@ class Simulation:
         """Names, in the order of the arrays."""
 
     def step(self, count=1, *, progress=None):
-        """Takes steps of ``time_step`` seconds; Ctrl-C leaves it at the end of one."""
+        """Takes ``count`` steps of ``time_step`` seconds; Ctrl-C stops after a whole step.
+
+        Raises ScenarioError if motion becomes infinite.
+        """
         self._core.step(count, progress)
 
     @property
@@ -74,7 +82,7 @@ class Simulation:
 
     @property
     def steps(self):
-        """Taken so far."""
+        """Number of steps taken."""
         return self._core.steps
 
     @property
@@ -84,22 +92,22 @@ class Simulation:
 
     @property
     def start(self):
-        """What it started from: "equilibrium", "held" or "unstressed"."""
+        """The initial state: "equilibrium"; "held" (with unbreakable joints, released at time 0); or "unstressed"."""
         return self._core.start
 
     @property
     def kinetic_energy(self):
-        """[J]"""
+        """Kinetic energy [J]."""
         return self._core.energies()[0]
 
     @property
     def elastic_energy(self):
-        """In the contact springs [J]."""
+        """Elastic energy of contacts and bolts [J]."""
         return self._core.energies()[1]
 
     @property
     def gravity_energy(self):
-        """Relative to the start [J]."""
+        """Potential energy relative to the start [J]."""
         return self._core.energies()[2]
 
     @property
@@ -117,7 +125,7 @@ class Simulation:
 
 
 class Run:
-    """A run read from a snapshot file; its arrays are read when one is first asked for."""
+    """A run read from a snapshot file (.mcap). The arrays are read on first use. Raises ScenarioError for an unreadable one."""
 
     def __init__(self, file):
         self._core = _core.Snapshots(path_of(file))
@@ -140,12 +148,12 @@ class Run:
 
     @property
     def faults(self):
-        """What is missing or damaged in the file, for people."""
+        """Missing or damaged parts of the file, in words; empty for a sound one."""
         return self._core.faults
 
     @property
     def model(self):
-        """The model it was run from."""
+        """The model of the run."""
         return Model._loaded(_core.parse(self._core.scenario_text, self._core.scenario_path))
 
     @functools.cached_property
@@ -154,22 +162,22 @@ class Run:
 
     @property
     def times(self):
-        """Of the frames [s]."""
+        """Times of the frames, (frames,) [s]."""
         return self._arrays["times"]
 
     @property
     def steps(self):
-        """Of the frames."""
+        """Steps at the frames, (frames,)."""
         return self._arrays["steps"]
 
     @property
     def tilts_deg(self):
-        """Of gravity [degrees]."""
+        """Tilts of gravity, (frames,) [degrees]."""
         return self._arrays["tilts_deg"]
 
     @property
     def positions(self):
-        """Centroids, (frames, blocks, 3) [m]; displacements are kept in single precision."""
+        """Centroids, (frames, blocks, 3) [m]; the file has displacements in single precision."""
         return self._arrays["positions"]
 
     @property
@@ -189,26 +197,26 @@ class Run:
 
     @property
     def kinetic_energy_j(self):
-        """Per frame [J]."""
+        """Kinetic energy, (frames,) [J]."""
         return self._arrays["kinetic_energy_j"]
 
     @property
     def elastic_energy_j(self):
-        """Per frame, in the contact springs [J]."""
+        """Elastic energy of contacts and bolts, (frames,) [J]."""
         return self._arrays["elastic_energy_j"]
 
     @property
     def gravity_energy_j(self):
-        """Per frame, relative to the start [J]."""
+        """Potential energy relative to the start, (frames,) [J]."""
         return self._arrays["gravity_energy_j"]
 
     @property
     def state_hashes(self):
-        """Per frame."""
+        """State hashes, one text of 16 hex digits per frame."""
         return self._arrays["state_hashes"]
 
     def contacts(self, frame=-1):
-        """Contact points of the full state at a frame, or the last one before it."""
+        """Contact points of the full state at a frame, or of the last one before it. Raises ScenarioError where there is none."""
         return Contacts(self._core.contacts(frame))
 
     def page(self):
@@ -225,6 +233,6 @@ class Run:
         return f"<talus.Run {self.file}: {len(self)} frames of {len(self.blocks)} blocks, {self.ended or 'unfinished'}>"
 
 
-def open(file):  # noqa: A001, the name the contract gives it
-    """Opens a snapshot file of ``talus.run`` (.mcap)."""
+def open(file):  # noqa: A001, as in other readers of files
+    """Opens a snapshot file of ``talus.run`` (.mcap) as a Run. Raises ScenarioError for a file without snapshots."""
     return Run(file)

@@ -1,4 +1,4 @@
-"""Tables as TOML text, which the scenario reader takes: Python reads TOML and does not write it."""
+"""Tables as TOML text for the scenario reader; Python's library reads TOML only."""
 
 import json
 import math

@@ -1,4 +1,4 @@
-"""Assemblies of COMPAS (compas_assembly, compas_cra): their JSON as a model, and forces given back in their terms.
+"""Assemblies of COMPAS (compas_assembly, compas_cra): their JSON as a model, and forces returned in the same format.
 
     assembly = talus.compas.load("arch.json")
     model = talus.compas.model(assembly, density=2400.0, normal_stiffness=1e11, shear_stiffness=1e10, friction_deg=35.0)
@@ -37,11 +37,11 @@ def save(assembly: dict[str, Any], file: str | os.PathLike[str]) -> None:
 def model(
     assembly: dict[str, Any], *, density: float, normal_stiffness: float, shear_stiffness: float, friction_deg: float, **joint: Any
 ) -> Model:
-    """The assembly as a talus.Model: a block a node, named after its key ("b0", ...), fixed where it is a support.
+    """The assembly as a talus.Model: one block per node, named after its key ("b0", ...), fixed where it is a support.
 
-    density [kg/m^3]; stiffnesses [Pa/m]; friction_deg and whatever else a joint has. Coordinates are metres, z is up. Contacts are
-    found from the faces, with a contact point at each corner of an interface, as COMPAS has them. Raises ScenarioError for blocks
-    that are not convex.
+    density [kg/m^3]; normal_stiffness and shear_stiffness [Pa/m]; friction_deg [degrees]; joint: further keys of a joint.
+    Coordinates are metres, z is up. Contacts follow from the faces, with a contact point at each corner of an interface, as in
+    COMPAS. Raises ScenarioError for blocks that are not convex.
     """
     made = Model()
     made.contact(points="corner")
@@ -61,9 +61,10 @@ def model(
 def with_forces(assembly: dict[str, Any], simulation: Simulation | Model) -> dict[str, Any]:
     """A copy of the assembly whose edges have the interfaces of a simulation as it is now, with their forces [N].
 
-    simulation: a talus.Simulation of ``model(assembly, ...)``, or such a model, which is then taken at its start. At each point of an
-    interface ``c_np`` is the compression and ``c_nn`` the tension along the frame's z axis, which goes from u to v, ``c_u`` and ``c_v`` the
-    shear along its x and y axes: together the force on v. Edges whose blocks do not touch have no interfaces left.
+    simulation: a talus.Simulation of ``model(assembly, ...)``, or such a model, then in its initial state.
+    At each point of an interface ``c_np`` is the compression and ``c_nn`` the tension along the frame's z axis, which points from u
+    to v; ``c_u`` and ``c_v`` are the shear along its x and y axes. Together they are the force on v. Edges between blocks that do
+    not touch have no interfaces. Raises ScenarioError for a simulation of another assembly.
     """
     simulation = Simulation(simulation) if isinstance(simulation, Model) else simulation
     result = copy.deepcopy(assembly)
@@ -88,7 +89,7 @@ def with_forces(assembly: dict[str, Any], simulation: Simulation | Model) -> dic
 
 
 def _interface(contacts, points, sign, content):
-    """One interface in COMPAS' words; sign: -1 where its blocks stand the other way round."""
+    """One interface in COMPAS' format; sign: -1 where its blocks are in the reverse order."""
     places, forces = contacts.position[points], sign * contacts.force[points]
     z = sign * contacts.normal[points[0]]
     x = places[1] - places[0]
@@ -109,7 +110,7 @@ def _interface(contacts, points, sign, content):
 
 
 def _content(thing):
-    """What COMPAS' envelopes hold: {"dtype", "data"} of version 2, {"dtype", "value"} of version 1, {"data", "datatype"} before."""
+    """The content of COMPAS' envelopes: {"dtype", "data"} in version 2, {"dtype", "value"} in 1, {"data", "datatype"} before."""
     while isinstance(thing, dict):
         inner = thing.get("data", thing.get("value")) if "dtype" in thing or "datatype" in thing else None
         if inner is None:
@@ -119,7 +120,7 @@ def _content(thing):
 
 
 def _graph(assembly):
-    """The graph of nodes and edges, as it lies in the assembly: changes of it change the assembly."""
+    """The graph of nodes and edges inside the assembly: changes of it change the assembly."""
     content = _content(assembly)
     graph = _content(content["graph"]) if isinstance(content, dict) and "graph" in content else content
     if not isinstance(graph, dict) or "node" not in graph:
@@ -131,7 +132,7 @@ def _graph(assembly):
 
 
 def _table(thing, field):
-    """A dictionary that stands for a JSON object; anything else is a fault of the file."""
+    """A dictionary for a JSON object; anything else is a fault of the file."""
     if not isinstance(thing, dict):
         raise _fault(field, f"found {json.dumps(thing, default=repr)[:40]}, allowed: a JSON object")
     return thing

@@ -6,8 +6,9 @@
 
 namespace talus::formats {
 
-/// Quoted when it holds a comma, a quote or a line break; line breaks become spaces. What a spreadsheet would
-/// take for a formula (it begins with =, +, - or @ and is no number) gets an apostrophe in front.
+/// Quoted when it holds a comma, a quote or a line break; line breaks become spaces. A text that a
+/// spreadsheet would read as a formula (begins with =, +, - or @ and is no number) gets an apostrophe in
+/// front.
 std::string csvField(std::string_view field);
 
 /// Without the apostrophe that csvField puts there.

@@ -11,7 +11,7 @@
 
 namespace talus::formats {
 
-/// How each block moves, as the search saw it in a run that it kept; else up to this frame, by the same rule
+/// How each block moves: as the search found in a run that it kept; else up to this frame, by the same rule
 /// (talus/motion_roles.h).
 std::vector<FailureMode> failureRoles(const SnapshotHeader& header, const LightFrame& frame);
 
@@ -35,8 +35,8 @@ std::string stlBlocks(const SnapshotHeader& header, const LightFrame& frame);
 /// Binary PLY of all blocks: their faces as polygons, each with `block`, `failure_role` and a colour.
 std::string plyBlocks(const SnapshotHeader& header, const LightFrame& frame);
 
-/// glTF 2.0 in its binary form (.glb): a node and a mesh a block, coloured by how it moves up to the last of
-/// the frames; more than one frame are an animation in the run's time. \pre at least one frame
+/// glTF 2.0 in its binary form (.glb): a node and a mesh per block, coloured by its motion up to the last
+/// frame. Several frames give an animation in the run's time. \pre at least one frame
 std::string gltfBlocks(const SnapshotHeader& header, const std::vector<LightFrame>& frames);
 
 }  // namespace talus::formats

@@ -1,6 +1,6 @@
 #pragma once
-// A scenario as it fails, at the load that a search has found. Its model is the search's, to
-// the bit; its text says the same to whoever reads a kept run.
+// A scenario as it fails, at the load that a search has found. Its model is the search's, to the bit; its
+// text describes the same model for readers of a kept run.
 
 #include <string>
 
@@ -10,10 +10,10 @@
 
 namespace talus::formats {
 
-/// What a search changes in a scenario, and how its failure is played on.
+/// What a search changes in a scenario, and how its failure is continued.
 struct FailingLoad {
     Varied varied = Varied::tilt;
-    double value = 0;            ///< of what is varied, in its SI unit
+    double value = 0;            ///< value of the varied quantity, in SI units
     double contact_damping = 0;  ///< Damping::contact [s]; all other damping is off
     double duration = 1;         ///< [s]
     double frame_interval = 0;   ///< [s]
@@ -23,9 +23,9 @@ struct FailingLoad {
 /// as in a search.
 Model failingModel(Model model, const FailingLoad& load);
 
-/// The same with a text of its own, which starts with `remark` as comment lines and reads back as that model
-/// but for the rounding of angles in degrees. What the scenario says of searches stays true of it. Errors:
-/// those of reading the text, should the load be outside of what a scenario may say.
+/// The same with its own text, which starts with `remark` as comment lines and reads back as that model but
+/// for the rounding of angles in degrees. The scenario's settings of searches stay valid. Errors: those of
+/// reading the text, if the load is outside the allowed range of a scenario.
 Result<Scenario> failingScenario(const Scenario& scenario, const FailingLoad& load,
                                  const std::string& remark);
 

@@ -15,19 +15,19 @@ namespace talus::formats {
 /// Discs with the name of their set; columns x_m, y_m, z_m, dip_deg, dip_direction_deg, radius_m, set.
 std::string fracturesCsv(const std::vector<std::pair<std::string, Fracture>>& fractures);
 
-/// Reads such a file: columns in any order, with or without their unit, others passed over, commas,
-/// semicolons or tabs between them, decimal commas unless commas part the columns; lines that begin with #
-/// too. The orientation in any notation of readPoles (poles.h). In place of `radius_m` may stand
-/// `diameter_m`, or `trace_m`, a trace's length, which is taken as the diameter. Errors, up to 20 of them:
-/// the file cannot be read; a column that is missing or twice there; a row of another length, or with
-/// something that is no number or out of range, with its line.
+/// Reads such a file. Columns may have any order, with or without units; others are ignored, and so are lines
+/// that begin with #. Separators are commas, semicolons or tabs; decimal commas are allowed unless commas
+/// separate the columns. The orientation may have any notation of readPoles (poles.h). `diameter_m`, or
+/// `trace_m`, a trace's length taken as the diameter, may replace `radius_m`. Errors, up to 20 of them: the
+/// file cannot be read; a missing or repeated column; a row of another length, or with a cell that is no
+/// number or out of range, with its line.
 Result<std::vector<Fracture>> readFractures(const std::string& path);
 /// The same for text already in memory; `path` is used in messages.
 Result<std::vector<Fracture>> parseFractures(const std::string& text, const std::string& path);
 
 /// A plane that cuts the rock mass.
 struct RockJoint {
-    std::string set;                 ///< what it is one of: the name, or else the field, of its table
+    std::string set;                 ///< name, or else field, of its table
     Vec3 normal = Vec3::UnitZ();     ///< upwards
     std::optional<Fracture> disc{};  ///< of a fracture set
     double area_inside = 0;          ///< of a disc, in the region [m^2]

@@ -1,7 +1,7 @@
 #pragma once
-// History of a run as CSV: one row per record, written as it comes, so that a run that is stopped or killed
-// keeps what it has done. Comment lines start with '#'; the last one says how the run ended, and a file
-// without it is unfinished.
+// History of a run as CSV: one row per record, written at once, so that a stopped or killed run keeps its
+// records. Comment lines start with '#'; the last one says how the run ended, and a file without it is
+// unfinished.
 
 #include <string>
 #include <string_view>
@@ -15,13 +15,13 @@ namespace talus::formats {
 
 enum class HistoryFile { absent, empty, unfinished, finished, foreign };
 
-/// What stands at this path. Devices and pipes count as absent, there is nothing in them to lose.
+/// The file at this path. Devices and pipes count as absent, as they hold nothing to lose.
 HistoryFile inspectHistory(const std::string& path);
 
 class HistoryWriter {
  public:
-    /// Without touching what is in the file: that goes with the first record. `comments` are whole lines
-    /// starting with '#'; `watch` are the blocks every record will report, in this order.
+    /// Leaves the file's content in place until the first record. `comments` are whole lines starting with
+    /// '#'; `watch` are the blocks every record will report, in this order.
     HistoryWriter(OutputFile file, std::string comments, std::vector<std::string> watch);
     /// The same. Errors: those of OutputFile.
     static Result<HistoryWriter> open(const std::string& path, std::string comments,

@@ -1,9 +1,8 @@
 #pragma once
 // The files this process has read as input: scenarios, meshes, sweeps and their tables, snapshot files and
-// the scenarios they were made from. Every reader of this library tells them here, so that whoever writes a
-// file can refuse to replace one, whatever it is called and whatever links lead to it. (It is one list for
-// the process: an input that some new reader forgot to hand up through four layers would be one that is
-// overwritten.)
+// their scenarios. Every reader of this library records them here, so that writers can refuse to replace one
+// under any name or link. (One list for the process: an input that a new reader forgot to pass up through
+// four layers would be overwritten.)
 
 #include <string>
 
@@ -11,7 +10,7 @@ namespace talus::formats {
 
 void rememberInput(const std::string& path);
 
-/// Whether what stands at this path is one of them.
+/// Whether the file at this path is one of them.
 bool isInput(const std::string& path);
 
 }  // namespace talus::formats

@@ -1,7 +1,6 @@
 #pragma once
 // Locks on ranges of a file, for processes that must not write at the same time. A lock belongs to an open
-// file (F_OFD_SETLK), and the kernel drops it when the process is gone, however that ended, so nothing is
-// ever left locked.
+// file (F_OFD_SETLK), and the kernel drops it when the process ends in any way, so nothing stays locked.
 
 #include <cstdint>
 #include <string>
@@ -17,14 +16,14 @@ struct LockRange {
     std::uint64_t count = 1;  ///< 0: to the end, however large
 };
 
-/// Takes or gives back a lock, once it is free or at once. 0, or the errno of a refusal: lockIsHeld() or
+/// Takes or releases a lock, with or without waiting. 0, or the errno of a refusal: lockIsHeld() or
 /// noLocksHere() say what it means. \pre the file is open for writing (exclusive) or reading (shared)
 int setLock(int file, LockMode mode, LockRange range, bool wait);
 
 bool lockIsHeld(int error);   ///< by another process
 bool noLocksHere(int error);  ///< the file system has none
 
-/// Which other processes a lock keeps away.
+/// Which other processes a lock excludes.
 enum class LockReach : std::uint8_t {
     every_machine,
     this_machine,  ///< a network file system that was mounted with locks of its own for each machine
@@ -34,11 +33,10 @@ enum class LockReach : std::uint8_t {
 /// By kind and options of a mount as proc(5) writes them in mountinfo: "nfs4", "rw,nolock,addr=...".
 LockReach lockReach(std::string_view kind, std::string_view options);
 
-/// Of the file system a file lies on. Where the kernel says nothing of it, locks are taken to be as they
-/// should.
+/// The locks of a file's file system. Where the kernel has no information, they are assumed to work.
 LockReach lockReach(int file);
 
-/// What a user should know of it, "" when all is well: "its file system has no locks, ...".
+/// A warning for the user, or "": "its file system has no locks, ...".
 std::string lockWarning(LockReach reach);
 
 }  // namespace talus::formats

@@ -1,5 +1,5 @@
 #pragma once
-// A file that is written while a computation goes on, by one process at a time: snapshots and histories.
+// A file that is written during a computation, by one process at a time: snapshots and histories.
 
 #include <cstdint>
 #include <string>
@@ -10,9 +10,8 @@
 
 namespace talus::formats {
 
-/// An output file that is open for writing and locked. What was in it stays until somebody writes; a file
-/// that was made here and got nothing is taken away again. Devices and pipes are neither locked nor taken
-/// away.
+/// An output file that is open for writing and locked. Its content stays until the first write; a new file
+/// that got nothing is removed again. Devices and pipes are neither locked nor removed.
 class OutputFile {
  public:
     /// Errors (with the path as their field): the file system's refusal; another process is writing the file.
@@ -27,9 +26,8 @@ class OutputFile {
     const std::string& path() const { return path_; }
     LockReach lockReach() const { return reach_; }
 
-    /// Brings to the disk what was written, so many bytes, and the folder's entry. 0, or an errno; ENOENT
-    /// when the file at its path is not the one that was written any more: somebody has removed, replaced or
-    /// truncated it, or removed its folder.
+    /// Flushes the written bytes, and the folder's entry, to the disk. 0, or an errno; ENOENT when the file
+    /// at its path is no longer the one written: removed, replaced, truncated, or its folder removed.
     int sync(std::uint64_t written) const;
 
  private:
@@ -38,24 +36,23 @@ class OutputFile {
     bool isAtItsPath() const;
 
     int file_ = -1;
-    bool created_ = false;  ///< here, and nobody else has it
+    bool created_ = false;  ///< created here, and not open elsewhere
     LockReach reach_ = LockReach::every_machine;
     std::string path_;
 };
 
-/// Whether a file is as long as what was written to it, so that nobody else has truncated it. True of devices
-/// and pipes. Ask before each write, of a file that is appended to: else a write leaves a hole, and the
-/// length is right again.
+/// Whether a file has the length written so far, so that no other process has truncated it. True for devices
+/// and pipes. Check before each append: otherwise the write leaves a hole, and the length is right again.
 bool isAsLong(int file, std::uint64_t written);
 
 /// From now on each write goes to the file's end, wherever that is. (Not from the start: systems refuse to
 /// copy into such a file.)
 void appendFromNowOn(int file);
 
-/// Brings the entries of the folder this path is in to the disk, as far as the file system lets it.
+/// Flushes the entries of this path's folder to the disk, as far as the file system allows.
 void syncFolderOf(const std::string& path);
 
-/// What an errno of OutputFile::sync or of writing means: "cannot be written: No space left on device".
+/// Text for an errno of OutputFile::sync or of writing: "cannot be written: No space left on device".
 std::string writeRefusal(int error);
 
 }  // namespace talus::formats

@@ -3,10 +3,10 @@
 // then the one that reading the file with these values gives, to the bit: properties that follow others
 // follow them here too.
 //
-// Fields whose values a model holds as they are: joint.NAME.KEY (all properties), material.NAME.density,
+// Fields whose values a model holds directly: joint.NAME.KEY (all properties), material.NAME.density,
 // gravity.magnitude and .tilt_deg, damping.KEY, and water[i]'s depth, elevation, head[k], density and
-// drains_at_aperture, as far as the file gives the level that way. Everything else decides which blocks and
-// faces there are, or is a setting; that takes the reader.
+// drains_at_aperture, if the file gives the level that way. All other fields define blocks and faces or are
+// settings, and need the reader.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,8 +20,8 @@ namespace talus::formats {
 /// Whether a field is one of those.
 bool canOverride(const Scenario& scenario, std::string_view field);
 
-/// Puts a value, in the file's unit, in its place. False, and nothing is changed, when canOverride says no or
-/// the value is not allowed there: the reader then says in its own words what is wrong.
+/// Sets a field to a value in the file's unit. False, without any change, when canOverride is false or the
+/// value is not allowed: the reader then gives the error.
 bool applyOverride(Scenario& scenario, std::string_view field, double value);
 
 /// A property of the joint between two blocks that touch.
@@ -32,8 +32,8 @@ struct PairOverride {
     double value = 0;          ///< in its unit
 };
 
-/// Gives pairs joints of their own, as one [[interface]] each would: an entry of the file is extended, others
-/// are added in the order of `overrides`. False, and nothing is changed, when a value is not allowed.
+/// Gives pairs their own joints, as one [[interface]] each: an entry of the file is extended, others are
+/// added in the order of `overrides`. False, and nothing is changed, when a value is not allowed.
 bool overridePairs(Scenario& scenario, const std::vector<PairOverride>& overrides);
 
 }  // namespace talus::formats

@@ -1,5 +1,5 @@
 #pragma once
-// Tables of measured planes, as scanlines and mapping of faces bring them.
+// Tables of measured planes from scanlines and face mapping.
 
 #include <optional>
 #include <string>
@@ -26,15 +26,15 @@ struct PoleTable {
     std::vector<std::string> passed_over;  ///< titles of columns that were not read
 };
 
-/// Reads a table of planes: a header, then one plane a row; commas, semicolons or tabs between columns,
-/// decimal commas unless commas part the columns; lines that begin with # are passed over. Columns in any
-/// order, by their usual names with or without a unit:
+/// Reads a table of planes: a header, then one plane per row. Separators are commas, semicolons or tabs;
+/// decimal commas are allowed unless commas separate the columns; lines that begin with # are ignored.
+/// Columns in any order, by their usual names with or without a unit:
 ///   dip_deg, dip_direction_deg; or strike_deg, dip_deg (right-hand rule, or quadrants: N45E, 60SE); or
-///   trend_deg, plunge_deg of the pole; or nx, ny, nz. A table with more than one of these has to tell the
-///   same plane by each, within 2 degrees.
-///   set; weight, spacing_m, or scanline_trend_deg and scanline_plunge_deg; quantity.
-/// Errors, up to 20 of them: the file cannot be read; columns missing or twice there; a row of another
-/// length, or with something that is no number or out of range; two kinds of weight; no rows.
+///   trend_deg, plunge_deg of the pole; or nx, ny, nz. Where a table has several of these, all must give the
+///   same plane within 2 degrees. set; weight, spacing_m, or scanline_trend_deg and scanline_plunge_deg;
+///   quantity.
+/// Errors, up to 20 of them: the file cannot be read; missing or repeated columns; a row of another length,
+/// or with a cell that is no number or out of range; two kinds of weight; no rows.
 Result<PoleTable> readPoles(const std::string& path);
 /// The same for text already in memory; `path` is used in messages.
 Result<PoleTable> parsePoles(const std::string& text, const std::string& path);

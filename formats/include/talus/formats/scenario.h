@@ -28,8 +28,8 @@ namespace talus::formats {
 /// Properties of a joint, by their place in kJointProperties.
 using JointProperties = std::bitset<kJointPropertyCount>;
 
-/// Where a joint of the model comes from. Properties that are not given are those of the joint it is made
-/// from, or follow another property.
+/// Origin of a joint of the model. Properties that are not given are those of its base joint, or follow
+/// another property.
 struct JointOrigin {
     enum class Kind : std::uint8_t {
         file,       ///< [joint.NAME]
@@ -44,9 +44,9 @@ struct JointOrigin {
     bool is_mixed = false;        ///< some joint of a bridge is made of it and another one
 };
 
-/// How far the cuts of finite joints go beyond the joints.
+/// Extent of the cuts of finite joints beyond the joints.
 struct FiniteCuts {
-    std::size_t interfaces = 0, bridged = 0;  ///< of faces they parted; of these with intact rock between
+    std::size_t interfaces = 0, bridged = 0;  ///< of faces they made; of these with intact rock between
     double area = 0, beyond = 0;              ///< of all; of that beyond the joints [m^2]
     bool are_bridges = false;                 ///< that part has the strength of rock_mass.bridge
 };
@@ -62,7 +62,7 @@ struct Scenario {
     FiniteCuts finite_cuts{};
     std::vector<std::string>
         idle_joints{};  ///< of the rock mass: "joint_set[0] (J1)", those that parted no block
-    /// Numbers that look like slips; of cutting a rock mass: cuts left out, joints that cut nothing
+    /// Numbers that look like typing errors; cuts of a rock mass left out; joints that cut nothing
     std::vector<std::string> warnings{};
 };
 
@@ -74,13 +74,13 @@ Result<Scenario> readScenario(const std::string& path, const std::atomic<bool>* 
 inline constexpr std::int64_t kMostBlocks = 2'000'000;
 
 /// The same for text already in memory; `path` is used in messages, and its folder is where mesh files are
-/// looked for. More than `most_blocks` blocks are an error, found before anything of that size is made; of a
-/// rock mass `rock_mass.max_blocks` says otherwise.
+/// looked for. More than `most_blocks` blocks are an error, found before anything of that size is made; for a
+/// rock mass the limit is `rock_mass.max_blocks`.
 Result<Scenario> parseScenario(const std::string& text, const std::string& path,
                                std::int64_t most_blocks = kMostBlocks,
                                const std::atomic<bool>* stop = nullptr);
 
-/// That no block is free to move, and which joints part no block; nothing where a block is free.
+/// An error if no block is free to move, with the joints that cut no block; else nothing.
 std::optional<Error> noFreeBlock(const Scenario& scenario);
 
 /// Adds file, line and column to errors of the engine (overlaps, water on no face, ...), by their field: the

@@ -1,7 +1,7 @@
 #pragma once
-// JSON Schemas (draft 7) of the files that are read, for editors that complete and check keys. They are made
-// of what the readers ask of a document, so they cannot say anything else. What depends on other values (how
-// many heights a stack has) and which keys go together is the reader's to check.
+// JSON Schemas (draft 7) of the files that are read, for editors that complete and check keys. They are
+// generated from the readers' own queries of a document, so the two cannot differ. The reader alone checks
+// conditions on other values (the number of a stack's heights) and combinations of keys.
 
 #include <string>
 

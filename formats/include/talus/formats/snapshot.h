@@ -1,7 +1,7 @@
 #pragma once
 // Snapshot files: a run's header, frames and full states in an MCAP container (formats/snapshot.fbs says what
-// is in a message). Written by a thread of its own while the run goes on; read frame by frame, also while it
-// is being written, and as far as it goes when it was cut anywhere.
+// is in a message). A separate thread writes it during the run. It is read frame by frame, also while it is
+// being written, and up to the place where it was cut.
 //
 // Limits: a full state of at most 2 GB (some 500,000 blocks with nine contact points an interface), which is
 // what one FlatBuffers message holds. The reader's memory stays below four times the largest chunk it
@@ -26,21 +26,21 @@ namespace talus::formats {
 inline constexpr int kSnapshotFormat = 2;  ///< the latest that is read
 inline constexpr int kFirstFormat = 1;
 inline constexpr int kFormatWithLaws =
-    2;  ///< joints of other laws than Coulomb's, which who reads 1 would not see
+    2;  ///< joints of other laws than Coulomb's, which readers of version 1 would miss
 
-/// What a search says of the failing run that it keeps.
+/// A search's results for the failing run that it keeps.
 struct SnapshotFailure {
     std::string analysis;  ///< "critical-angle", ...; of a mechanism "limit-analysis --for tilt", ...
     double load = 0;       ///< tilt [rad] or factor of safety of this run
     FailureMode mode = FailureMode::none;
-    std::vector<FailureMode> roles;  ///< per block: how the search saw it move
-    /// per block: the factor of safety at which it goes, 0 where that is not known; empty without any
+    std::vector<FailureMode> roles;  ///< per block: its motion as found by the search
+    /// per block: the factor of safety at which it fails, 0 where unknown; empty without any
     std::vector<double> factors{};
     double answer = 0, stands = 0, fails = 0;  ///< of the search, as its load; meaningless without a path
     std::vector<PathPoint> path{};             ///< the search's curve of load against displacement
 };
 
-/// What a file says of its run before the first frame.
+/// Header of a file, before the first frame.
 struct SnapshotHeader {
     int format = kFirstFormat;
     std::string scenario_path, scenario_text;
@@ -81,19 +81,18 @@ enum class SnapshotFile { absent, empty, unfinished, finished, foreign };
 /// What stands at this path. Devices and pipes count as absent, there is nothing in them to lose.
 SnapshotFile inspectSnapshot(const std::string& path);
 
-/// Writes a run's frames from a thread of its own. The queue between is bounded: when the disk is slower than
-/// the run, the run waits and secondsWaited() says for how long. A chunk goes to the file once it holds a
-/// full state or 1 MiB, or after a second: that is the most a killed run loses.
+/// Writes a run's frames from a thread of its own. The queue between them is bounded: when the disk is slower
+/// than the run, the run waits; secondsWaited() is that time. A chunk is written once it holds a full state
+/// or 1 MiB, or after a second: the most that a killed run loses.
 class SnapshotWriter {
  public:
-    /// Writes a new run, without touching what is in the file: that goes with the header.
+    /// Writes a new run. The file's old content stays until the header is written.
     static SnapshotWriter begin(OutputFile file);
     /// The same. Errors: those of OutputFile.
     static Result<SnapshotWriter> open(const std::string& path);
 
-    /// Goes on behind a full state of an unfinished or finished file: what follows it is cut off with the
-    /// first frame.
-    /// Errors: a file that holds no such state.
+    /// Continues after a full state of an unfinished or finished file: later content is cut off with the
+    /// first frame. Errors: a file that holds no such state.
     static Result<SnapshotWriter> continueFile(OutputFile file, std::size_t full);
 
     SnapshotWriter(SnapshotWriter&&) noexcept;
@@ -143,15 +142,15 @@ class SnapshotReader {
     const SnapshotHeader& header() const;
     const std::vector<FrameEntry>& frames() const;
     std::size_t fulls() const;
-    std::optional<SnapshotEnd> end() const;  ///< nothing when the run has not come to its end
+    std::optional<SnapshotEnd> end() const;  ///< nothing when the run has not ended
     std::uint64_t fileSize() const;
-    const std::vector<std::string>& faults() const;  ///< what is missing or damaged, for people
+    const std::vector<std::string>& faults() const;  ///< what is missing or damaged, in words
 
     Result<LightFrame> frame(std::size_t index);
     Result<FullFrame> full(std::size_t index);
     std::optional<std::size_t> frameOf(std::size_t full) const;  ///< of the same instant
 
-    /// Holds every checksum of the container and reads every message; faults as text, empty when all is
+    /// Verifies every checksum of the container and reads every message; faults as text, empty when all is
     /// sound.
     std::vector<std::string> verify();
 

@@ -1,7 +1,6 @@
 #pragma once
 // Sweep files: a scenario, an analysis, and what varies. A sweep is a list of runs that is never stored: each
-// run's sample follows from its number alone, so any worker can compute any run, and any run can be looked at
-// again.
+// run's sample follows from its number alone. So any worker can compute any run, and any run can be repeated.
 //
 //   format = 1
 //   scenario = "slope.toml"        # beside the sweep file
@@ -74,7 +73,7 @@ struct SweepColumn {
     SampledPer per = SampledPer::run;
     std::vector<SweepValue> values;    ///< of a grid, or of the table's rows
     Distribution distribution;         ///< of a random variable
-    std::vector<ScoreShare> scores{};  ///< of which its normal score is made up; none: its own alone
+    std::vector<ScoreShare> scores{};  ///< normal scores that make up its own; none: independent
 };
 
 struct SweepReport {
@@ -84,8 +83,8 @@ struct SweepReport {
 
 struct Sweep {
     std::string path, scenario_path;
-    const LoadSearch* search = nullptr;  ///< what is asked of each run; nullptr: its time history
-    bool tries_histories = false;  ///< whether other loading histories lead to other answers is asked, too
+    const LoadSearch* search = nullptr;  ///< the search of each run; nullptr: its time history
+    bool tries_histories = false;        ///< also finds whether other loading histories give other answers
     std::vector<SweepColumn> columns;
     std::vector<std::string> case_names;  ///< of the table's rows; may be empty
     std::uint64_t cases = 1, samples = 1;
@@ -94,7 +93,7 @@ struct Sweep {
     SweepReport report;
     std::string text, scenario_text;  ///< of the two files
 
-    // What runs start from, so that they need not read the text again.
+    // Shared input of all runs, so that they need not read the text again.
     std::shared_ptr<const Scenario> base{};  ///< the scenario as its file says
     bool only_overrides = false;             ///< a run's values can all be put into its model (overrides.h)
     std::shared_ptr<const std::vector<TouchingPair>> base_pairs{};  ///< of all runs, when they have the same
@@ -104,20 +103,18 @@ struct Sweep {
 };
 
 /// Reads and checks a sweep file, its scenario and its table. Every value of a table or grid is tried, and
-/// the median and the ends of each distribution, so that what no run could survive is found before the first
-/// one.
+/// the median and ends of each distribution, so that errors are found before the first run.
 Result<Sweep> readSweep(const std::string& path);
 /// The same for text in memory; `path` is used in messages and to find what lies beside it. `scenario`, when
 /// given, stands in for the file that the text names.
 Result<Sweep> parseSweep(const std::string& text, const std::string& path,
                          std::shared_ptr<const Scenario> scenario = nullptr);
 
-/// 16 hex digits over everything that decides the runs: scenario, analysis, what varies, seed. Neither
-/// comments nor the report count, nor, in random sampling, the number of samples: more of them can be added
-/// to a batch later.
+/// 16 hex digits over everything that defines the runs: scenario, analysis, variables, seed. Comments and the
+/// report do not count, nor does the number of samples in random sampling: a batch can be extended later.
 std::string identityOf(const Sweep& sweep);
 
-/// One run: which it is and what the columns hold (nothing for a column of draws per interface).
+/// One run: its number and the values of its columns (nothing for a column of draws per interface).
 struct SweepRun {
     std::uint64_t index = 0, case_index = 0, sample = 0;
     std::vector<SweepValue> values;
