@@ -12,13 +12,15 @@
 
 namespace talus::formats {
 
-/// Discs with the name of their set; columns x_m, y_m, z_m, dip_deg, dip_direction_deg, radius_m, set.
+/// Discs with the name of their set; columns x_m, y_m, z_m, dip_deg, dip_direction_deg, radius_m, set. Where
+/// there are ellipses, semi_major_m, semi_minor_m and rake_deg in place of the radius.
 std::string fracturesCsv(const std::vector<std::pair<std::string, Fracture>>& fractures);
 
 /// Reads such a file: columns in any order, with or without their unit, others passed over, commas,
 /// semicolons or tabs between them, decimal commas unless commas part the columns; lines that begin with #
 /// too. The orientation in any notation of readPoles (poles.h). In place of `radius_m` may stand
-/// `diameter_m`, or `trace_m`, a trace's length, which is taken as the diameter. Errors, up to 20 of them:
+/// `diameter_m`, or `trace_m`, a trace's length, which is taken as the diameter; or an ellipse's
+/// `semi_major_m`, `semi_minor_m` and `rake_deg`. Errors, up to 20 of them:
 /// the file cannot be read; a column that is missing or twice there; a row of another length, or with
 /// something that is no number or out of range, with its line.
 Result<std::vector<Fracture>> readFractures(const std::string& path);
