@@ -112,6 +112,9 @@ std::string mapPage(const FailureMap& map, const BatchInfo& info, const Common& 
         "block\u2019s volume is shared over its own free face; blocks behind others share theirs over the "
         "face "
         "of their group.");
+    if (info.latin_hypercube)
+        page.paragraph("The intervals are those of independent samples; a Latin hypercube has less scatter.",
+                       "muted");
     page.section("provenance", "Provenance");
     Json facts = provenance(common, info.scenario);
     facts.erase("threads");

@@ -1,6 +1,7 @@
 #include "batch/outcome.h"
 
 #include <chrono>
+#include <filesystem>
 
 #include "batch/map_files.h"
 #include "batch/report.h"
@@ -34,6 +35,14 @@ std::uint64_t shardRuns(const Store& store, const Shard& shard) {
     return count;
 }
 
+/// A page in place of the batch's own report would be lost, or take its place.
+void refuseOwnPage(const std::string& folder, const std::string& path) {
+    namespace fs = std::filesystem;
+    std::error_code none;
+    if (fs::weakly_canonical(path, none) == fs::weakly_canonical(folder + "/" + kPageName, none))
+        throw BadInput(Error{"--map", "is the batch's own report; choose another file", path});
+}
+
 /// The face, and files that can be written: before a long computation.
 std::optional<Face> faceForMap(const formats::Sweep& sweep, const BatchRequest& request) {
     if (request.maps.empty()) return std::nullopt;
@@ -42,7 +51,10 @@ std::optional<Face> faceForMap(const formats::Sweep& sweep, const BatchRequest& 
                              "found together with --shard, allowed: after talus merge, by the same command "
                              "without --shard"});
     Face face = faceOf(sweep, describe(sweep), request.map_cell);
-    for (const std::string& path : request.maps) refuseMapFile(path, face);
+    for (const std::string& path : request.maps) {
+        refuseOwnPage(request.folder, path);
+        refuseMapFile(path, face);
+    }
     return face;
 }
 

@@ -234,6 +234,7 @@ TEST_CASE("maps that cannot be made are refused before anything is computed") {
     };
     const BatchFolder wedge(randomDips(4), "safety-factor", kWedge);
     refused(wedge, {"--map", "map.txt"}, "allowed: a name that ends in .html, .vtp or .ply");
+    refused(wedge, {"--map", wedge.out() + "/../out/report.html"}, "is the batch's own report");
     refused(wedge, {"--map", wedge.folder / "map.vtp", "--shard", "1/2"}, "found together with --shard");
     refused(wedge, {"--map", wedge.folder / "map.vtp", "--map-cell", "0.001"}, "more than 1000000 cells");
     refused(wedge, {"--map", wedge.folder / "map.html", "--map-cell", "0.1"}, "allowed in a page: at most");
