@@ -1,6 +1,7 @@
 #include "batch/map_files.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "batch/map_picture.h"
 #include "batch/plots.h"
@@ -23,7 +24,7 @@ namespace {
 constexpr double kLevels[] = {0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001};
 
 std::string percent(double share) {
-    return text(100 * share, share < 0.001 ? 3 : share < 0.01 ? 2 : share < 0.995 ? 1 : 0) + " %";
+    return text(100 * share, share < 0.001 ? 3 : share < 0.01 ? 2 : share < 0.995 ? 1 : 0) + "\u00a0%";
 }
 
 std::string cubicMetres(double volume) { return text(volume, volume < 10 ? 3 : 1) + " m\u00b3"; }
@@ -124,7 +125,7 @@ std::string mapPage(const FailureMap& map, const BatchInfo& info, const Common& 
     page.facts(items);
     page.textFile("Sweep " + info.sweep, info.sweep_text);
     page.textFile("Scenario " + info.scenario, info.scenario_text);
-    return page.html("Probability of failure of " + info.scenario);
+    return page.html("Probability of failure of " + std::filesystem::path(info.scenario).filename().string());
 }
 
 }  // namespace
