@@ -84,6 +84,17 @@ void writeInterval(const SearchResult& result, const LoadSearch& search, bool wi
     row.set(search.keyInUnit(kRangeHigh), result.answer / scale);
 }
 
+void writeGroups(const std::vector<BlockGroup>& groups, RowWriter& row) {
+    std::string factors, blocks;
+    for (const BlockGroup& group : groups) {
+        const std::string between = &group == &groups.front() ? "" : kBetweenGroups;
+        factors += between + csvNumber(group.factor);
+        blocks += between + compactNames(group.blocks, kAll);
+    }
+    row.set(kGroupFactors, std::move(factors));
+    row.set(kGroupBlocks, std::move(blocks));
+}
+
 void writeSearch(const SearchResult& result, const LoadSearch& search, const Model& model, bool with_range,
                  RowWriter& row) {
     row.set("status", std::string(toString(result.status)));
@@ -101,6 +112,7 @@ void writeSearch(const SearchResult& result, const LoadSearch& search, const Mod
     row.set("moving_count", static_cast<std::int64_t>(result.moving_blocks.size()));
     row.set("moving_mass_share", massShare(model, result.moving_blocks));
     row.set("moving_blocks", compactNames(result.moving_blocks, kAll));
+    writeGroups(result.groups, row);
     row.set("left_out", compactNames(leftOut(result), kAll));
     row.set("probes", static_cast<std::int64_t>(result.probes.size()));
     row.set("steps", result.steps);
@@ -128,7 +140,7 @@ void writeRun(const RunResult& result, RowWriter& row) {
 bool analyse(const SampledScenario& sampled, const Sweep& sweep, const std::atomic<bool>& stop,
              RowWriter& row, bool& failed) {
     const LoadSearch* search = sweep.search;
-    const Control control{.stop = &stop, .threads = 1};
+    const Control control{.stop = &stop, .threads = 1, .groups = sweep.groups};
     const Model& model = sampled.scenario.model;
     if (!search) {
         const auto result = run(model, control, [](const HistoryRecord&) {});

@@ -1,9 +1,12 @@
 #include "batch/outcome.h"
 
 #include <chrono>
+#include <filesystem>
 
+#include "batch/map_files.h"
 #include "batch/report.h"
 #include "cli/failures.h"
+#include "cli/files.h"
 #include "cli/json.h"
 #include "cli/provenance.h"
 #include "cli/text.h"
@@ -32,11 +35,46 @@ std::uint64_t shardRuns(const Store& store, const Shard& shard) {
     return count;
 }
 
+/// A page in place of the batch's own report would be lost, or take its place.
+void refuseOwnPage(const std::string& folder, const std::string& path) {
+    namespace fs = std::filesystem;
+    std::error_code none;
+    if (fs::weakly_canonical(path, none) == fs::weakly_canonical(folder + "/" + kPageName, none))
+        throw BadInput(Error{"--map", "is the batch's own report; choose another file", path});
+}
+
+/// The face, and files that can be written: before a long computation.
+std::optional<Face> faceForMap(const formats::Sweep& sweep, const BatchRequest& request) {
+    if (request.maps.empty()) return std::nullopt;
+    if (!request.shard.whole())
+        throw BadInput(Error{"--map",
+                             "found together with --shard, allowed: after talus merge, by the same command "
+                             "without --shard"});
+    Face face = faceOf(sweep, describe(sweep), request.map_cell);
+    for (const std::string& path : request.maps) {
+        refuseOwnPage(request.folder, path);
+        refuseMapFile(path, face);
+    }
+    return face;
+}
+
+/// Nothing when it was stopped.
+std::optional<FailureMap> writeMaps(const formats::Sweep& sweep, const StoredBatch& stored, Face face,
+                                    const BatchRequest& request, const std::atomic<bool>& stop) {
+    auto map =
+        failureMap(sweep, stored, std::move(face), threadsUsed(request.common), stop, request.progress);
+    if (!map) return std::nullopt;
+    for (const std::string& path : request.maps)
+        writeFile(path, mapFile(path, *map, stored.info, request.common));
+    return map;
+}
+
 }  // namespace
 
 BatchOutcome computeBatch(const formats::Sweep& sweep, const BatchRequest& request,
                           const std::atomic<bool>& stop) {
     const auto begin = std::chrono::steady_clock::now();
+    std::optional<Face> face = faceForMap(sweep, request);
     Store store(request.folder, describe(sweep), request.shard);
     const BatchWork batch{sweep,
                           store,
@@ -52,7 +90,7 @@ BatchOutcome computeBatch(const formats::Sweep& sweep, const BatchRequest& reque
     const BatchProgress progress = request.work(batch);
     if (const int error = store.sync(); error != 0)
         throw FileRefused(store.resultsPath(), "cannot be written", error);
-    const BatchOutcome outcome{
+    BatchOutcome outcome{
         .runs = shardRuns(store, request.shard),
         .done = store.doneCount(),
         .failed = store.failedCount(),
@@ -62,7 +100,10 @@ BatchOutcome computeBatch(const formats::Sweep& sweep, const BatchRequest& reque
         .identity = store.info().identity,
         .results = store.resultsPath(),
         .seed = store.info().seed};
-    if (request.shard.whole()) writeReport(request.folder, readStored(request.folder), request.common);
+    if (!request.shard.whole()) return outcome;
+    const StoredBatch stored = readStored(request.folder);
+    writeReport(request.folder, stored, request.common);
+    if (face && !stop) outcome.map = writeMaps(sweep, stored, *std::move(face), request, stop);
     return outcome;
 }
 
@@ -79,6 +120,7 @@ Json batchJson(const BatchOutcome& outcome, const BatchRequest& request) {
             {"results", outcome.results},
             {"summary", whole ? Json(request.folder + "/summary.json") : Json(nullptr)},
             {"page", whole ? Json(request.folder + "/report.html") : Json(nullptr)},
+            {"map", outcome.map ? toJson(*outcome.map, request.maps) : Json(nullptr)},
             {"provenance", provenance(request.common, request.sweep)}};
 }
 

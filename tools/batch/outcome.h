@@ -2,8 +2,11 @@
 // A batch from its sweep to its report, and what came of it as JSON.
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "batch/failure_map.h"
 #include "batch/schedule.h"
 #include "cli/common.h"
 #include "cli/json_fwd.h"
@@ -15,8 +18,10 @@ struct BatchRequest {
     Common common;
     std::string sweep, folder;
     Shard shard{};
-    bool retry = false;               ///< compute failed runs again
-    std::function<void()> abandon{};  ///< called once the results cannot be written
+    bool retry = false;                ///< compute failed runs again
+    std::vector<std::string> maps{};   ///< files for the map of failure
+    std::optional<double> map_cell{};  ///< [m]
+    std::function<void()> abandon{};   ///< called once the results cannot be written
     std::function<void(const Progress&)> progress{};
     std::function<BatchProgress(const BatchWork&)> work = batch::work;  ///< who computes
 };
@@ -27,6 +32,7 @@ struct BatchOutcome {
     bool interrupted = false;
     std::string identity, results;
     std::uint64_t seed = 0;
+    std::optional<FailureMap> map{};
 };
 
 /// Computes what is left to do, and writes the report of a whole batch. Throws BadInput, FileRefused.

@@ -15,7 +15,8 @@ using formats::SweepSource;
 using Role = Column::Role;
 
 std::string typeOf(const SweepColumn& column) {
-    if (column.source == SweepSource::random) return "number";
+    if (column.source == SweepSource::random)
+        return column.distribution.kind == formats::Distribution::Kind::integer ? "integer" : "number";
     const auto all = [&](auto is) { return std::all_of(column.values.begin(), column.values.end(), is); };
     if (all([](const auto& v) { return std::holds_alternative<bool>(v); })) return "boolean";
     if (all([](const auto& v) { return std::holds_alternative<std::int64_t>(v); })) return "integer";
@@ -42,7 +43,8 @@ void addVaried(const SweepColumn& column, std::vector<Column>& columns) {
                            std::string(words) + " of the draws per interface", Role::varied, "interfaces"});
 }
 
-void addSearchColumns(const LoadSearch& search, bool with_range, std::vector<Column>& columns) {
+void addSearchColumns(const LoadSearch& search, bool with_range, bool with_groups,
+                      std::vector<Column>& columns) {
     const std::string unit = search.load->unit;
     columns.push_back({search.answer_key, "number", unit, "middle of the bracket; empty unless found"});
     columns.push_back({search.keyInUnit("bracket_low"), "number", unit,
@@ -69,6 +71,12 @@ void addSearchColumns(const LoadSearch& search, bool with_range, std::vector<Col
     columns.push_back({"failing_mass_kg", "number", "kg", "of these"});
     columns.push_back({"moving_mass_share", "number", "", "of the free blocks"});
     columns.push_back({"moving_blocks", "string", "", "their names; c1-3 r1-5 s1 for a box of them"});
+    if (with_groups) {
+        columns.push_back(
+            {kGroupFactors, "string", "",
+             "of the groups that fail one after the other, the first included; between them ;"});
+        columns.push_back({kGroupBlocks, "string", "", "names of their blocks; between groups ;"});
+    }
     columns.push_back({"left_out", "string", "",
                        "blocks that the answer does not include: fallen at the start, or removed before "
                        "because they are too small"});
@@ -99,7 +107,7 @@ std::vector<Column> columnsOf(const Sweep& sweep) {
                        sweep.search ? "found, unstable_at_start, stable_to_stop, undecided or failed"
                                     : "finished or failed"});
     if (sweep.search)
-        addSearchColumns(*sweep.search, sweep.tries_histories, columns);
+        addSearchColumns(*sweep.search, sweep.tries_histories, sweep.groups > 1, columns);
     else
         addRunColumns(sweep, columns);
     columns.push_back({"steps", "integer", "", "along paths, or in time"});

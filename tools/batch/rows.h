@@ -18,6 +18,10 @@ inline constexpr const char *kRangeLow = "range_low", *kRangeHigh = "range_high"
 /// With limit analysis beside the answer, with the unit behind it; and what was made of the joints for the
 /// answer.
 inline constexpr const char* kCeiling = "ceiling";
+/// Of the columns with the groups that fail one after the other, the first included.
+inline constexpr const char *kGroupFactors = "group_factors", *kGroupBlocks = "group_blocks";
+/// Between groups, in these columns.
+inline constexpr const char* kBetweenGroups = "; ";
 inline constexpr const char *kIntervalLow = "interval_low", *kIntervalHigh = "interval_high";
 
 /// One column of results.csv.

@@ -85,6 +85,47 @@ std::vector<Item> boxes(const std::string& prefix, const std::map<int, Cells>& c
     return items;
 }
 
+struct Range {
+    int low = 0, high = 0;
+};
+
+/// Takes "<letter><digits>" or "<letter><digits>-<digits>" off the end of `text`.
+std::optional<Range> takeRange(std::string& text, char letter) {
+    std::string rest = text;
+    const std::size_t dash = rest.find_last_not_of("0123456789");
+    std::optional<int> high;
+    if (dash != std::string::npos && rest[dash] == '-') {
+        high = takeNumber(rest, '-');
+        if (!high) return std::nullopt;
+    }
+    const auto low = takeNumber(rest, letter);
+    if (!low || (high && *high < *low)) return std::nullopt;
+    text = std::move(rest);
+    return Range{*low, high.value_or(*low)};
+}
+
+bool takeBlank(std::string& text) {
+    if (text.empty() || text.back() != ' ') return false;
+    text.pop_back();
+    return true;
+}
+
+/// The names of "<prefix>c1-7 r1-5 s1-3"; other items are names.
+void expand(const std::string& item, std::vector<std::string>& names) {
+    std::string prefix = item;
+    const auto slices = takeRange(prefix, 's');
+    const bool blank = takeBlank(prefix);
+    const auto rows = takeRange(prefix, 'r');
+    const bool another = takeBlank(prefix);
+    const auto columns = takeRange(prefix, 'c');
+    if (!slices || !blank || !rows || !another || !columns) return names.push_back(item);
+    for (int c = columns->low; c <= columns->high; ++c)
+        for (int r = rows->low; r <= rows->high; ++r)
+            for (int s = slices->low; s <= slices->high; ++s)
+                names.push_back(prefix + "c" + std::to_string(c) + "r" + std::to_string(r) + "s" +
+                                std::to_string(s));
+}
+
 }  // namespace
 
 std::optional<StackName> stackName(std::string name) {
@@ -124,6 +165,17 @@ std::string compactNames(const std::vector<std::string>& names, std::size_t limi
     return left_out > 0
                ? text + " and " + std::to_string(left_out) + (left_out == 1 ? " more block" : " more blocks")
                : text;
+}
+
+std::vector<std::string> expandedNames(std::string_view list) {
+    constexpr std::string_view kBetween = ", ";
+    std::vector<std::string> names;
+    while (!list.empty()) {
+        const std::size_t end = list.find(kBetween);
+        expand(std::string(list.substr(0, end)), names);
+        list.remove_prefix(end == std::string_view::npos ? list.size() : end + kBetween.size());
+    }
+    return names;
 }
 
 }  // namespace talus::tools

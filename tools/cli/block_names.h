@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace talus::tools {
@@ -17,5 +18,8 @@ std::optional<StackName> stackName(std::string name);  ///< nothing for other na
 /// Groups stack names (c<column>r<row>s<slice>, with or without a prefix) that fill a whole box of columns,
 /// rows and slices; other names stay as they are. At most `limit` items, then "and N more blocks".
 std::string compactNames(const std::vector<std::string>& names, std::size_t limit = 12);
+
+/// The names of a list that compactNames made without a limit. Names that hold ", " come back in pieces.
+std::vector<std::string> expandedNames(std::string_view list);
 
 }  // namespace talus::tools

@@ -24,6 +24,8 @@ using namespace batch;
 struct BatchOptions {
     Common common;
     std::string sweep, folder, shard;
+    std::vector<std::string> maps;
+    std::optional<double> map_cell;
     bool retry = false, plan = false;
 };
 
@@ -54,6 +56,10 @@ std::string toText(const BatchOptions& options, const BatchOutcome& tally) {
         lines += "report in " + options.folder + "/report.html\n";
     else
         lines += "when all shards are done, run: talus merge " + options.folder + "\n";
+    if (!tally.map) return lines;
+    lines += "probability of failure: at most " + text(100 * tally.map->largestProbability(), 1) +
+             " % at a place of the face; expected failing volume " + text(tally.map->volume, 3) + " m3\n";
+    for (const std::string& map : options.maps) lines += "map in " + map + "\n";
     return lines;
 }
 
@@ -113,6 +119,8 @@ int runBatch(const BatchOptions& options) {
         .folder = options.folder,
         .shard = shard,
         .retry = options.retry,
+        .maps = options.maps,
+        .map_cell = options.map_cell,
         .abandon = requestStop,
         .progress = printer.callback(),
         .work = [&](const BatchWork& batch) { return job.size() > 1 ? job.serve(batch) : work(batch); }};
@@ -139,6 +147,14 @@ Command addBatch(CLI::App& root) {
     app->add_flag("--retry", options->retry, "Compute failed and undecided runs again");
     app->add_flag("--plan", options->plan,
                   "Print the number of runs and the first samples, and compute nothing");
+    app->add_option(
+           "--map", options->maps,
+           "Write the probability of failure over the face of a rock mass to FILE: .html (page), .vtp "
+           "or .ply; may be given several times")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    app->add_option("--map-cell", options->map_cell, "Size of the map's cells in m (default: 2,000 cells)")
+        ->check(CLI::PositiveNumber);
     addCommon(*app, options->common);
     app->footer(
         "Example:\n  talus batch bench/sweeps/monte-carlo.toml -o out\n  talus batch sweep.toml -o out "

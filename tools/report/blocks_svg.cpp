@@ -20,7 +20,8 @@ namespace {
 constexpr double kWidth = 900, kMargin = 20, kFoot = 56;  // [px]
 constexpr double kHead = 26, kRow = 20;                   // of a heading, of the legend's lines [px]
 constexpr double kLeastLine = 0.7;                        // [px] shorter is a speck
-constexpr double kLetter = 6.8, kLine = 12;               // of names, with the gap beside them [px]
+constexpr double kLetter = 7.7, kLine = 13.5;             // of names, with the gap beside them [px]
+constexpr double kMostHigh = 1080;                        // of the blocks: fits a sheet [px]
 constexpr double kCompass = 0.036;                        // radius, of the picture's larger side
 constexpr std::string_view kStyle = R"css(
 .page{fill:#fff}
@@ -35,7 +36,7 @@ constexpr std::string_view kStyle = R"css(
 .swatch{stroke:#3b342b;stroke-width:.7}
 .text{fill:#1a1a1a;font:13px system-ui,sans-serif}
 .caption{fill:#1a1a1a;font:600 14px system-ui,sans-serif}
-.name{fill:#1a1a1a;font:11px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-opacity:.7;stroke-width:2.5px}
+.name{fill:#1a1a1a;font:12.5px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-opacity:.7;stroke-width:2.5px}
 )css";
 
 /// Lambert shading under a light from the upper left; each block a little different, so that joints show.
@@ -57,10 +58,12 @@ class Sheet {
     Sheet(const Model& model, const Camera& camera, double head) : head_(head) {
         for (const Block& block : model.blocks)
             for (const Vec3& v : block.shape.vertices) add(camera.seen(v));
-        scale_ = (kWidth - 2 * kMargin) / std::max(high_.x() - low_.x(), 1e-12);
+        scale_ = std::min((kWidth - 2 * kMargin) / std::max(high_.x() - low_.x(), 1e-12),
+                          kMostHigh / std::max(high_.y() - low_.y(), 1e-12));
     }
     Spot spot(const Vec3& seen) const {
-        return {kMargin + scale_ * (seen.x() - low_.x()), head_ + kMargin + scale_ * (high_.y() - seen.y())};
+        const double left = 0.5 * (kWidth - scale_ * (high_.x() - low_.x()));
+        return {left + scale_ * (seen.x() - low_.x()), head_ + kMargin + scale_ * (high_.y() - seen.y())};
     }
     std::vector<Spot> spots(const std::vector<Vec3>& seen) const {
         std::vector<Spot> list;

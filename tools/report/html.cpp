@@ -1,5 +1,9 @@
 #include "report/html.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
 #include "report/markup.h"
 
 namespace talus::tools {
@@ -50,7 +54,7 @@ dd,dd.more{grid-column:1;margin-bottom:.4rem}
 body{font-size:10pt;padding:0;max-width:none}
 *{print-color-adjust:exact;-webkit-print-color-adjust:exact}
 .scroll,.drawn{overflow:visible}
-.drawn svg{max-height:110mm}
+.drawn svg{max-height:var(--high,110mm)}
 .short{break-inside:avoid}
 h2{margin-top:1.4rem}
 h2+p{break-after:avoid}
@@ -87,6 +91,40 @@ std::string styleInside(const std::string& id, std::string_view style) {
         out += letter;
     }
     return out;
+}
+
+/// The number behind a word of a text; 0 where there is none.
+double numberBehind(std::string_view text, std::string_view word) {
+    const std::size_t at = text.find(word);
+    double number = 0;
+    if (at != std::string_view::npos)
+        std::from_chars(text.data() + at + word.size(), text.data() + text.size(), number);
+    return number;
+}
+
+/// Size of the smallest letters of an SVG file's style [px]; 0 without any.
+double smallestLetters(std::string_view svg) {
+    constexpr std::string_view kFont = "font:", kWeight = "600 ";
+    const std::string_view style = svg.substr(0, svg.find("</style>"));
+    double least = 0;
+    for (std::size_t at = style.find(kFont); at != std::string_view::npos; at = style.find(kFont, at + 1)) {
+        std::string_view rest = style.substr(at + kFont.size());
+        if (rest.starts_with(kWeight)) rest.remove_prefix(kWeight.size());
+        double size = 0;
+        std::from_chars(rest.data(), rest.data() + rest.size(), size);
+        if (size > 0 && (least == 0 || size < least)) least = size;
+    }
+    return least;
+}
+
+/// How high a figure is printed at most, so that its smallest letters have 7 points [mm]. Figures as wide as
+/// the sheet have them at 12.5 px of 900.
+double printedHeight(std::string_view svg) {
+    constexpr double kLeast = 110, kMost = 225;     // of a sheet of 263 mm with its caption and a heading
+    constexpr double kSevenPoints = 7 * 25.4 / 72;  // [mm]
+    const double letters = smallestLetters(svg);
+    if (letters == 0) return kLeast;
+    return std::clamp(std::ceil(numberBehind(svg, " height=\"") * kSevenPoints / letters), kLeast, kMost);
 }
 
 }  // namespace
@@ -147,8 +185,9 @@ void HtmlPage::textFile(std::string_view name, std::string_view text) {
 }
 
 void HtmlPage::figure(const std::string& id, std::string_view svg, std::string_view caption) {
-    body_ += "<figure><div class=\"drawn\">" + svgElement(svg, id) + "</div>" +
-             element("figcaption", caption) + "</figure>\n";
+    const int high = static_cast<int>(printedHeight(svg));
+    body_ += "<figure><div class=\"drawn\" style=\"--high:" + std::to_string(high) + "mm\">" +
+             svgElement(svg, id) + "</div>" + element("figcaption", caption) + "</figure>\n";
 }
 
 std::string HtmlPage::html(std::string_view title) const {

@@ -12,13 +12,25 @@
 
 namespace talus {
 
-/// A disc.
+/// A disc, or an ellipse.
 struct Fracture {
     Vec3 centre = Vec3::Zero();  ///< [m]
     double dip = 0;              ///< [rad]
     double dip_direction = 0;    ///< clockwise from +y [rad]
-    double radius = 0;           ///< [m]
+    double radius = 0;           ///< of a disc; semi-major axis of an ellipse [m]
+    double semi_minor = 0;       ///< of an ellipse, not above `radius`; 0: a disc [m]
+    /// Of the major axis: its angle in the plane from the strike, downwards; the dip direction is 90 degrees
+    /// clockwise of the strike [rad].
+    double rake = 0;
+
+    bool isEllipse() const { return semi_minor > 0; }
 };
+
+/// Unit vector along the major axis of an ellipse.
+Vec3 majorAxis(const Fracture& ellipse);
+
+/// Corners of a polygon that has as much area as the ellipse, in order.
+std::vector<Vec3> outlineOf(const Fracture& ellipse);
 
 enum class RadiusLaw : std::uint8_t {
     constant,   ///< `radius`
@@ -54,7 +66,7 @@ Result<std::vector<Fracture>> drawFractures(const FractureSet& set, const Triang
                                             std::uint64_t seed, std::size_t index,
                                             const std::atomic<bool>* stop = nullptr);
 
-/// Area of a disc inside a region [m^2], exactly.
+/// Area of a disc or an ellipse inside a region [m^2], exactly.
 double areaInside(const Fracture& disc, const TriangleSurface& region);
 
 /// P32: area of discs inside a region over its volume [1/m].

@@ -58,11 +58,13 @@ struct SingleJoint {
     Vec3 point = Vec3::Zero();
     double dip = 0;                ///< [rad]
     double dip_direction = 0;      ///< [rad]
-    std::optional<double> radius;  ///< of a disc about `point` [m]
+    std::optional<double> radius;  ///< of a disc about `point`; of an ellipse its semi-major axis [m]
     std::vector<Vec3> polygon;     ///< instead: its corners in order; they give point and orientation, too
     std::int32_t joint = 0;
     std::string field{};
     bool of_network = false;  ///< one of many with this field: warnings tell of all together
+    double semi_minor = 0;    ///< of an ellipse, whose outline is `polygon` (talus/fractures.h); else 0 [m]
+    double rake = 0;          ///< of its major axis [rad]
 };
 
 /// Corners of a finite joint in order; a disc is a polygon of as much area. Empty: through the whole region.

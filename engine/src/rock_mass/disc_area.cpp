@@ -33,7 +33,10 @@ std::pair<double, double> dipOf(const Vec3& normal) {
 
 double areaInside(const Fracture& disc, const TriangleSurface& region) {
     const Vec3 normal = upwardNormal(disc.dip, disc.dip_direction);
-    const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
+    const Vec3 e1 = disc.isEllipse() ? majorAxis(disc) : Vec3(normal.unitOrthogonal());
+    const Vec3 e2 = normal.cross(e1);
+    // Lengths along its axes over these make a unit circle of an ellipse.
+    const double along = disc.radius, across = disc.isEllipse() ? disc.semi_minor : disc.radius;
     double sum = 0, enclosed = 0;  // enclosed: by the lines alone, about a point on them
     bool whole = true;             // no line leaves the circle
     std::optional<Vec2> origin;
@@ -48,7 +51,7 @@ double areaInside(const Fracture& disc, const TriangleSurface& region) {
             if ((height[i] >= 0) == (height[j] >= 0)) continue;
             const Vec3 &p = cornerOf(region, t, i), &q = cornerOf(region, t, j);
             const Vec3 x = p + height[i] / (height[i] - height[j]) * (q - p) - disc.centre;
-            (height[j] >= 0 ? up : down) = Vec2(e1.dot(x), e2.dot(x)) / disc.radius;
+            (height[j] >= 0 ? up : down) = Vec2(e1.dot(x) / along, e2.dot(x) / across);
         }
         sum += commonArea(down, up);
         if (!origin) origin = down;
@@ -56,8 +59,8 @@ double areaInside(const Fracture& disc, const TriangleSurface& region) {
         whole = whole && down.squaredNorm() <= 1 && up.squaredNorm() <= 1;
     }
     // For a disc far larger than the region the sectors are all rounding.
-    if (whole) return std::max(enclosed, 0.0) * disc.radius * disc.radius;
-    return sum > kSectorRounding ? sum * disc.radius * disc.radius : 0;
+    if (whole) return std::max(enclosed, 0.0) * along * across;
+    return sum > kSectorRounding ? sum * along * across : 0;
 }
 
 double fractureIntensity(const std::vector<Fracture>& discs, const TriangleSurface& region) {

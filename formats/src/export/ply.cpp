@@ -1,4 +1,4 @@
-// PLY (binary, little-endian): vertices, then faces as polygons with their block, how it moves and a colour.
+// PLY (binary, little-endian): vertices, then faces as polygons with numbers of theirs and a colour.
 
 #include <cstring>
 
@@ -13,13 +13,18 @@ void append(std::string& out, Number value) {
     out.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-std::string head(std::size_t vertices, std::size_t faces) {
+/// \param properties  of a face, between its corners and its colour
+std::string head(std::size_t vertices, std::size_t faces, const std::string& properties) {
     return "ply\nformat binary_little_endian 1.0\ncomment Talus, m\nelement vertex " +
            std::to_string(vertices) +
            "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-           std::to_string(faces) +
-           "\nproperty list uchar int vertex_indices\nproperty int block\nproperty uchar failure_role\n"
+           std::to_string(faces) + "\nproperty list uchar int vertex_indices\n" + properties +
            "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+}
+
+void appendVertices(std::string& out, const std::vector<Vec3>& vertices) {
+    for (const Vec3& v : vertices)
+        for (const double x : {v.x(), v.y(), v.z()}) append(out, x);
 }
 
 /// Without inner ones.
@@ -35,9 +40,9 @@ std::string plyBlocks(const SnapshotHeader& header, const LightFrame& frame) {
     const RunGeometry& g = header.geometry;
     const std::vector<Vec3> vertices = placedVertices(header, frame);
     const std::vector<FailureMode> roles = failureRoles(header, frame);
-    std::string out = head(vertices.size(), surfaceFaceCount(g));
-    for (const Vec3& v : vertices)
-        for (const double x : {v.x(), v.y(), v.z()}) append(out, x);
+    std::string out =
+        head(vertices.size(), surfaceFaceCount(g), "property int block\nproperty uchar failure_role\n");
+    appendVertices(out, vertices);
     for (std::size_t b = 0; b < header.names.size(); ++b) {
         const RoleColour colour = colourOf(header.motions[b], roles[b]);
         for (auto f = static_cast<std::size_t>(g.face_begin[b]);
@@ -50,6 +55,20 @@ std::string plyBlocks(const SnapshotHeader& header, const LightFrame& frame) {
             append(out, static_cast<std::uint8_t>(roles[b]));
             for (const std::uint8_t part : colour) append(out, part);
         }
+    }
+    return out;
+}
+
+std::string plyMap(const PolygonMap& map) {
+    std::string properties;
+    for (const auto& [name, values] : map.values) properties += "property double " + name + "\n";
+    std::string out = head(map.vertices.size(), map.polygons.size(), properties);
+    appendVertices(out, map.vertices);
+    for (std::size_t k = 0; k < map.polygons.size(); ++k) {
+        append(out, static_cast<std::uint8_t>(map.polygons[k].size()));
+        for (const std::int32_t vertex : map.polygons[k]) append(out, vertex);
+        for (const auto& [name, values] : map.values) append(out, values[k]);
+        for (const std::uint8_t part : map.colours[k]) append(out, part);
     }
     return out;
 }

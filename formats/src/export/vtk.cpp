@@ -165,6 +165,28 @@ std::string vtpContacts(const FullFrame& full) {
     return poly.file();
 }
 
+std::string vtpMap(const PolygonMap& map) {
+    std::vector<double> points;
+    for (const Vec3& v : map.vertices) append(points, v);
+    Surface surface;
+    for (const auto& polygon : map.polygons) {
+        surface.vertex.insert(surface.vertex.end(), polygon.begin(), polygon.end());
+        surface.end.push_back(static_cast<std::int32_t>(surface.vertex.size()));
+    }
+    PolyData poly(map.vertices.size(), 0, map.polygons.size());
+    poly.open("Points");
+    poly.array("Points", points, 3);
+    poly.close("Points");
+    poly.open("Polys");
+    poly.array("connectivity", surface.vertex);
+    poly.array("offsets", surface.end);
+    poly.close("Polys");
+    poly.open("CellData");
+    for (const auto& [name, values] : map.values) poly.array(name.c_str(), values);
+    poly.close("CellData");
+    return poly.file();
+}
+
 std::string pvdSeries(const std::vector<std::pair<double, std::string>>& files) {
     std::string text =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"

@@ -46,7 +46,10 @@ constexpr std::array<Column, kPlaneColumns> kColumns{
      {"weight", "", " weighting ", 0, 1e12, true},
      {"quantity", "", " qty ", 1, 10000},
      {"scanline_trend", "_deg", " traversetrend ", -360, 360},
-     {"scanline_plunge", "_deg", " traverseplunge ", -90, 90}}};
+     {"scanline_plunge", "_deg", " traverseplunge ", -90, 90},
+     {"semi_major", "_m", " semimajoraxis halflength ", 0, 1e6, true},
+     {"semi_minor", "_m", " semiminoraxis halfwidth ", 0, 1e6, true},
+     {"rake", "_deg", " pitch rakeofmajoraxis ", -360, 360}}};
 
 using enum PlaneColumn;
 /// In order of preference.

@@ -34,9 +34,12 @@ enum class PlaneColumn : std::uint8_t {
     weight,
     quantity,
     scanline_trend,
-    scanline_plunge
+    scanline_plunge,
+    semi_major,
+    semi_minor,
+    rake
 };
-inline constexpr std::size_t kPlaneColumns = 20;
+inline constexpr std::size_t kPlaneColumns = 23;
 
 struct Orientation {
     double dip = 0, dip_direction = 0;  ///< [rad]

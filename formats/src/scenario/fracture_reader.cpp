@@ -1,5 +1,6 @@
-// [[fracture_set]]: discs drawn at random, or from a file.
+// [[fracture_set]]: discs drawn at random, from a table, or from the traces of a drawing.
 
+#include "mesh/traces.h"
 #include "scenario/rock_mass.h"
 #include "talus/formats/fractures.h"
 
@@ -56,12 +57,43 @@ FractureSet readDrawn(TableReader& table) {
     return set;
 }
 
-void readFile(TableReader& table, const std::string& folder, FractureSetInput& input) {
-    for (const std::string& key : table.present(kDrawn))
-        table.error(key, "found " + key + " together with file, which already has it, allowed: one of them");
+bool isDrawing(const std::string& file) { return file.ends_with(".dxf") || file.ends_with(".DXF"); }
+
+/// Of traces that define no plane: both angles, or none.
+std::optional<Orientation> readOrientation(TableReader& table) {
+    if (!table.has("dip_deg") && !table.has("dip_direction_deg")) return std::nullopt;
+    table.require({"dip_deg", "dip_direction_deg"});
+    const auto dip = table.number("dip_deg", kDipDeg),
+               direction = table.number("dip_direction_deg", kDipDirectionDeg);
+    if (!dip || !direction) return std::nullopt;
+    return Orientation{*dip * kRadPerDeg, *direction * kRadPerDeg};
+}
+
+void readDrawing(Report& report, TableReader& table, const std::string& path, const TraceOptions& options,
+                 FractureSetInput& input) {
+    auto traces = readTraces(path, options);
+    if (traces) {
+        input.from_file = std::move(traces->discs);
+        for (const std::string& note : traces->notes) report.warn(table.fieldOf("file") + ": " + note);
+        return;
+    }
+    for (const Error& error : traces.errors()) table.error("file", format(error));
+}
+
+void readFile(Report& report, TableReader& table, const std::string& folder, FractureSetInput& input) {
     const auto file = table.text("file");
     if (!file) return;
-    auto discs = readFractures(file->starts_with('/') ? *file : folder + *file);
+    const bool drawing = isDrawing(*file);
+    for (const std::string& key : table.present(kDrawn))
+        if (!drawing || (key != "dip_deg" && key != "dip_direction_deg"))
+            table.error(key,
+                        "found " + key + " together with file, which already has it, allowed: one of them");
+    if (table.has("layer") && !drawing)
+        table.error("layer", "found layer with a file that is no drawing, allowed: only with a .dxf file");
+    const std::string path = file->starts_with('/') ? *file : folder + *file;
+    const TraceOptions options{table.text("layer"), drawing ? readOrientation(table) : std::nullopt};
+    if (drawing) return readDrawing(report, table, path, options, input);
+    auto discs = readFractures(path);
     if (discs) {
         input.from_file = std::move(*discs);
         return;
@@ -74,15 +106,17 @@ void readFile(TableReader& table, const std::string& folder, FractureSetInput& i
 void readFractureSets(Report& report, TableReader& root, const Joints& joints, const std::string& folder,
                       RockMassInput& input) {
     for (const FieldNode& entry : root.tables("fracture_set")) {
-        std::vector<std::string> keys{"name", "joint", "file"};
+        std::vector<std::string> keys{"name", "joint", "file", "layer"};
         keys.insert(keys.end(), kDrawn.begin(), kDrawn.end());
         TableReader table(report, entry.node, entry.field, keys);
         FractureSetInput set;
         const std::string name = table.name("name", false).value_or("");
         if (table.has("file"))
-            readFile(table, folder, set);
+            readFile(report, table, folder, set);
         else if (!table.isMeant("file"))
             set.drawn = readDrawn(table);
+        if (table.has("layer") && !table.has("file"))
+            table.error("layer", "found layer without file, allowed: only with a .dxf file");
         set.drawn.name = name;
         set.drawn.field = entry.field;
         set.drawn.joint = readStrength(report, table, name, joints);
@@ -109,6 +143,9 @@ void appendFractures(Report& report, RockMassInput& input) {
             joint.dip = disc.dip;
             joint.dip_direction = disc.dip_direction;
             joint.radius = disc.radius;
+            joint.semi_minor = disc.semi_minor;
+            joint.rake = disc.rake;
+            if (disc.isEllipse()) joint.polygon = outlineOf(disc);
             joint.joint = set.drawn.joint;
             joint.field = set.drawn.field;
             joint.of_network = true;

@@ -174,7 +174,10 @@ constexpr Description kScenario[] = {
     {"fracture_set[].name", "name; it takes the strength [joint.NAME], if there is one"},
     {"fracture_set[].joint", "strength, instead of the one by its name"},
     {"fracture_set[].file",
-     "discs from a table: x_m, y_m, z_m; an orientation as in pole tables; radius_m, diameter_m or trace_m"},
+     "discs from a table: x_m, y_m, z_m; an orientation as in pole tables; radius_m, diameter_m or trace_m, "
+     "or "
+     "of ellipses semi_major_m, semi_minor_m and rake_deg; or traces from a .dxf file"},
+    {"fracture_set[].layer", "of a .dxf file: only traces on this layer"},
     {"fracture_set[].radius_law", "\"constant\" (default), \"lognormal\", \"power\""},
     {"fracture_set[].radius", "constant: radius of all discs; lognormal: mean radius"},
     {"fracture_set[].radius_deviation", "lognormal: standard deviation of the radius"},
@@ -298,6 +301,7 @@ constexpr Description kSweep[] = {
     {"format", "version of the file format"},
     {"scenario", "scenario file; path relative to this file's folder"},
     {"analysis", "analysis that each run computes"},
+    {"groups", "safety-factor: number of groups of blocks to find that fail one after the other; default 1"},
     {"range", "whether each search also looks for a lower answer on another loading path; default false"},
     {"correlation", "correlated random variables"},
     {"correlation.fields", "random variables drawn per run or per joint, each named by its first field"},

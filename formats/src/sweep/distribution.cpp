@@ -95,6 +95,8 @@ const char* toString(Distribution::Kind kind) {
             return "triangular";
         case Distribution::Kind::beta:
             return "beta";
+        case Distribution::Kind::integer:
+            return "integer";
     }
     return "";
 }
@@ -141,6 +143,8 @@ double quantile(const Distribution& d, double u) {
             return triangular(d, u);
         case Distribution::Kind::beta:
             return d.min + (d.max - d.min) * betaQuantile(d.alpha, d.beta, u);
+        case Distribution::Kind::integer:
+            return std::min(d.min + std::floor(u * (d.max - d.min + 1)), d.max);
     }
     return 0;
 }

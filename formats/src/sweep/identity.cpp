@@ -47,6 +47,7 @@ std::string identityOf(const Sweep& sweep) {
     std::string text = std::string(sweep.analysis()) + "\n" + std::to_string(sweep.seed) + "\n" +
                        (sweep.latin_hypercube ? "lhs " + std::to_string(sweep.samples) : "random");
     if (sweep.tries_histories) text += "\nrange";
+    if (sweep.groups > 1) text += "\ngroups " + std::to_string(sweep.groups);
     for (const SweepColumn& column : sweep.columns) text += describe(column);
     const auto document = toml::Document::parse(sweep.scenario_text, sweep.scenario_path);
     text += "\n\n" + (document ? toml::writeDocument(*document) : sweep.scenario_text);

@@ -36,9 +36,9 @@ double correlatedShare(const Sweep& sweep, const SweepColumn& column, std::uint6
     return std::clamp(normalProbability(score), 0x1p-53, 1 - 0x1p-53);
 }
 
-double drawRun(const Sweep& sweep, const SweepColumn& column, std::uint64_t sample) {
-    return quantile(column.distribution, column.scores.empty() ? share(sweep, sample, column.name)
-                                                               : correlatedShare(sweep, column, sample));
+SweepValue drawRun(const Sweep& sweep, const SweepColumn& column, std::uint64_t sample) {
+    return drawnValue(column.distribution, column.scores.empty() ? share(sweep, sample, column.name)
+                                                                 : correlatedShare(sweep, column, sample));
 }
 
 std::optional<Error> put(Document& document, const std::string& target, const SweepValue& value,
@@ -192,6 +192,12 @@ Result<Document> writtenRun(const Sweep& sweep, const SweepRun& run, const Inter
 }
 
 }  // namespace
+
+SweepValue drawnValue(const Distribution& distribution, double share) {
+    const double value = quantile(distribution, share);
+    if (distribution.kind == Distribution::Kind::integer) return static_cast<std::int64_t>(value);
+    return value;
+}
 
 SweepRun runOf(const Sweep& sweep, std::uint64_t index) {
     SweepRun run{index, index % sweep.cases, index / sweep.cases, {}};

@@ -27,6 +27,7 @@ using namespace toml;
 constexpr std::size_t kMaxTried = 1000;  // values of one variable that are tried in advance
 constexpr double kNearlyCertain = 1e-9;  // share of a distribution beyond the ends that are tried
 constexpr std::int64_t kMaxSamples = 1'000'000'000;
+constexpr std::int64_t kMostGroups = 1000;  // as of a single search
 constexpr std::uint64_t kMaxRuns = 1'000'000'000'000;
 
 scenario::KnownNames knownNames(const Scenario& scenario) {
@@ -44,8 +45,8 @@ class SweepReader {
                 std::shared_ptr<const Scenario> scenario = nullptr)
         : report_(report),
           root_(report, root, "",
-                {"format", "scenario", "analysis", "range", "samples", "seed", "sampling", "grid", "table",
-                 "random", "correlation", "report"}),
+                {"format", "scenario", "analysis", "range", "groups", "samples", "seed", "sampling", "grid",
+                 "table", "random", "correlation", "report"}),
           base_(std::move(scenario)) {
         sweep_.path = path;
     }
@@ -119,6 +120,9 @@ class SweepReader {
         sweep_.tries_histories = root_.boolean("range").value_or(false);
         if (sweep_.tries_histories && !sweep_.search)
             root_.error("range", "found with analysis = \"run\", allowed: only with a search");
+        sweep_.groups = static_cast<int>(root_.integer("groups", {1, kMostGroups}).value_or(1));
+        if (root_.has("groups") && (sweep_.search == nullptr || !sweep_.search->follows_groups))
+            root_.error("groups", "found with another analysis, allowed: with \"safety-factor\"");
     }
 
     void readReport() {
@@ -163,7 +167,7 @@ class SweepReader {
         SweepRun first = runOf(sweep_, 0);
         for (std::size_t c = 0; c < list.size(); ++c)
             if (list[c].column.source == SweepSource::random && list[c].column.per != SampledPer::interface)
-                first.values[c] = quantile(list[c].column.distribution, 0.5);
+                first.values[c] = drawnValue(list[c].column.distribution, 0.5);
         if (!tryRun(first, list, nullptr, 0)) return;
         for (std::size_t c = 0; c < list.size() && errors_.empty(); ++c) tryVariable(first, list, c);
         tryRows(first, list);
@@ -183,7 +187,7 @@ class SweepReader {
         const auto kind = column.distribution.kind;
         if (kind == Distribution::Kind::normal || kind == Distribution::Kind::lognormal) return;
         for (const double share : {kNearlyCertain, 1 - kNearlyCertain}) {
-            const double value = quantile(column.distribution, share);
+            const SweepValue value = drawnValue(column.distribution, share);
             if (column.per == SampledPer::interface) {
                 // Every interface alike stands for the one that drew this value.
                 SweepRun all = first;

@@ -359,7 +359,8 @@ class VariablesReader {
                                                  {K::truncated_normal, {"mean", "sd", "min", "max"}},
                                                  {K::lognormal, {"mean", "sd"}},
                                                  {K::triangular, {"min", "mode", "max"}},
-                                                 {K::beta, {"alpha", "beta", "min", "max"}}};
+                                                 {K::beta, {"alpha", "beta", "min", "max"}},
+                                                 {K::integer, {"min", "max"}}};
         std::vector<std::string> names;
         for (const Rule& rule : kRules) names.emplace_back(toString(rule.kind));
         const auto choice = table.choice("distribution", names);
@@ -384,6 +385,12 @@ class VariablesReader {
     }
 
     void checkOrder(TableReader& table, const Distribution& d) {
+        for (const auto& [key, value] : {std::pair{"min", d.min}, {"max", d.max}})
+            if (d.kind == Distribution::Kind::integer &&
+                (value != std::floor(value) || std::abs(value) > kMostInteger))
+                table.error(key, "found " + numberText(value) +
+                                     " in an integer distribution, allowed: a whole number up to " +
+                                     numberText(kMostInteger));
         if (table.has("max") && !(d.min < d.max))
             table.error("max",
                         "found " + numberText(d.max) + ", allowed: more than min, " + numberText(d.min));
@@ -400,6 +407,7 @@ class VariablesReader {
 
     static constexpr Interval kShape{0.01, 1e6, false, false};  ///< of a beta distribution
     static constexpr double kFarTail = 8;                       ///< [sd]
+    static constexpr double kMostInteger = 1e9;  ///< far below 2^52, the number of different draws
 
     Report& report_;
     TableReader& root_;

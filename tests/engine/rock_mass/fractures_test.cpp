@@ -77,6 +77,10 @@ TEST_CASE("fractures: area inside a region, by closed forms") {
     CHECK(areaInside({{0, 5, 5}, 0, 0, 2}, ten) == doctest::Approx(2 * kPi).epsilon(1e-12));
     CHECK(areaInside({{0, 0, 5}, 0, 0, 2}, ten) == doctest::Approx(kPi).epsilon(1e-12));
     CHECK(areaInside({{5, 5, 12}, 0, 0, 3}, ten) == 0);
+    // Ellipses: pi a b inside; half of it where the face goes through the centre; a strip of one far larger.
+    CHECK(areaInside({{5, 5, 5}, 0.7, 0.3, 3, 1, 0.4}, ten) == doctest::Approx(3 * kPi).epsilon(1e-12));
+    CHECK(areaInside({{0, 5, 5}, 0, 0, 3, 2, 0.4}, ten) == doctest::Approx(3 * kPi).epsilon(1e-12));
+    CHECK(areaInside({{5, 5, 5}, 0, 0, 1e6, 2, kPi / 2}, ten) == doctest::Approx(40).epsilon(1e-6));
     CHECK(areaInside({{-4, 5, 5}, 0, 0, 3}, ten) == 0);
     CHECK(areaInside({{5, 5, 5}, kPi / 4, kPi / 2, 100}, ten) ==
           doctest::Approx(100 * std::sqrt(2)).epsilon(1e-12));

@@ -171,6 +171,40 @@ TEST_CASE("fractures: one disc in every notation, size and separator") {
     }
 }
 
+TEST_CASE("fractures: ellipses by their axes and the rake of the major one") {
+    const auto read = parseFractures(
+        "x,y,z,dip,dd,semi_major_m,semi_minor_m,rake_deg\n1,2,3,40,90,5,2,0\n1,2,3,40,90,5,5,90\n", "f.csv");
+    REQUIRE(read.ok());
+    REQUIRE(read->size() == 2);
+    const Fracture &level = (*read)[0], &steep = (*read)[1];
+    CHECK(level.isEllipse());
+    CHECK(level.radius == 5);
+    CHECK(level.semi_minor == 2);
+    // A plane that dips to the east strikes north by the right-hand rule; a rake of 90 degrees is down dip.
+    CHECK((majorAxis(level) - Vec3(0, 1, 0)).norm() < 1e-14);
+    CHECK((majorAxis(steep) - Vec3(std::cos(40 * kDeg), 0, -std::sin(40 * kDeg))).norm() < 1e-14);
+    const auto again = parseFractures(fracturesCsv({{"a", level}, {"b", {{1, 2, 3}, 0.3, 0.2, 4}}}), "g.csv");
+    REQUIRE(again.ok());
+    CHECK((*again)[0].semi_minor == 2);
+    CHECK((*again)[1].radius == 4);
+    CHECK((*again)[1].semi_minor == 4);  // a disc among ellipses is a round one
+    const auto fault = [](const std::string& text) {
+        const auto discs = parseFractures(text, "f.csv");
+        REQUIRE_FALSE(discs.ok());
+        return format(discs.errors()[0]);
+    };
+    CHECK(fault("x,y,z,dip,dd,semi_major,rake\n1,2,3,4,5,1,2\n") ==
+          "f.csv:1: error: found an ellipse without all its columns, allowed: semi_major_m, semi_minor_m and "
+          "rake_deg together");
+    CHECK(fault("x,y,z,dip,dd,semi_major,semi_minor,rake,radius\n1,2,3,4,5,1,2,3,4\n")
+              .find("found radius_m beside semi_major_m") != std::string::npos);
+    CHECK(fault("x,y,z,dip,dd,semi_major,semi_minor,rake\n1,2,3,4,5,1,2,3\n") ==
+          "f.csv:2:13: error: found semi_minor_m 2, allowed: at most semi_major_m, 1");
+    CHECK(
+        fault("x,y,z,dip,dd,semi_major,semi_minor,rake\n1,2,3,4,5,1,0,3\n").find("found semi_minor \"0\"") !=
+        std::string::npos);
+}
+
 TEST_CASE("fractures: faults name line and column, what was found and what is allowed") {
     const auto fault = [](const std::string& text) {
         const auto discs = parseFractures(text, "f.csv");

@@ -68,6 +68,58 @@ TEST_CASE("fracture sets: written to CSV and read again they are the same discs 
     CHECK((*readFractures(plain))[0].centre == Vec3(4, 4, 4));
 }
 
+TEST_CASE("fracture sets: an ellipse cuts what its axes reach, and keeps its area") {
+    const test::TemporaryFolder folder;
+    // Level, its major axis along x.
+    const std::string file = folder.write(
+        "e.csv", "x,y,z,dip,dip_direction,semi_major_m,semi_minor_m,rake_deg\n4,4,4,0,180,4.5,1.5,0\n");
+    const Scenario read = readGood(rock("file = \"" + file + "\"\n"));
+    const auto joints = rockJoints(read);
+    REQUIRE(joints.ok());
+    REQUIRE(joints->size() == 1);
+    REQUIRE((*joints)[0].disc.has_value());
+    CHECK((*joints)[0].disc->isEllipse());
+    const std::vector<Vec3> outline = outlineOf(*(*joints)[0].disc);
+    double twice = 0, along = 0, across = 0;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        const Vec3 &a = outline[k], &b = outline[(k + 1) % outline.size()];
+        twice += (a - Vec3(4, 4, 4)).cross(b - Vec3(4, 4, 4)).norm();
+        along = std::max(along, std::abs(a.x() - 4));
+        across = std::max(across, std::abs(a.y() - 4));
+    }
+    CHECK(0.5 * twice == doctest::Approx(4.5 * 1.5 * std::acos(-1.0)).epsilon(1e-12));
+    CHECK(along == doctest::Approx(4.5).epsilon(2e-3));
+    CHECK(across == doctest::Approx(1.5).epsilon(2e-3));
+    CHECK((*joints)[0].area_inside < 4.5 * 1.5 * std::acos(-1.0));  // its tips lie outside
+    CHECK(read.model.blocks.size() == 2);
+}
+
+TEST_CASE("fracture sets: traces of a drawing, by layer, and what is wrong with them") {
+    const test::TemporaryFolder folder;
+    const std::string drawing =
+        "0\nSECTION\n2\nENTITIES\n"
+        "0\nLINE\n8\nJ1\n10\n1\n20\n4\n30\n2\n11\n7\n21\n4\n31\n6\n"
+        "0\nENDSEC\n0\nEOF\n";
+    const std::string file = folder.write("t.dxf", drawing);
+    const std::string keys = "file = \"" + file + "\"\n";
+    const Scenario read = readGood(rock(keys + "dip_deg = 40\ndip_direction_deg = 260\n"));
+    const auto joints = rockJoints(read);
+    REQUIRE(joints.ok());
+    REQUIRE(joints->size() == 1);
+    CHECK(((*joints)[0].disc->centre - Vec3(4, 4, 4)).norm() < 1e-12);
+    CHECK((*joints)[0].disc->radius == doctest::Approx(std::sqrt(13.0)));
+    checkFault({rock(keys), 10, "fracture_set[0].file", "too straight to define a plane"});
+    checkFault({rock(keys + "layer = \"J2\"\n"), 10, "fracture_set[0].file",
+                "found no traces on layer \"J2\", allowed: a layer that has some: \"J1\""});
+    const std::string plane = "dip_deg = 40\ndip_direction_deg = 260\n";
+    checkFault({rock(keys + plane + "radius = 2\n"), 13, "fracture_set[0].radius", "together with file"});
+    checkFault({rock("layer = \"J1\"\ncount = 3\nradius = 1\ndip_deg = 35\ndip_direction_deg = 200\n"), 10,
+                "fracture_set[0].layer", "found layer without file"});
+    const std::string table = folder.write("f.csv", "x,y,z,dip,dip_direction,radius\n1,2,3,4,5,6\n");
+    checkFault({rock("file = \"" + table + "\"\nlayer = \"J1\"\n"), 11, "fracture_set[0].layer",
+                "a file that is no drawing"});
+}
+
 TEST_CASE("fracture sets: faults are reported with their places") {
     const test::TemporaryFolder folder;
     const auto fault = [](const std::string& keys, int line, const std::string& field,

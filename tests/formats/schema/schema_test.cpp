@@ -177,7 +177,7 @@ TEST_CASE("schema: of sweeps") {
     CHECK(grid["values"]["items"]["type"] == json{"boolean", "number", "string"});
     CHECK(grid["count"]["type"] == "integer");
     const json& random = schema["properties"]["random"]["items"]["properties"];
-    CHECK(random["distribution"]["enum"].size() == 6);
+    CHECK(random["distribution"]["enum"].size() == 7);
     CHECK(random["sd"]["exclusiveMinimum"] == 0);
 }
 

@@ -111,6 +111,8 @@ TEST_CASE("distributions have the moments they are named by") {
     check({.kind = Kind::triangular, .min = 0, .max = 3, .mode = 2}, 5.0 / 3, std::sqrt(7.0 / 18), 1e-6);
     // alpha / (alpha + beta) and so on, on 10..20.
     check({.kind = Kind::beta, .min = 10, .max = 20, .alpha = 2, .beta = 3}, 14, 2, 1e-5);
+    // Of a die: 7/2, (36 - 1) / 12.
+    check({.kind = Kind::integer, .min = 1, .max = 6}, 3.5, std::sqrt(35.0 / 12), 1e-3);
     // Cut at one standard deviation on either side: sd^2 (1 - 2 phi(1) / (2 Phi(1) - 1)).
     const double density = std::exp(-0.5) / std::sqrt(2 * M_PI);
     const double share = std::erf(1 / std::sqrt(2.0));

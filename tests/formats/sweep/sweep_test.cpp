@@ -65,6 +65,23 @@ TEST_CASE("a span with a count ends on both ends") {
     CHECK(scenarioAt(sweep, 4).model.waters[0].level[0].value == 0.09);
 }
 
+TEST_CASE("integers are whole in the scenario, from the least to the greatest") {
+    const SweepFile file(kHead + "samples = 200\n" +
+                         random("stack[0].columns", "distribution = \"integer\"\nmin = 2\nmax = 4"));
+    const Sweep sweep = file.read();
+    std::map<std::int64_t, int> counts;
+    for (std::uint64_t run = 0; run < 200; ++run)
+        ++counts[std::get<std::int64_t>(runOf(sweep, run).values[0])];
+    REQUIRE(counts.size() == 3);
+    for (const auto& [columns, count] : counts) {
+        CHECK(columns >= 2);
+        CHECK(columns <= 4);
+        CHECK(std::abs(count - 200.0 / 3) < 3 * std::sqrt(200 * 2.0 / 9));
+    }
+    const std::int64_t columns = std::get<std::int64_t>(runOf(sweep, 5).values[0]);
+    CHECK(scenarioAt(sweep, 5).model.blocks.size() == static_cast<std::size_t>(columns) * 4 + 1);
+}
+
 TEST_CASE("a table of cases comes from a CSV file, with names, quotes and comments") {
     SweepFile file(kHead + "[table]\nfile = \"cases.csv\"\n");
     file.folder.write("cases.csv",
@@ -278,6 +295,9 @@ TEST_CASE("every fault of a sweep names its place") {
             .find(
                 "sweep.toml:5:9 random[0]: gives a scenario with joint.default.friction_deg: found 94.99") ==
         0);
+    CHECK(fault(some + random("stack[0].columns", "distribution = \"integer\"\nmin = 2\nmax = 4.5"))
+              .find("sweep.toml:8:7 random[0].max: found 4.5 in an integer distribution, allowed: a whole "
+                    "number up to 1e+09") == 0);
     CHECK(fault(some + random("joint.default.friction_deg",
                               "distribution = \"normal\"\nmean = 18\nsd = 2\nmax = 20"))
               .find("sweep.toml:9:7 random[0].max: found in a normal distribution") == 0);

@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 using talus::tools::compactNames;
+using talus::tools::expandedNames;
 
 namespace {
 
@@ -38,4 +41,15 @@ TEST_CASE("stacks stand in the order of their names, which is a natural one") {
 TEST_CASE("a long list is cut and its rest counted") {
     CHECK(compactNames({"a", "b", "c", "d"}, 2) == "a, b and 2 more blocks");
     CHECK(compactNames({"c1r1s1", "c1r3s1", "c1r3s2", "c1r5s1"}, 1) == "c1 r1 s1 and 3 more blocks");
+}
+
+TEST_CASE("a list without a limit gives back the names it was made of") {
+    std::vector<std::string> names = boxNames("left", 12, 11, 1);
+    for (const char* name : {"c1r1s1", "c1r2s1", "c1r4s1", "c3r1s1", "key", "b12", "c1rs2", "c1 r2", "-3"})
+        names.push_back(name);
+    std::vector<std::string> back = expandedNames(compactNames(names, names.size()));
+    std::sort(names.begin(), names.end());
+    std::sort(back.begin(), back.end());
+    CHECK(back == names);
+    CHECK(expandedNames("").empty());
 }

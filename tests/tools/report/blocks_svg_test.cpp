@@ -80,7 +80,20 @@ TEST_CASE("blocks: the compass is larger on a larger picture") {
     tall.blocks[0].shape = *makeBox(Vec3::Zero(), Vec3(1, 2, 1));
     const double flat = needleOf(blocksSvg(wall(10, 1), plan, "Flat"));
     CHECK(flat > 40);
-    CHECK(needleOf(blocksSvg(tall, plan, "Tall")) > 1.5 * flat);
+    CHECK(needleOf(blocksSvg(tall, plan, "Tall")) > 1.2 * flat);
+}
+
+TEST_CASE("blocks: the picture of a tall model fits a sheet of paper, in its middle") {
+    Model tall;
+    tall.blocks.resize(1);
+    tall.blocks[0].name = "tall";
+    tall.blocks[0].shape = *makeBox(Vec3::Zero(), Vec3(1, 1, 20));
+    const std::string svg = blocksSvg(tall, {180 * kDeg, 0}, "Tall");
+    const std::size_t at = svg.find("height=\"") + 8;
+    CHECK(std::stod(svg.substr(at)) < 1250);
+    // 20 m are 1080 px, so its one face is 54 px wide, about x = 450 px.
+    CHECK(svg.find("points=\"423.0,") != std::string::npos);
+    CHECK(svg.find(" 477.0,") != std::string::npos);
 }
 
 }  // namespace talus::tools

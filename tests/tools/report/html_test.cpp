@@ -52,3 +52,21 @@ TEST_CASE("html: the style of a figure and its clip path hold inside it") {
     CHECK(has(html, "#two .page"));
     CHECK(!has(html, "}\n.page{fill"));
 }
+
+TEST_CASE("html: a figure is printed so high that its smallest letters have 7 points") {
+    const auto printed = [](const std::string& height, const std::string& style) {
+        HtmlPage page;
+        page.figure("one",
+                    "<svg width=\"900.0\" height=\"" + height + "\"><style>\n" + style + "</style></svg>\n",
+                    "");
+        const std::string html = page.html("a figure");
+        const std::size_t at = html.find("style=\"--high:") + 14;
+        return html.substr(at, html.find('"', at) - at);
+    };
+    const std::string two = ".text{font:600 14px sans-serif}\n.small{font:12.5px sans-serif}\n";
+    // 700 px at 7 pt = 2.469 mm for 12.5 px.
+    CHECK(printed("700.0", two) == "139mm");
+    CHECK(printed("300.0", two) == "110mm");
+    CHECK(printed("5000.0", two) == "225mm");
+    CHECK(printed("700.0", ".page{fill:#fff}\n") == "110mm");
+}

@@ -13,7 +13,8 @@ struct Distribution {
         truncated_normal,  ///< mean, sd of the normal it is cut from; min, max
         lognormal,         ///< mean, sd of the variable itself, not of its logarithm
         triangular,        ///< min, mode, max
-        beta               ///< alpha, beta; min, max
+        beta,              ///< alpha, beta; min, max
+        integer            ///< whole numbers from min to max, all equally likely
     };
     Kind kind = Kind::uniform;
     double min = 0, max = 1;
@@ -28,7 +29,7 @@ const char* toString(Distribution::Kind kind);
 /// nearer end where there is one: 1e-15 uniform and triangular, 1e-14 normal and lognormal, 1e-12 truncated
 /// normal and beta.
 /// \pre 0 < u < 1, and the parameters are in range: sd > 0, min < max, min <= mode <= max, alpha, beta > 0;
-/// mean > 0 of a lognormal
+/// mean > 0 of a lognormal; whole min and max of integers
 double quantile(const Distribution& distribution, double u);
 
 /// Quantile of the standard normal distribution: Wichura's algorithm AS 241 (Applied Statistics 37, 1988),

@@ -2,6 +2,8 @@
 // Frames in formats of other programs, as the bytes of a file: VTK's XML poly data (ParaView 5.11 and VTK 9
 // read it), STL, PLY and glTF. Lengths in m, forces in N, everything in the model frame.
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +36,20 @@ std::string stlBlocks(const SnapshotHeader& header, const LightFrame& frame);
 
 /// Binary PLY of all blocks: their faces as polygons, each with `block`, `failure_role` and a colour.
 std::string plyBlocks(const SnapshotHeader& header, const LightFrame& frame);
+
+/// Polygons with numbers and a colour each: a map.
+struct PolygonMap {
+    std::vector<Vec3> vertices;                                         ///< [m]
+    std::vector<std::vector<std::int32_t>> polygons;                    ///< their corners
+    std::vector<std::pair<std::string, std::vector<double>>> values{};  ///< names, and one a polygon
+    std::vector<std::array<std::uint8_t, 3>> colours{};                 ///< sRGB, one a polygon
+};
+
+/// A map as VTK's poly data (.vtp), its values as cell data.
+std::string vtpMap(const PolygonMap& map);
+
+/// A map as binary PLY, its values as properties of the faces. \pre polygons of at most 255 corners
+std::string plyMap(const PolygonMap& map);
 
 /// glTF 2.0 in its binary form (.glb): a node and a mesh per block, coloured by its motion up to the last
 /// frame. Several frames give an animation in the run's time. \pre at least one frame

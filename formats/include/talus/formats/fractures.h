@@ -12,15 +12,17 @@
 
 namespace talus::formats {
 
-/// Discs with the name of their set; columns x_m, y_m, z_m, dip_deg, dip_direction_deg, radius_m, set.
+/// Discs with the name of their set; columns x_m, y_m, z_m, dip_deg, dip_direction_deg, radius_m, set. Where
+/// there are ellipses, semi_major_m, semi_minor_m and rake_deg in place of the radius.
 std::string fracturesCsv(const std::vector<std::pair<std::string, Fracture>>& fractures);
 
 /// Reads such a file. Columns may have any order, with or without units; others are ignored, and so are lines
 /// that begin with #. Separators are commas, semicolons or tabs; decimal commas are allowed unless commas
 /// separate the columns. The orientation may have any notation of readPoles (poles.h). `diameter_m`, or
-/// `trace_m`, a trace's length taken as the diameter, may replace `radius_m`. Errors, up to 20 of them: the
-/// file cannot be read; a missing or repeated column; a row of another length, or with a cell that is no
-/// number or out of range, with its line.
+/// `trace_m`, a trace's length taken as the diameter, may replace `radius_m`; so may an ellipse's
+/// `semi_major_m`, `semi_minor_m` and `rake_deg`. Errors, up to 20 of them: the file cannot be read; a missing
+/// or repeated column; a row of another length, or with a cell that is no number or out of range, with its
+/// line.
 Result<std::vector<Fracture>> readFractures(const std::string& path);
 /// The same for text already in memory; `path` is used in messages.
 Result<std::vector<Fracture>> parseFractures(const std::string& text, const std::string& path);

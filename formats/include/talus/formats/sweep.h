@@ -6,6 +6,7 @@
 //   scenario = "slope.toml"        # beside the sweep file
 //   analysis = "critical-angle"    # any search of talus/searches.h ("safety-factor", ...), or "run"
 //   range = true                   # default false: each run of a search also tries other loading histories
+//   groups = 10                    # default 1, safety-factor only: groups that fail one after the other
 //   samples = 1000                 # of the random variables
 //   seed = 1                       # default 1
 //   sampling = "random"            # or "latin-hypercube"
@@ -23,7 +24,7 @@
 //   per = "run"                    # one draw a run; "joint": one a joint; "interface": one an interface
 //   distribution = "uniform"       # min, max. "normal": mean, sd. "truncated-normal": mean, sd, min, max.
 //                                  # "lognormal": mean, sd. "triangular": min, mode, max. "beta": alpha,
-//                                  beta, min, max
+//                                  beta, min, max. "integer": min, max
 //   [correlation]                  # of the normal scores of random variables
 //   fields = ["joint.default.friction_deg", "joint.default.cohesion"]
 //   matrix = [[1.0, -0.5], [-0.5, 1.0]]
@@ -84,6 +85,7 @@ struct SweepReport {
 struct Sweep {
     std::string path, scenario_path;
     const LoadSearch* search = nullptr;  ///< the search of each run; nullptr: its time history
+    int groups = 1;                      ///< most groups of blocks that each search follows in turn
     bool tries_histories = false;        ///< also finds whether other loading histories give other answers
     std::vector<SweepColumn> columns;
     std::vector<std::string> case_names;  ///< of the table's rows; may be empty
