@@ -82,7 +82,7 @@ std::vector<Command> addCommands(CLI::App& root) {
     for (const LoadSearch& search : loadSearches()) commands.push_back(addSearch(root, search));
     for (const auto add : {addRun, addReplay, addInspect, addExport, addBatch, addSample, addMerge,
                            addValidate, addBlocks, addTheory, addKinematics, addLimitAnalysis, addKeyBlocks,
-                           addReport, addSupport, addVerification, addSchema})
+                           addReport, addStorm, addSupport, addVerification, addSchema})
         commands.push_back(add(root));
     return commands;
 }

@@ -69,6 +69,22 @@ TEST_SUITE("determinism") {
         checkRestarts(model, 8);
     }
 
+    TEST_CASE("restart: a crack that rain fills, that leaks and runs over") {
+        const Model model = scenarioModel(
+            "[gravity]\ntilt_deg = 14.0\n[run]\nduration_s = 0.02\nframe_interval_s = 0.001\n"
+            "[damping]\ncontact = 1e-5\n[material.rock]\ndensity = 2700.0\n"
+            "[joint.default]\nnormal_stiffness = 1e8\nshear_stiffness = 1e8\nfriction_deg = 15.0\n"
+            "[[stack]]\ncolumns = 2\nrows = 3\nslices = 2\nblock = [0.2, 0.1, 0.1]\n"
+            "[[water]]\nfissure = 1\ndepth = 0.2\nvolume = \"closed\"\nopening = 0.001\n"
+            "rain = [[0.0, 0.0], [0.005, 1000.0], [0.02, 2500.0]]\ncatchment = 90.0\noverflow = 0.21\n"
+            "leak_aperture = 1e-3\nleak_length = 0.5\n");
+        const Recorded whole = record(model, 8);
+        REQUIRE(whole.result.ok());
+        CHECK(whole.result->waters[0].run_over > 0);
+        CHECK(whole.result->waters[0].leaked > 0);
+        checkRestarts(model, 8);
+    }
+
     TEST_CASE("restart: cubes that tumble onto each other by their edges and corners") {
         Model model = floorModel(30, 1e8);
         for (int k = 0; k < 6; ++k)

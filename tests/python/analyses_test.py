@@ -89,6 +89,19 @@ class Answers(unittest.TestCase):
         with self.assertRaisesRegex(talus.ScenarioError, "most"):
             talus.keyblocks(self.file, most=0)
 
+    def test_a_storm_is_that_of_the_command_line(self):
+        rain = "volume = \"closed\"\nopening = 0.002\nrain = [[0, 36], [600, 36]]\ncatchment = 0.02\n"
+        file = self.files.write("rain.toml", SLOPE + rain)
+        table = self.files / "storm.csv"
+        result = talus.storm(file, step_s=300, csv=table, threads=1)
+        self.assertEqual(of_the_slope(result.to_dict()), of_the_slope(program("storm", file, "--step-s", "300")))
+        self.assertEqual([point.time_s for point in result.times], [0, 300, 600])
+        self.assertAlmostEqual(result.times[1].level_m, 0.05 + 1e-5 * 0.02 * 300 / 0.002)
+        self.assertLess(result.least.safety_factor, result.times[0].safety_factor)
+        self.assertIn("water[0].level_m", table.read_text())
+        with self.assertRaisesRegex(talus.ScenarioError, "level changes"):
+            talus.storm(self.file)
+
     def test_threads_do_not_matter(self):
         answers = {talus.critical_angle(self.file, threads=threads).state_hash for threads in (0, 1, 2)}
         self.assertEqual(len(answers), 1)

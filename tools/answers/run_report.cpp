@@ -60,7 +60,8 @@ Json watersJson(const RunResult& result) {
         waters.push_back({{"name", water.name},
                           {"level_m", number(water.level)},
                           {"volume_m3", number(water.volume)},
-                          {"run_over_m3", number(water.run_over)}});
+                          {"run_over_m3", number(water.run_over)},
+                          {"leaked_m3", number(water.leaked)}});
     return waters;
 }
 

@@ -7,7 +7,6 @@
 #include "answers/search_plot.h"
 #include "cli/files.h"
 #include "cli/json.h"
-#include "cli/outputs.h"
 #include "report/svg.h"
 
 namespace talus::tools {
@@ -17,13 +16,6 @@ namespace {
 constexpr const char *kPlot = "plot", *kPicture = "picture";
 
 std::string optionOf(const char* key) { return std::string("--") + key; }
-
-void refuse(const char* key, const std::string& path) {
-    if (path.empty()) return;
-    requireEnding(optionOf(key), path, {".svg"});
-    refuseInput(optionOf(key), path);
-    refuseUnwritable(path);
-}
 
 DrawnFile draw(const char* key, const std::string& path, const std::function<std::string()>& content) {
     DrawnFile drawn{key, path, ""};
@@ -56,8 +48,8 @@ void refuseSearchFiles(const SearchFiles& files) {
         throw BadInput(Error{optionOf(kPicture), "found \"" + files.picture +
                                                      "\", which is the file of --plot; choose another name"});
     }
-    refuse(kPlot, files.plot);
-    refuse(kPicture, files.picture);
+    refuseOutput(optionOf(kPlot), files.plot, ".svg");
+    refuseOutput(optionOf(kPicture), files.picture, ".svg");
 }
 
 std::vector<DrawnFile> drawSearchFiles(const SearchFiles& files, const LoadSearch& search,

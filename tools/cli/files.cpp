@@ -111,6 +111,13 @@ void refuseUnwritable(const std::string& path) {
     ::unlink(temporary.c_str());
 }
 
+void refuseOutput(const std::string& option, const std::string& path, std::string_view ending) {
+    if (path.empty()) return;
+    requireEnding(option, path, {ending});
+    refuseInput(option, path);
+    refuseUnwritable(path);
+}
+
 void makeFolder(const std::string& path) {
     std::error_code error;
     std::filesystem::create_directories(path, error);

@@ -15,6 +15,10 @@ bool writeFile(const std::string& path, std::string_view content, const std::ato
 /// Throws FileRefused where writeFile could not begin: before a long computation.
 void refuseUnwritable(const std::string& path);
 
+/// Before a long computation whose file this is, by the option that names it: throws BadInput for another
+/// ending and for a file that was read as input, FileRefused as above. Nothing for no name.
+void refuseOutput(const std::string& option, const std::string& path, std::string_view ending);
+
 /// Makes a folder and its parents if needed; throws FileRefused.
 void makeFolder(const std::string& path);
 

@@ -7,7 +7,6 @@
 #include "answers/keyblocks_report.h"
 #include "cli/files.h"
 #include "cli/json.h"
-#include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
 #include "cli/scenario.h"
@@ -27,17 +26,10 @@ struct KeyBlockOptions {
     std::string curve, csv;  ///< files; empty: not written
 };
 
-void refuse(const char* option, const std::string& file, const char* ending) {
-    if (file.empty()) return;
-    requireEnding(option, file, {ending});
-    refuseInput(option, file);
-    refuseUnwritable(file);
-}
-
 /// Before a computation of up to a minute.
 void refuseFiles(const KeyBlockOptions& options) {
-    refuse("--curve", options.curve, ".svg");
-    refuse("--csv", options.csv, ".csv");
+    refuseOutput("--curve", options.curve, ".svg");
+    refuseOutput("--csv", options.csv, ".csv");
 }
 
 void writeFiles(const KeyBlockOptions& options, const KeyBlockResult& result) {

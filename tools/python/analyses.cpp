@@ -9,6 +9,7 @@
 #include "answers/run_report.h"
 #include "answers/search.h"
 #include "answers/search_plot.h"
+#include "answers/storm.h"
 #include "batch/outcome.h"
 #include "cli/json.h"
 #include "cli/scenario.h"
@@ -118,6 +119,15 @@ std::string blockTheory(const formats::Scenario& scenario, std::size_t most, con
     return json;
 }
 
+std::string overRain(const formats::Scenario& scenario, const StormRequest& request, const Manner& manner) {
+    std::string json;
+    compute(manner, [&](Computing& computing) {
+        const Common common = commonOf(manner);
+        json = jsonText(stormJson(stormOf(scenario, request, common, computing.control()), scenario, common));
+    });
+    return json;
+}
+
 std::string timeHistory(const formats::Scenario* scenario, const std::string& output,
                         const std::string& resume, int full_every, bool force, const Manner& manner) {
     std::string json;
@@ -190,6 +200,15 @@ void addAnalyses(py::module_& module) {
             return blockTheory(scenario, most, {threadsOf(threads), progress});
         },
         py::arg("scenario"), py::kw_only(), py::arg("most"), py::arg("threads"), py::arg("progress"));
+    module.def(
+        "storm",
+        [](const formats::Scenario& scenario, double step, std::optional<double> duration,
+           const std::string& plot, const std::string& csv, const py::object& threads,
+           const py::object& progress) {
+            return overRain(scenario, {{step, duration}, plot, csv}, {threadsOf(threads), progress});
+        },
+        py::arg("scenario"), py::kw_only(), py::arg("step"), py::arg("duration"), py::arg("plot"),
+        py::arg("csv"), py::arg("threads"), py::arg("progress"));
     module.def(
         "run",
         [](const formats::Scenario* scenario, const std::string& output, const std::string& resume,

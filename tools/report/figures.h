@@ -22,6 +22,7 @@ struct Series {
     std::vector<std::string> tips{};  ///< of each row, or none at all; the texts themselves for "labels"
     std::string symbol = "circle";    ///< of points: circle, triangle, square
     double size = 5, shift = 0;       ///< radius, and how far the symbols stand to the right of their x [px]
+    bool right = false;               ///< over Plot::right
 
     void add(std::vector<double> row) { rows.push_back(std::move(row)); }
     void add(std::vector<double> row, std::string tip) {
@@ -57,7 +58,8 @@ struct Plot {
     PlotAxis x, y;
     std::vector<Series> series{};
     std::vector<Reference> references{};
-    std::vector<Series> key{};  ///< further entries of the legend: type, role and name
+    std::vector<Series> key{};        ///< further entries of the legend: type, role and name
+    std::optional<PlotAxis> right{};  ///< a second y axis; drawn by svg.h only, and `domain` is given
 };
 
 /// An outline of a side view, in metres, y upwards.

@@ -109,7 +109,7 @@ class PlotFile {
     }
 
  private:
-    static constexpr double kWidth = 720, kLeft = 64, kRight = 704, kBase = 400;
+    static constexpr double kWidth = 720, kLeft = 64, kBase = 400;
     static constexpr double kNarrow = 110;  ///< words in lines of about 14 letters
 
     Spot at(double x, double y) const { return {x_.at(x), y_.at(y)}; }
@@ -120,24 +120,33 @@ class PlotFile {
             svg_.label({x_.at(value), kBase + 18}, words, "middle");
         }
         for (const auto& [value, words] : y_.ticks()) {
-            svg_.line({kLeft, y_.at(value)}, {kRight, y_.at(value)}, "grid");
+            svg_.line({kLeft, y_.at(value)}, {edge_, y_.at(value)}, "grid");
             svg_.label({kLeft - 8, y_.at(value) + 4}, words, "end");
         }
-        svg_.box({kLeft, top_}, {kRight, kBase}, "frame");
-        svg_.label({0.5 * (kLeft + kRight), kBase + 40}, plot_.x.title, "middle");
+        if (plot_.right) drawRightAxis();
+        svg_.box({kLeft, top_}, {edge_, kBase}, "frame");
+        svg_.label({0.5 * (kLeft + edge_), kBase + 40}, plot_.x.title, "middle");
         svg_.label({14, 0.5 * (top_ + kBase)}, plot_.y.title, "middle", "text", "-90");
+    }
+
+    void drawRightAxis() {
+        for (const auto& [value, words] : right_.ticks()) {
+            svg_.line({edge_, right_.at(value)}, {edge_ + 5, right_.at(value)}, "frame");
+            svg_.label({edge_ + 9, right_.at(value) + 4}, words);
+        }
+        svg_.label({kWidth - 8, 0.5 * (top_ + kBase)}, plot_.right->title, "middle", "text", "-90");
     }
 
     void draw(const Reference& one) {
         const bool upright = one.axis == 'x';
         const auto across = [&](double value) {
             return upright ? std::pair{Spot{x_.at(value), kBase}, Spot{x_.at(value), top_}}
-                           : std::pair{Spot{kLeft, y_.at(value)}, Spot{kRight, y_.at(value)}};
+                           : std::pair{Spot{kLeft, y_.at(value)}, Spot{edge_, y_.at(value)}};
         };
         const auto [from, to] = across(one.at);
         if (one.to) return svg_.box(from, across(*one.to).second, one.role);
         svg_.line(from, to, one.role);
-        const bool at_end = from.x + kNarrow > kRight;
+        const bool at_end = from.x + kNarrow > edge_;
         if (upright)
             drawNarrow({from.x + (at_end ? -8 : 8), kBase - 46}, one.text, at_end ? "end" : "start");
         else
@@ -170,16 +179,17 @@ class PlotFile {
     }
 
     void draw(const Series& series) {
+        const Scale& y = series.right ? right_ : y_;
         std::vector<Spot> path;
         for (std::size_t i = 0; i < series.rows.size(); ++i) {
             const auto& row = series.rows[i];
             const std::string tip = i < series.tips.size() ? series.tips[i] : "";
-            if (series.type == "line") path.push_back(at(row[0], row[1]));
+            if (series.type == "line") path.push_back({x_.at(row[0]), y.at(row[1])});
             if (series.type == "box") drawBox(row, tip);
             if (series.type == "labels")
                 svg_.label({x_.at(row[0]), y_.at(row[1]) - 7}, tip, "middle", "small");
             if (series.type == "points")
-                svg_.symbol(series.symbol, {x_.at(row[0]) + series.shift, y_.at(row[1])}, series.size,
+                svg_.symbol(series.symbol, {x_.at(row[0]) + series.shift, y.at(row[1])}, series.size,
                             series.role, tip);
         }
         if (!path.empty()) svg_.shape(path, true, series.role);
@@ -203,7 +213,7 @@ class PlotFile {
                                const Series* points) {
             if (name.empty()) return;
             const double needs = 44 + kLetter * static_cast<double>(name.size());
-            if (at.x > kLeft && at.x + needs > kRight) at = {kLeft, at.y + 22};
+            if (at.x > kLeft && at.x + needs > edge_) at = {kLeft, at.y + 22};
             const Spot middle{at.x + 12, at.y};
             if (points)
                 svg_.symbol(points->symbol, middle, points->size, role);
@@ -225,7 +235,9 @@ class PlotFile {
     const Plot& plot_;
     const bool titled_;
     const double top_ = titled_ ? 42 : 26;
-    const Scale x_{plot_.x, kLeft, kRight}, y_{plot_.y, kBase, top_};
+    const double edge_ = plot_.right ? 648 : 704;  // right end of the frame
+    const Scale x_{plot_.x, kLeft, edge_}, y_{plot_.y, kBase, top_},
+        right_{plot_.right ? *plot_.right : plot_.y, kBase, top_};
     SvgWriter svg_;
 };
 

@@ -100,7 +100,12 @@ struct Water {
     /// closed: depth or elevation, as the level is given, above which it runs over [m]; infinite: it runs
     /// over where its walls end
     double overflow = kInfinity;
-    std::string field{};  ///< "water[0]", for messages
+    std::vector<LevelPoint> rain{};  ///< closed: on its catchment over time [m/s]; empty: no rain
+    double catchment = 0;            ///< closed: slope that drains into it, per m of its horizontal width [m]
+    /// closed: hydraulic aperture through which its foot leaks, while the walls stand as built [m]; 0: tight
+    double leak_aperture = 0;
+    double leak_length = 0;  ///< closed: of the leak, from the foot to where the water leaves the rock [m]
+    std::string field{};     ///< "water[0]", for messages
 };
 
 /// The water table of a slope: a line over x, extruded along y, or an open surface. Every face below it, of

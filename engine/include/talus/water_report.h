@@ -11,6 +11,7 @@ struct WaterReport {
     double level = 0;     ///< depth or elevation, as the scenario gives it [m]
     double volume = 0;    ///< [m^3]
     double run_over = 0;  ///< in all, above its overflow [m^3]
+    double leaked = 0;    ///< in all, through its foot [m^3]
 };
 
 }  // namespace talus

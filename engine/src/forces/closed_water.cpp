@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "forces/enclosed_volume.h"
+#include "forces/leak.h"
 #include "forces/water_table.h"
 #include "forces/wet_walls.h"
 #include "model/gravity.h"
@@ -18,6 +20,9 @@ namespace {
 constexpr double kLeastSlope = 0.1;
 // Halving alone takes 53 steps from the height of a fissure to the last bit of a level.
 constexpr int kMostSteps = 200;
+// Of the height of a fissure: what of its walls counts as their foot, where it leaks. Joints of rock masses
+// are cut block by block, and their lowest corners agree to some 1e-6.
+constexpr double kFoot = 0.01;
 
 bool isClosed(const State& state, std::size_t water) { return state.geometry->model.waters[water].closed; }
 bool counts(const State& state, std::size_t water) {
@@ -148,14 +153,70 @@ void settle(State& state, std::size_t water) {
     closed.volume[water] = std::min(volume, most);
 }
 
+/// By how much the walls have parted at their foot since they were built, on the mean of either side [m].
+double footOpening(const State& state, std::size_t water, const WaterTable& top_of_foot) {
+    std::array<double, 2> areas{}, receded{};  // of both sides
+    const Vec3 ahead = aheadOf(state, water);
+    const EndWalls ends = endsOf(state, water);
+    eachWall(state, water, [&](std::size_t w) {
+        if (!ends.counts(state.wet.block[w])) return;  // fixed rock below the foot
+        const FaceFrame start = wallAtStart(state, w);
+        const Polygon foot = wetPart(wetPolygon(state.wet, w), top_of_foot.depthOn(start));
+        if (foot.empty()) return;
+        const std::size_t side = start.e3.dot(ahead) > 0 ? 0 : 1;
+        areas[side] += area(foot);
+        receded[side] -= area(foot) * start.height(wallNow(state, w).toWorld(centroid(foot)));
+    });
+    double opening = 0;
+    for (const std::size_t side : {0, 1})
+        if (areas[side] > 0) opening += receded[side] / areas[side];
+    return opening;
+}
+
+/// k of forces/leak.h: what leaks per second over what is there [1/s].
+double leakRate(const State& state, std::size_t water) {
+    const Water& model = state.geometry->model.waters[water];
+    const ClosedWaters& closed = state.closed;
+    const Vec3 up = upNow(state);
+    const TableHeight heights = tableHeight(state, water, state.load.tilt);
+    const Levels within = levelsOf(state, water, heights, up);
+    const double top_of_foot = within.low + kFoot * (within.high - within.low);
+    const double opening = footOpening(state, water, {up, heights.at(top_of_foot)});
+    const Leak leak{std::max(0.0, model.leak_aperture + opening), model.leak_length,
+                    model.density * state.geometry->model.gravity.magnitude};
+    const double height = closed.level[water] - within.low;
+    if (height > 0 && closed.volume[water] > 0)
+        return closed.width[water] * leak.under(heights.per_level * height) / closed.volume[water];
+    return leak.under(heights.per_level) / model.opening;  // of the fissure as built, a prism
+}
+
+/// What inflow and rain bring from one time to a later one [m^3].
+double gainOf(const Water& water, double width, double from, double to) {
+    double gain = water.inflow.empty() ? 0.0 : width * integralOver(water.inflow, from, to);
+    if (!water.rain.empty()) gain += width * water.catchment * integralOver(water.rain, from, to);
+    return gain;
+}
+
 /// Up to the present time.
 void takeInflow(State& state, std::size_t water) {
     ClosedWaters& closed = state.closed;
-    const std::vector<LevelPoint>& inflow = state.geometry->model.waters[water].inflow;
-    const double time = state.load.time;
-    if (!inflow.empty() && time > closed.time[water])
-        closed.volume[water] += closed.width[water] * integralOver(inflow, closed.time[water], time);
-    closed.time[water] = time;
+    const Water& model = state.geometry->model.waters[water];
+    const double from = std::exchange(closed.time[water], state.load.time), to = state.load.time;
+    if (!(to > from)) return;
+    const double gain = gainOf(model, closed.width[water], from, to);
+    if (!(model.leak_aperture > 0)) {
+        closed.volume[water] += gain;
+        return;
+    }
+    const double before = closed.volume[water] + gain;
+    closed.volume[water] = volumeLeft(closed.volume[water], gain, leakRate(state, water), to - from);
+    closed.leaked[water] += before - closed.volume[water];
+}
+
+bool anyLeaks(const State& state) {
+    const auto& waters = state.geometry->model.waters;
+    return std::any_of(waters.begin(), waters.end(),
+                       [](const Water& water) { return water.closed && water.leak_aperture > 0; });
 }
 
 /// Horizontal extent of a water's walls along their joint [m].
@@ -182,7 +243,7 @@ void buildClosedWater(State& state) {
     if (std::none_of(waters.begin(), waters.end(), [](const Water& water) { return water.closed; })) return;
     state.closed.begun.assign(waters.size(), 0);
     for (auto* numbers : {&state.closed.volume, &state.closed.level, &state.closed.time,
-                          &state.closed.run_over, &state.closed.width})
+                          &state.closed.run_over, &state.closed.leaked, &state.closed.width})
         numbers->assign(waters.size(), 0.0);
     for (std::size_t water = 0; water < waters.size(); ++water)
         if (waters[water].closed) state.closed.width[water] = widthOf(state, water, upNow(state));
@@ -194,7 +255,7 @@ void beginClosedWater(State& state) {
         if (!isClosed(state, water)) continue;
         closed.begun[water] = 1;
         closed.time[water] = state.load.time;
-        closed.run_over[water] = 0;
+        closed.run_over[water] = closed.leaked[water] = 0;
         closed.level[water] = levelAt(state.geometry->model.waters[water], 0);
         closed.volume[water] = volumeBelow(state, water, closed.level[water]);
     }
@@ -223,18 +284,21 @@ std::vector<WaterReport> closedWaterReports(const State& state) {
     for (std::size_t water = 0; water < state.closed.size(); ++water)
         if (counts(state, water))
             reports.push_back({state.geometry->model.waters[water].field, state.closed.level[water],
-                               state.closed.volume[water], state.closed.run_over[water]});
+                               state.closed.volume[water], state.closed.run_over[water],
+                               state.closed.leaked[water]});
     return reports;
 }
 
 std::vector<ForceArray> closedWaterMemory(const State& state) {
     const ClosedWaters& closed = state.closed;
     if (closed.size() == 0) return {};
-    return {{"begun", {closed.begun.begin(), closed.begun.end()}},
-            {"volume", closed.volume},
-            {"level", closed.level},
-            {"time", closed.time},
-            {"run_over", closed.run_over}};
+    std::vector<ForceArray> memory{{"begun", {closed.begun.begin(), closed.begun.end()}},
+                                   {"volume", closed.volume},
+                                   {"level", closed.level},
+                                   {"time", closed.time},
+                                   {"run_over", closed.run_over}};
+    if (anyLeaks(state)) memory.push_back({"leaked", closed.leaked});  // files without leaks stay readable
+    return memory;
 }
 
 void rememberClosedWater(State& state, std::span<const ForceArray> arrays) {
@@ -246,6 +310,7 @@ void rememberClosedWater(State& state, std::span<const ForceArray> arrays) {
     closed.level = arrays[2].values;
     closed.time = arrays[3].values;
     closed.run_over = arrays[4].values;
+    if (arrays.size() > 5) closed.leaked = arrays[5].values;
 }
 
 Enclosure enclosureOf(const State& state, std::size_t water, double level) {

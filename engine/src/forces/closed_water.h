@@ -4,10 +4,12 @@
 // (forces/enclosed_volume.h). One volume spans all walls of its fissure. V is that of the level it was filled
 // to when the history begins, and changes by
 //
-//   dV/dt = w q(t),     q: Water::inflow, w: horizontal width of the fissure
+//   dV/dt = w (q(t) + C i(t) - q_leak),     q: Water::inflow, w: horizontal width of the fissure
 //
-// and by what runs over: the volume that exceeds V(overflow), or V at the top of the lower of its two sides,
-// is lost. Water has no inertia and no viscosity here: its table is level at every moment.
+// with rain of the intensity i on a catchment C per metre of width, and the leak through the foot
+// (forces/leak.h). Its hydraulic aperture is that of the walls as built and what they have parted there
+// since. What exceeds V(overflow), or V at the top of the lower of its two sides, runs over and is lost.
+// Water in the fissure has no inertia and no viscosity: its table is level at every moment.
 //
 // Everything else (searches, the way to a history's start) holds the level as filled. Sums run over a
 // water's walls in stored order, in one thread: the bits do not depend on threads. Frames keep volume, level

@@ -218,6 +218,7 @@ struct ClosedWaters {
     std::vector<double> level;        ///< depth or elevation, as the scenario gives it [m]
     std::vector<double> time;         ///< up to which the inflow is in the volume [s]
     std::vector<double> run_over;     ///< since the volume began [m^3]
+    std::vector<double> leaked;       ///< likewise, through its foot [m^3]
     std::vector<double> width;        ///< horizontal, of the walls as built; follows from the model [m]
 
     std::size_t size() const { return begun.size(); }

@@ -63,9 +63,20 @@ inline constexpr std::array kWaterFields{
     NumberField<Water>{"drains_at_aperture", &Water::drains_at_aperture, "m", kSize}};
 
 /// What one with `volume = "closed"` has beside.
-inline constexpr std::array kClosedWaterFields{NumberField<Water>{"opening", &Water::opening, "m", kSize}};
+// Wider joints carry turbulent flow, for which the cubic law does not hold.
+inline constexpr Interval kLeakAperture = Interval::positive(0.01);  ///< [m]
+// No gully gathers the rain of more than a hundred kilometres.
+inline constexpr Interval kCatchment = Interval::positive(1e5);  ///< [m]
+inline constexpr std::array kClosedWaterFields{
+    NumberField<Water>{"opening", &Water::opening, "m", kSize},
+    NumberField<Water>{"catchment", &Water::catchment, "m", kCatchment},
+    NumberField<Water>{"leak_aperture", &Water::leak_aperture, "m", kLeakAperture},
+    NumberField<Water>{"leak_length", &Water::leak_length, "m", kSize}};
 // A river of 10 m depth brings some 30 m^3/s per m; what flows into a fissure is far less.
 inline constexpr Interval kInflow{0, 100, false, false};  ///< [m^3/s per m]
+// The heaviest rain on record brought 38 mm in a minute (Guadeloupe, 1970), 2280 mm/h.
+inline constexpr Interval kRain{0, 3000, false, false};            ///< [mm/h]
+inline constexpr double kMetresPerSecond = 1.0 / (1000 * 3600.0);  ///< of 1 mm/h
 
 /// Sections that hold nothing but such numbers, each with what holds them in the model: calls with its name,
 /// its fields and that. The reader, overrides and units iterate over them.

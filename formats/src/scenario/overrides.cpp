@@ -114,6 +114,11 @@ std::optional<Target> waterTarget(const Scenario& scenario, const FieldPath& pat
                           changed.model.waters[water].inflow = {{0, value}};
                           return true;
                       }};
+    if (path.size() == 3 && *key == "rain" && scenario.model.waters[water].rain.size() == 1)
+        return Target{kRain, [water](Scenario& changed, double value) {
+                          changed.model.waters[water].rain = {{0, value * kMetresPerSecond}};
+                          return true;
+                      }};
     if (path.size() == 3 && *key == "overflow")
         return Target{kCoordinate, [water](Scenario& changed, double value) {
                           Water& changing = changed.model.waters[water];

@@ -44,12 +44,21 @@ class WaterReader {
     }
 
     std::optional<WaterEntry> read(const FieldNode& node) const {
-        TableReader table(
-            report_, node.node, node.field,
-            {"fissure", "stack",     "between", "block",     "face",  "joint",          "plane",
-             "depth",   "elevation", "levels",  "head",      "base",  "density",        "drains_at_aperture",
-             "surface", "obj",       "factor",  "daylights", "crack", "percent_filled", "peak",
-             "volume",  "opening",   "inflow",  "overflow"});
+        TableReader table(report_, node.node, node.field, {"fissure",    "stack",
+                                                           "between",    "block",
+                                                           "face",       "joint",
+                                                           "plane",      "depth",
+                                                           "elevation",  "levels",
+                                                           "head",       "base",
+                                                           "density",    "drains_at_aperture",
+                                                           "surface",    "obj",
+                                                           "factor",     "daylights",
+                                                           "crack",      "percent_filled",
+                                                           "peak",       "volume",
+                                                           "opening",    "inflow",
+                                                           "overflow",   "rain",
+                                                           "catchment",  "leak_aperture",
+                                                           "leak_length"});
         WaterEntry entry;
         entry.place = table.place();
         entry.water.field = node.field;
@@ -93,7 +102,9 @@ class WaterReader {
         const auto volume = table.choice("volume", {"held", "closed"});
         water.closed = volume && *volume == 1;
         readNumbers(table, kClosedWaterFields, water);
-        water.inflow = readInflow(table);
+        water.inflow = readOverTime(table, "inflow", kInflow, "m3/s per m");
+        water.rain = readOverTime(table, "rain", kRain, "mm/h");
+        for (LevelPoint& point : water.rain) point.value *= kMetresPerSecond;
         const bool by_elevation = table.has("elevation");
         if (const auto over = table.number("overflow", by_elevation ? kCoordinate : kLength))
             water.overflow = *over;
@@ -102,11 +113,14 @@ class WaterReader {
 
     static void checkVolume(TableReader& table, const Water& water) {
         if (!water.closed) {
-            for (const std::string& key : table.present({"opening", "inflow", "overflow"}))
+            for (const std::string& key : table.present(
+                     {"opening", "inflow", "overflow", "rain", "catchment", "leak_aperture", "leak_length"}))
                 table.error(key, "found " + key + " without volume = \"closed\", allowed: only with it");
             return;
         }
         table.require({"opening"});
+        requireBoth(table, "rain", "catchment");
+        requireBoth(table, "leak_aperture", "leak_length");
         for (const std::string& key : table.present({"between", "block", "surface", "obj", "levels", "head",
                                                      "daylights", "percent_filled", "drains_at_aperture"})) {
             table.error(key, "found " + key +
@@ -115,15 +129,23 @@ class WaterReader {
         }
     }
 
-    /// `inflow = NUMBER`, or over time.
-    std::vector<LevelPoint> readInflow(TableReader& table) const {
-        const auto node = table.find("inflow");
+    static void requireBoth(TableReader& table, const char* one, const char* other) {
+        if (table.has(one) == table.has(other)) return;
+        const bool is_one = table.has(one);
+        const std::string found = is_one ? one : other, missing = is_one ? other : one;
+        table.error(found,
+                    "found " + found + " without " + missing + ", allowed: only together with " + missing);
+    }
+
+    /// `KEY = NUMBER`, or over time.
+    std::vector<LevelPoint> readOverTime(TableReader& table, const char* key, const Interval& values,
+                                         std::string_view what) const {
+        const auto node = table.find(key);
         const bool is_number = node && node->kind() != Kind::array;
         if (!is_number) {
-            if (auto over_time = readTable(report_, table, "inflow", kInflow, "m3/s per m"); node)
-                return over_time;
+            if (auto over_time = readTable(report_, table, key, values, what); node) return over_time;
         }
-        const auto constant = table.number("inflow", kInflow);
+        const auto constant = table.number(key, values);
         if (!constant) return {};
         return {{0, *constant}};
     }

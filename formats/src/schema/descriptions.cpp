@@ -216,6 +216,15 @@ constexpr Description kScenario[] = {
     {"water[].overflow",
      "closed volume: level above which it runs over, measured like the depth or the elevation; default the "
      "upper end of the fissure's lower wall"},
+    {"water[].rain", "closed volume: rain on its catchment, or over time: [time s, mm/h]; default none"},
+    {"water[].catchment",
+     "with rain: length of the slope that drains into the fissure, m2 per m of its horizontal width"},
+    {"water[].leak_aperture",
+     "closed volume: hydraulic aperture of the joint through which its foot leaks by the cubic law, while "
+     "the walls stand as built; default no leak"},
+    {"water[].leak_length",
+     "with leak_aperture: length of the path from the foot to where the water leaves the rock, at the foot's "
+     "height"},
     {"water[].surface", "phreatic surface: points [x, z] of a line that is extruded along y [m]"},
     {"water[].obj",
      "phreatic surface from a mesh (OBJ) over all free blocks; path relative to the scenario's folder"},

@@ -10,7 +10,7 @@ namespace talus::formats::toml {
 namespace {
 
 constexpr std::size_t kLongestQuote = 60;
-constexpr std::size_t kLongestList = 28;      // [[water]] has 25 keys, the most of all tables
+constexpr std::size_t kLongestList = 32;      // [[water]] has 29 keys, the most of all tables
 constexpr std::size_t kLongestCompared = 80;  // longer texts are no typing errors
 
 std::string lowered(std::string_view text) {

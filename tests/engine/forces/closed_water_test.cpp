@@ -118,15 +118,24 @@ TEST_SUITE("engine") {
             water.base = -kInfinity;
             water.closed = water.ends_at_free_blocks = true;
             water.opening = fissure.opening;
+            water.leak_aperture = 1e-4;
+            water.leak_length = 1;
             model.waters = {water};
             State state = begun(model);
             move(state, kSlide, {-d, 0, 0});
             updateWater(state);
             CHECK(state.closed.volume[0] == near(fissure.volume(), 1e-12));
-            return state.closed.level[0];
+            const double level = state.closed.level[0];
+            state.load.time = 1e-4;
+            updateWater(state);
+            return std::pair(level, state.closed.leaked[0]);
         };
-        CHECK(levelAfter(0.5, 0.003) == near(levelAfter(2.0, 0.003), 1e-12));
-        CHECK(levelAfter(0.5, 0.003) < 0.2);
+        const auto [level, leaked] = levelAfter(0.5, 0.003);
+        const auto [level_above_deep_rock, leaked_above_deep_rock] = levelAfter(2.0, 0.003);
+        CHECK(level == near(level_above_deep_rock, 1e-12));
+        CHECK(level < 0.2);
+        CHECK(leaked > 0);
+        CHECK(leaked == near(leaked_above_deep_rock, 1e-9));
     }
 
     TEST_CASE("closed water: pressure is the derivative of the water's potential energy") {
@@ -199,6 +208,17 @@ TEST_SUITE("engine") {
         updateWater(again);
         CHECK(again.closed.volume == state.closed.volume);
         CHECK(lightFrameOf(again).water.level[0] == state.closed.level[0]);
+
+        model.waters[0].leak_aperture = 1e-3;
+        State leaking = begun(model);
+        leaking.load.time = 0.01;
+        updateWater(leaking);
+        const FullFrame of_leak = fullFrameOf(leaking);
+        REQUIRE(of_leak.memory.size() == 6);  // files without a leak stay readable
+        State restored = *buildState(model, false);
+        REQUIRE(restoreFrame(of_leak, restored).empty());
+        CHECK(leaking.closed.leaked[0] > 0);
+        CHECK(restored.closed.leaked == leaking.closed.leaked);
 
         model.waters[0].closed = false;  // nothing is remembered of a level that is held
         CHECK(fullFrameOf(*buildState(model, false)).memory.empty());

@@ -54,12 +54,13 @@ TEST_CASE("closed volumes of water have columns of their own") {
     auto writer = HistoryWriter::open(file.path, "", {"key"});
     REQUIRE(writer.ok());
     HistoryRecord first = record(0, 0);
-    first.waters = {{"water[0]", 0.35, 7e-5, 1e-6}};
+    first.waters = {{"water[0]", 0.35, 7e-5, 1e-6, 2e-6}};
     CHECK(writer->write(first).empty());
     const std::string text = file.content();
-    CHECK(text.find("rotation_deg,water[0].level_m,water[0].volume_m3,water[0].run_over_m3\n") !=
+    CHECK(text.find(
+              "rotation_deg,water[0].level_m,water[0].volume_m3,water[0].run_over_m3,water[0].leaked_m3\n") !=
           std::string::npos);
-    CHECK(text.ends_with(",180,0.35,7e-05,1e-06\n"));
+    CHECK(text.ends_with(",180,0.35,7e-05,1e-06,2e-06\n"));
 }
 
 TEST_CASE("column names carry units, and quotes where a block's name needs them") {

@@ -395,9 +395,10 @@ TEST_CASE("scenario errors: closed volumes of water") {
     checkFault(inWater(closed + "opening = 0\n", 5, ".opening", "found 0, allowed: greater than 0"));
     checkFault(inWater("fissure = 1\ndepth = 0.05\nvolume = \"open\"\n", 4, ".volume",
                        "found \"open\", allowed: \"held\", \"closed\""));
-    for (const std::string key : {"opening", "inflow", "overflow"})
+    for (const std::string key :
+         {"opening", "inflow", "overflow", "rain", "catchment", "leak_aperture", "leak_length"})
         for (const std::string held : {"", "volume = \"held\"\n"})
-            checkFault(inWater("fissure = 1\ndepth = 0.05\n" + key + " = 0.08\n" + held, 4, "." + key,
+            checkFault(inWater("fissure = 1\ndepth = 0.05\n" + key + " = 0.008\n" + held, 4, "." + key,
                                "found " + key + " without volume = \"closed\", allowed: only with it"));
     const std::string good = closed + "opening = 0.002\n";
     checkFault(inWater(good + "inflow = -1\n", 6, ".inflow", "found -1, allowed: at least 0"));
@@ -405,6 +406,18 @@ TEST_CASE("scenario errors: closed volumes of water") {
     checkFault(inWater(good + "inflow = []\n", 6, ".inflow",
                        "found an empty array, allowed: [[time s, m3/s per m], ...]"));
     checkFault(inWater(good + "inflow = [[0, 1], [0, 2]]\n", 6, ".inflow[1]", "found the time 0"));
+    checkFault(inWater(good + "rain = 10\n", 6, ".rain",
+                       "found rain without catchment, allowed: only together with catchment"));
+    checkFault(inWater(good + "catchment = 10\n", 6, ".catchment", "found catchment without rain"));
+    checkFault(inWater(good + "leak_aperture = 1e-4\n", 6, ".leak_aperture",
+                       "found leak_aperture without leak_length, allowed: only together with leak_length"));
+    checkFault(inWater(good + "leak_length = 5\n", 6, ".leak_length", "found leak_length without"));
+    const std::string slope = good + "catchment = 10\n";
+    checkFault(inWater(slope + "rain = -1\n", 7, ".rain", "found -1, allowed: at least 0"));
+    checkFault(inWater(slope + "rain = [[0, 5], [60, 4000]]\n", 7, ".rain[1][1]", "found 4000, allowed"));
+    checkFault(inWater(slope + "rain = [[0, 5], [0, 6]]\n", 7, ".rain[1]", "found the time 0"));
+    checkFault(
+        inWater(good + "leak_length = 5\nleak_aperture = 0.1\n", 7, ".leak_aperture", "found 0.1, allowed"));
     checkFault(
         inWater(good + "overflow = 0.04\n", 6, ".overflow", "found 0.04, allowed: at least the depth, 0.05"));
     checkFault(inWater(good + "drains_at_aperture = 0.001\n", 6, ".drains_at_aperture",

@@ -57,6 +57,12 @@ void checkSame(const Model& a, const Model& b) {
         REQUIRE(a.waters[w].inflow.size() == b.waters[w].inflow.size());
         for (std::size_t k = 0; k < a.waters[w].inflow.size(); ++k)
             CHECK(a.waters[w].inflow[k].value == b.waters[w].inflow[k].value);
+        REQUIRE(a.waters[w].rain.size() == b.waters[w].rain.size());
+        for (std::size_t k = 0; k < a.waters[w].rain.size(); ++k)
+            CHECK(a.waters[w].rain[k].value == b.waters[w].rain[k].value);
+        CHECK(a.waters[w].catchment == b.waters[w].catchment);
+        CHECK(a.waters[w].leak_aperture == b.waters[w].leak_aperture);
+        CHECK(a.waters[w].leak_length == b.waters[w].leak_length);
     }
     CHECK(a.gravity.tilt == b.gravity.tilt);
     CHECK(a.gravity.magnitude == b.gravity.magnitude);
@@ -162,8 +168,15 @@ TEST_CASE("materials, gravity, damping and water") {
     checkOverrides(slope(), {{"water[2].head[0]", 0.2}, {"water[2].head[1]", 0.0}});
     checkOverrides(slope() +
                        "[[water]]\nfissure = 3\nbase = 0.05\ndepth = 0.01\nvolume = \"closed\"\n"
-                       "opening = 0.002\ninflow = 1e-3\noverflow = 0.02\n",
-                   {{"water[4].opening", 0.003}, {"water[4].inflow", 2e-3}, {"water[4].overflow", 0.03}});
+                       "opening = 0.002\ninflow = 1e-3\noverflow = 0.02\nrain = 10\ncatchment = 5\n"
+                       "leak_aperture = 1e-4\nleak_length = 3\n",
+                   {{"water[4].opening", 0.003},
+                    {"water[4].inflow", 2e-3},
+                    {"water[4].overflow", 0.03},
+                    {"water[4].rain", 25},
+                    {"water[4].catchment", 7},
+                    {"water[4].leak_aperture", 2e-4},
+                    {"water[4].leak_length", 4}});
     checkOverrides(slope(), {{"water[1].density", 1030}, {"water[3].drains_at_aperture", 0.001}});
 }
 

@@ -168,6 +168,16 @@ TEST_CASE("scenario water: a closed volume and what flows into it") {
     CHECK(water.inflow[1].time == 2);
     CHECK(water.inflow[1].value == 1e-3);
     CHECK_FALSE(watered("fissure = 1\ndepth = 0.05\nvolume = \"held\"\n").waters[0].closed);
+    water = watered(closed +
+                    "rain = [[0, 36], [60, 0]]\ncatchment = 12.5\nleak_aperture = 2e-4\n"
+                    "leak_length = 4\n")
+                .waters[0];
+    REQUIRE(water.rain.size() == 2);
+    CHECK(water.rain[0].value == doctest::Approx(1e-5));  // 36 mm/h in m/s
+    CHECK(water.rain[1].time == 60);
+    CHECK(water.catchment == 12.5);
+    CHECK(water.leak_aperture == 2e-4);
+    CHECK(water.leak_length == 4);
 }
 
 }  // namespace talus::formats

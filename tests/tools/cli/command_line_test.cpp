@@ -28,7 +28,8 @@ TEST_CASE("help of every command fits the terminal") {
         "run",       "replay",         "inspect",       "export",
         "batch",     "sample",         "merge",         "validate",
         "blocks",    "theory",         "paper",         "limit-analysis",
-        "keyblocks", "kinematics",     "verification",  "schema"};
+        "keyblocks", "kinematics",     "verification",  "schema",
+        "storm"};
     for (const std::size_t columns : {50, 80, 120}) {
         setenv("COLUMNS", std::to_string(columns).c_str(), 1);
         for (const std::string& command : commands) {

@@ -40,6 +40,7 @@ __all__ = [
     "report",
     "run",
     "safety_factor",
+    "storm",
 ]
 
 
@@ -197,6 +198,25 @@ def report(model, output, *, figures=None, analysis=None, slope=None, groups=1, 
             slope="" if slope is None else f"{float(slope[0])}/{float(slope[1])}",
             groups=groups,
             sensitivity=sensitivity,
+            threads=threads,
+            progress=progress,
+        )
+    )
+
+
+def storm(model, *, step_s=600.0, duration_s=None, plot=None, csv=None, threads=0, progress=None):
+    """The factor of safety over a rain: ``times`` (``time_s``, ``level_m``, ``safety_factor``), ``least``, ``failure_time_s``.
+
+    step_s: between two times [s]. duration_s: the end, by default that of the tables of rain, inflow and levels. plot, csv: an .svg
+    file of factor and level over time, and a .csv file with a row for each time.
+    """
+    return Result.of_json(
+        _core.storm(
+            _model(model),
+            step=step_s,
+            duration=duration_s,
+            plot=_path_of(plot) if plot is not None else "",
+            csv=_path_of(csv) if csv is not None else "",
             threads=threads,
             progress=progress,
         )

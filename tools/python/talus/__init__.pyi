@@ -221,6 +221,16 @@ def limit_analysis(
 def keyblocks(
     model: Model | _Path, *, most: int = ..., threads: int = 0, progress: _Progress | None = None
 ) -> Result: ...
+def storm(
+    model: Model | _Path,
+    *,
+    step_s: float = 600.0,
+    duration_s: float | None = None,
+    plot: _Path | None = None,
+    csv: _Path | None = None,
+    threads: int = 0,
+    progress: _Progress | None = None,
+) -> Result: ...
 def kinematics(
     source: Model | _Path,
     *,

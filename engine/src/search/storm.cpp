@@ -1,0 +1,323 @@
+#include "talus/storm.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "build/build.h"
+#include "checks/plausible.h"
+#include "forces/closed_water.h"
+#include "measure/words.h"
+#include "search/filling.h"
+#include "state/caller.h"
+
+namespace talus {
+namespace {
+
+// Halvings of the range of levels before a straight line is believed: five searches at least, so that a kink
+// has to hide between neighbours of them.
+constexpr int kHalvings = 2;
+// Of the tolerance of factors, by which the search between two others may lie off their straight line. Lines
+// to it are drawn from both. A parabola through the three is off these lines by a quarter of that at most.
+constexpr double kOffLine = 4;
+
+/// Levels that occur, and the factor of safety with them.
+struct Stand {
+    std::vector<double> levels;  ///< of the waters that change
+    bool known = false;
+    StormPoint found{};
+    std::vector<std::string> moving_blocks{}, warnings{};
+};
+
+/// The factor of safety for comparisons: infinite where it stands at any factor tried, 0 where no strength
+/// holds it, NaN where it is undecided.
+double valueOf(const StormPoint& point) {
+    switch (point.status) {
+        case SearchStatus::found:
+            return point.factor;
+        case SearchStatus::stable_to_stop:
+            return kInfinity;
+        case SearchStatus::unstable_at_start:
+            return 0;
+        case SearchStatus::undecided:
+        case SearchStatus::interrupted:
+            break;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+class StormSearch {
+ public:
+    StormSearch(const Model& model, const Control& control) : model_(model), control_(control) {
+        for (std::size_t water = 0; water < model.waters.size(); ++water)
+            if (search::changes(model.waters[water])) changing_.push_back(water);
+    }
+
+    std::vector<Error> fill(const std::vector<double>& times) {
+        Result<State> state = buildState(keptByCaller(model_), control_.threads != 1, control_);
+        if (isStopped(control_)) return {};
+        if (!state) return state.errors();
+        if (auto errors = checks::implausible(*state); !errors.empty()) return errors;
+        const auto levels = search::levelsOver(*state, times, control_);
+        result_.at_end = closedWaterReports(*state);
+        std::map<std::vector<double>, std::size_t> distinct;  // ascending by the first level, then the second
+        for (std::size_t k = 0; k < levels.size(); ++k) {
+            StormPoint& point = result_.points.emplace_back();
+            point.time = times[k];
+            for (const std::size_t water : changing_) point.levels.push_back(levels[k][water]);
+            distinct.emplace(point.levels, 0);
+        }
+        for (auto& [of, index] : distinct) {
+            index = stands_.size();
+            stands_.push_back({of});
+        }
+        for (const StormPoint& point : result_.points) stand_at_.push_back(distinct.at(point.levels));
+        return {};
+    }
+
+    std::vector<Error> search() {
+        if (stands_.empty()) return {};  // interrupted
+        for (const std::size_t water : changing_) result_.waters.push_back(model_.waters[water].field);
+        if (const auto one = theOnlyOneThatVaries())
+            refine(0, stands_.size() - 1, *one, kHalvings);
+        else
+            for (std::size_t k = 0; k < stands_.size(); ++k) find(k);
+        while (const auto next = worthASearch()) find(*next);
+        return errors_;
+    }
+
+    StormResult result() {
+        for (std::size_t k = 0; k < result_.points.size(); ++k) take(k);
+        result_.least = least();
+        if (result_.least) {
+            Stand& stand = stands_[stand_at_[*result_.least]];
+            result_.moving_blocks = std::move(stand.moving_blocks);
+            result_.warnings = std::move(stand.warnings);
+        }
+        if (const auto first = firstFailing()) result_.failure_time = crossingBefore(*first);
+        result_.interrupted = isStopped(control_);
+        return std::move(result_);
+    }
+
+ private:
+    bool goesOn() const { return errors_.empty() && !isStopped(control_); }
+
+    /// Index among the waters that change; nothing where the levels of several take different values.
+    std::optional<std::size_t> theOnlyOneThatVaries() const {
+        std::optional<std::size_t> only;
+        for (std::size_t w = 0; w < changing_.size(); ++w) {
+            const bool varies = std::any_of(stands_.begin(), stands_.end(), [&](const Stand& stand) {
+                return stand.levels[w] != stands_.front().levels[w];
+            });
+            if (varies && only) return std::nullopt;
+            if (varies) only = w;
+        }
+        return only;
+    }
+
+    Model held(const Stand& stand) const {
+        Model model = model_;
+        for (std::size_t w = 0; w < changing_.size(); ++w) {
+            Water& water = model.waters[changing_[w]];
+            water.level = {{0, stand.levels[w]}};
+            water.closed = false;
+        }
+        return model;
+    }
+
+    Control controlOfSearch(const Stand& stand) const {
+        Control control = control_;
+        control.keep_failing_state = false;
+        control.groups = 1;
+        control.interval = false;
+        control.upper_bound = Beside::never;
+        if (!control_.progress) return control;
+        const auto known =
+            std::count_if(stands_.begin(), stands_.end(), [](const Stand& each) { return each.known; });
+        const double done = static_cast<double>(known) / static_cast<double>(stands_.size());
+        const std::string at = formatted("level %.4g m: ", stand.levels.front());
+        control.progress = [this, done, at](const Progress& progress) {
+            control_.progress({"storm", done, at + progress.detail});
+        };
+        return control;
+    }
+
+    /// One search. An answer that was interpolated gives way to it.
+    void find(std::size_t k) {
+        Stand& stand = stands_[k];
+        if (!goesOn() || (stand.known && !stand.found.interpolated)) return;
+        Result<SearchResult> found = safetyFactor(held(stand), controlOfSearch(stand));
+        if (!found) {
+            errors_ = found.errors();
+            return;
+        }
+        if (found->status == SearchStatus::interrupted) return;
+        ++result_.searches;
+        stand.known = true;
+        stand.found = {.time = 0,
+                       .levels = stand.levels,
+                       .status = found->status,
+                       .factor = found->answer,
+                       .low = found->low,
+                       .high = found->high,
+                       .mode = found->mode,
+                       .interpolated = false};
+        stand.moving_blocks = std::move(found->moving_blocks);
+        stand.warnings = std::move(found->warnings);
+    }
+
+    /// Searches at both ends and, where the factor between them is no straight line over the level, between.
+    void refine(std::size_t low, std::size_t high, std::size_t water, int halvings) {
+        find(low);
+        find(high);
+        if (high - low < 2 || !goesOn()) return;
+        const std::size_t middle = nearestToMiddle(low, high, water);
+        find(middle);
+        if (halvings <= 0 && isStraight(low, middle, high, water)) {
+            interpolate(low, middle, water);
+            interpolate(middle, high, water);
+            return;
+        }
+        refine(low, middle, water, halvings - 1);
+        refine(middle, high, water, halvings - 1);
+    }
+
+    std::size_t nearestToMiddle(std::size_t low, std::size_t high, std::size_t water) const {
+        const auto level = [&](std::size_t k) { return stands_[k].levels[water]; };
+        const double middle = 0.5 * (level(low) + level(high));
+        std::size_t nearest = low + 1;
+        for (std::size_t k = low + 2; k < high; ++k)
+            if (std::abs(level(k) - middle) < std::abs(level(nearest) - middle)) nearest = k;
+        return nearest;
+    }
+
+    double shareOf(std::size_t k, std::size_t low, std::size_t high, std::size_t water) const {
+        const double from = stands_[low].levels[water], to = stands_[high].levels[water];
+        return (stands_[k].levels[water] - from) / (to - from);
+    }
+
+    bool isStraight(std::size_t low, std::size_t middle, std::size_t high, std::size_t water) const {
+        for (const std::size_t k : {low, middle, high})
+            if (!stands_[k].known || stands_[k].found.status != SearchStatus::found) return false;
+        const StormPoint &a = stands_[low].found, &m = stands_[middle].found, &b = stands_[high].found;
+        const double line = std::lerp(a.factor, b.factor, shareOf(middle, low, high, water));
+        return std::abs(m.factor - line) <= kOffLine * model_.analysis.factor_tolerance;
+    }
+
+    void interpolate(std::size_t low, std::size_t high, std::size_t water) {
+        const StormPoint &a = stands_[low].found, &b = stands_[high].found;
+        for (std::size_t k = low + 1; k < high; ++k) {
+            const double share = shareOf(k, low, high, water);
+            stands_[k].known = true;
+            stands_[k].found = {.time = 0,
+                                .levels = stands_[k].levels,
+                                .status = SearchStatus::found,
+                                .factor = std::lerp(a.factor, b.factor, share),
+                                .low = std::lerp(a.low, b.low, share),
+                                .high = std::lerp(a.high, b.high, share),
+                                .mode = (share < 0.5 ? a : b).mode,
+                                .interpolated = true};
+        }
+    }
+
+    double valueAt(std::size_t time) const { return valueOf(stands_[stand_at_[time]].found); }
+
+    std::optional<std::size_t> least() const {
+        std::optional<std::size_t> least;
+        for (std::size_t k = 0; k < result_.points.size(); ++k)
+            if (!std::isnan(valueAt(k)) && (!least || valueAt(k) < valueAt(*least))) least = k;
+        return least;
+    }
+
+    std::optional<std::size_t> firstFailing() const {
+        for (std::size_t k = 0; k < result_.points.size(); ++k)
+            if (valueAt(k) < 1) return k;
+        return std::nullopt;
+    }
+
+    /// What was interpolated, but decides: the least factor, and both sides of a fall below 1.
+    std::optional<std::size_t> worthASearch() const {
+        if (!goesOn()) return std::nullopt;
+        std::vector<std::size_t> times;
+        if (const auto k = least()) times.push_back(*k);
+        if (const auto k = firstFailing()) {
+            if (*k > 0) times.push_back(*k - 1);
+            times.push_back(*k);
+        }
+        for (const std::size_t k : times)
+            if (stands_[stand_at_[k]].found.interpolated) return stand_at_[k];
+        return std::nullopt;
+    }
+
+    double crossingBefore(std::size_t k) const {
+        const double time = result_.points[k].time;
+        if (k == 0 || !std::isfinite(valueAt(k - 1)) || !(valueAt(k) > 0)) return time;
+        const double before = valueAt(k - 1), share = (before - 1) / (before - valueAt(k));
+        return std::lerp(result_.points[k - 1].time, time, share);
+    }
+
+    void take(std::size_t k) {
+        const Stand& stand = stands_[stand_at_[k]];
+        if (!stand.known) return;
+        const double time = result_.points[k].time;
+        result_.points[k] = stand.found;
+        result_.points[k].time = time;
+    }
+
+    const Model& model_;
+    const Control& control_;
+    std::vector<std::size_t> changing_;  ///< waters of the model
+    std::vector<Stand> stands_;          ///< ascending by their levels
+    std::vector<std::size_t> stand_at_;  ///< per point
+    StormResult result_;
+    std::vector<Error> errors_;
+};
+
+std::vector<double> timesUpTo(double duration, double step) {
+    std::vector<double> times;
+    for (double k = 0; k * step < duration; ++k) times.push_back(k * step);
+    times.push_back(duration);
+    return times;
+}
+
+}  // namespace
+
+std::optional<double> stormDuration(const Model& model) {
+    double end = 0;
+    const auto take = [&end](const std::vector<LevelPoint>& table) {
+        if (table.size() > 1) end = std::max(end, table.back().time);
+    };
+    for (const Water& water : model.waters) {
+        take(water.level);
+        if (!water.closed) continue;
+        take(water.rain);
+        take(water.inflow);
+    }
+    return end > 0 ? std::optional(end) : std::nullopt;
+}
+
+Result<StormResult> storm(const Model& model, const StormSettings& settings, const Control& control) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (std::none_of(model.waters.begin(), model.waters.end(), search::changes))
+        return Error{"water",
+                     "found no water whose level changes, allowed: volume = \"closed\" with rain, "
+                     "inflow or a leak, or levels over time"};
+    const auto duration = settings.duration ? settings.duration : stormDuration(model);
+    if (!duration)
+        return Error{"duration",
+                     "found no table over time that says when the storm ends, allowed: a duration"};
+    if (*duration / settings.step > static_cast<double>(kMostStormPoints))
+        return Error{"step", "found " + formatted("%g", settings.step) + " s over " +
+                                 formatted("%g", *duration) + " s, allowed: at least " +
+                                 formatted("%g", *duration / static_cast<double>(kMostStormPoints)) + " s"};
+    StormSearch search(model, control);
+    if (auto errors = search.fill(timesUpTo(*duration, settings.step)); !errors.empty()) return errors;
+    if (auto errors = search.search(); !errors.empty()) return errors;
+    StormResult result = search.result();
+    result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+}
+
+}  // namespace talus

@@ -1,0 +1,91 @@
+// talus storm: what it prints and writes, and what it does not take.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "tools/program.h"
+
+using namespace talus;
+using namespace talus::tools::testing;
+
+namespace {
+
+/// Two columns of three blocks; the crack between them fills to its top in half an hour.
+std::string rainy(const std::string& water =
+                      "rain = [[0, 60], [1800, 60], [1810, 0], [3600, 0]]\n"
+                      "catchment = 0.03\nleak_aperture = 1e-4\nleak_length = 3.0\n") {
+    return "[gravity]\ntilt_deg = 12.0\n[material.rock]\ndensity = 2700.0\n[joint.default]\n"
+           "normal_stiffness = 1e10\nshear_stiffness = 1e10\nfriction_deg = 19.5\n"
+           "[[stack]]\ncolumns = 2\nrows = 3\nslices = 1\nblock = [0.2, 0.1, 0.1]\n"
+           "[[water]]\nfissure = 1\ndepth = 0.0\nvolume = \"closed\"\nopening = 0.002\n" +
+           water;
+}
+
+}  // namespace
+
+TEST_CASE("storm: as JSON, as a table of CSV and as a picture") {
+    const TemporaryFolder folder;
+    const std::string slope = folder.write("rain.toml", rainy());
+    const std::string plot = folder.path() + "/storm.svg", csv = folder.path() + "/storm.csv";
+    const Outcome outcome = runTalus(
+        {"storm", slope, "--step-s", "300", "--json", "--plot", plot, "--csv", csv, "--threads", "1"});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const nlohmann::json json = outcome.json();
+    CHECK(json.at("status") == "found");
+    CHECK(json.at("waters") == nlohmann::json::array({"water[0]"}));
+    const auto& times = json.at("times");
+    REQUIRE(times.size() == 13);
+    CHECK(times[0].at("time_s") == 0);
+    CHECK(times[0].at("level_m") == 0);
+    CHECK(times[12].at("time_s") == 3600);
+    CHECK(times[6].at("level_m").get<double>() > times[12].at("level_m").get<double>());
+    CHECK(times[6].at("safety_factor").get<double>() < times[0].at("safety_factor").get<double>());
+    const auto& least = json.at("least");
+    for (const auto& point : times)
+        CHECK(least.at("safety_factor").get<double>() <= point.at("safety_factor").get<double>());
+    CHECK(json.at("at_end")[0].at("leaked_m3").get<double>() > 0);
+    CHECK(json.at("interrupted") == false);
+
+    const std::string table = contentOf(csv);
+    CHECK(table.find("\ntime_s,water[0].level_m,safety_factor,low,high,status,failure_mode,from\n") !=
+          std::string::npos);
+    CHECK(std::count(table.begin(), table.end(), '\n') >= 14);
+    const std::string drawn = contentOf(plot);
+    CHECK(drawn.find("factor of safety") != std::string::npos);
+    CHECK(drawn.find("water level (m)") != std::string::npos);
+}
+
+TEST_CASE("storm: for people") {
+    const TemporaryFolder folder;
+    const std::string slope = folder.write("rain.toml", rainy());
+    const Outcome people = runTalus({"storm", slope, "--step-s", "900", "--quiet"});
+    CHECK(people.exit_code == 0);
+    CHECK(people.err.empty());
+    for (const char* text : {"least factor", "falls below 1", "leaked", "searches", "water[0].level_m"}) {
+        CAPTURE(text);
+        CHECK(people.out.find(text) != std::string::npos);
+    }
+}
+
+TEST_CASE("storm: what it does not take") {
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& text, std::vector<std::string> options, const char* message) {
+        options.insert(options.begin(), {"storm", folder.write("s.toml", text)});
+        const Outcome outcome = runTalus(options);
+        CAPTURE(outcome.err);
+        CHECK(outcome.exit_code == 2);
+        CHECK(outcome.err.find(message) != std::string::npos);
+    };
+    refused(rainy("rain = 10\n"), {}, "found rain without catchment");
+    refused(rainy("rain = 10\ncatchment = 5\n"), {}, "found no table over time");
+    refused(rainy("rain = [[0, -1], [9, 0]]\ncatchment = 5\n"), {}, "found -1, allowed: at least 0");
+    refused(rainy(), {"--step-s", "0"}, "--step-s");
+    refused(rainy(), {"--step-s", "0.01"}, "allowed: at least");
+    refused(rainy(), {"--plot", folder.path() + "/storm.png"}, "a name that ends in .svg");
+    refused(rainy(), {"--csv", folder.path() + "/storm.txt"}, "a name that ends in .csv");
+    std::string held = rainy("");
+    held.replace(held.find("volume = \"closed\"\nopening = 0.002\n"), 34, "");
+    refused(held, {}, "found no water whose level changes");
+}
