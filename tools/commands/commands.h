@@ -24,6 +24,7 @@ Command addVerification(CLI::App& root);
 Command addSchema(CLI::App& root);
 Command addKinematics(CLI::App& root);
 Command addReport(CLI::App& root);
+Command addFlow(CLI::App& root);
 
 /// critical-angle, safety-factor, ...: one command per search of the engine.
 Command addSearch(CLI::App& root, const LoadSearch& search);
