@@ -81,8 +81,8 @@ std::vector<Command> addCommands(CLI::App& root) {
     std::vector<Command> commands{addPaper(root)};
     for (const LoadSearch& search : loadSearches()) commands.push_back(addSearch(root, search));
     for (const auto add : {addRun, addReplay, addInspect, addExport, addBatch, addSample, addMerge,
-                           addValidate, addBlocks, addTheory, addKinematics, addLimitAnalysis, addKeyBlocks,
-                           addReport, addStorm, addSupport, addVerification, addSchema})
+                           addValidate, addBlocks, addTheory, addKinematics, addFlow, addLimitAnalysis,
+                           addKeyBlocks, addReport, addStorm, addSupport, addVerification, addSchema})
         commands.push_back(add(root));
     return commands;
 }

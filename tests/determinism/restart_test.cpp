@@ -85,6 +85,18 @@ TEST_SUITE("determinism") {
         checkRestarts(model, 8);
     }
 
+    TEST_CASE("restart: steady flow in the joints of a slope that slides") {
+        checkRestarts(
+            scenarioModel("[gravity]\ntilt_deg = 25.0\n[run]\nduration_s = 0.04\nframe_interval_s = 0.001\n"
+                          "[damping]\ncontact = 1e-5\n[material.rock]\ndensity = 2700.0\n"
+                          "[joint.default]\nnormal_stiffness = 1e8\nshear_stiffness = 1e8\n"
+                          "friction_deg = 15.0\n[flow]\naperture = 1e-4\n"
+                          "[[flow.boundary]]\nface = \"+x\"\nhead = 0.4\n"
+                          "[[flow.boundary]]\nface = \"-x\"\noutlet = true\n"
+                          "[[stack]]\ncolumns = 3\nrows = 3\nslices = 2\nblock = [0.2, 0.1, 0.1]\n"),
+            8);
+    }
+
     TEST_CASE("restart: cubes that tumble onto each other by their edges and corners") {
         Model model = floorModel(30, 1e8);
         for (int k = 0; k < 6; ++k)

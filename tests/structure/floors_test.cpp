@@ -25,10 +25,10 @@ struct House {
 
 const std::vector<House>& houses() {
     static const std::vector<House> all{
-        {"engine/src", {"simd",         "geometry", "rock_mass", "model",       "law",      "state",
-                        "forces",       "measure",  "validate",  "step",        "contacts", "build",
-                        "frame",        "checks",   "failure",   "equilibrium", "history",  "limit_analysis",
-                        "block_theory", "search",   "theory",    "kinematics"}},
+        {"engine/src", {"simd",           "geometry",     "rock_mass", "model",    "law",         "state",
+                        "flow",           "forces",       "measure",   "validate", "step",        "contacts",
+                        "build",          "frame",        "checks",    "failure",  "equilibrium", "history",
+                        "limit_analysis", "block_theory", "search",    "theory",   "kinematics"}},
         {"formats/src",
          {"files", "toml", "mesh", "scenario", "sweep", "schema", "history", "mcap", "snapshot", "export"}},
         {"tools",

@@ -25,6 +25,7 @@ Command addSchema(CLI::App& root);
 Command addKinematics(CLI::App& root);
 Command addReport(CLI::App& root);
 Command addStorm(CLI::App& root);
+Command addFlow(CLI::App& root);
 
 /// critical-angle, safety-factor, ...: one command per search of the engine.
 Command addSearch(CLI::App& root, const LoadSearch& search);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "talus/flow_data.h"
 #include "talus/joint.h"
 #include "talus/polyhedron.h"
 #include "talus/result.h"
@@ -253,6 +254,7 @@ struct Model {
     std::vector<PairJoint> pair_joints;
     std::vector<Water> waters;
     std::optional<PhreaticSurface> phreatic;
+    std::optional<Flow> flow{};
     std::vector<AppliedLoad> loads;
     std::vector<Bolt> bolts;
     std::vector<BoltPattern> bolt_patterns;  ///< their bolts stand among the others (talus/bolts.h)
@@ -266,9 +268,9 @@ struct Model {
     std::optional<StackShape> stack;
     bool is_remainder = false;  ///< blocks were removed: their loads and bolts may have nothing to act on
 
-    bool hasWater() const { return !waters.empty() || phreatic.has_value(); }
-    /// Whether anything acts beside weight, earthquake, contacts and water in joints.
-    bool hasOtherForces() const { return phreatic || !loads.empty() || !bolts.empty(); }
+    bool hasWater() const { return !waters.empty() || phreatic || flow; }
+    /// Whether anything acts beside weight, earthquake, contacts and the waters of the list.
+    bool hasOtherForces() const { return phreatic || flow || !loads.empty() || !bolts.empty(); }
 };
 
 }  // namespace talus

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flow/flow_in.h"
 #include "forces/phreatic.h"
 #include "forces/sum.h"
 #include "forces/water.h"
@@ -144,6 +145,9 @@ std::vector<Error> dryWaters(const State& state) {
         doubts.push_back({model.phreatic->field + (model.phreatic->line.empty() ? ".obj" : ".surface"),
                           std::string("found a water table below all free blocks: ") + kWetsNothing});
     }
+    if (model.flow)
+        if (auto unreached = flow::unreachedParts(state, *model.flow))
+            doubts.push_back(std::move(*unreached));
     return doubts;
 }
 

@@ -11,7 +11,8 @@
 namespace talus::checks {
 
 /// Waters, and a water table, that press on no free block, by their scenario key. A depth or heads of 0 are
-/// meant to be dry and are left out. \pre the state is as `buildState` gives it
+/// meant to be dry and are left out. Also parts of the joint network that no head of a flow reaches. \pre the
+/// state is as `buildState` gives it
 std::vector<Error> dryWaters(const State& state);
 
 /// A horizontal table in a steep slope presses in full where its joints daylight, and pushes blocks off at

@@ -7,6 +7,7 @@
 
 #include "forces/bolts.h"
 #include "forces/closed_water.h"
+#include "forces/flow_water.h"
 #include "forces/ground_motion.h"
 #include "forces/loads.h"
 #include "forces/phreatic.h"
@@ -46,6 +47,7 @@ constexpr BlockForce kBlockForces[] = {
      .update = phreatic::update,
      .look = phreatic::drain,
      .memory = &kPhreaticMemory},
+    {.name = "flow", .build = flow_water::build, .blocks = flow_water::blocks, .on = flow_water::on},
     {.name = "loads", .build = loads::build, .blocks = loads::blocks, .on = loads::on, .dead = loads::dead},
     {.name = "bolts",
      .build = bolts::build,

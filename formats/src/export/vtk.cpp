@@ -187,6 +187,38 @@ std::string vtpMap(const PolygonMap& map) {
     return poly.file();
 }
 
+std::string vtpFlow(const SteadyFlow& flow) {
+    std::vector<double> points, discharge;
+    for (const Vec3& x : flow.nodes) append(points, x);
+    for (const Vec3& q : flow.discharge) append(discharge, q);
+    std::vector<std::int32_t> corners, ends;
+    for (const auto& triangle : flow.triangles) {
+        corners.insert(corners.end(), triangle.begin(), triangle.end());
+        ends.push_back(static_cast<std::int32_t>(corners.size()));
+    }
+    PolyData poly(flow.nodes.size(), 0, flow.triangles.size());
+    poly.open("Points");
+    poly.array("Points", points, 3);
+    poly.close("Points");
+    poly.open("Polys");
+    poly.array("connectivity", corners);
+    poly.array("offsets", ends);
+    poly.close("Polys");
+    poly.open("PointData");
+    poly.array("head", flow.head);
+    poly.array("pressure", flow.pressure);
+    poly.array("inflow", flow.inflow);
+    poly.close("PointData");
+    poly.open("CellData");
+    poly.array("discharge", discharge, 3);
+    poly.array("wet_share", flow.wet_share);
+    poly.array("joint", flow.joint);
+    poly.array("block_a", flow.block_a);
+    poly.array("block_b", flow.block_b);
+    poly.close("CellData");
+    return poly.file();
+}
+
 std::string pvdSeries(const std::vector<std::pair<double, std::string>>& files) {
     std::string text =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"

@@ -84,7 +84,7 @@ std::string unitOf(std::string_view field) {
     if (key.ends_with("_m")) return "m";
     for (const auto& unit :
          {otherUnit(field, key), unitIn(kJointProperties, key), unitIn(kGravityFields, key),
-          unitIn(kWaterFields, key), unitIn(kClosedWaterFields, key)})
+          unitIn(kWaterFields, key), unitIn(kClosedWaterFields, key), unitIn(kFlowFields, key)})
         if (unit) return std::string(*unit);
     std::optional<std::string_view> of_section;
     eachNumberSection([&](std::string_view, const auto& fields, auto) {

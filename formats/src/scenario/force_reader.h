@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scenario/directory.h"
+#include "scenario/properties.h"
 #include "scenario/reading.h"
 
 namespace talus::formats::scenario {
@@ -12,6 +13,7 @@ struct ForceReader {
     Report& report;
     TableReader& root;
     const BlockDirectory& blocks;
+    const Joints& joints;
     const std::string& folder;  ///< where files are looked for: "" or with a slash at its end
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "scenario/flow.h"
 #include "scenario/ground_motion.h"
 #include "scenario/places.h"
 #include "talus/angles.h"
@@ -163,6 +164,7 @@ constexpr ForceSection kSections[] = {
     {"bolt", readBolts, nullptr},
     {"bolt_pattern", readBoltPatterns, placeBoltPatterns},
     {"ground_motion", readGroundMotion, nullptr},
+    {"flow", readFlow, nullptr},
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "scenario/fields.h"
+#include "scenario/flow.h"
 #include "scenario/properties.h"
 #include "scenario/settings.h"
 
@@ -154,6 +155,8 @@ std::optional<Target> targetOf(const Scenario& scenario, std::string_view field)
     if (table == "gravity" && *second == "tilt_deg") return Target{kTiltDeg, putTilt};
     if (table == "gravity")
         return numberTarget(kGravityFields, *second, [](Model& model) -> Gravity& { return model.gravity; });
+    if (table == "flow" && scenario.model.flow)
+        return numberTarget(kFlowFields, *second, [](Model& model) -> Flow& { return *model.flow; });
     std::optional<Target> target;
     eachNumberSection([&](std::string_view section, const auto& fields, auto owner) {
         if (table == section)
@@ -220,6 +223,7 @@ class InterfaceEntries {
         renumber(moved);
         model_.joints = std::move(joints);
         scenario_.joint_origins = std::move(origins);
+        addDerivedJoints(scenario_.joint_origins, model_);
     }
 
  private:

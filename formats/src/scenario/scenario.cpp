@@ -5,6 +5,7 @@
 
 #include "scenario/directory.h"
 #include "scenario/fields.h"
+#include "scenario/flow.h"
 #include "scenario/force_sections.h"
 #include "scenario/interface.h"
 #include "scenario/placed_block.h"
@@ -51,7 +52,7 @@ class ScenarioReader {
         const auto waters =
             readWaters(report_, root_, {stacks_, rock_ ? &*rock_ : nullptr, folder_}, directory);
         for (const ForceSection& section : forceSections())
-            section.read({report_, root_, directory, folder_}, model_);
+            section.read({report_, root_, directory, joints_, folder_}, model_);
         std::vector<RockWalls> walls;
         if (report_.clean()) walls = rockWalls(waters);
         if (report_.clean()) buildBlocks();
@@ -59,6 +60,7 @@ class ScenarioReader {
             addInterfaces(interfaces, model_);
             appendWaters(report_, waters, stacks_, walls, model_);
             placeForces();
+            addDerivedJoints(joints_.origins(), model_);
         }
         Scenario scenario;
         scenario.model = std::move(model_);

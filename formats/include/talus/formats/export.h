@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "talus/analysis.h"
+#include "talus/flow.h"
 #include "talus/formats/snapshot.h"
 
 namespace talus::formats {
@@ -27,6 +28,10 @@ std::string vtpBlocks(const SnapshotHeader& header, const LightFrame& frame);
 /// Contact points as vertices (.vtp). Point data: force (on block b), normal_force, shear_force, water_force,
 /// area, state (0 open, 1 sticking, 2 slipping), mobilised_friction, interface, block_a, block_b.
 std::string vtpContacts(const FullFrame& full);
+
+/// Joints with their water as triangles (.vtp). Point data: head (nan where no head reaches), pressure,
+/// inflow. Cell data: discharge (per width of the joint), wet_share, joint, block_a, block_b.
+std::string vtpFlow(const SteadyFlow& flow);
 
 /// Times and files of a series (.pvd).
 std::string pvdSeries(const std::vector<std::pair<double, std::string>>& files);

@@ -1,0 +1,57 @@
+#pragma once
+// Steady flow of water in the joint network: laminar flow between parallel walls (the cubic law) in every
+// joint that bounds a free block, as the blocks lie at the start. Rock is impermeable.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "talus/model.h"
+#include "talus/result.h"
+
+namespace talus {
+
+/// What passes through one boundary.
+struct BoundaryFlow {
+    std::string name;
+    std::size_t nodes = 0;
+    double inflow = 0, outflow = 0;       ///< into and out of the network [m^3/s]
+    double highest_outflow = -kInfinity;  ///< elevation up to which water flows out [m]; none: -infinity
+};
+
+/// Water in the joints. Triangles are those of the mesh that the heads are linear on.
+struct SteadyFlow {
+    std::vector<Vec3> nodes;       ///< model frame [m]
+    std::vector<double> head;      ///< along -g above the model's origin [m]; nan where no head reaches
+    std::vector<double> pressure;  ///< rho g (head - elevation), not below zero with a free surface [Pa]
+    std::vector<double> inflow;    ///< into the network at each node; zero but at boundaries [m^3/s]
+
+    std::vector<std::array<std::int32_t, 3>> triangles;
+    std::vector<std::int32_t> joint, block_a, block_b;  ///< of each triangle
+    std::vector<Vec3> normal;                           ///< of each triangle, from a to b
+    std::vector<Vec3> discharge;                        ///< per width of the joint [m^2/s]
+    std::vector<double> wet_share;                      ///< of each triangle, 1 where it is full
+
+    std::vector<BoundaryFlow> boundaries;  ///< in the model's order
+    std::vector<Vec3> free_surface;        ///< where edges of the mesh pass from wet to dry, model frame [m]
+    double lowest_surface = 0, highest_surface = 0;  ///< elevations of these [m]
+    std::size_t patches = 0;                         ///< polygons where two blocks touch
+    std::size_t unreached_patches = 0;               ///< without a connection to a head: dry
+    double inflow_sum = 0, outflow_sum = 0;          ///< [m^3/s]
+    /// largest sum of flows at a node that is no boundary [m^3/s]
+    double imbalance = 0;
+    int iterations = 0;   ///< of the free surface; of outlets alone without one
+    double residual = 0;  ///< largest imbalance of a node after the last one, over the inflow
+    /// pressure head below zero over which joints run dry: how sharp the free surface is [m]
+    double ramp = 0;
+    std::vector<std::string> warnings;
+
+    bool isWet(std::size_t triangle) const;  ///< whether pressure acts at any of its corners
+};
+
+/// \pre model.flow. Errors: those of the model; a boundary at which no joint lies; a network without a head;
+/// a free surface that was not found.
+Result<SteadyFlow> steadyFlow(const Model& model);
+
+}  // namespace talus

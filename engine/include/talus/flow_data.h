@@ -1,0 +1,44 @@
+#pragma once
+// Steady flow in the joint network, as a scenario describes it. What is computed from it: talus/flow.h.
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "talus/polyhedron.h"
+
+namespace talus {
+
+/// What holds at some places of the network: a head, or water that can only flow out.
+struct FlowBoundary {
+    enum class Kind : std::uint8_t {
+        head,    ///< the head is given; places above that head are an outlet
+        outlet,  ///< seepage face or drain: pressure zero where water flows out, no flow elsewhere
+    };
+    Kind kind = Kind::head;
+    double head = 0;  ///< along -g above the model's origin [m]
+    /// Open ends of joints that look this way within 60 degrees. Nothing: all of the joints.
+    std::optional<Vec3> face{};
+    std::vector<std::int32_t> joints{};  ///< in these joints only; empty: in any
+    Vec3 box_min = Vec3::Constant(-std::numeric_limits<double>::infinity());  ///< inside this box only [m]
+    Vec3 box_max = Vec3::Constant(std::numeric_limits<double>::infinity());
+    std::string name{};
+    std::string field{};  ///< "flow.boundary[0]", for messages
+};
+
+/// Laminar flow between parallel walls (the cubic law) in every joint that bounds a free block.
+struct Flow {
+    double aperture = 0;  ///< hydraulic, of all joints but those named below [m]
+    std::vector<std::pair<std::int32_t, double>> joint_apertures{};  ///< joint and its aperture [m]
+    double viscosity = 1.307e-3;  ///< dynamic; water at 10 degrees C [Pa s]
+    double density = 1000;        ///< [kg/m^3]
+    bool free_surface = true;     ///< false: all joints are full
+    int refinements = 0;          ///< how often each triangle of the mesh is divided into four
+    std::vector<FlowBoundary> boundaries{};
+    std::string field{};  ///< "flow", for messages
+};
+
+}  // namespace talus

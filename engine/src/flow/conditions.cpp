@@ -1,0 +1,122 @@
+#include "flow/conditions.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "model/gravity.h"
+
+namespace talus::flow {
+namespace {
+
+constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which an end looks a way
+constexpr double kNear = 1e-6;         // of the median patch: a node that far outside a box is in it
+
+class Places {
+ public:
+    Places(const Network& network, const Vec3& origin)
+        : network_(network), origin_(origin), edges_(openEdges(network)) {}
+
+    /// Calls with each node that a boundary takes, some of them several times.
+    template <class Use>
+    void each(const FlowBoundary& boundary, const Use& use) const {
+        const auto take = [&](std::int32_t node) {
+            if (isInBox(boundary, network_.nodes[static_cast<std::size_t>(node)] + origin_)) use(node);
+        };
+        if (!boundary.face) {
+            for (std::size_t t = 0; t < network_.triangles.size(); ++t)
+                if (isOfJoint(boundary, t)) std::for_each_n(network_.triangles[t].begin(), 3, take);
+            return;
+        }
+        for (const OpenEdge& edge : edges_)
+            if (isOfJoint(boundary, edge.triangle) && edge.outward.dot(*boundary.face) >= kLooks)
+                std::for_each_n(edge.nodes.begin(), 2, take);
+    }
+
+ private:
+    bool isOfJoint(const FlowBoundary& boundary, std::size_t triangle) const {
+        const auto& joints = boundary.joints;
+        return joints.empty() ||
+               std::find(joints.begin(), joints.end(), network_.patch(triangle).joint) != joints.end();
+    }
+    bool isInBox(const FlowBoundary& boundary, const Vec3& x) const {
+        const double near = kNear * network_.size;
+        return (x.array() >= boundary.box_min.array() - near).all() &&
+               (x.array() <= boundary.box_max.array() + near).all();
+    }
+
+    const Network& network_;
+    Vec3 origin_;
+    std::vector<OpenEdge> edges_;
+};
+
+std::string placeText(const Network& network, const Vec3& origin) {
+    Vec3 low = Vec3::Constant(kInfinity), high = -low;
+    for (const Vec3& x : network.nodes) low = low.cwiseMin(x + origin), high = high.cwiseMax(x + origin);
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(), "x = %.4g to %.4g, y = %.4g to %.4g, z = %.4g to %.4g m", low.x(),
+                  high.x(), low.y(), high.y(), low.z(), high.z());
+    return text.data();
+}
+
+Error takesNothing(const FlowBoundary& boundary, const Network& network, const Vec3& origin) {
+    const std::string what = boundary.face ? "open end of a joint" : "joint";
+    return {boundary.field, "found no " + what +
+                                " at this boundary; allowed: places of joints that bound a free block, in " +
+                                placeText(network, origin)};
+}
+
+/// Nodes of a head boundary above its head are outlets where there is a free surface.
+void apply(const Flow& flow, std::size_t index, std::int32_t node, Conditions& to) {
+    const auto n = static_cast<std::size_t>(node);
+    if (to.boundary[n] >= 0) return;
+    const FlowBoundary& boundary = flow.boundaries[index];
+    const bool above = flow.free_surface && to.elevation[n] > boundary.head;
+    to.boundary[n] = static_cast<std::int32_t>(index);
+    if (boundary.kind == FlowBoundary::Kind::outlet || above) {
+        to.of[n] = Condition::outlet;
+        return;
+    }
+    to.of[n] = Condition::head;
+    to.head[n] = boundary.head;
+}
+
+/// Parts of the network without a head are dry.
+void leaveOutUnreached(const Network& network, Conditions& conditions) {
+    const std::vector<std::int32_t> part = connectedParts(network);
+    std::vector<char> reached(network.nodes.size(), 0);
+    for (std::size_t n = 0; n < part.size(); ++n)
+        if (conditions.of[n] == Condition::head) reached[static_cast<std::size_t>(part[n])] = 1;
+    for (std::size_t n = 0; n < part.size(); ++n)
+        if (reached[static_cast<std::size_t>(part[n])] == 0) conditions.of[n] = Condition::dry;
+}
+
+}  // namespace
+
+Result<Conditions> conditionsOf(const Network& network, const Flow& flow, const Model& model,
+                                const Vec3& origin) {
+    const std::size_t count = network.nodes.size();
+    const Vec3 down = downward(model.gravity, model.gravity.tilt);
+    Conditions conditions{std::vector(count, Condition::none), std::vector<std::int32_t>(count, -1),
+                          std::vector<double>(count), std::vector<double>(count, 0.0)};
+    for (std::size_t n = 0; n < count; ++n) conditions.elevation[n] = -down.dot(network.nodes[n] + origin);
+    std::vector<Error> errors;
+    const Places places(network, origin);
+    for (std::size_t k = 0; k < flow.boundaries.size(); ++k) {
+        bool any = false;
+        places.each(flow.boundaries[k], [&](std::int32_t node) {
+            any = true;
+            apply(flow, k, node, conditions);
+        });
+        if (!any && !model.is_remainder) errors.push_back(takesNothing(flow.boundaries[k], network, origin));
+    }
+    const auto& of = conditions.of;
+    if (errors.empty() && !model.is_remainder && std::find(of.begin(), of.end(), Condition::head) == of.end())
+        errors.push_back({flow.field,
+                          "found no place of the network with a head: every boundary lies above "
+                          "its head; allowed: a head above the lowest place of its boundary"});
+    if (!errors.empty()) return errors;
+    leaveOutUnreached(network, conditions);
+    return conditions;
+}
+
+}  // namespace talus::flow

@@ -1,0 +1,244 @@
+#include "flow/flow_in.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <utility>
+
+#include "flow/conditions.h"
+#include "flow/cubic_law.h"
+#include "flow/equations.h"
+#include "flow/solve.h"
+
+namespace talus {
+namespace flow {
+namespace {
+
+constexpr double kLeak = 1e-3;      // of the largest inflow at a node
+constexpr double kNothing = 1e-12;  // of the largest inflow at a node: rounding
+// Of the median patch: a wider ramp moves the free surface by more than a tenth of a patch.
+constexpr double kWideRamp = 0.2;
+constexpr double kSurface = 1e-6;  // of the median patch: nearer to zero a pressure head has no sign
+
+double apertureOf(const Flow& flow, std::int32_t joint) {
+    for (const auto& [of, aperture] : flow.joint_apertures)
+        if (of == joint) return aperture;
+    return flow.aperture;
+}
+
+std::string formatted(const char* format, double value) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return text.data();
+}
+
+bool isDry(const Network& network, const Conditions& conditions, std::size_t triangle) {
+    return conditions.of[static_cast<std::size_t>(network.triangles[triangle][0])] == Condition::dry;
+}
+
+/// Numbers of the patches that no head reaches, ascending. Triangles of a patch follow each other.
+std::vector<std::int32_t> unreachedPatches(const Network& network, const Conditions& conditions) {
+    std::vector<std::int32_t> patches;
+    for (std::size_t t = 0; t < network.triangles.size(); ++t)
+        if (isDry(network, conditions, t) && (patches.empty() || patches.back() != network.patch_of[t]))
+            patches.push_back(network.patch_of[t]);
+    return patches;
+}
+
+std::optional<Error> doubtOf(const std::vector<std::int32_t>& unreached, const Network& network,
+                             const Flow& flow, const Model& model) {
+    if (unreached.empty()) return std::nullopt;
+    const Patch& first = network.patches[static_cast<std::size_t>(unreached.front())];
+    const auto name = [&](std::int32_t b) {
+        return "\"" + model.blocks[static_cast<std::size_t>(b)].name + "\"";
+    };
+    return Error{flow.field, "no head reaches " + std::to_string(unreached.size()) + " of the " +
+                                 std::to_string(network.patches.size()) +
+                                 " polygons of joints, which are dry; the first lies between " +
+                                 name(first.block_a) + " and " + name(first.block_b) + ", in joint \"" +
+                                 model.joints[static_cast<std::size_t>(first.joint)].name + "\""};
+}
+
+/// Makes the result out of the heads.
+class Answer {
+ public:
+    Answer(const State& state, const Flow& flow, const Network& network, const Conditions& conditions)
+        : model_(state.geometry->model),
+          origin_(state.geometry->origin),
+          flow_(flow),
+          network_(network),
+          conditions_(conditions),
+          unit_weight_(flow.density * model_.gravity.magnitude) {
+        for (const Patch& patch : network.patches)
+            transmissivity_.push_back(
+                transmissivity(unit_weight_, apertureOf(flow, patch.joint), flow.viscosity));
+    }
+
+    Result<SteadyFlow> solve() {
+        Heads heads = solveHeads(network_, conditions_, transmissivity_, flow_.free_surface);
+        if (!heads.found)
+            return Error{flow_.field, "found no free surface after " + std::to_string(heads.iterations) +
+                                          " iterations; the last one left " +
+                                          formatted("%.2g", heads.residual) +
+                                          " of the inflow unbalanced at a node; allowed: a finer network "
+                                          "(flow.refinements), or free_surface = false"};
+        into_.ramp = heads.ramp;
+        into_.iterations = heads.iterations;
+        into_.residual = heads.residual;
+        into_.head = std::move(heads.head);
+        into_.inflow = std::move(heads.inflow);
+        into_.wet_share = std::move(heads.wet_share);
+        addNodes();
+        addTriangles();
+        addBoundaries();
+        addSurface();
+        warnOfUnreached();
+        warnOfWideRamp();
+        return std::move(into_);
+    }
+
+ private:
+    void addNodes() {
+        for (std::size_t n = 0; n < network_.nodes.size(); ++n) {
+            into_.nodes.push_back(network_.nodes[n] + origin_);
+            const double pressure = unit_weight_ * (into_.head[n] - conditions_.elevation[n]);
+            const bool none = std::isnan(pressure) || (flow_.free_surface && pressure < 0);
+            into_.pressure.push_back(none ? 0.0 : pressure);
+            if (conditions_.of[n] == Condition::none)
+                into_.imbalance = std::max(into_.imbalance, std::abs(into_.inflow[n]));
+        }
+    }
+
+    void addTriangles() {
+        into_.triangles = network_.triangles;
+        into_.patches = network_.patches.size();
+        for (std::size_t t = 0; t < network_.triangles.size(); ++t) {
+            const Patch& patch = network_.patch(t);
+            into_.joint.push_back(patch.joint);
+            into_.block_a.push_back(patch.block_a);
+            into_.block_b.push_back(patch.block_b);
+            into_.normal.push_back(patch.normal);
+            into_.discharge.push_back(dischargeIn(t));
+            if (isDry(t)) into_.wet_share[t] = 0;
+        }
+    }
+
+    bool isDry(std::size_t t) const { return flow::isDry(network_, conditions_, t); }
+
+    /// Per width of the joint: -T k grad h.
+    Vec3 dischargeIn(std::size_t t) const {
+        if (isDry(t)) return Vec3::Zero();
+        const Gradients g = gradientsOf(network_, t);
+        Vec3 gradient = Vec3::Zero();
+        const auto head = [&](std::size_t k) {
+            return into_.head[static_cast<std::size_t>(network_.triangles[t][k])];
+        };
+        for (std::size_t k = 1; k < 3; ++k) gradient += (head(k) - head(0)) * g.of[k];
+        return -transmissivity_[static_cast<std::size_t>(network_.patch_of[t])] * into_.wet_share[t] *
+               gradient;
+    }
+
+    /// Nodes in the dry part leak a little (solve.cpp); they count as no outflow.
+    void addBoundaries() {
+        for (const FlowBoundary& boundary : flow_.boundaries) into_.boundaries.push_back({boundary.name});
+        double most = 0;
+        for (const double inflow : into_.inflow) most = std::max(most, inflow);
+        for (std::size_t n = 0; n < network_.nodes.size(); ++n) {
+            if (conditions_.boundary[n] < 0 || conditions_.of[n] == Condition::dry) continue;
+            BoundaryFlow& to = into_.boundaries[static_cast<std::size_t>(conditions_.boundary[n])];
+            const double inflow = into_.inflow[n];
+            ++to.nodes;
+            if (std::abs(inflow) > kNothing * most) (inflow > 0 ? to.inflow : to.outflow) += std::abs(inflow);
+            if (inflow < -kLeak * most)
+                to.highest_outflow = std::max(to.highest_outflow, conditions_.elevation[n]);
+        }
+        for (const BoundaryFlow& boundary : into_.boundaries) {
+            into_.inflow_sum += boundary.inflow;
+            into_.outflow_sum += boundary.outflow;
+        }
+    }
+
+    /// Where the pressure passes through zero along the edges of the mesh.
+    void addSurface() {
+        if (!flow_.free_surface) return;
+        std::map<std::pair<std::int32_t, std::int32_t>, bool> seen;
+        into_.lowest_surface = kInfinity;
+        into_.highest_surface = -kInfinity;
+        for (std::size_t t = 0; t < network_.triangles.size(); ++t)
+            for (std::size_t k = 0; k < 3 && !isDry(t); ++k) {
+                const std::int32_t a = network_.triangles[t][k], b = network_.triangles[t][(k + 1) % 3];
+                if (seen.try_emplace(std::minmax(a, b), true).second)
+                    addCrossing(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+            }
+        if (into_.free_surface.empty()) into_.lowest_surface = into_.highest_surface = 0;
+    }
+
+    void addCrossing(std::size_t a, std::size_t b) {
+        const double above_a = into_.head[a] - conditions_.elevation[a],
+                     above_b = into_.head[b] - conditions_.elevation[b];
+        const double none = kSurface * network_.size;
+        if (std::min(above_a, above_b) > -none || std::max(above_a, above_b) < none) return;
+        const double place = above_a / (above_a - above_b);
+        into_.free_surface.push_back(into_.nodes[a] + place * (into_.nodes[b] - into_.nodes[a]));
+        const double height =
+            conditions_.elevation[a] + place * (conditions_.elevation[b] - conditions_.elevation[a]);
+        into_.lowest_surface = std::min(into_.lowest_surface, height);
+        into_.highest_surface = std::max(into_.highest_surface, height);
+    }
+
+    void warnOfUnreached() {
+        const std::vector<std::int32_t> unreached = unreachedPatches(network_, conditions_);
+        into_.unreached_patches = unreached.size();
+        if (const auto doubt = doubtOf(unreached, network_, flow_, model_))
+            into_.warnings.push_back(doubt->field + ": " + doubt->message);
+    }
+
+    void warnOfWideRamp() {
+        if (into_.ramp <= kWideRamp * network_.size) return;
+        into_.warnings.push_back(flow_.field + ": the free surface is smeared over " +
+                                 formatted("%.2g", into_.ramp) +
+                                 " m of pressure head, because a sharper one "
+                                 "was not found; a finer network (flow.refinements) is more accurate");
+    }
+
+    const Model& model_;
+    Vec3 origin_;
+    const Flow& flow_;
+    const Network& network_;
+    const Conditions& conditions_;
+    double unit_weight_;                  ///< of water [N/m^3]
+    std::vector<double> transmissivity_;  ///< of each patch [m^2/s]
+    SteadyFlow into_;
+};
+
+}  // namespace
+
+Result<SteadyFlow> flowIn(const State& state, const Flow& flow) {
+    const Model& model = state.geometry->model;
+    const Network network = networkOf(state, flow.refinements);
+    if (network.triangles.empty() && !model.is_remainder)
+        return Error{flow.field,
+                     "found no joint between two blocks that touch, one of them free; allowed: "
+                     "flow in a model with joints"};
+    const auto conditions = conditionsOf(network, flow, model, state.geometry->origin);
+    if (!conditions) return conditions.errors();
+    return Answer(state, flow, network, *conditions).solve();
+}
+
+std::optional<Error> unreachedParts(const State& state, const Flow& flow) {
+    const Model& model = state.geometry->model;
+    const Network network = networkOf(state, 0);
+    const auto conditions = conditionsOf(network, flow, model, state.geometry->origin);
+    if (!conditions) return std::nullopt;
+    return doubtOf(unreachedPatches(network, *conditions), network, flow, model);
+}
+
+}  // namespace flow
+
+bool SteadyFlow::isWet(std::size_t triangle) const {
+    return std::any_of(triangles[triangle].begin(), triangles[triangle].end(),
+                       [&](std::int32_t n) { return pressure[static_cast<std::size_t>(n)] > 0; });
+}
+
+}  // namespace talus

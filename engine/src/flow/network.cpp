@@ -1,0 +1,242 @@
+#include "flow/network.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "geometry/box_tree.h"
+#include "state/point_layout.h"
+
+namespace talus::flow {
+namespace {
+
+// Of the median block size: corners of patches that are nearer to each other are one node. Rounding of
+// clipped outlines is 1e-9 of that, the smallest patches that matter are 1e-3.
+constexpr double kSameNode = 1e-5;
+
+struct Outline {
+    Vec3 centre;
+    std::vector<Vec3> corners;
+};
+
+/// A patch in the state's coordinates, as its blocks stood at the start.
+Outline outlineOf(const State& state, std::size_t interface) {
+    const Geometry& geometry = *state.geometry;
+    const InterfaceFrame frame = state.interfaces.frame(interface);
+    const auto a = static_cast<std::size_t>(state.interfaces.block_a[interface]);
+    const Mat3 turn = geometry.initial_orientation.matrix(a);
+    const Vec3 position = geometry.initial_position.get(a);
+    const auto placed = [&](const Vec2& v) -> Vec3 {
+        return position + turn * (frame.origin_a + v.x() * frame.e1_a + v.y() * frame.e2_a);
+    };
+    Outline outline{placed(Vec2::Zero()), {}};
+    for (const Vec2& corner : patchOutline(state.interfaces, interface))
+        outline.corners.push_back(placed(corner));
+    return outline;
+}
+
+Patch patchOf(const State& state, std::size_t interface) {
+    const Interfaces& f = state.interfaces;
+    const InterfaceFrame frame = f.frame(interface);
+    const auto a = static_cast<std::size_t>(f.block_a[interface]);
+    const Mat3 turn = state.geometry->initial_orientation.matrix(a);
+    return {static_cast<std::int32_t>(interface), f.block_a[interface], f.block_b[interface],
+            f.joint[interface], turn * frame.e1_a.cross(frame.e2_a)};
+}
+
+Box boxAround(const Vec3& point, double margin) {
+    Box box;
+    box.add(point);
+    return box.grown(margin);
+}
+
+/// Which node each point is: points within `same` of a node's first point are that node.
+std::vector<std::int32_t> merged(const std::vector<Vec3>& points, double same, std::vector<Vec3>& nodes) {
+    std::vector<Box> boxes;
+    for (const Vec3& point : points) boxes.push_back(boxAround(point, 0));
+    const BoxTree tree(std::move(boxes));
+    std::vector<std::int32_t> node(points.size(), -1);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (node[p] >= 0) continue;
+        const auto next = static_cast<std::int32_t>(nodes.size());
+        nodes.push_back(points[p]);
+        tree.visit(boxAround(points[p], same), [&](std::size_t other) {
+            if (node[other] < 0 && (points[other] - points[p]).norm() <= same) node[other] = next;
+        });
+    }
+    return node;
+}
+
+/// Makes the fans of all patches.
+class Fans {
+ public:
+    Fans(const State& state, Network& network)
+        : network_(network), same_(kSameNode * state.geometry->length_scale) {
+        for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
+            if (state.interfaces.kind[i] != InterfaceKind::faces) continue;
+            outlines_.push_back(outlineOf(state, i));
+            patches_.push_back(patchOf(state, i));
+        }
+    }
+
+    void make() {
+        std::vector<Vec3> corners;
+        for (const Outline& outline : outlines_)
+            corners.insert(corners.end(), outline.corners.begin(), outline.corners.end());
+        const std::vector<std::int32_t> node = merged(corners, same_, network_.nodes);
+        std::vector<Box> boxes;
+        for (const Vec3& x : network_.nodes) boxes.push_back(boxAround(x, 0));
+        tree_ = BoxTree(std::move(boxes));
+        std::size_t first = 0;
+        for (std::size_t p = 0; p < patches_.size(); ++p) {
+            const std::size_t count = outlines_[p].corners.size();
+            add(p, std::vector(node.begin() + static_cast<std::ptrdiff_t>(first),
+                               node.begin() + static_cast<std::ptrdiff_t>(first + count)));
+            first += count;
+        }
+    }
+
+ private:
+    /// The outline with the nodes that other patches have on it.
+    std::vector<std::int32_t> ringOf(const std::vector<std::int32_t>& corners) const {
+        std::vector<std::int32_t> ring;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const std::int32_t from = corners[k], to = corners[(k + 1) % corners.size()];
+            if (from == to) continue;
+            ring.push_back(from);
+            addBetween(from, to, ring);
+        }
+        return ring;
+    }
+
+    void addBetween(std::int32_t from, std::int32_t to, std::vector<std::int32_t>& ring) const {
+        const Vec3 &begin = at(from), along = at(to) - begin;
+        const double length = along.norm();
+        Box box = boxAround(begin, 0);
+        box.add(at(to));
+        std::vector<std::pair<double, std::int32_t>> between;
+        tree_.visit(box.grown(same_), [&](std::size_t other) {
+            const auto node = static_cast<std::int32_t>(other);
+            const Vec3 d = at(node) - begin;
+            const double place = d.dot(along) / length;
+            if (node == from || node == to || place <= 0 || place >= length) return;
+            if ((d - place / length * along).norm() <= same_) between.emplace_back(place, node);
+        });
+        std::sort(between.begin(), between.end());
+        for (const auto& [place, node] : between) ring.push_back(node);
+    }
+
+    /// Slivers whose corners are one node have no fan.
+    void add(std::size_t p, const std::vector<std::int32_t>& corners) {
+        const std::vector<std::int32_t> ring = ringOf(corners);
+        if (ring.size() < 3) return;
+        const auto centre = static_cast<std::int32_t>(network_.nodes.size());
+        network_.nodes.push_back(outlines_[p].centre);
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+            network_.triangles.push_back({centre, ring[k], ring[(k + 1) % ring.size()]});
+            network_.patch_of.push_back(static_cast<std::int32_t>(network_.patches.size()));
+        }
+        network_.patches.push_back(patches_[p]);
+    }
+
+    const Vec3& at(std::int32_t node) const { return network_.nodes[static_cast<std::size_t>(node)]; }
+
+    Network& network_;
+    double same_;  ///< [m]
+    std::vector<Outline> outlines_;
+    std::vector<Patch> patches_;
+    BoxTree tree_;
+};
+
+/// Each triangle becomes four, with new nodes at the middle of its edges.
+void refine(Network& network) {
+    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middles;
+    const auto middle = [&](std::int32_t a, std::int32_t b) {
+        const auto [entry, is_new] =
+            middles.try_emplace(std::minmax(a, b), static_cast<std::int32_t>(network.nodes.size()));
+        if (is_new)
+            network.nodes.push_back(0.5 * (network.nodes[static_cast<std::size_t>(a)] +
+                                           network.nodes[static_cast<std::size_t>(b)]));
+        return entry->second;
+    };
+    std::vector<std::array<std::int32_t, 3>> triangles;
+    std::vector<std::int32_t> patch_of;
+    for (std::size_t t = 0; t < network.triangles.size(); ++t) {
+        const auto [a, b, c] = network.triangles[t];
+        const std::int32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+        triangles.insert(triangles.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+        patch_of.insert(patch_of.end(), 4, network.patch_of[t]);
+    }
+    network.triangles = std::move(triangles);
+    network.patch_of = std::move(patch_of);
+}
+
+double medianSide(const Network& network) {
+    std::vector<double> longest(network.patches.size(), 0.0);
+    for (std::size_t t = 0; t < network.triangles.size(); ++t) {
+        double& side = longest[static_cast<std::size_t>(network.patch_of[t])];
+        side = std::max(side, (network.corner(t, 2) - network.corner(t, 1)).norm());
+    }
+    if (longest.empty()) return 0;
+    const auto half = longest.begin() + static_cast<std::ptrdiff_t>(longest.size() / 2);
+    std::nth_element(longest.begin(), half, longest.end());
+    return *half;
+}
+
+}  // namespace
+
+Network networkOf(const State& state, int refinements) {
+    Network network;
+    Fans(state, network).make();
+    network.size = medianSide(network);
+    for (int k = 0; k < refinements; ++k) refine(network);
+    return network;
+}
+
+std::vector<OpenEdge> openEdges(const Network& network) {
+    struct Side {
+        std::pair<std::int32_t, std::int32_t> nodes;
+        std::size_t triangle, corner;  ///< the corner that it begins at
+    };
+    std::vector<Side> sides;
+    for (std::size_t t = 0; t < network.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            sides.push_back({std::minmax(network.triangles[t][k], network.triangles[t][(k + 1) % 3]), t, k});
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const Side& a, const Side& b) { return a.nodes < b.nodes; });
+    std::vector<OpenEdge> open;
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+        const auto same = [&](std::size_t other) { return sides[other].nodes == sides[s].nodes; };
+        if ((s > 0 && same(s - 1)) || (s + 1 < sides.size() && same(s + 1))) continue;
+        const auto [nodes, t, k] = sides[s];
+        const Vec3 along = network.corner(t, (k + 1) % 3) - network.corner(t, k);
+        open.push_back({t, {nodes.first, nodes.second}, along.cross(network.patch(t).normal).normalized()});
+    }
+    return open;
+}
+
+std::vector<std::int32_t> connectedParts(const Network& network) {
+    std::vector<std::int32_t> above(network.nodes.size());
+    std::iota(above.begin(), above.end(), 0);
+    const auto top = [&](std::int32_t node) {
+        const auto up = [&](std::int32_t n) -> std::int32_t& { return above[static_cast<std::size_t>(n)]; };
+        while (up(node) != node) node = up(node) = up(up(node));
+        return node;
+    };
+    for (const auto& [a, b, c] : network.triangles)
+        for (const std::int32_t other : {b, c}) {
+            const auto [low, high] = std::minmax({top(a), top(other)});
+            above[static_cast<std::size_t>(high)] = low;
+        }
+    std::vector<std::int32_t> number(network.nodes.size(), -1);
+    std::int32_t count = 0;
+    for (std::size_t n = 0; n < number.size(); ++n) {
+        std::int32_t& of_top = number[static_cast<std::size_t>(top(static_cast<std::int32_t>(n)))];
+        if (of_top < 0) of_top = count++;
+        number[n] = of_top;
+    }
+    return number;
+}
+
+}  // namespace talus::flow

@@ -1,0 +1,54 @@
+#pragma once
+// The mesh of the joint network: linear triangles on the patches where blocks touch. Patches share the nodes
+// along their common edges, so that water passes from one joint into another there.
+//
+// Each patch is a fan about its centroid. Corners of other patches on one of its edges are nodes of that
+// edge, too. A plane section is the same mesh, one patch wide: on a rectangle with one head at either end linear
+// triangles are exact.
+//
+// Reads: shapes' initial poses, interfaces of faces as built
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "state/arrays.h"
+
+namespace talus::flow {
+
+/// One polygon of a joint between two blocks.
+struct Patch {
+    std::int32_t interface = 0, block_a = 0, block_b = 0, joint = 0;
+    Vec3 normal = Vec3::UnitZ();  ///< from a to b
+};
+
+struct Network {
+    std::vector<Vec3> nodes;  ///< in the state's coordinates [m]
+    std::vector<Patch> patches;
+    std::vector<std::array<std::int32_t, 3>> triangles;  ///< counter-clockwise about their patch's normal
+    std::vector<std::int32_t> patch_of;                  ///< of each triangle
+    double size = 0;                                     ///< median longest side of a patch [m]
+
+    const Vec3& corner(std::size_t triangle, std::size_t k) const {
+        return nodes[static_cast<std::size_t>(triangles[triangle][k])];
+    }
+    const Patch& patch(std::size_t triangle) const {
+        return patches[static_cast<std::size_t>(patch_of[triangle])];
+    }
+};
+
+/// \param refinements  how often each triangle is divided into four
+Network networkOf(const State& state, int refinements);
+
+/// An edge at which a joint ends without meeting another one.
+struct OpenEdge {
+    std::size_t triangle = 0;
+    std::array<std::int32_t, 2> nodes{};
+    Vec3 outward = Vec3::Zero();  ///< unit, in the joint's plane
+};
+std::vector<OpenEdge> openEdges(const Network& network);
+
+/// Which connected part of the network each node belongs to, numbered from 0.
+std::vector<std::int32_t> connectedParts(const Network& network);
+
+}  // namespace talus::flow

@@ -1,0 +1,176 @@
+#include "flow/solve.h"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "flow/equations.h"
+
+namespace talus::flow {
+namespace {
+
+// Of the median patch: the pressure head below zero over which a joint runs dry, in the first stage and at
+// least in the last one. A wider one raises the free surface by as much; a narrower one rarely converges.
+constexpr double kFirstRamp = 1, kLastRamp = 1.0 / 32;
+constexpr int kBeginIterations = 60;  // before Newton's method; dams of 8,000 joints need 30
+constexpr double kBegun = 1e-3;       // of the inflow: imbalance from which Newton's method converges
+constexpr int kStageIterations = 60;  // most stages take ten
+constexpr double kBalanced = 1e-9;    // of the inflow: imbalance of a stage that has converged
+constexpr double kRounding = 1e-13;   // of the inflow: no step can lower that
+constexpr int kLineSearch = 12;       // halvings of a step
+constexpr double kArmijo = 1e-4;      // share of the expected decrease that a step must bring
+constexpr double kSlower = 0.5, kFaster = 1.2;  // what turns back moves more slowly, what goes on faster
+
+class Solver {
+ public:
+    Solver(const Network& network, const Conditions& conditions, const std::vector<double>& transmissivity)
+        : conditions_(conditions),
+          equations_(network, conditions, transmissivity),
+          heads_(Vector::Zero(static_cast<Eigen::Index>(network.nodes.size()))),
+          shares_(network.triangles.size(), 1.0) {}
+
+    Heads full() {
+        bool wrong = true;
+        for (; wrong && iterations_ < kStageIterations; ++iterations_) {
+            solveLinear();
+            wrong = equations_.switchOutlets(heads_, equations_.inflows(heads_, shares_));
+        }
+        return result(0, !wrong);
+    }
+
+    Heads withFreeSurface() {
+        begin(kFirstRamp * equations_.size());
+        double found = 0;
+        for (double ramp = kFirstRamp; ramp >= kLastRamp; ramp /= 2) {
+            const Equations equations = equations_;
+            const Vector heads = heads_;
+            if (!converge(ramp * equations_.size())) {
+                equations_ = equations;
+                heads_ = heads;
+                break;
+            }
+            found = ramp * equations_.size();
+        }
+        const double ramp = found > 0 ? found : kFirstRamp * equations_.size();
+        shares_ = equations_.sharesOf(heads_, ramp);
+        return result(ramp, found > 0);
+    }
+
+ private:
+    /// Heads with constant shares. The later passes take back what rounding left of the first.
+    void solveLinear() {
+        equations_.hold(heads_);
+        const SparseMatrix matrix = equations_.conductance(shares_);
+        if (!analysed_) cholesky_.analyzePattern(matrix), analysed_ = true;
+        cholesky_.factorize(matrix);
+        for (int pass = 0; pass < 3; ++pass) heads_ += cholesky_.solve(unbalanced(heads_, shares_));
+    }
+
+    /// What has to be taken off the inflows of nodes that are not held.
+    Vector unbalanced(const Vector& heads, const std::vector<double>& shares) const {
+        Vector rest = -equations_.inflows(heads, shares);
+        for (Eigen::Index n = 0; n < rest.size(); ++n)
+            if (equations_.isHeld(static_cast<std::size_t>(n))) rest[n] = 0;
+        return rest;
+    }
+
+    /// Each triangle's share moves by its own weight: less where it went to and fro.
+    void begin(double ramp) {
+        std::vector<double> weight(shares_.size(), 1.0), before(shares_.size(), 0.0);
+        for (int k = 0; k < kBeginIterations; ++k, ++iterations_) {
+            solveLinear();
+            const bool switched = equations_.switchOutlets(heads_, equations_.inflows(heads_, shares_));
+            const std::vector<double> next = equations_.sharesOf(heads_, ramp);
+            if (!switched && equations_.imbalance(equations_.inflows(heads_, next)) < kBegun) return;
+            for (std::size_t t = 0; t < next.size(); ++t) {
+                const double step = next[t] - shares_[t];
+                weight[t] = step * before[t] < 0 ? kSlower * weight[t] : std::min(1.0, kFaster * weight[t]);
+                before[t] = step;
+                shares_[t] += weight[t] * step;
+            }
+        }
+    }
+
+    /// One stage of Newton's method.
+    bool converge(double ramp) {
+        for (int k = 0; k < kStageIterations; ++k, ++iterations_) {
+            equations_.hold(heads_);
+            const Vector inflow = equations_.inflows(heads_, equations_.sharesOf(heads_, ramp));
+            const bool switched = equations_.switchOutlets(heads_, inflow);
+            residual_ = equations_.imbalance(inflow);
+            if (!switched && residual_ <= kBalanced) return polish(ramp), true;
+            equations_.hold(heads_);
+            if (!step(ramp)) return false;
+        }
+        return false;
+    }
+
+    /// One step more takes a balance to rounding.
+    void polish(double ramp) {
+        for (int k = 0; k < 2 && residual_ > kRounding; ++k) {
+            const Vector before = heads_;
+            if (!step(ramp)) return;
+            const double now =
+                equations_.imbalance(equations_.inflows(heads_, equations_.sharesOf(heads_, ramp)));
+            if (!(now < residual_)) heads_ = before;
+            residual_ = std::min(now, residual_);
+        }
+    }
+
+    /// False where the derivative has no inverse.
+    bool step(double ramp) {
+        Eigen::SparseLU<SparseMatrix> factors(equations_.derivative(heads_, ramp));
+        if (factors.info() != Eigen::Success) return false;
+        const Vector rest = unbalanced(heads_, equations_.sharesOf(heads_, ramp));
+        const Vector direction = factors.solve(rest);
+        const double size = rest.norm();
+        double length = 1;
+        Vector trial;
+        for (int k = 0; k < kLineSearch; ++k, length /= 2) {
+            trial = heads_ + length * direction;
+            if (unbalanced(trial, equations_.sharesOf(trial, ramp)).norm() < (1 - kArmijo * length) * size)
+                break;
+        }
+        heads_ = trial;
+        return true;
+    }
+
+    Heads result(double ramp, bool found) const {
+        Heads result;
+        const Vector inflow = equations_.inflows(heads_, shares_);
+        for (std::size_t n = 0; n < conditions_.of.size(); ++n) {
+            const bool dry = conditions_.of[n] == Condition::dry;
+            const auto i = static_cast<Eigen::Index>(n);
+            result.head.push_back(dry ? std::numeric_limits<double>::quiet_NaN()
+                                      : heads_[i] + equations_.datum());
+            result.inflow.push_back(dry ? 0.0 : inflow[i]);
+        }
+        result.wet_share = shares_;
+        result.iterations = iterations_;
+        result.ramp = ramp;
+        result.residual = found ? equations_.imbalance(inflow) : residual_;
+        result.found = found;
+        return result;
+    }
+
+    const Conditions& conditions_;
+    Equations equations_;
+    Vector heads_;                ///< above the datum [m]
+    std::vector<double> shares_;  ///< of each triangle
+    Eigen::SimplicialLDLT<SparseMatrix> cholesky_;
+    bool analysed_ = false;
+    int iterations_ = 0;
+    double residual_ = 0;
+};
+
+}  // namespace
+
+Heads solveHeads(const Network& network, const Conditions& conditions,
+                 const std::vector<double>& transmissivity, bool free_surface) {
+    Solver solver(network, conditions, transmissivity);
+    return free_surface ? solver.withFreeSurface() : solver.full();
+}
+
+}  // namespace talus::flow

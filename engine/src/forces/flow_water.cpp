@@ -1,0 +1,115 @@
+#include "forces/flow_water.h"
+
+#include <algorithm>
+#include <array>
+
+#include "flow/flow_in.h"
+#include "geometry/face_frame.h"
+#include "geometry/pressure.h"
+
+namespace talus::flow_water {
+namespace {
+
+/// Numbers of a part: force [N] and moment about the centroid [N m], in the block's own frame.
+constexpr std::size_t kNumbers = 6;
+
+/// Adds a push along a direction through points whose first moment about `from` is given.
+void add(const State& state, std::int32_t block, const Vec3& direction, const TrianglePush& push,
+         const Vec3& from, std::vector<Wrench>& sums) {
+    const auto b = static_cast<std::size_t>(block);
+    const Vec3 centroid = state.geometry->initial_position.get(b);
+    const Vec3 first_moment = push.force * (from - centroid) + push.moment;
+    sums[b] += {push.force * direction, first_moment.cross(direction)};
+}
+
+/// On each block about its centroid, model frame, at the initial poses.
+std::vector<Wrench> pushesOf(const State& state, const SteadyFlow& flow) {
+    std::vector<Wrench> sums(state.blocks.size());
+    for (std::size_t t = 0; t < flow.triangles.size(); ++t) {
+        if (!flow.isWet(t)) continue;
+        std::array<Vec3, 3> corners;
+        std::array<double, 3> pressure{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto n = static_cast<std::size_t>(flow.triangles[t][k]);
+            corners[k] = flow.nodes[n] - state.geometry->origin;
+            pressure[k] = flow.pressure[n];
+        }
+        const TrianglePush push = pushOn(corners, pressure);
+        add(state, flow.block_a[t], -flow.normal[t], push, corners[0], sums);
+        add(state, flow.block_b[t], flow.normal[t], push, corners[0], sums);
+    }
+    return sums;
+}
+
+void store(const State& state, const std::vector<Wrench>& sums, ForceParts& parts) {
+    for (std::size_t b = 0; b < sums.size(); ++b) {
+        if (sums[b].force.isZero(0) && sums[b].torque.isZero(0)) continue;
+        const Mat3 back = state.geometry->initial_orientation.matrix(b).transpose();
+        const Vec3 force = back * sums[b].force, moment = back * sums[b].torque;
+        parts.block.push_back(static_cast<std::int32_t>(b));
+        parts.begin.push_back(parts.source.size());
+        parts.source.push_back(0);
+        parts.numbers.insert(parts.numbers.end(), force.begin(), force.end());
+        parts.numbers.insert(parts.numbers.end(), moment.begin(), moment.end());
+    }
+    parts.begin.push_back(parts.source.size());
+}
+
+bool bounds(const Interfaces& f, std::size_t i, const WetFace& wall) {
+    return f.kind[i] == InterfaceKind::faces && ((f.block_a[i] == wall.block && f.face_a[i] == wall.face) ||
+                                                 (f.block_b[i] == wall.block && f.face_b[i] == wall.face));
+}
+
+bool wetsJoint(const State& state, const Water& water) {
+    if (water.pair) return true;
+    for (std::size_t i = 0; i < state.interfaces.size(); ++i)
+        if (std::any_of(water.walls.begin(), water.walls.end(),
+                        [&](const WetFace& wall) { return bounds(state.interfaces, i, wall); }))
+            return true;
+    return false;
+}
+
+}  // namespace
+
+TrianglePush pushOn(const std::array<Vec3, 3>& corners, const std::array<double, 3>& pressure) {
+    const Vec3 across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const FaceFrame plane = faceFrame(corners[0], corners[1], across.normalized());
+    const Polygon triangle{plane.toPlane(corners[0]), plane.toPlane(corners[1]), plane.toPlane(corners[2])};
+    const Vec2 &b = triangle[1], &c = triangle[2];
+    LinearPressure linear{pressure[0], Vec2::Zero()};
+    linear.gradient.x() = (pressure[1] - pressure[0]) / b.x();
+    linear.gradient.y() = (pressure[2] - pressure[0] - linear.gradient.x() * c.x()) / c.y();
+    const Thrust thrust = thrustOn(triangle, linear);
+    return {thrust.force, thrust.moment_x * plane.e1 + thrust.moment_y * plane.e2};
+}
+
+std::vector<Error> conflicts(const State& state, const Flow& flow) {
+    const Model& model = state.geometry->model;
+    const std::string allowed = " beside " + flow.field + "; allowed: one of them in a joint";
+    std::vector<Error> errors;
+    if (model.phreatic) errors.push_back({model.phreatic->field, "found a water table" + allowed});
+    for (const Water& water : model.waters)
+        if (wetsJoint(state, water)) errors.push_back({water.field, "found water in a joint" + allowed});
+    return errors;
+}
+
+std::vector<Error> build(State& state, ForceParts& parts) {
+    const std::optional<Flow>& flow = state.geometry->model.flow;
+    if (!flow) return {};
+    if (std::vector<Error> errors = conflicts(state, *flow); !errors.empty()) return errors;
+    const auto solved = flow::flowIn(state, *flow);
+    if (!solved) return solved.errors();
+    store(state, pushesOf(state, *solved), parts);
+    return {};
+}
+
+Wrench on(const State& state, const ForceParts& parts, std::size_t block) {
+    const auto found =
+        std::lower_bound(parts.block.begin(), parts.block.end(), static_cast<std::int32_t>(block));
+    if (found == parts.block.end() || *found != static_cast<std::int32_t>(block)) return {};
+    const double* n = parts.numbers.data() + kNumbers * static_cast<std::size_t>(found - parts.block.begin());
+    const Mat3 turn = state.load.water_share * state.blocks.orientation.matrix(block);
+    return {turn * Vec3(n[0], n[1], n[2]), turn * Vec3(n[3], n[4], n[5])};
+}
+
+}  // namespace talus::flow_water

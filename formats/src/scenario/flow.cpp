@@ -1,0 +1,107 @@
+#include "scenario/flow.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "scenario/fields.h"
+#include "scenario/places.h"
+
+namespace talus::formats::scenario {
+
+namespace {
+
+constexpr Bounds kRefinements{0, 5};  // each makes four times the triangles: 5 are a thousand for each
+
+void readJointApertures(const ForceReader& from, TableReader& flow_table, Flow& flow) {
+    for (const FieldNode& node : flow_table.namedTables("joint")) {
+        TableReader table(from.report, node.node, node.field, {"aperture"});
+        table.require({"aperture"});
+        const auto joint = from.joints.names.resolve(from.report, table.place(), node.field, node.name);
+        const auto aperture = table.number("aperture", kHydraulicAperture, kApertureSlip);
+        if (joint && aperture) flow.joint_apertures.emplace_back(*joint, *aperture);
+    }
+}
+
+void readKind(TableReader& table, FlowBoundary& boundary) {
+    if (!table.requireOneOf({"head", "outlet"})) return;
+    if (const auto head = table.number("head", kCoordinate)) boundary.head = *head;
+    const auto outlet = table.boolean("outlet");
+    if (outlet && !*outlet) table.error("outlet", "found false, allowed: true, or head instead");
+    if (outlet) boundary.kind = FlowBoundary::Kind::outlet;
+}
+
+void readPlace(const ForceReader& from, TableReader& table, FlowBoundary& boundary) {
+    if (table.present({"face", "joint", "box"}).empty())
+        table.error("face", "missing; required: face, joint or box, to say where the boundary is");
+    boundary.face = readDirection(table, "face");
+    if (const auto box = readCorners(table, "box")) boundary.box_min = box->min, boundary.box_max = box->max;
+    const auto name = table.text("joint");
+    if (!name) return;
+    if (const auto joint =
+            from.joints.names.resolve(from.report, table.placeOf("joint"), table.fieldOf("joint"), *name))
+        boundary.joints = {*joint};
+}
+
+void readBoundaries(const ForceReader& from, TableReader& flow_table, Flow& flow) {
+    bool any_head = false;
+    for (const FieldNode& node : flow_table.tables("boundary")) {
+        TableReader table(from.report, node.node, node.field,
+                          {"name", "head", "outlet", "face", "joint", "box"});
+        FlowBoundary boundary;
+        boundary.field = node.field;
+        boundary.name =
+            table.name("name", false).value_or("boundary" + std::to_string(flow.boundaries.size() + 1));
+        readKind(table, boundary);
+        readPlace(from, table, boundary);
+        any_head = any_head || table.has("head");
+        flow.boundaries.push_back(std::move(boundary));
+    }
+    if (!any_head)
+        flow_table.error("boundary", "found no [[flow.boundary]] with a head, allowed: at least one");
+}
+
+}  // namespace
+
+void readFlow(const ForceReader& from, Model& model) {
+    std::vector<std::string> keys = keysOf(kFlowFields);
+    keys.insert(keys.end(), {"free_surface", "refinements", "joint", "boundary"});
+    auto table = from.root.table("flow", keys);
+    if (!table) return;
+    Flow flow;
+    flow.field = table->field();
+    table->require({"aperture"});
+    readNumbers(*table, kFlowFields, flow);
+    flow.free_surface = table->boolean("free_surface").value_or(true);
+    flow.refinements = static_cast<int>(table->integer("refinements", kRefinements).value_or(0));
+    readJointApertures(from, *table, flow);
+    readBoundaries(from, *table, flow);
+    model.flow = std::move(flow);
+}
+
+void addDerivedJoints(const std::vector<JointOrigin>& origins, Model& model) {
+    if (!model.flow) return;
+    const auto isOfFile = [&](std::int32_t joint) {
+        return origins[static_cast<std::size_t>(joint)].kind == JointOrigin::Kind::file;
+    };
+    // Joints of the file stand first, so their numbers never change.
+    std::erase_if(model.flow->joint_apertures, [&](const auto& entry) { return !isOfFile(entry.first); });
+    for (FlowBoundary& boundary : model.flow->boundaries)
+        std::erase_if(boundary.joints, [&](std::int32_t joint) { return !isOfFile(joint); });
+    for (std::size_t j = 0; j < origins.size(); ++j) {
+        const auto joint = static_cast<std::int32_t>(j);
+        if (isOfFile(joint)) continue;
+        auto& apertures = model.flow->joint_apertures;
+        const auto base = std::find_if(apertures.begin(), apertures.end(),
+                                       [&](const auto& entry) { return entry.first == origins[j].base; });
+        if (base != apertures.end()) {
+            const double aperture = base->second;
+            apertures.emplace_back(joint, aperture);
+        }
+        for (FlowBoundary& boundary : model.flow->boundaries)
+            if (std::find(boundary.joints.begin(), boundary.joints.end(), origins[j].base) !=
+                boundary.joints.end())
+                boundary.joints.push_back(joint);
+    }
+}
+
+}  // namespace talus::formats::scenario

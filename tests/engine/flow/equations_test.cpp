@@ -1,0 +1,84 @@
+#include "flow/equations.h"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "build/build.h"
+#include "flow/solve.h"
+#include "support/flows.h"
+
+using namespace talus;
+using namespace talus::test;
+
+namespace {
+
+/// A small dam, its network and the conditions on it.
+struct Dam {
+    Model model = gridDam(3, 3, 1, {1, 1, 1}, 2.4, 0.6);
+    Flow water = *model.flow;
+    State state = [this] {
+        Model dry = model;
+        dry.flow.reset();
+        return *buildState(std::move(dry), false);
+    }();
+    flow::Network network = flow::networkOf(state, 0);
+    flow::Conditions conditions = *flow::conditionsOf(network, water, model, Vec3::Zero());
+    std::vector<double> transmissivity = std::vector(network.patches.size(), 1.0);
+    flow::Equations equations{network, conditions, transmissivity};
+
+    flow::Vector anyHeads(unsigned seed) const {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> between(-0.5, 2.5);
+        flow::Vector heads(static_cast<Eigen::Index>(network.nodes.size()));
+        for (double& head : heads) head = between(random);
+        equations.hold(heads);
+        return heads;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("flow equations: the derivative is that of the inflows, by differences") {
+    const Dam dam;
+    for (const double ramp : {1.0, 0.1}) {
+        const flow::Vector heads = dam.anyHeads(3);
+        const Eigen::MatrixXd derivative = dam.equations.derivative(heads, ramp);
+        const auto inflowAt = [&](const flow::Vector& at) {
+            return dam.equations.inflows(at, dam.equations.sharesOf(at, ramp));
+        };
+        constexpr double kStep = 1e-6;
+        for (Eigen::Index j = 0; j < heads.size(); ++j) {
+            if (dam.equations.isHeld(static_cast<std::size_t>(j))) continue;
+            flow::Vector more = heads, less = heads;
+            more[j] += kStep;
+            less[j] -= kStep;
+            const flow::Vector slope = (inflowAt(more) - inflowAt(less)) / (2 * kStep);
+            for (Eigen::Index i = 0; i < heads.size(); ++i)
+                if (!dam.equations.isHeld(static_cast<std::size_t>(i)))
+                    CHECK(std::abs(derivative(i, j) - slope[i]) < 1e-4 * (1 + std::abs(slope[i])));
+        }
+    }
+}
+
+TEST_CASE("flow equations: inflows sum to zero, whatever the heads") {
+    const Dam dam;
+    const flow::Vector heads = dam.anyHeads(5);
+    const flow::Vector inflow = dam.equations.inflows(heads, dam.equations.sharesOf(heads, 0.1));
+    CHECK(std::abs(inflow.sum()) < 1e-12 * inflow.cwiseAbs().sum());
+}
+
+TEST_CASE("flow solution: outlets are under no pressure where water flows out, and closed elsewhere") {
+    const Dam dam;
+    const flow::Heads found = flow::solveHeads(dam.network, dam.conditions, dam.transmissivity, true);
+    REQUIRE(found.found);
+    std::size_t open = 0, closed = 0;
+    for (std::size_t n = 0; n < found.head.size(); ++n) {
+        if (dam.conditions.of[n] != flow::Condition::outlet) continue;
+        const double pressure_head = found.head[n] - dam.conditions.elevation[n];
+        CHECK(pressure_head < 1e-8);
+        CHECK(found.inflow[n] < 1e-12);
+        (std::abs(pressure_head) < 1e-8 ? open : closed) += 1;
+    }
+    CHECK(open + closed > 0);
+}

@@ -1,0 +1,124 @@
+// [flow] as scenarios say it, and what is refused.
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "talus/formats/overrides.h"
+#include "talus/formats/scenario.h"
+
+using namespace talus;
+using namespace talus::formats;
+
+namespace {
+
+const std::string kBlocks =
+    "[material.rock]\ndensity = 2700.0\n"
+    "[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = 30.0\n"
+    "[joint.bedding]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = 25.0\n"
+    "[[stack]]\ncolumns = 3\nrows = 2\nslices = 1\nblock = [1.0, 1.0, 1.0]\nbed_friction_deg = [20.0, 22.0]\n"
+    "bed_joint = \"bedding\"\n";
+const std::string kHeads =
+    "[[flow.boundary]]\nface = \"-x\"\nhead = 2.0\n[[flow.boundary]]\nname = \"toe\"\nface = \"+x\"\noutlet "
+    "= "
+    "true\n";
+
+std::string flow(const std::string& keys, const std::string& tables = kHeads) {
+    return "[flow]\n" + keys + tables;
+}
+
+/// The first error.
+std::string refused(const std::string& section) {
+    const auto scenario = parseScenario(kBlocks + section, "slope.toml");
+    if (scenario.ok()) return "accepted";
+    const Error& error = scenario.errors().front();
+    CHECK(error.line > 0);
+    return error.field + ": " + error.message;
+}
+
+void checkStart(const std::string& text, const std::string& with) {
+    CAPTURE(text);
+    CHECK(text.starts_with(with));
+}
+
+}  // namespace
+
+TEST_CASE("flow: what a scenario says of it") {
+    const auto scenario =
+        parseScenario(kBlocks + flow("aperture = 1e-4\nviscosity = 1e-3\ndensity = 1020\nfree_surface = "
+                                     "false\nrefinements = 2\n[flow.joint.bedding]\naperture = 2e-4\n",
+                                     kHeads + "[[flow.boundary]]\njoint = \"bedding\"\nbox = { min = [0, 0, "
+                                              "0], max = [1, 1, 1] }\nhead = 1.5\n"),
+                      "slope.toml");
+    REQUIRE(scenario.ok());
+    REQUIRE(scenario->model.flow);
+    const Flow& read = *scenario->model.flow;
+    CHECK(read.aperture == 1e-4);
+    CHECK(read.viscosity == 1e-3);
+    CHECK(read.density == 1020);
+    CHECK_FALSE(read.free_surface);
+    CHECK(read.refinements == 2);
+    REQUIRE(read.boundaries.size() == 3);
+    CHECK(read.boundaries[0].kind == FlowBoundary::Kind::head);
+    CHECK(read.boundaries[0].head == 2);
+    CHECK(*read.boundaries[0].face == -Vec3::UnitX());
+    CHECK(read.boundaries[0].name == "boundary1");
+    CHECK(read.boundaries[1].kind == FlowBoundary::Kind::outlet);
+    CHECK(read.boundaries[1].name == "toe");
+    CHECK_FALSE(read.boundaries[2].face);
+    CHECK(read.boundaries[2].box_max == Vec3(1, 1, 1));
+}
+
+TEST_CASE("flow: what is said of a joint holds for those made from it") {
+    const auto scenario = parseScenario(
+        kBlocks + flow("aperture = 1e-4\n[flow.joint.bedding]\naperture = 2e-4\n"), "slope.toml");
+    REQUIRE(scenario.ok());
+    std::size_t count = 0;
+    for (const auto& [joint, aperture] : scenario->model.flow->joint_apertures) {
+        CHECK(scenario->model.joints[static_cast<std::size_t>(joint)].name.starts_with("bedding"));
+        CHECK(aperture == 2e-4);
+        ++count;
+    }
+    CHECK(count == scenario->model.joints.size() - 1);
+    CHECK(count > 1);
+}
+
+TEST_CASE("flow: defaults are water at 10 degrees with a free surface") {
+    const auto scenario = parseScenario(kBlocks + flow("aperture = 1e-4\n"), "slope.toml");
+    REQUIRE(scenario.ok());
+    CHECK(scenario->model.flow->viscosity == 1.307e-3);
+    CHECK(scenario->model.flow->density == 1000);
+    CHECK(scenario->model.flow->free_surface);
+    CHECK(scenario->warnings.empty());
+}
+
+TEST_CASE("flow: what is refused, with its place") {
+    checkStart(refused(flow("")), "flow.aperture: missing");
+    checkStart(refused(flow("aperture = 0\n")), "flow.aperture: found 0");
+    checkStart(refused(flow("aperture = -1e-4\n")), "flow.aperture: found -0.0001");
+    checkStart(refused(flow("aperture = 1e-4\n", "")),
+               "flow.boundary: found no [[flow.boundary]] with a head");
+    checkStart(refused(flow("aperture = 1e-4\n[flow.joint.cleats]\naperture = 1e-4\n")),
+               "flow.joint.cleats: found \"cleats\"");
+    checkStart(refused(flow("aperture = 1e-4\n[flow.joint.bedding]\naperture = 0\n")),
+               "flow.joint.bedding.aperture: found 0");
+    checkStart(
+        refused(flow("aperture = 1e-4\n", kHeads + "[[flow.boundary]]\njoint = \"cleats\"\nhead = 1\n")),
+        "flow.boundary[2].joint: found \"cleats\"");
+    checkStart(refused(flow("aperture = 1e-4\n", kHeads + "[[flow.boundary]]\nhead = 1\n")),
+               "flow.boundary[2].face: missing");
+    checkStart(refused(flow("aperture = 1e-4\n", kHeads + "[[flow.boundary]]\nface = \"+z\"\n")),
+               "flow.boundary[2]");
+    checkStart(refused(flow("aperture = 1e-4\n",
+                            kHeads + "[[flow.boundary]]\nface = \"+z\"\nhead = 1\noutlet = true\n")),
+               "flow.boundary[2]");
+    checkStart(refused(flow("aperture = 1e-4\nrefinements = 9\n")), "flow.refinements: found 9");
+}
+
+TEST_CASE("flow: an aperture in millimetres is warned of, and a sweep can vary its numbers") {
+    const auto scenario = parseScenario(kBlocks + flow("aperture = 0.05\n"), "slope.toml");
+    REQUIRE(scenario.ok());
+    CHECK(scenario->warnings.size() == 1);
+    CHECK(canOverride(*scenario, "flow.aperture"));
+    CHECK(canOverride(*scenario, "flow.viscosity"));
+}

@@ -1,0 +1,66 @@
+// talus flow: what it prints, and the files it writes.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "support/files.h"
+#include "tools/program.h"
+
+using namespace talus;
+using namespace talus::tools::testing;
+
+namespace {
+
+const std::string kSlope = TALUS_SOURCE_DIR "/bench/examples/seepage.toml";
+
+}  // namespace
+
+TEST_CASE("flow: a slope as JSON and as text") {
+    const Outcome outcome = runTalus({"flow", kSlope, "--json"});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const auto found = outcome.json();
+    CHECK(found.at("warnings").empty());
+    REQUIRE(found.at("boundaries").size() == 3);
+    CHECK(found.at("boundaries")[0].at("name") == "behind");
+    CHECK(found.at("boundaries")[1].at("inflow_m3_s") == 0);
+    const double inflow = found.at("inflow_m3_s"), outflow = found.at("outflow_m3_s");
+    CHECK(inflow > 0);
+    CHECK(outflow == doctest::Approx(inflow).epsilon(1e-9));
+    CHECK(found.at("imbalance_m3_s").get<double>() < 1e-12 * inflow);
+    CHECK(found.at("unreached_patches") == 0);
+    const auto& surface = found.at("free_surface");
+    CHECK(surface.at("highest_m").get<double>() <= 8.5);
+    CHECK(surface.at("lowest_m").get<double>() < surface.at("highest_m").get<double>());
+    const Outcome text = runTalus({"flow", kSlope});
+    REQUIRE(text.exit_code == 0);
+    for (const char* part : {"behind", "face", "inflow", "largest pressure", "free surface"})
+        CHECK(text.out.find(part) != std::string::npos);
+}
+
+TEST_CASE("flow: files for ParaView, of a table, of a picture") {
+    const test::TemporaryFolder folder;
+    const std::string vtk = folder / "flow.vtp", csv = folder / "flow.csv", svg = folder / "flow.svg";
+    const Outcome outcome =
+        runTalus({"flow", kSlope, "-o", vtk, "--csv", csv, "--picture", svg, "--json", "--quiet"});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const std::size_t triangles = outcome.json().at("triangles");
+    const std::string table = test::contentOf(csv), drawing = test::contentOf(svg),
+                      poly = test::contentOf(vtk);
+    const auto rows = static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')) -
+                      static_cast<std::size_t>(std::count(table.begin(), table.end(), '#'));
+    CHECK(rows == triangles + 1);
+    CHECK(table.find("pressure_pa") != std::string::npos);
+    CHECK(drawing.find("<svg") != std::string::npos);
+    CHECK(poly.find("NumberOfPolys=\"" + std::to_string(triangles) + "\"") != std::string::npos);
+    for (const char* name : {"head", "pressure", "discharge", "wet_share"})
+        CHECK(poly.find("Name=\"" + std::string(name) + "\"") != std::string::npos);
+}
+
+TEST_CASE("flow: a scenario without [flow], or a file of another kind, is refused") {
+    CHECK(runTalus({"flow", TALUS_SOURCE_DIR "/bench/examples/uplift.toml"}).exit_code == 2);
+    CHECK(runTalus({"flow", kSlope, "--picture", "picture.png"}).exit_code == 2);
+}

@@ -1,0 +1,145 @@
+#include "answers/flow_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "cli/json.h"
+#include "cli/provenance.h"
+#include "cli/scenario.h"
+#include "cli/text.h"
+#include "report/csv.h"
+
+namespace talus::tools {
+
+namespace {
+
+std::string row(std::string label, const std::string& content) {
+    label.resize(std::max<std::size_t>(label.size() + 1, 18), ' ');
+    return label + content + "\n";
+}
+
+std::string figure(const char* format, double value) {
+    std::array<char, 64> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), format, value);
+    return buffer.data();
+}
+
+std::string discharge(double value) { return figure("%.4g", value) + " m3/s"; }
+
+std::size_t highestPressure(const SteadyFlow& flow) {
+    const auto most = std::max_element(flow.pressure.begin(), flow.pressure.end());
+    return static_cast<std::size_t>(most - flow.pressure.begin());
+}
+
+std::string place(const Vec3& x) {
+    return "x = " + figure("%.4g", x.x()) + ", y = " + figure("%.4g", x.y()) +
+           ", z = " + figure("%.4g", x.z()) + " m";
+}
+
+std::string boundaryText(const BoundaryFlow& boundary) {
+    std::string text = "in " + discharge(boundary.inflow) + ", out " + discharge(boundary.outflow);
+    if (std::isfinite(boundary.highest_outflow))
+        text += ", up to " + figure("%.4g", boundary.highest_outflow) + " m";
+    return text;
+}
+
+std::string surfaceText(const SteadyFlow& flow) {
+    if (flow.free_surface.empty()) return "none: every joint is full";
+    return "from " + figure("%.4g", flow.lowest_surface) + " to " + figure("%.4g", flow.highest_surface) +
+           " m";
+}
+
+double meanAt(const std::vector<double>& values, const std::array<std::int32_t, 3>& corners) {
+    double sum = 0;
+    for (const std::int32_t n : corners) sum += values[static_cast<std::size_t>(n)];
+    return sum / 3;
+}
+
+Vec3 middleOf(const SteadyFlow& flow, std::size_t triangle) {
+    Vec3 sum = Vec3::Zero();
+    for (const std::int32_t n : flow.triangles[triangle]) sum += flow.nodes[static_cast<std::size_t>(n)];
+    return sum / 3;
+}
+
+Json boundariesJson(const SteadyFlow& flow) {
+    Json list = Json::array();
+    for (const BoundaryFlow& boundary : flow.boundaries)
+        list.push_back({{"name", boundary.name},
+                        {"nodes", boundary.nodes},
+                        {"inflow_m3_s", number(boundary.inflow)},
+                        {"outflow_m3_s", number(boundary.outflow)},
+                        {"highest_outflow_m", number(boundary.highest_outflow)}});
+    return list;
+}
+
+Json surfaceJson(const SteadyFlow& flow) {
+    if (flow.free_surface.empty()) return nullptr;
+    Json points = Json::array();
+    for (const Vec3& x : flow.free_surface) points.push_back(vector(x));
+    return {{"lowest_m", number(flow.lowest_surface)},
+            {"highest_m", number(flow.highest_surface)},
+            {"points_m", std::move(points)}};
+}
+
+}  // namespace
+
+std::string flowText(const SteadyFlow& flow, const std::string& scenario) {
+    std::string text =
+        row("scenario", scenario) + row("network", std::to_string(flow.patches) + " polygons of joints, " +
+                                                       std::to_string(flow.nodes.size()) + " nodes, " +
+                                                       std::to_string(flow.triangles.size()) + " triangles");
+    for (const BoundaryFlow& boundary : flow.boundaries) text += row(boundary.name, boundaryText(boundary));
+    text += row("inflow", discharge(flow.inflow_sum)) + row("outflow", discharge(flow.outflow_sum));
+    text += row("imbalance", figure("%.1g", flow.imbalance) + " m3/s at a node, at most");
+    if (!flow.nodes.empty()) {
+        const std::size_t most = highestPressure(flow);
+        text += row("largest pressure",
+                    figure("%.4g", flow.pressure[most]) + " Pa at " + place(flow.nodes[most]));
+    }
+    return text + row("free surface", surfaceText(flow)) +
+           row("iterations", std::to_string(flow.iterations) + ", joints run dry over " +
+                                 figure("%.2g", flow.ramp) + " m of pressure head");
+}
+
+Json flowJson(const SteadyFlow& flow, const Common& common, const formats::Scenario& scenario) {
+    const bool any = !flow.nodes.empty();
+    const std::size_t most = any ? highestPressure(flow) : 0;
+    return {{"patches", flow.patches},
+            {"unreached_patches", flow.unreached_patches},
+            {"nodes", flow.nodes.size()},
+            {"triangles", flow.triangles.size()},
+            {"boundaries", boundariesJson(flow)},
+            {"inflow_m3_s", number(flow.inflow_sum)},
+            {"outflow_m3_s", number(flow.outflow_sum)},
+            {"imbalance_m3_s", number(flow.imbalance)},
+            {"largest_pressure_pa", any ? number(flow.pressure[most]) : Json(nullptr)},
+            {"largest_pressure_at_m", any ? vector(flow.nodes[most]) : Json(nullptr)},
+            {"free_surface", surfaceJson(flow)},
+            {"iterations", flow.iterations},
+            {"residual", number(flow.residual)},
+            {"ramp_m", number(flow.ramp)},
+            {"warnings", warningsJson(scenario, flow.warnings)},
+            {"provenance", provenance(common, scenario.path)}};
+}
+
+std::string flowCsv(const SteadyFlow& flow, const Model& model, const std::string& comments) {
+    std::string out = comments +
+                      "x_m,y_m,z_m,block_a,block_b,joint,head_m,pressure_pa,wet_share,discharge_x_m2_s,"
+                      "discharge_y_m2_s,discharge_z_m2_s\n";
+    const auto block = [&](std::int32_t b) -> const std::string& {
+        return model.blocks[static_cast<std::size_t>(b)].name;
+    };
+    for (std::size_t t = 0; t < flow.triangles.size(); ++t) {
+        const Vec3 x = middleOf(flow, t), &q = flow.discharge[t];
+        out += csvLine({csvNumber(x.x()), csvNumber(x.y()), csvNumber(x.z()), block(flow.block_a[t]),
+                        block(flow.block_b[t]), model.joints[static_cast<std::size_t>(flow.joint[t])].name,
+                        csvNumber(meanAt(flow.head, flow.triangles[t])),
+                        csvNumber(meanAt(flow.pressure, flow.triangles[t])), csvNumber(flow.wet_share[t]),
+                        csvNumber(q.x()), csvNumber(q.y()), csvNumber(q.z())});
+    }
+    return out;
+}
+
+}  // namespace talus::tools

@@ -1,0 +1,22 @@
+#pragma once
+// Steady flow in the joints as text, JSON, table and picture.
+
+#include <string>
+
+#include "cli/common.h"
+#include "cli/json_fwd.h"
+#include "talus/flow.h"
+#include "talus/formats/scenario.h"
+
+namespace talus::tools {
+
+std::string flowText(const SteadyFlow& flow, const std::string& scenario);
+
+/// Sums, boundaries, the free surface, and of each joint's polygon the largest pressure.
+Json flowJson(const SteadyFlow& flow, const Common& common, const formats::Scenario& scenario);
+
+/// A row a triangle of the mesh: its centroid, blocks and joint, head, pressure, discharge.
+/// \param comments  whole lines above the header
+std::string flowCsv(const SteadyFlow& flow, const Model& model, const std::string& comments);
+
+}  // namespace talus::tools
