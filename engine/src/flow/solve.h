@@ -20,7 +20,7 @@ struct Heads {
     std::vector<double> inflow;     ///< into the network at each node [m^3/s]
     std::vector<double> wet_share;  ///< of each triangle
     int iterations = 0;
-    double ramp = 0;         ///< pressure head over which joints run dry [m]; 0 without a free surface
+    double ramp = 0;      ///< pressure head over which joints run dry [m]; 0 without a free surface
     double residual = 0;  ///< largest imbalance of a node in the last stage, over the inflow
     bool found = false;
 };
