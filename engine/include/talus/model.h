@@ -31,6 +31,7 @@ struct Block {
     Vec3 velocity = Vec3::Zero();          ///< initial; kept when driven [m/s]
     std::vector<std::int32_t> face_joint;  ///< one joint index per face of the shape
     std::string field{};  ///< its entry in the scenario ("stack[0]", "block[2]"), for messages
+    Vec3 angular_velocity = Vec3::Zero();  ///< initial, about its centroid; of free blocks [rad/s]
 };
 
 /// Joint of one pair of blocks, in place of the rule (of the two faces' joints the one with less friction,

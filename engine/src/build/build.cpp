@@ -91,6 +91,9 @@ void addBlock(const Block& block, State& state, Geometry& geometry, std::vector<
     geometry.shape.push_back(std::move(own));
 
     const bool free = block.motion == Motion::free;
+    // L = R diag(I) R^T omega, in the model frame.
+    blocks.angular_momentum.add(free ? Vec3(block.density * (mass.inertia * block.angular_velocity))
+                                     : Vec3(Vec3::Zero()));
     blocks.position.add(mass.centroid);
     blocks.orientation.push_back({turn.w(), turn.x(), turn.y(), turn.z()});
     blocks.velocity.add(block.motion == Motion::fixed ? Vec3(Vec3::Zero()) : block.velocity);
@@ -133,7 +136,6 @@ Result<State> buildState(std::shared_ptr<const Model> description, bool parallel
     if (!errors.empty()) return errors;
 
     const std::size_t n = state.blocks.size();
-    state.blocks.angular_momentum.resize(n);
     state.blocks.angular_velocity.resize(n);
     state.blocks.force.resize(n);
     state.blocks.torque.resize(n);

@@ -47,7 +47,7 @@ static_assert(kStepsPerReport % kStepsPerLook == 0);
 bool expectsImpacts(const State& state) {
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] == Motion::free &&
-            (!checks::touchesSomething(state, b) || state.blocks.velocity.get(b).norm() > 0))
+            (!checks::touchesSomething(state, b) || speedBound(state, b) > 0))
             return true;
         if (state.blocks.motion[b] == Motion::driven) return true;
     }

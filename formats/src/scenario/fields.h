@@ -35,6 +35,8 @@ inline constexpr Interval kFluidDensity{1, 30000};
 inline constexpr UnitMixUp kFluidDensityMixUp{0, 30, "g/cm3, t/m3 or kN/m3"};
 // Rocks fall at up to some 100 m/s; faster ones would meet as shock waves, not as rigid bodies.
 inline constexpr Interval kSpeed{-1000, 1000};  ///< [m/s]
+// Falling rocks turn at up to some 50 rad/s. The step follows the stiffness, so faster ones would need more.
+inline constexpr Interval kSpin{-1000, 1000};  ///< [rad/s]
 // From a second before anything has moved to thirty years; longer than any history can be computed.
 inline constexpr Interval kDuration = Interval::positive(1e9);  ///< [s]
 

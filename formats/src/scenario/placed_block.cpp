@@ -11,9 +11,14 @@ void readMotion(TableReader& table, Block& block) {
     const bool fixed = table.boolean("fixed").value_or(false);
     const bool driven = table.boolean("driven").value_or(false);
     block.velocity = table.vector("velocity", kSpeed).value_or(Vec3::Zero());
+    block.angular_velocity = table.vector("angular_velocity", kSpin).value_or(Vec3::Zero());
     if (fixed && driven) table.error("driven", "found a block both fixed and driven, allowed: one of them");
     if (fixed && !driven && table.has("velocity"))
         table.error("velocity", "found a velocity of a fixed block, allowed: only for free or driven blocks");
+    if ((fixed || driven) && table.has("angular_velocity"))
+        table.error("angular_velocity", "found an angular velocity of a " +
+                                            std::string(fixed ? "fixed" : "driven") +
+                                            " block, allowed: only for free blocks");
     if (driven && !table.has("velocity")) table.error("velocity", "missing; required for a driven block");
     block.motion = fixed ? Motion::fixed : driven ? Motion::driven : Motion::free;
 }
@@ -24,7 +29,7 @@ std::vector<PlacedBlock> readPlacedBlocks(Report& report, const FieldNode& entry
                                           const Joints& joints, const std::string& folder) {
     std::vector<std::string> keys{"name"};
     keys.insert(keys.end(), shapeKeys().begin(), shapeKeys().end());
-    keys.insert(keys.end(), {"material", "joint", "fixed", "driven", "velocity"});
+    keys.insert(keys.end(), {"material", "joint", "fixed", "driven", "velocity", "angular_velocity"});
     TableReader table(report, entry.node, entry.field, keys);
     const bool is_many = table.boolean("each_solid").value_or(false);
     table.require({"name"});

@@ -95,6 +95,8 @@ constexpr Description kScenario[] = {
     {"block[].fixed", "whether it does not move; default false"},
     {"block[].driven", "whether it keeps its velocity under any force; default false"},
     {"block[].velocity", "velocity at the start, x y z; default 0 0 0"},
+    {"block[].angular_velocity",
+     "angular velocity of a free block at the start, x y z, right-handed, about its centroid; default 0 0 0"},
 
     {"rock_mass", "a region that joints cut into blocks"},
     {"rock_mass.name", "prefix of its blocks' names"},

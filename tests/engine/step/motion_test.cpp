@@ -143,6 +143,51 @@ TEST_SUITE("step") {
         CHECK((state.blocks.angular_momentum.get(0) - momentum).norm() < 1e-12 * momentum.norm());
     }
 
+    TEST_CASE("a block that is given a spin has its momentum and energy, and keeps both") {
+        Model model;
+        model.joints = {joint(30)};
+        model.gravity.magnitude = 0;
+        model.blocks = {box("body", {-0.15, -0.1, -0.05}, {0.15, 0.1, 0.05})};
+        const Eigen::Quaterniond turn = turnAbout({1, 2, 3}, 40);  // so that its inertia is not diagonal
+        for (Vec3& v : model.blocks[0].shape.vertices) v = turn * v;
+        const Vec3 spin{0.5, -2, 1.5};
+        model.blocks[0].angular_velocity = spin;
+        State state = *buildState(model, false);
+        // Of a box: m/12 (b^2 + c^2) and so on about its own axes.
+        const double twelfth = 2700 * 0.3 * 0.2 * 0.1 / 12;
+        const Vec3 own = twelfth * Vec3(0.04 + 0.01, 0.09 + 0.01, 0.09 + 0.04);
+        const Vec3 momentum = turn * own.cwiseProduct(turn.inverse() * spin);
+        CHECK((state.blocks.angular_momentum.get(0) - momentum).norm() < 1e-12 * momentum.norm());
+        CHECK((angularVelocity(state.blocks, 0) - spin).norm() < 1e-12 * spin.norm());
+        CHECK(kineticEnergy(state) == doctest::Approx(0.5 * spin.dot(momentum)).epsilon(1e-12));
+        fly(state, 1e-3, 5000);
+        CHECK((state.blocks.angular_momentum.get(0) - momentum).norm() < 1e-12 * momentum.norm());
+        CHECK(kineticEnergy(state) == doctest::Approx(0.5 * spin.dot(momentum)).epsilon(1e-6));
+    }
+
+    TEST_CASE("a spun block with two equal moments of inertia: Euler's regular precession") {
+        // L. D. Landau and E. M. Lifshitz, Mechanics, section 33: the axis turns about L at |L| / I_1, the
+        // block about its axis at omega_3 (1 - I_3 / I_1).
+        Model model;
+        model.joints = {joint(30)};
+        model.gravity.magnitude = 0;
+        model.blocks = {box("plate", {-0.2, -0.2, -0.05}, {0.2, 0.2, 0.05})};
+        const Vec3 spin{1, 0, 4};
+        model.blocks[0].angular_velocity = spin;
+        State state = *buildState(model, false);
+        const QuaternionArray start = state.blocks.orientation;
+        const double across = 0.16 + 0.01, along = 0.16 + 0.16;  // moments of inertia, times 12 / m
+        const Vec3 momentum{across * spin.x(), 0, along * spin.z()};
+        const double seconds = 2.0;
+        fly(state, 1e-4, 20000);
+        const Eigen::Quaterniond exact =
+            turnAbout(momentum, degrees(momentum.norm() / across * seconds)) *
+            turnAbout(Vec3::UnitZ(), degrees(spin.z() * (1 - along / across) * seconds));
+        const Eigen::Quaterniond turned(state.blocks.orientation.matrix(0) * start.matrix(0).transpose());
+        CHECK(exact.angularDistance(turned) < 1e-6);
+        CHECK(std::abs(momentum.norm() / across * seconds) > M_PI);  // more than half a turn
+    }
+
     TEST_CASE("rotation is of second order") {
         const auto errorAt = [](int steps) {
             State coarse = spinningBox({2, 6, 3}), fine = spinningBox({2, 6, 3});

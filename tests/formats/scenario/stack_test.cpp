@@ -252,7 +252,7 @@ TEST_CASE("scenario block: boxes and hulls, fixed, driven, moving") {
         "[[block]]\nname = \"press\"\nbox = { min = [0, 0, 3], max = [1, 1, 4] }\ndriven = true\nvelocity = "
         "[0, 0, -1]\n"
         "[[block]]\nname = \"thrown\"\nbox = { min = [0, 0, 5], max = [1, 1, 6] }\nvelocity = [1, 2, "
-        "3]\nfixed = false\n");
+        "3]\nfixed = false\nangular_velocity = [0, 0.5, -4]\n");
     REQUIRE(model.blocks.size() == 4);
     checkExtent(model.blocks[0], {-1, -1, -0.1}, {2, 1, 0});
     CHECK(model.blocks[0].motion == Motion::fixed);
@@ -265,6 +265,8 @@ TEST_CASE("scenario block: boxes and hulls, fixed, driven, moving") {
     CHECK(model.blocks[2].velocity == Vec3(0, 0, -1));
     CHECK(model.blocks[3].motion == Motion::free);
     CHECK(model.blocks[3].velocity == Vec3(1, 2, 3));
+    CHECK(model.blocks[1].angular_velocity == Vec3(0, 0, 0));
+    CHECK(model.blocks[3].angular_velocity == Vec3(0, 0.5, -4));
 }
 
 TEST_CASE("scenario interface: a joint by hand, in place of what a stack derived") {
