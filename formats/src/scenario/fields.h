@@ -82,15 +82,15 @@ inline constexpr double kMetresPerSecond = 1.0 / (1000 * 3600.0);  ///< of 1 mm/
 
 // From fractures of tight rock to open caves; the cubic law is of fractions of a millimetre.
 inline constexpr Interval kHydraulicAperture{1e-9, 0.1};  ///< [m]
-inline constexpr Slip kApertureSlip{0.009, 0.2, "mm"};
+inline constexpr UnitMixUp kApertureMixUp{0.009, 0.2, "mm"};
 // From gases to cold oil; water has 1.8e-3 at the freezing point and 0.28e-3 at the boiling point.
 inline constexpr Interval kViscosity{1e-6, 10};  ///< [Pa s]
-inline constexpr Slip kViscositySlip{0.2, 10, "mPa s"};
+inline constexpr UnitMixUp kViscosityMixUp{0.2, 10, "mPa s"};
 
 inline constexpr std::array kFlowFields{
-    NumberField<Flow>{"aperture", &Flow::aperture, "m", kHydraulicAperture, kApertureSlip},
-    NumberField<Flow>{"viscosity", &Flow::viscosity, "Pa s", kViscosity, kViscositySlip},
-    NumberField<Flow>{"density", &Flow::density, "kg/m^3", kFluidDensity, kFluidDensitySlip}};
+    NumberField<Flow>{"aperture", &Flow::aperture, "m", kHydraulicAperture, kApertureMixUp},
+    NumberField<Flow>{"viscosity", &Flow::viscosity, "Pa s", kViscosity, kViscosityMixUp},
+    NumberField<Flow>{"density", &Flow::density, "kg/m^3", kFluidDensity, kFluidDensityMixUp}};
 
 /// Sections that hold nothing but such numbers, each with what holds them in the model: calls with its name,
 /// its fields and that. The reader, overrides and units iterate over them.

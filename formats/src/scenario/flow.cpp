@@ -17,7 +17,7 @@ void readJointApertures(const ForceReader& from, TableReader& flow_table, Flow& 
         TableReader table(from.report, node.node, node.field, {"aperture"});
         table.require({"aperture"});
         const auto joint = from.joints.names.resolve(from.report, table.place(), node.field, node.name);
-        const auto aperture = table.number("aperture", kHydraulicAperture, kApertureSlip);
+        const auto aperture = table.number("aperture", kHydraulicAperture, kApertureMixUp);
         if (joint && aperture) flow.joint_apertures.emplace_back(*joint, *aperture);
     }
 }
