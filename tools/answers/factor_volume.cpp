@@ -52,7 +52,7 @@ double highestDrawn(const std::vector<MovingGroup>& curve) {
 
 Json factorVolumeJson(const KeyBlockResult& result) {
     Json points = Json::array();
-    for (const MovingGroup& group : result.factor_volume)
+    for (const MovingGroup& group : result.factor_volume) {
         points.push_back({{"volume_m3", number(group.volume)},
                           {"mass_kg", number(group.mass)},
                           {"safety_factor", number(group.sliding.factor)},
@@ -60,15 +60,17 @@ Json factorVolumeJson(const KeyBlockResult& result) {
                           {"joints", group.sliding.joints},
                           {"direction", direction(group.sliding.direction)},
                           {"blocks", group.blocks}});
+    }
     return points;
 }
 
 std::string factorVolumeCsv(const KeyBlockResult& result, const std::string& comments) {
     std::string out = comments + "volume_m3,mass_kg,safety_factor,mode,joints,blocks\n";
-    for (const MovingGroup& group : result.factor_volume)
+    for (const MovingGroup& group : result.factor_volume) {
         out += csvLine({csvNumber(group.volume), csvNumber(group.mass), csvNumber(group.sliding.factor),
                         toString(group.sliding.mode), joined(group.sliding.joints, " "),
                         joined(group.blocks, " ")});
+    }
     return out;
 }
 

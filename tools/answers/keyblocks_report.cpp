@@ -115,9 +115,10 @@ std::string groupTable(const KeyBlockResult& result, std::size_t rows) {
 
 std::string curveTable(const KeyBlockResult& result) {
     std::vector<std::array<std::string, 5>> lines{{"m3 or more", "t", "factor", "mode", "blocks"}};
-    for (const MovingGroup* group : shownPoints(result))
+    for (const MovingGroup* group : shownPoints(result)) {
         lines.push_back({text(group->volume, 3), text(group->mass / 1000, 2), text(group->sliding.factor, 4),
                          modeText(group->sliding), compactNames(group->blocks, kNames)});
+    }
     return aligned<5>(lines, {false, false, false, true, true});
 }
 
@@ -160,9 +161,10 @@ std::string keyBlocksText(const KeyBlockResult& result, const std::string& scena
                           std::to_string(result.directions) + " directions" +
                           (result.interrupted ? ", interrupted" : "") + "; the lowest factors of safety:");
     out += result.groups.empty() ? row("", "none can move") : "\n" + groupTable(result, rows) + "\n";
-    if (!result.factor_volume.empty())
+    if (!result.factor_volume.empty()) {
         out += row("factor, volume", "the least factor of a failure of at least so much:") + "\n" +
                curveTable(result) + "\n";
+    }
     const bool any_carries = std::any_of(result.groups.begin(), result.groups.end(),
                                          [](const MovingGroup& group) { return !group.carries.empty(); });
     if (any_carries)

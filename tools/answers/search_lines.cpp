@@ -86,10 +86,11 @@ ResultLines theoryText(const SearchReport& report) {
                     report.cut_short ? "none found before the interruption" : "no closed formula applies");
     }
     std::string figures = figureOf(report, report.theory->value) + unitOf(report);
-    if (report.result.status == SearchStatus::found)
+    if (report.result.status == SearchStatus::found) {
         figures +=
             "  (computed minus theory: " + figureOf(report, report.result.answer - report.theory->value) +
             ")";
+    }
     return line("theory", figures) + line("", report.theory->prediction.formula);
 }
 
@@ -122,9 +123,10 @@ ResultLines intervalReasons(const SearchReport& report) {
 /// The answers by other failure displacements, where they differ.
 ResultLines displacementText(const SearchReport& report) {
     std::string answers;
-    for (const DisplacementAnswer& other : report.result.answers_by_displacement)
+    for (const DisplacementAnswer& other : report.result.answers_by_displacement) {
         answers += (answers.empty() ? "" : ", ") + scientific(other.displacement) + ": " +
                    figureOf(report, other.load);
+    }
     if (answers.empty()) return {};
     return line("by displacement", answers +
                                        "  (answers for other failure displacements, as shares of a block; "
@@ -259,9 +261,10 @@ ResultLines groupLines(const SearchReport& report) {
 
 ResultLines supportLines(const SearchReport& report) {
     ResultLines rows;
-    for (const SupportTexts& kind : supportTexts(report.result.supports))
+    for (const SupportTexts& kind : supportTexts(report.result.supports)) {
         for (const std::string& each : kind.lines)
             rows.push_back({&each == &kind.lines.front() ? kind.kind : "", each});
+    }
     return rows;
 }
 

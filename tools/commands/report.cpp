@@ -38,9 +38,10 @@ int report(const ReportOptions& options) {
     writeSlopeReport(*computed, files);
     if (options.common.json)
         printJson(slopeReportJson(*computed, files));
-    else
+    else {
         printResult("report   " + files.page + "\nfigures  " + files.folder + ", " +
                     std::to_string(files.figures.size()) + " files\n");
+    }
     return exitCode(computed->search);
 }
 

@@ -117,9 +117,10 @@ void HtmlPage::paragraph(std::string_view text, std::string_view look) {
 void HtmlPage::facts(const std::vector<std::pair<std::string, std::string>>& items) {
     if (items.empty()) return;
     body_ += "<dl>\n";
-    for (const auto& [term, text] : items)
+    for (const auto& [term, text] : items) {
         body_ += term.empty() ? element("dd", text, "more") + "\n"
                               : element("dt", term) + element("dd", text) + "\n";
+    }
     body_ += "</dl>\n";
 }
 

@@ -79,12 +79,13 @@ struct Scale {
         constexpr double kFew = 3.2;
         const bool few = std::log10(high() / low()) < kFew;
         std::vector<std::pair<double, std::string>> ticks;
-        for (double power = std::floor(std::log10(low())); std::pow(10, power) <= high(); ++power)
+        for (double power = std::floor(std::log10(low())); std::pow(10, power) <= high(); ++power) {
             for (const double digit : {1.0, 2.0, 5.0}) {
                 const double value = digit * std::pow(10, power);
                 if ((digit > 1 && !few) || value < low() || value > high()) continue;
                 ticks.emplace_back(value, typeset(text(value, std::max(0, static_cast<int>(-power)))));
             }
+        }
         return ticks;
     }
 };

@@ -27,7 +27,7 @@ double sideOf(const Vec3& normal) {
 
 std::vector<FaceOfBlock> facesOf(const Model& model) {
     std::vector<FaceOfBlock> faces;
-    for (const Block& block : model.blocks)
+    for (const Block& block : model.blocks) {
         for (std::size_t f = 0; f < block.shape.faces.size(); ++f) {
             if (block.shape.isInner(f)) continue;
             FaceOfBlock face{block.shape.faceNormal(f), 0, block.shape.faceArea(f), 1};
@@ -35,6 +35,7 @@ std::vector<FaceOfBlock> facesOf(const Model& model) {
             face.offset = face.side * face.normal.dot(block.shape.faceCentroid(f));
             faces.push_back(face);
         }
+    }
     std::stable_sort(faces.begin(), faces.end(),
                      [](const FaceOfBlock& a, const FaceOfBlock& b) { return a.offset < b.offset; });
     return faces;

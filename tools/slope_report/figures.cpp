@@ -27,9 +27,10 @@ std::unordered_map<std::string, std::string> fates(const SearchResult& result) {
     std::unordered_map<std::string, std::string> fates;
     for (const std::string& name : leftOut(result)) fates[name] = "failed before";
     for (const std::string& name : result.moving_blocks) fates[name] = "fails";
-    for (std::size_t g = 1; g < result.groups.size(); ++g)
+    for (std::size_t g = 1; g < result.groups.size(); ++g) {
         for (const std::string& name : result.groups[g].blocks)
             fates[name] = "fails as group " + std::to_string(g + 1);
+    }
     return fates;
 }
 
@@ -72,7 +73,7 @@ std::string linesCsv(const KinematicsAnswer& answer, const std::string& comments
     std::string out = comments + "trend_deg,plunge_deg,set_a,set_b\n";
     const auto& poles = answer.source.poles;
     std::size_t count = 0;
-    for (std::size_t i = 0; i < poles.size(); ++i)
+    for (std::size_t i = 0; i < poles.size(); ++i) {
         for (std::size_t j = i + 1; j < poles.size() && count < kMostLines; ++j) {
             const auto line = kinematics::intersection(poles[i].normal, poles[j].normal);
             if (!line) continue;
@@ -81,6 +82,7 @@ std::string linesCsv(const KinematicsAnswer& answer, const std::string& comments
                             csvNumber(degrees(kinematics::plungeOf(*line))), answer.source.sets[poles[i].set],
                             answer.source.sets[poles[j].set]});
         }
+    }
     return out;
 }
 
@@ -134,12 +136,13 @@ std::vector<ReportFigure> figuresOf(const SlopeReport& report) {
              svgFile(searchPlot(search.search, search.result, search.scenario.path, failure), true),
              pathCsv(search, comments)});
     }
-    if (!report.key_blocks.factor_volume.empty())
+    if (!report.key_blocks.factor_volume.empty()) {
         figures.push_back({"factor-volume",
                            "The least factor of safety of a failure of at least a volume, by limit "
                            "equilibrium, translation only.",
                            svgFile(factorVolumePlot(report.key_blocks, search.scenario.path), true),
                            factorVolumeCsv(report.key_blocks, comments)});
+    }
     addStereonets(report, comments, figures);
     addSensitivity(report, comments, figures);
     return figures;

@@ -38,9 +38,10 @@ std::string strengthText(const Joint& joint) {
 
 void addJoints(const Model& model, HtmlPage& page) {
     std::vector<std::vector<std::string>> rows;
-    for (const Joint& joint : model.joints)
+    for (const Joint& joint : model.joints) {
         rows.push_back({joint.name, strengthText(joint), figureText(joint.normal_stiffness / kGiga),
                         figureText(joint.shear_stiffness / kGiga)});
+    }
     page.table("Joints: friction angle and cohesion, stiffness in GPa/m",
                {{"joint", true}, {"strength", true}, {"normal stiffness"}, {"shear stiffness"}}, rows);
 }
@@ -92,9 +93,10 @@ std::string falloffText(const Water& water) {
 }
 
 void addWaters(const Model& model, HtmlPage& page) {
-    if (model.phreatic)
+    if (model.phreatic) {
         page.paragraph("Water table: every face below it feels the pressure of the depth below it, times " +
                        figureText(model.phreatic->factor) + ".");
+    }
     if (model.waters.empty()) return;
     std::vector<std::vector<std::string>> rows;
     for (std::size_t w = 0; w < std::min(kMostRows, model.waters.size()); ++w) {

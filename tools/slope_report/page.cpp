@@ -65,16 +65,18 @@ class SlopePage {
     void addHead() {
         const ResultLine answer = answerLines(search_).front();
         page_.paragraph(capitalised(answer.label) + ": " + answer.content, "lead");
-        if (!result_.moving_blocks.empty())
+        if (!result_.moving_blocks.empty()) {
             page_.paragraph(
                 "What fails: " + amountText(result_.failing_volume, result_.failing_mass) + " in " +
                 std::to_string(result_.moving_blocks.size()) + " of " +
                 std::to_string(result_.motions.size()) + " free blocks, by " +
                 (result_.mode == FailureMode::mixed ? "sliding and toppling" : toString(result_.mode)) + ".");
-        if (const std::size_t count = warnings().size(); count > 0)
+        }
+        if (const std::size_t count = warnings().size(); count > 0) {
             page_.paragraph(count == 1 ? "There is a warning below."
                                        : "There are " + std::to_string(count) + " warnings below.",
                             "alert");
+        }
     }
 
     void addAnswer() {
@@ -99,16 +101,19 @@ class SlopePage {
             const auto [volume, mass] = amountOf(result_.fallen_at_start);
             add("falls at the start", "-", volume, mass, result_.fallen_at_start);
         }
-        for (const BlockGroup& group : result_.let_go)
+        for (const BlockGroup& group : result_.let_go) {
             add("fails before the answer", figureOf(search_, group.factor), group.volume, group.mass,
                 group.blocks);
-        if (result_.groups.empty() && !result_.moving_blocks.empty())
+        }
+        if (result_.groups.empty() && !result_.moving_blocks.empty()) {
             add("the answer",
                 figureOf(search_, result_.status == SearchStatus::found ? result_.answer : result_.high),
                 result_.failing_volume, result_.failing_mass, result_.moving_blocks);
-        for (const BlockGroup& group : result_.groups)
+        }
+        for (const BlockGroup& group : result_.groups) {
             add(&group == &result_.groups.front() ? "the answer" : "fails next",
                 figureOf(search_, group.factor), group.volume, group.mass, group.blocks);
+        }
         if (rows.empty()) return page_.paragraph("No block fails up to the largest load tried.");
         page_.table("Groups of blocks in the order in which they fail",
                     {{"group", true},
@@ -162,20 +167,22 @@ class SlopePage {
         const bool any_carries =
             std::any_of(found.groups.begin(), found.groups.begin() + static_cast<std::ptrdiff_t>(rows.size()),
                         [](const MovingGroup& group) { return !group.carries.empty(); });
-        if (any_carries)
+        if (any_carries) {
             page_.paragraph(
                 "* Blocks lean on it that cannot move with it; what they press with is not counted.",
                 "muted");
+        }
         addCurve();
     }
 
     void addCurve() {
         if (!addFigure("factor-volume")) return;
         Rows rows;
-        for (const MovingGroup* group : shownPoints(report_.key_blocks))
+        for (const MovingGroup* group : shownPoints(report_.key_blocks)) {
             rows.push_back({figureText(group->volume), figureText(group->mass / 1000),
                             text(group->sliding.factor, 4), modeText(group->sliding),
                             std::to_string(group->blocks.size())});
+        }
         page_.table("Least factor of safety of a failure of at least a volume",
                     {{"m\u00b3 or more"}, {"t"}, {"least factor"}, {"mode", true}, {"blocks"}}, rows);
     }
@@ -194,10 +201,11 @@ class SlopePage {
             "Each row changes one quantity and keeps all others. These searches look for no lower "
             "answer along another loading path.");
         Rows rows;
-        for (const Sensitivity& one : report_.sensitivity)
+        for (const Sensitivity& one : report_.sensitivity) {
             rows.push_back({one.quantity + ": " + one.change, one.less.what,
                             trialText(search_.search, one.less), one.more.what,
                             trialText(search_.search, one.more)});
+        }
         page_.table(
             capitalised(search_.search.answer) + " for the scenario as it is: " +
                 (result_.status == SearchStatus::found ? figureOf(search_, result_.answer) + unitOf(search_)

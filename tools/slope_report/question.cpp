@@ -58,9 +58,10 @@ std::string contentOf(const std::filesystem::path& path) {
 
 Chosen<const LoadSearch*> analysisOf(const formats::Scenario& scenario, const std::string& wish) {
     if (!wish.empty()) return {searchNamed(wish), "as asked for"};
-    for (const auto& [key, search] : kKeys)
+    for (const auto& [key, search] : kKeys) {
         if (scenario.places.contains(key))
             return {loadSearch(search), "the scenario gives " + std::string(key)};
+    }
     if (scenario.places.contains("gravity.tilt_deg"))
         return {loadSearch(kAngle), "the scenario gives gravity.tilt_deg"};
     return {loadSearch(kFactor), "the scenario names no other analysis"};
@@ -86,9 +87,10 @@ std::optional<Chosen<kinematics::Face>> netFace(const formats::Scenario& scenari
 
 Chosen<double> netFriction(const Model& model) {
     const Joint* least = nullptr;
-    for (const Joint& joint : model.joints)
+    for (const Joint& joint : model.joints) {
         if (frictionAngle(joint) > 0 && (least == nullptr || frictionAngle(joint) < frictionAngle(*least)))
             least = &joint;
+    }
     if (least == nullptr) return {0, "no joint has friction"};
     return {frictionAngle(*least), "the least of the joints that have friction, that of " + least->name};
 }

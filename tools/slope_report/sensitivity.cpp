@@ -17,12 +17,13 @@ namespace {
 
 /// Strength without cohesion: the tangents of friction angles, and the factors of laws that are curves.
 void changeFriction(Model& model, double factor) {
-    for (Joint& joint : model.joints)
+    for (Joint& joint : model.joints) {
         for (const JointProperty& property : kJointProperties) {
             if (!isReduced(joint, property) || property.unit == "Pa") continue;
             double& value = joint.*property.value;
             value = property.isAngle() ? std::atan(factor * std::tan(value)) : factor * value;
         }
+    }
 }
 
 void changeStiffness(Model& model, double factor) {
@@ -110,12 +111,14 @@ std::string sensitivityCsv(const std::vector<Sensitivity>& list, const LoadSearc
                            const std::string& comments) {
     std::string out = comments + csvLine({"quantity", "change", "status", search.answer_key, "failure_mode",
                                           "failing_volume_m3", "failing_mass_kg"});
-    for (const Sensitivity& one : list)
-        for (const SensitivityTrial* trial : {&one.less, &one.more})
+    for (const Sensitivity& one : list) {
+        for (const SensitivityTrial* trial : {&one.less, &one.more}) {
             out += csvLine(
                 {one.quantity, trial->what, toString(trial->status),
                  trial->status == SearchStatus::found ? csvNumber(trial->answer / search.load->scale) : "",
                  toString(trial->mode), csvNumber(trial->volume), csvNumber(trial->mass)});
+        }
+    }
     return out;
 }
 

@@ -104,7 +104,7 @@ void refuseSlopeReportFiles(const SlopeReportFiles& files) {
 
 void writeSlopeReport(const SlopeReport& report, SlopeReportFiles& files) {
     const std::vector<ReportFigure> figures = figuresOf(report);
-    for (const ReportFigure& figure : figures)
+    for (const ReportFigure& figure : figures) {
         for (const auto& [ending, content] :
              {std::pair{".svg", &figure.svg}, std::pair{".csv", &figure.csv}}) {
             const std::string file = (fs::path(files.folder) / (figure.name + ending)).string();
@@ -112,17 +112,19 @@ void writeSlopeReport(const SlopeReport& report, SlopeReportFiles& files) {
             writeFile(file, *content);
             files.figures.push_back(file);
         }
+    }
     writeFile(files.page, slopePage(report, figures));
 }
 
 Json slopeReportJson(const SlopeReport& report, const SlopeReportFiles& files) {
     const SearchReport& search = report.search;
     Json trials = Json::array();
-    for (const Sensitivity& one : report.sensitivity)
+    for (const Sensitivity& one : report.sensitivity) {
         trials.push_back({{"quantity", one.quantity},
                           {"change", one.change},
                           {"less", trialJson(search.search, one.less)},
                           {"more", trialJson(search.search, one.more)}});
+    }
     return {{"page", files.page},
             {"figures", files.figures},
             {"analysis", search.search.name},

@@ -10,10 +10,11 @@ namespace talus::tools {
 /// \param from, to  which range of the whole, 0..1
 inline Control stageOf(const Control& whole, const std::string& name, double from, double to) {
     Control part = whole;
-    if (whole.progress)
+    if (whole.progress) {
         part.progress = [report = whole.progress, name, from, to](const Progress& progress) {
             report({name, from + progress.fraction * (to - from), progress.stage + "  " + progress.detail});
         };
+    }
     return part;
 }
 

@@ -56,12 +56,13 @@ std::vector<MovingGroup> movingGroups(const Slope& slope, const Model& model,
                                       const std::vector<Group>& groups) {
     BodyMaker maker(slope, model.joints);
     std::vector<MovingGroup> moving;
-    for (const Group& group : groups)
+    for (const Group& group : groups) {
         moving.push_back({.blocks = namesOf(model, group.members),
                           .carries = namesOf(model, group.carried),
                           .sliding = maker.detailsOf(group.members),
                           .volume = group.volume,
                           .mass = group.mass});
+    }
     return moving;
 }
 

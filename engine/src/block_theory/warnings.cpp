@@ -69,9 +69,10 @@ std::vector<std::string> warningsOf(const State& state, const Slope& slope, cons
     if (search.left_out > 0)
         told.push_back(std::to_string(search.left_out) +
                        " groups of blocks were not tested, to save time: a weaker one may be among them");
-    if (search.curve_left_out > 0)
+    if (search.curve_left_out > 0) {
         told.push_back(std::to_string(search.curve_left_out) +
                        " groups of blocks were left out of the curve of factor and volume, to save time");
+    }
     return told;
 }
 

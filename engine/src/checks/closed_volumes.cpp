@@ -26,10 +26,11 @@ std::optional<Error> openVolume(const State& state, std::size_t index) {
     const bool runs_over = water.overflow < kInfinity && water.overflow > filled;
     const Enclosure enclosure = enclosureOf(state, index, runs_over ? water.overflow : filled);
     const double dip_deg = enclosure.dip * 180 / std::numbers::pi;
-    if (dip_deg < kLeastDip)
+    if (dip_deg < kLeastDip) {
         return Error{water.field + ".volume", "found a closed volume in a joint that dips by " +
                                                   formatted("%.3g", dip_deg) + " deg, allowed: at least " +
                                                   formatted("%g", kLeastDip) + " deg"};
+    }
     const auto [less, more] = std::minmax(enclosure.below[0], enclosure.below[1]);
     if (more - less <= kSameSides * more) return std::nullopt;
     return Error{water.field + ".volume", "found a fissure that is not bounded: walls of " +

@@ -125,9 +125,10 @@ class Joiner {
     void keep(const Polyhedron& body, std::size_t first_part) {
         if (body.partCount() == 1) return;
         const auto first_face = static_cast<std::size_t>(ranges_[first_part].first_face);
-        for (std::size_t p = 0; p < body.partCount(); ++p)
+        for (std::size_t p = 0; p < body.partCount(); ++p) {
             for (const std::int32_t beside : body.faces.parts()[p].beside)
                 ranges_[first_part + p].beside.push_back(beside + static_cast<std::int32_t>(first_part));
+        }
         for (std::size_t f = 0; f < body.faces.size(); ++f)
             for (const Polygon& cover : coversOf(body, f)) covered_[first_face + f] += area(cover);
     }

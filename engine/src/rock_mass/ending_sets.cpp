@@ -58,14 +58,16 @@ class Ending {
         own.sets.push_back(ending_.set);
         auto errors = checkJoints(own);
         for (Error& error : checkJoints(description_)) errors.push_back(std::move(error));
-        if (isSet() && description_.sets[ending_.ends_at].fisher)
+        if (isSet() && description_.sets[ending_.ends_at].fisher) {
             errors.push_back(fault(".ends_at",
                                    "found a set of scattered orientation (fisher), allowed: a set of "
                                    "parallel planes, or a single plane"));
-        if (!isSet() && (single().radius || !single().polygon.empty()))
+        }
+        if (!isSet() && (single().radius || !single().polygon.empty())) {
             errors.push_back(fault(".ends_at",
                                    "found a finite joint, allowed: a joint set, or a single joint without "
                                    "radius and polygon"));
+        }
         return errors;
     }
 
@@ -109,10 +111,11 @@ class Ending {
         if (!planes) return planes.errors()[0];
         for (const JointPlane& plane : *planes) {
             add(plane.plane, slab);
-            if (joints_.size() > kMostJoints)
+            if (joints_.size() > kMostJoints) {
                 return fault(".spacing", "found more than " + std::to_string(kMostJoints) +
                                              " joints between the planes of the other, allowed: wider "
                                              "spacings");
+            }
         }
         return std::nullopt;
     }

@@ -84,9 +84,10 @@ class Mending {
 
     std::vector<std::vector<Neighbour>> neighbours() {
         std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> edges;
-        for (std::size_t t = 0; t < triangles().size(); ++t)
+        for (std::size_t t = 0; t < triangles().size(); ++t) {
             for (std::size_t i = 0; i < 3; ++i)
                 edges[std::minmax(triangles()[t][i], triangles()[t][(i + 1) % 3])].push_back(t);
+        }
         std::vector<std::vector<Neighbour>> all(triangles().size());
         for (const auto& [edge, sharing] : edges) {
             if (sharing.size() != 2) continue;
@@ -168,9 +169,10 @@ class Mending {
         std::vector<bool> seen(beside.size());
         std::vector<std::size_t> piece(1, 0);
         seen[0] = true;
-        for (std::size_t k = 0; k < piece.size(); ++k)
+        for (std::size_t k = 0; k < piece.size(); ++k) {
             for (const Neighbour& next : beside[piece[k]])
                 if (!seen[next.triangle]) seen[next.triangle] = true, piece.push_back(next.triangle);
+        }
         return piece.size() == seen.size();
     }
 

@@ -71,10 +71,11 @@ class DxfReader {
                 more = pairs_.next();
             }
         }
-        if (pairs_.isFaulty())
+        if (pairs_.isFaulty()) {
             return fault(pairs_.line(), "found " + toml::quoted(pairs_.value()) +
                                             " in place of a group code, allowed: DXF as text, pairs of "
                                             "lines with a whole number and its value");
+        }
         if (!ended)
             return fault(pairs_.line(), "found the end of the file without EOF, allowed: a whole file");
         if (auto fault = finishMesh()) return *fault;
@@ -102,16 +103,17 @@ class DxfReader {
             if (pairs_.code() == 8) entity.layer = pairs_.value();
             if (!is_taken || !isRead(pairs_.code())) continue;
             const auto number = numberOf(pairs_.value());
-            if (!number)
+            if (!number) {
                 return fault(pairs_.line(), "found " + toml::quoted(pairs_.value()) + " for group code " +
                                                 std::to_string(pairs_.code()) + " of " + entity.type +
                                                 ", allowed: a finite number");
+            }
             entity.numbers[pairs_.code()] = *number;
         }
-        return take(std::move(entity));
+        return take(entity);
     }
 
-    Fault take(DxfEntity entity) {
+    Fault take(const DxfEntity& entity) {
         if (entity.type == "VERTEX" && polyline_) return takeVertex(entity);
         if (auto fault = finishMesh()) return fault;
         if (entity.type == "SEQEND") return std::nullopt;
@@ -130,10 +132,12 @@ class DxfReader {
     }
 
     Fault takeFace(const DxfEntity& face) {
-        for (const int code : {10, 20, 11, 21, 12, 22})
-            if (!face.has(code))
+        for (const int code : {10, 20, 11, 21, 12, 22}) {
+            if (!face.has(code)) {
                 return fault(face.line, "found a 3DFACE without group code " + std::to_string(code) +
                                             ", allowed: three or four corners");
+            }
+        }
         std::vector<std::int32_t> corners;
         for (const int k : {0, 1, 2, 3}) {
             if (k == 3 && !face.has(13)) break;
@@ -147,12 +151,13 @@ class DxfReader {
     Fault takeVertex(const DxfEntity& vertex) {
         if (!isWanted(polyline_->head)) return std::nullopt;
         const bool is_face = (vertex.flags() & kFace) != 0 && (vertex.flags() & kPolyface) == 0;
-        if (is_face)
+        if (is_face) {
             polyline_->faces.push_back(
                 {{vertex.number(71), vertex.number(72), vertex.number(73), vertex.number(74)}, vertex.line});
-        else
+        } else {
             polyline_->places.push_back(
                 builder_.vertex({vertex.number(10), vertex.number(20), vertex.number(30)}));
+        }
         return std::nullopt;
     }
 
@@ -175,15 +180,17 @@ class DxfReader {
             for (const double number : face.corners) {
                 const double index = std::abs(number);
                 if (index == 0) continue;
-                if (!(index <= static_cast<double>(mesh.places.size())) || index != std::floor(index))
+                if (!(index <= static_cast<double>(mesh.places.size())) || index != std::floor(index)) {
                     return fault(face.line, "found the corner " + toml::numberText(number) +
                                                 " of a polyface mesh, allowed: 1 to " +
                                                 std::to_string(mesh.places.size()) + ", its vertices");
+                }
                 corners.push_back(mesh.places[static_cast<std::size_t>(index) - 1]);
             }
-            if (corners.size() < 3)
+            if (corners.size() < 3) {
                 return fault(face.line, "found a face with " + std::to_string(corners.size()) +
                                             " corners, allowed: three or four");
+            }
             if (auto fault = add(corners, face.line)) return fault;
         }
         return std::nullopt;
@@ -193,15 +200,16 @@ class DxfReader {
         const double rows = mesh.head.number(71), columns = mesh.head.number(72);
         if ((mesh.head.flags() & kSplineFit) != 0)
             return fault(mesh.head.line, "found a smoothed polygon mesh, allowed: one as it was measured");
-        if (!(rows >= 2 && columns >= 2) || rows * columns != static_cast<double>(mesh.places.size()))
+        if (!(rows >= 2 && columns >= 2) || rows * columns != static_cast<double>(mesh.places.size())) {
             return fault(mesh.head.line, "found a polygon mesh of " + toml::numberText(rows) + " times " +
                                              toml::numberText(columns) + " with " +
                                              std::to_string(mesh.places.size()) +
                                              " vertices, allowed: as many as that, at least 2 times 2");
+        }
         const auto m = static_cast<std::size_t>(rows), n = static_cast<std::size_t>(columns);
         const bool round_m = (mesh.head.flags() & kClosedInM) != 0;
         const bool round_n = (mesh.head.flags() & kClosedInN) != 0;
-        for (std::size_t i = 0; i + (round_m ? 0 : 1) < m; ++i)
+        for (std::size_t i = 0; i + (round_m ? 0 : 1) < m; ++i) {
             for (std::size_t j = 0; j + (round_n ? 0 : 1) < n; ++j) {
                 const auto place = [&](std::size_t a, std::size_t b) {
                     return mesh.places[(a % m) * n + b % n];
@@ -209,17 +217,20 @@ class DxfReader {
                 builder_.triangle({place(i, j), place(i + 1, j), place(i + 1, j + 1)}, mesh.head.line);
                 builder_.triangle({place(i, j), place(i + 1, j + 1), place(i, j + 1)}, mesh.head.line);
             }
+        }
         return std::nullopt;
     }
 
     /// Triangles are often written with a corner twice.
     Fault add(std::vector<std::int32_t> corners, int line) {
-        if (corners.size() == 4)
-            for (std::size_t k = 0; k < 4; ++k)
+        if (corners.size() == 4) {
+            for (std::size_t k = 0; k < 4; ++k) {
                 if (corners[k] == corners[(k + 1) % 4]) {
                     corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(k));
                     break;
                 }
+            }
+        }
         if (builder_.face(corners, line)) return std::nullopt;
         return fault(line, "found a face that is not convex, allowed: convex faces, or triangles");
     }
@@ -228,10 +239,11 @@ class DxfReader {
         if (builder_.empty()) return noFaces();
         if (!left_out_.empty())
             builder_.note("has " + countedText(left_out_) + " besides its faces, which are left out");
-        if (on_other_layers_ > 0)
+        if (on_other_layers_ > 0) {
             builder_.note("has " + std::to_string(on_other_layers_) +
                           " faces or meshes on other layers than " + toml::quoted(*layer_) +
                           ", which are left out");
+        }
         return builder_.finish();
     }
 

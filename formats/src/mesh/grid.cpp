@@ -7,7 +7,7 @@ namespace talus::formats::mesh {
 
 void addSquares(const HeightGrid& grid, SurfaceBuilder& builder) {
     const auto height = [&](std::int32_t v) { return grid.heights[static_cast<std::size_t>(v)]; };
-    for (std::size_t row = grid.rows - 1; row-- > 0;)
+    for (std::size_t row = grid.rows - 1; row-- > 0;) {
         for (std::size_t column = 0; column + 1 < grid.columns; ++column) {
             const std::size_t at = row * grid.columns + column;
             const std::int32_t nw = grid.vertices[at], ne = grid.vertices[at + 1],
@@ -23,6 +23,7 @@ void addSquares(const HeightGrid& grid, SurfaceBuilder& builder) {
                 builder.triangle({se, ne, nw}, line);
             }
         }
+    }
 }
 
 }  // namespace talus::formats::mesh

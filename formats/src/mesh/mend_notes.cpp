@@ -30,9 +30,10 @@ std::string placesOf(const std::vector<Vec3>& places) {
 
 std::string placesOf(const std::vector<SurfaceHole>& holes) {
     std::vector<std::string> texts;
-    for (const SurfaceHole& hole : holes)
+    for (const SurfaceHole& hole : holes) {
         texts.push_back(placeText(hole.middle) + " (" + std::to_string(hole.edges) + " edges, " +
                         shortText(hole.width) + " m wide)");
+    }
     return listed(texts);
 }
 
@@ -50,25 +51,30 @@ std::string placeText(const Vec3& p) {
 
 std::vector<std::string> mendNotes(const MendedSurface& mended, double largest_hole) {
     std::vector<std::string> deeds, notes;
-    if (!mended.doubled.empty())
+    if (!mended.doubled.empty()) {
         deeds.push_back(counted(mended.doubled.size(), " doubled triangle", " doubled triangles") +
                         " left out, " + placesOf(mended.doubled));
-    if (!mended.turned.empty())
+    }
+    if (!mended.turned.empty()) {
         deeds.push_back(counted(mended.turned.size(), " triangle", " triangles") + " turned over, " +
                         placesOf(mended.turned));
-    if (!mended.closed.empty())
+    }
+    if (!mended.closed.empty()) {
         deeds.push_back(counted(mended.closed.size(), " hole", " holes") + " closed, " +
                         placesOf(mended.closed));
+    }
     std::string note;
     for (const std::string& deed : deeds) note += (note.empty() ? "was mended: " : "; ") + deed;
     if (!note.empty()) notes.push_back(note);
-    if (!mended.too_wide.empty())
+    if (!mended.too_wide.empty()) {
         notes.push_back("has " + counted(mended.too_wide.size(), " hole", " holes") + " wider than " +
                         shortText(largest_hole) + " m (largest_hole) that stay open, " +
                         placesOf(mended.too_wide));
-    if (!mended.unclear.empty())
+    }
+    if (!mended.unclear.empty()) {
         notes.push_back("has " + counted(mended.unclear.size(), " hole", " holes") +
                         " with an outline that crosses itself, which stay open, " + placesOf(mended.unclear));
+    }
     return notes;
 }
 

@@ -11,10 +11,11 @@ namespace {
 
 /// Options that only some formats have.
 std::optional<Error> optionFault(MeshFormat format, const MeshOptions& options) {
-    if (format == MeshFormat::xyz && !options.cell)
+    if (format == MeshFormat::xyz && !options.cell) {
         return Error{
             "cell_m",
             "found points without a cell size, allowed: the side of the cells they are thinned to [m]"};
+    }
     if (format != MeshFormat::xyz && options.cell)
         return Error{"cell_m", "found a cell size for a mesh, allowed: only for points (.xyz)"};
     if (format != MeshFormat::xyz && options.median)

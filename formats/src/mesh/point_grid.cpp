@@ -51,11 +51,12 @@ class Thinner {
         keepLargest();
         while (partCorners()) keepLargest();
         dropUnused();
-        if (left_out_ > 0)
+        if (left_out_ > 0) {
             grid_.notes.push_back("has " + std::to_string(left_out_) +
                                   " cells that touch the others at a corner, or not at all, and are left "
                                   "out, the first at " +
                                   placeText(first_left_out_));
+        }
         return std::move(grid_);
     }
 
@@ -94,7 +95,8 @@ class Thinner {
 
     std::string placeText(std::size_t cell) const {
         const auto column = static_cast<double>(cell % grid_.columns);
-        const auto row = static_cast<double>(grid_.rows - 1 - cell / grid_.columns);
+        const std::size_t from_north = cell / grid_.columns;
+        const auto row = static_cast<double>(grid_.rows - 1 - from_north);
         return "(" + numberText(grid_.south_west.x() + column * thinning_.cell) + ", " +
                numberText(grid_.south_west.y() + row * thinning_.cell) + ")";
     }
@@ -164,21 +166,23 @@ class Thinner {
     void emptyOneCell(std::size_t square, const std::vector<std::int32_t>& piece, std::int32_t largest) {
         const std::size_t across = grid_.columns - 1, up = grid_.rows - 1;
         const auto isOfLargest = [&](std::size_t row, std::size_t column) {  // the cell
-            for (const std::size_t r : {row, row - 1})
+            for (const std::size_t r : {row, row - 1}) {
                 for (const std::size_t c : {column, column - 1})
                     if (r < up && c < across && piece[r * across + c] == largest) return true;
+            }
             return false;
         };
-        for (const std::size_t r : {square / across, square / across + 1})
+        for (const std::size_t r : {square / across, square / across + 1}) {
             for (const std::size_t c : {square % across, square % across + 1})
                 if (!isOfLargest(r, c)) return empty(r * grid_.columns + c);
+        }
     }
 
     /// Where four squares meet and only two opposite ones are whole, the surface would be joined in a point
     /// only. \return whether there was such a place
     bool partCorners() {
         bool any = false;
-        for (std::size_t row = 1; row + 1 < grid_.rows; ++row)
+        for (std::size_t row = 1; row + 1 < grid_.rows; ++row) {
             for (std::size_t column = 1; column + 1 < grid_.columns; ++column) {
                 const bool nw = isWhole(row - 1, column - 1), ne = isWhole(row - 1, column);
                 const bool sw = isWhole(row, column - 1), se = isWhole(row, column);
@@ -186,6 +190,7 @@ class Thinner {
                 empty(row * grid_.columns + column);
                 any = true;
             }
+        }
         return any;
     }
 
@@ -202,9 +207,10 @@ class Thinner {
             if (!filled[cell]) continue;
             const std::size_t row = cell / grid_.columns, column = cell % grid_.columns;
             bool used = false;
-            for (const std::size_t r : {row, row - 1})
+            for (const std::size_t r : {row, row - 1}) {
                 for (const std::size_t c : {column, column - 1})
                     used = used || (r < grid_.rows - 1 && c < grid_.columns - 1 && isWholeIn(filled, r, c));
+            }
             if (!used) empty(cell);
         }
     }

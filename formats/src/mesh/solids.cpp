@@ -45,10 +45,12 @@ class Parting {
     std::vector<Side> sides() const {
         std::vector<Side> all;
         all.reserve(3 * solid_.size());
-        for (std::size_t t = 0; t < solid_.size(); ++t)
-            for (std::size_t i = 0; i < 3 && root_[t] == t; ++i)
+        for (std::size_t t = 0; t < solid_.size(); ++t) {
+            for (std::size_t i = 0; i < 3 && root_[t] == t; ++i) {
                 all.push_back({solid_[t],
                                std::minmax(surface_.triangles[t][i], surface_.triangles[t][(i + 1) % 3]), t});
+            }
+        }
         std::stable_sort(all.begin(), all.end(), [](const Side& a, const Side& b) {
             return std::pair(a.edge, a.solid) < std::pair(b.edge, b.solid);
         });

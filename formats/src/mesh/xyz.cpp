@@ -36,11 +36,12 @@ class XyzReader {
     Result<FileSurface> read() {
         if (auto fault = readPoints()) return *fault;
         const double cells = mesh::cellsOver(points_, thinning_.cell);
-        if (!(cells <= mesh::mostCells(points_.size())))
+        if (!(cells <= mesh::mostCells(points_.size()))) {
             return builder_.fault(0, "found " + std::to_string(points_.size()) + " points over " +
                                          toml::numberText(cells) + " cells, allowed: at most " +
                                          toml::numberText(mesh::mostCells(points_.size())) +
                                          "; a larger cell, or no points far from the others");
+        }
         mesh::PointGrid grid = mesh::thinned(points_, thinning_);
         addSurface(grid);
         if (builder_.empty())
@@ -111,10 +112,11 @@ class XyzReader {
                 const std::string word = titleWord(cell.text);
                 return !word.empty() && kTitles[axis].find(" " + word + " ") != std::string_view::npos;
             });
-            if (named == row.end())
+            if (named == row.end()) {
                 return builder_.fault(lines_.number(), "found columns " +
                                                            toml::quoted(withoutBlanks(lines_.line())) +
                                                            ", allowed: x, y and z, and others");
+            }
             cell_of_[axis] = static_cast<std::size_t>(named - row.begin());
         }
         return std::nullopt;
@@ -148,7 +150,8 @@ class XyzReader {
         for (std::size_t cell = 0; cell < vertices.size(); ++cell) {
             if (!grid.filled[cell]) continue;
             const auto column = static_cast<double>(cell % grid.columns);
-            const auto row = static_cast<double>(grid.rows - 1 - cell / grid.columns);
+            const std::size_t from_north = cell / grid.columns;
+            const auto row = static_cast<double>(grid.rows - 1 - from_north);
             vertices[cell] =
                 builder_.vertex({grid.south_west.x() + column * thinning_.cell,
                                  grid.south_west.y() + row * thinning_.cell, grid.heights[cell]});

@@ -146,10 +146,12 @@ bool isFitName(std::string_view name) {
 }  // namespace
 
 std::vector<NamedShape> readSolidShapes(Report& report, TableReader& table, const std::string& folder) {
-    for (const char* key : {"box", "vertices", "parts"})
-        if (table.has(key))
+    for (const char* key : {"box", "vertices", "parts"}) {
+        if (table.has(key)) {
             table.error(key, "found " + std::string(key) +
                                  " beside each_solid, allowed: each_solid only together with a mesh");
+        }
+    }
     checkOptions(table);
     const MeshOptions options = readOptions(table);
     const auto file = table.text("mesh");

@@ -24,9 +24,10 @@ void appendEndingSets(Report& report, RockMassInput& input) {
     for (std::size_t k = 0; k < input.ending_sets.size(); ++k) {
         auto joints = endingJoints(input.ending_sets[k].ending, k, input.description);
         if (!joints) {
-            for (const Error& error : joints.errors())
+            for (const Error& error : joints.errors()) {
                 report.add(report.placeOf(error.field).value_or(input.ending_sets[k].place), error.field,
                            error.message);
+            }
             continue;
         }
         for (SingleJoint& joint : *joints) all.push_back(std::move(joint));

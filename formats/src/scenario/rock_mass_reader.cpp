@@ -116,10 +116,11 @@ class RockMassReader {
         set.fisher = table.number("fisher", kFisher);
         set.joint = readStrength(report_, table, set.name, joints_);
         if (!other) return input_.description.sets.push_back(std::move(set));
-        for (const std::string& key : table.present({"origin", "offset"}))
+        for (const std::string& key : table.present({"origin", "offset"})) {
             table.error(key, "found " + key +
                                  " beside ends_at, by which the set begins anew between each two planes, "
                                  "allowed: one of them");
+        }
         input_.ending_sets.push_back({{std::move(set)}, *other, table.placeOf("ends_at")});
     }
 

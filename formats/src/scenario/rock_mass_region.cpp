@@ -68,11 +68,12 @@ SlopeTurn readTurn(TableReader& region, const std::vector<Eigen::Vector2d>& prof
     const auto azimuth = region.number("slope_azimuth_deg", kAzimuthDeg);
     if (!azimuth || profile.empty()) return {};
     const auto [at_least_x, at_greatest_x] = endsOf(profile);
-    if (at_least_x == at_greatest_x)
+    if (at_least_x == at_greatest_x) {
         region.error("slope_azimuth_deg",
                      "found a profile whose ground is as high at its least as at its greatest x (" +
                          numberText(at_least_x) +
                          " m), allowed: one with a lower end, which the slope faces");
+    }
     return {*azimuth, at_greatest_x < at_least_x};
 }
 
@@ -146,9 +147,10 @@ std::optional<Region> readRegion(Report& report, TableReader& table, const std::
     keys.insert(keys.end(), kMeshOptions.begin(), kMeshOptions.end());
     auto region = table.table("region", keys);
     if (!region || !region->requireOneOf(shapes)) return std::nullopt;
-    for (const std::string key : {"y", "slope_azimuth_deg"})
+    for (const std::string key : {"y", "slope_azimuth_deg"}) {
         if (region->has(key) && !region->has("profile"))
             region->error(key, "found " + key + " without profile, allowed: only together with profile");
+    }
     if (region->has("box") || region->has("profile"))
         for (const std::string& key : region->present(kMeshOptions))
             region->error(key, "found " + key + " without a mesh, allowed: only together with a mesh");

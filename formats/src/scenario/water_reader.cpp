@@ -108,10 +108,11 @@ class WaterReader {
         }
         table.require({"opening"});
         for (const std::string& key : table.present({"between", "block", "surface", "obj", "levels", "head",
-                                                     "daylights", "percent_filled", "drains_at_aperture"}))
+                                                     "daylights", "percent_filled", "drains_at_aperture"})) {
             table.error(key, "found " + key +
                                  " beside volume = \"closed\", allowed: fissure or joint, with depth or "
                                  "elevation");
+        }
     }
 
     /// `inflow = NUMBER`, or over time.
@@ -169,9 +170,10 @@ class WaterReader {
         const double margin = (rock_->high - rock_->low).maxCoeff();
         line.insert(line.begin(), {std::min(line.front().x, rock_->low.x()) - margin, line.front().z});
         line.push_back({std::max(line.back().x, rock_->high.x()) + margin, line.back().z});
-        for (const PhreaticSurface::Point& point : line)
+        for (const PhreaticSurface::Point& point : line) {
             for (const double y : {rock_->low.y() - margin, rock_->high.y() + margin})
                 surface.mesh.vertices.push_back(rock_->turn({point.x, y, point.z}));
+        }
         for (std::int32_t k = 0; k + 1 < static_cast<std::int32_t>(line.size()); ++k) {
             surface.mesh.triangles.push_back({2 * k, 2 * k + 2, 2 * k + 3});
             surface.mesh.triangles.push_back({2 * k, 2 * k + 3, 2 * k + 1});
@@ -300,9 +302,10 @@ class WaterReader {
         }
         entry.plane = plane;
         const bool is_set = entry.rock_joint < rock_->description.sets.size();
-        if (is_set && !plane && entry.water.closed)
+        if (is_set && !plane && entry.water.closed) {
             table.error("joint", "found a closed volume in all planes of the joint set " + quoted(*name) +
                                      ", allowed: plane = NUMBER for one of them");
+        }
         if (plane && !is_set)
             table.error("plane",
                         "found plane with the single joint " + quoted(*name) + ", allowed: with a joint set");
