@@ -15,7 +15,7 @@ std::uint64_t mixed(std::uint64_t block) {
     return z ^ (z >> 31U);
 }
 
-constexpr double kRounding = 1e-9;  ///< of factors
+constexpr double kFactorRounding = 1e-9;  ///< of factors
 /// Rounds in which a group takes along only the carried blocks that need it most; then all at once, to save
 /// time.
 constexpr int kOneByOne = 30;
@@ -97,7 +97,7 @@ BodyMaker::Carried BodyMaker::carriedBy(const Group& group) {
             if (!leansOnInside(other)) continue;
             work_left_ -= std::min<std::size_t>(work_left_, 1);
             const double factor = factorWithoutInside(other);
-            if (factor < group.sliding.factor * (1 - kRounding)) carried.emplace_back(other, factor);
+            if (factor < group.sliding.factor * (1 - kFactorRounding)) carried.emplace_back(other, factor);
         }
     return carried;
 }
@@ -111,7 +111,7 @@ Group BodyMaker::settled(Group group, std::unordered_set<std::uint64_t>* known) 
         double least = kInfinity;
         for (const auto& [block, factor] : carried) least = std::min(least, factor);
         // With the blocks that need it most the group may be too weak to carry others.
-        const double most = turn < kOneByOne ? least * (1 + kRounding) : kInfinity;
+        const double most = turn < kOneByOne ? least * (1 + kFactorRounding) : kInfinity;
         std::vector<std::size_t> members = group.members;
         seen_.clear();
         for (const std::size_t block : members) seen_.mark(block);

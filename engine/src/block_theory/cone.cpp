@@ -11,7 +11,7 @@ namespace {
 
 /// Two planes nearer than this to parallel have no usable line of intersection. It is half the angle at which
 /// a neighbour obstructs, so one of two such planes is enough.
-constexpr double kParallel = 0.5 * kInTheWay;
+constexpr double kNoLine = 0.5 * kInTheWay;
 
 /// The least s.n over |s|, and its contact.
 struct Worst {
@@ -59,7 +59,7 @@ class SmallCone {
         } else {
             const Vec3 line = n.cross(normalOf(pressed[1]));
             const double sine = line.norm();
-            if (sine < kParallel) return;
+            if (sine < kNoLine) return;
             along = force_.dot(line) / (sine * sine) * line;
             const double cosine = n.dot(normalOf(pressed[1]));
             const double f1 = force_.dot(n), f2 = force_.dot(normalOf(pressed[1]));

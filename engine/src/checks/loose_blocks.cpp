@@ -110,8 +110,8 @@ double massOf(const State& state, const std::vector<std::size_t>& blocks) {
 }
 
 bool areSplinters(const State& state, const std::vector<std::size_t>& blocks) {
-    constexpr double kMost = 1e-3;
-    return massOf(state, blocks) <= kMost * freeMass(state);
+    constexpr double kMostSliverMass = 1e-3;
+    return massOf(state, blocks) <= kMostSliverMass * freeMass(state);
 }
 
 bool areTied(const State& state, const std::vector<std::size_t>& blocks) {

@@ -39,9 +39,9 @@ bool mayBeDeep(const State& state, std::size_t i, const std::vector<double>& way
     const auto a = static_cast<std::size_t>(f.block_a[i]), b = static_cast<std::size_t>(f.block_b[i]);
     if (ways[a] + ways[b] > least) return true;
     // With restitution a parting contact has less force than in loading (unload, forces/contact_kernel.h).
-    constexpr double kLeastShare = 0.01;
+    constexpr double kLeastForceShare = 0.01;
     const contact::JointLaw& law = state.laws[static_cast<std::size_t>(f.joint[i])];
-    const double share = std::max(kLeastShare, 1 - law.unloading_loss);
+    const double share = std::max(kLeastForceShare, 1 - law.unloading_loss);
     return contact::overlapFor(law, f.area[i], f.wrench(i).force.norm()) > share * least;
 }
 

@@ -107,13 +107,13 @@ bool isDry(const State& state, const PhreaticSurface& surface) {
 
 /// Where an answer differs from that with the joint's ends at all its walls.
 std::optional<Error> otherEnds(const State& state, std::size_t index) {
-    constexpr double kSame = 1e-6;  // of the joint's height
+    constexpr double kSameEnds = 1e-6;  // of the joint's height
     const Water& water = state.geometry->model.waters[index];
     const bool falls = water.daylight != Water::Daylight::closed || water.kind == Water::Level::head;
     if (!falls && water.kind != Water::Level::depth) return std::nullopt;
     const auto ends = movedEnds(state, index);
     if (!ends) return std::nullopt;
-    const double same = kSame * (ends->high_with_fixed - ends->low_with_fixed);
+    const double same = kSameEnds * (ends->high_with_fixed - ends->low_with_fixed);
     const auto differ = [&](double now, double before) { return std::abs(now - before) > same; };
     const auto text = [](double height) { return formatted("%.4g", height) + " m"; };
     const std::string meant = "; earlier versions used the end of the whole joint, fixed rock included, at ";

@@ -88,7 +88,7 @@ double carryInterface(const OldInterfaces& old, std::size_t o, State& state, std
     return closed_area > 0 ? 0.0 : missing.norm();
 }
 
-constexpr double kNearPlace =
+constexpr double kNearPoint =
     0.1;  // of the root of the patch area: a new interface's contact point this near takes the shear force
 constexpr double kDeeper =
     1.05;  // times the deepest contact of the blocks; an elastic turn makes it a little more
@@ -165,7 +165,7 @@ void takeShear(const std::vector<CarriedPoint>& carried, State& state, std::size
     const std::vector<ContactPoint> points = contactPoints(state, i);
     for (const CarriedPoint& from : carried) {
         std::size_t nearest = points.size();
-        double least = kNearPlace * std::sqrt(f.area[i]);
+        double least = kNearPoint * std::sqrt(f.area[i]);
         for (std::size_t k = 0; k < points.size(); ++k) {
             const Vec3 place =
                 pose.origin + points[k].position.x() * pose.e1 + points[k].position.y() * pose.e2;

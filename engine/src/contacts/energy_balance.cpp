@@ -12,7 +12,7 @@ namespace {
 
 using BlockPair = std::pair<std::int32_t, std::int32_t>;
 
-constexpr double kRounding = 1e-14;  // of an energy
+constexpr double kEnergyRounding = 1e-14;  // of an energy
 constexpr int kHalvings = 60;
 
 /// Energy of its springs [J]. Bonded interfaces are left out: they may be in tension, and move too little to
@@ -146,7 +146,7 @@ void balanceEnergy(State& state, const std::vector<PairEnergy>& before) {
             lacking -= taken;
             released[b] -= taken;
         }
-        if (lacking > kRounding * pair.energy) unload(state, pair, pair.energy - lacking);
+        if (lacking > kEnergyRounding * pair.energy) unload(state, pair, pair.energy - lacking);
     }
 }
 

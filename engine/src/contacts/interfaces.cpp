@@ -47,8 +47,8 @@ std::vector<Error> overlapErrors(const State& state, const std::vector<PairFindi
 /// above it, and clipping changes no gap at any angle between the faces. Rotated tangents would keep unit
 /// length; for faces this close to parallel the two agree to rounding.
 std::pair<Vec3, Vec3> tangentsOfB(const Vec3& e1, const Vec3& e2, const Vec3& e3, const Vec3& normal_b) {
-    constexpr double kParallel = 1e-5;  // [rad]
-    if ((normal_b + e3).norm() <= kParallel) {
+    constexpr double kSamePlaneAngle = 1e-5;  // [rad]
+    if ((normal_b + e3).norm() <= kSamePlaneAngle) {
         const Vec3 b1 = (e1 - normal_b.dot(e1) * normal_b).normalized();
         return {b1, b1.cross(normal_b)};  // b1 x b2 = -normal_b, which points from a to b
     }

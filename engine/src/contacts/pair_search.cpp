@@ -129,11 +129,11 @@ bool isBonded(const State& state, std::size_t i) {
 }  // namespace
 
 std::vector<char> blocksNear(const State& state, const std::vector<char>& around, double margin) {
-    constexpr double kRounding = 1 + 1e-9;
+    constexpr double kWiderForRounding = 1 + 1e-9;
     std::vector<Box> boxes(state.blocks.size());
     for (std::size_t b = 0; b < boxes.size(); ++b) {
         const Vec3 centre = state.blocks.position.get(b);
-        const Vec3 half = Vec3::Constant(kRounding * (state.geometry->radius[b] + 0.5 * margin));
+        const Vec3 half = Vec3::Constant(kWiderForRounding * (state.geometry->radius[b] + 0.5 * margin));
         boxes[b] = {centre - half, centre + half};
     }
     return findNearMarked(boxes, around);
@@ -239,7 +239,7 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
 bool examinePairs(const State& state, const SearchRange& range, const KnownPairs& known, bool initial,
                   bool parallel, const std::function<void(const PairFinding&)>& take, const Control& control,
                   SearchWork* work) {
-    constexpr std::size_t kPiece = 16384;
+    constexpr std::size_t kPairsAtOnce = 16384;
     assert(range.margin > 0 && range.ahead >= 0 &&
            std::is_sorted(known.with_places.begin(), known.with_places.end()));
     const PlacedShapes placed(state, range, parallel);
@@ -247,13 +247,13 @@ bool examinePairs(const State& state, const SearchRange& range, const KnownPairs
     SearchWork done;
     const PartPairs pairs = nearPairs(state, placed, range, parallel, work != nullptr ? *work : done);
     std::vector<PairFinding> findings;
-    for (std::size_t begin = 0; begin < pairs.size(); begin += kPiece) {
+    for (std::size_t begin = 0; begin < pairs.size(); begin += kPairsAtOnce) {
         if (isStopped(control)) return false;
         if (control.progress) {
             control.progress({"contacts", static_cast<double>(begin) / static_cast<double>(pairs.size()),
                               "between " + std::to_string(state.blocks.size()) + " blocks"});
         }
-        findings.assign(std::min(kPiece, pairs.size() - begin), {});
+        findings.assign(std::min(kPairsAtOnce, pairs.size() - begin), {});
         forRange(findings.size(), 64, parallel, [&](Range piece) {
             for (std::size_t k = piece.begin; k < piece.end; ++k)
                 findings[k] = examinePair(state, placed, pairs[begin + k], range, known, initial);

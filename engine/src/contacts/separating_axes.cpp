@@ -5,7 +5,7 @@
 namespace talus::axes {
 namespace {
 
-constexpr double kParallel =
+constexpr double kParallelEdges =
     1e-6;  // sine of the angle below which two edges have no cross product worth the name
 
 }  // namespace
@@ -43,7 +43,7 @@ SeparatingAxis edgeAxis(const Pair& pair, std::size_t e, std::size_t f) {
     const Edge &first = pair.first_edges[e], &second = pair.second_edges[f];
     Vec3 normal = first.direction.cross(second.direction);
     const double sine = normal.norm();
-    if (sine < kParallel) return {};
+    if (sine < kParallelEdges) return {};
     normal /= sine;
     const auto& normals = pair.first.normals;
     const Vec3 outwards =

@@ -29,7 +29,7 @@ constexpr double kSlideLimit =
 
 constexpr double kWider = 1.001;      // than the last margin: then that is too narrow
 constexpr double kFartherThan = 1.5;  // necessary: falling blocks soon get faster
-constexpr double kFew = 0.2;          // of all blocks: around more, a search costs as much as one around all
+constexpr double kFewBlocks = 0.2;    // of all blocks: around more, a search costs as much as one around all
 
 /// No speedBound of a block is more, but for rounding: as if it turned about its longest axis [m/s].
 double roughSpeedBound(const State& state, std::size_t b) {
@@ -163,7 +163,7 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
         changes = updateVertexEdges(state, ahead, parallel, gone, may_wait, &around);
         const auto count = std::count(around.begin(), around.end(), 1);
         changes.search = count > 0;
-        if (static_cast<double>(count) > kFew * static_cast<double>(around.size())) around.clear();
+        if (static_cast<double>(count) > kFewBlocks * static_cast<double>(around.size())) around.clear();
     } else if (movedTooFar(state, margin)) {
         if (state.searches_around) margin *= kFartherThan;
         changes.search = true;

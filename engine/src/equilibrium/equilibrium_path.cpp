@@ -24,8 +24,8 @@ constexpr int kShorterStarts = 2;
 constexpr double kFirstSlide = 1e-3;  // of rules.step_displacement: where a release begins
 constexpr double kAsLong = 0.99;      // but for rounding
 constexpr int kShorterSlides = 8;
-constexpr double kLeastGrowth = 1.02;  // of a release: it makes no progress
-constexpr double kLessGrowth = 0.3;    // of the excess over 1, after a failure
+constexpr double kLeastProgress = 1.02;  // of a release: it makes no progress
+constexpr double kLessGrowth = 0.3;      // of the excess over 1, after a failure
 
 // Unbreakable joints: cohesion and tensile strength over the stress under the weights at first; their
 // reduction in each solve; and the value below which they are none.
@@ -180,7 +180,7 @@ PathStep EquilibriumPath::against(double most) {
     }
     double growth = rules_.release_growth;
     const Parting here = parting();
-    while (best && growth > kLeastGrowth && partedAfter(here, best) < most && !stopped()) {
+    while (best && growth > kLeastProgress && partedAfter(here, best) < most && !stopped()) {
         Arc next = arc;
         next.displacement *= growth;
         PathStep guess = scaled(best, growth);

@@ -12,7 +12,7 @@ constexpr int kDirectAfterFailure = 8;
 // Iterations, times kIterations, after which complete factors are cheaper; and the most iterations where they
 // are not.
 constexpr double kMostOfDirect = 30;
-constexpr std::size_t kMostIterations = 300;
+constexpr std::size_t kMostIterationsAlone = 300;
 
 /// Of blocks, in so many iterations.
 double products(const BlockMatrix& structure, double iterations) {
@@ -55,7 +55,7 @@ bool LinearSolver::solve(Vec6s& x, double accuracy) {
         if (iterative_->solve(*matrix_, *weight_, x, accuracy)) return true;
         const bool may_be_direct = !direct_ || !direct_->isTooLarge();
         if (!may_be_direct || !factoriseDirectly())
-            return iterative_->solve(*matrix_, *weight_, x, accuracy, kMostIterations);
+            return iterative_->solve(*matrix_, *weight_, x, accuracy, kMostIterationsAlone);
         direct_next_ = kDirectAfterFailure;
     }
     direct_->solve(x);

@@ -16,7 +16,7 @@ namespace {
 
 // Times eps |x| k A / (m g): out-of-balance force by rounding of the coordinates, sums over contact points
 // included.
-constexpr double kRounding = 4;
+constexpr double kRoundingMargin = 4;
 // Of a cell: load difference for the derivative by the load.
 constexpr double kLoadDifference = 1e-3;
 
@@ -65,7 +65,7 @@ void PathEquations::take(const std::vector<char>& moving) {
     for (std::size_t r = 0; r < balance_.block.size(); ++r) {
         const double stiffness = balance_.drag[r] / balance_.weight[r];
         const double reach = coordinateReach(state_, poses_.position, balance_.block[r]);
-        rounding_[r] = kRounding * std::numeric_limits<double>::epsilon() * reach * stiffness;
+        rounding_[r] = kRoundingMargin * std::numeric_limits<double>::epsilon() * reach * stiffness;
         heaviest_drag_ = std::max(heaviest_drag_, stiffness * sizeOf(r));
     }
 }

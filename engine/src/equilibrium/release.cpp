@@ -5,7 +5,7 @@
 namespace talus::equilibrium {
 namespace {
 
-constexpr int kMostSteps = 200;
+constexpr int kMostReleaseSteps = 200;
 
 }  // namespace
 
@@ -14,7 +14,7 @@ Released release(EquilibriumPath& path, double load, const Parting& since, doubl
     const std::int64_t begin = path.work().factors;
     path.putUnder(load);
     const double step_length = std::min(path.rules().step_displacement, leaves / path.rules().release_looks);
-    for (int k = 0; k < kMostSteps && !path.stopped(); ++k) {
+    for (int k = 0; k < kMostReleaseSteps && !path.stopped(); ++k) {
         if (path.work().factors - begin > most_factors) return Released::lost;
         PathStep rest = path.toRest();
         if (rest && path.partedBy(rest) <= step_length) {

@@ -10,7 +10,7 @@ namespace talus::bolts {
 namespace {
 
 constexpr double kInReach = 1e-3;  // of the block's size: a head that far outside is on it
-constexpr double kNothing = 1e-9;  // of the bolt's length: it only grazes a block
+constexpr double kGrazed = 1e-9;   // of the bolt's length: it only grazes a block
 
 /// The part of a bolt inside a block: from one length along it to another [m].
 struct Chord {
@@ -65,7 +65,7 @@ void appendChords(const State& state, std::size_t block, const Bolt& bolt, doubl
 
 /// The blocks that a bolt crosses, from its head on.
 std::vector<Chord> chordsOf(const State& state, const Bolt& bolt) {
-    const double least = kNothing * (bolt.end - bolt.head).norm();
+    const double least = kGrazed * (bolt.end - bolt.head).norm();
     const Vec3 middle = 0.5 * (bolt.head + bolt.end) - state.geometry->origin;
     const double half = 0.5 * (bolt.end - bolt.head).norm();
     std::vector<Chord> chords;

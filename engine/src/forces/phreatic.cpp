@@ -40,7 +40,7 @@ void addSide(Cell& cell, const Vec3& normal, double offset, double sign) {
 /// counts as across.
 enum class Lies { inside, across, outside };
 Lies liesTo(const Polygon& polygon, const Vec2& normal, double offset) {
-    constexpr double kNear =
+    constexpr double kNearLine =
         1e-9;  // of the largest number; clipping takes a thousandth of that as on the line
     double least = kInfinity, most = -kInfinity, farthest = 0;
     for (const Vec2& corner : polygon) {
@@ -49,15 +49,15 @@ Lies liesTo(const Polygon& polygon, const Vec2& normal, double offset) {
         most = std::max(most, height);
         farthest = std::max(farthest, corner.squaredNorm());
     }
-    const double near = kNear * (std::abs(offset) + std::sqrt(farthest) * normal.norm());
+    const double near = kNearLine * (std::abs(offset) + std::sqrt(farthest) * normal.norm());
     return most < offset - near ? Lies::inside : least > offset + near ? Lies::outside : Lies::across;
 }
 
 /// The same for a body within `reach` of a point at `height` inside, for a unit normal. Across: its corners
 /// must be tested.
 Lies liesTo(double reach, double height) {
-    constexpr double kNear = 1e-8;  // more than where corners count as across
-    const double farthest = reach + kNear * (reach + std::abs(height));
+    constexpr double kNearPlane = 1e-8;  // more than where corners count as across
+    const double farthest = reach + kNearPlane * (reach + std::abs(height));
     return height > farthest ? Lies::inside : height < -farthest ? Lies::outside : Lies::across;
 }
 

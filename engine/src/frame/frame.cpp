@@ -20,7 +20,7 @@
 namespace talus {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoTable = std::numeric_limits<double>::quiet_NaN();
 
 /// Copies an array of the state into the frame.
 struct ToFrame {
@@ -61,7 +61,7 @@ void addWaterLevels(const State& state, WaterLevels& levels) {
         const double unit_weight = field.gradient.norm();
         // p = p0 + gradient . x in the state's coordinates; the table is told in the model's.
         const double shift = field.gradient.dot(state.geometry->origin);
-        levels.table.push_back(unit_weight > 0 ? (field.p0 - shift) / unit_weight : kNone);
+        levels.table.push_back(unit_weight > 0 ? (field.p0 - shift) / unit_weight : kNoTable);
     }
 }
 

@@ -13,7 +13,7 @@
 namespace talus {
 namespace {
 
-constexpr double kTouch = 1e-6;  // of the extent: faces of two parts this near lie on each other
+constexpr double kTouchingFaces = 1e-6;  // of the extent: faces of two parts this near lie on each other
 constexpr double kOpposite =
     1e-3;  // [rad], likewise, so that small faces are told apart by more than their distance
 constexpr double kLeastCover = 1e-9;  // share of a face
@@ -84,7 +84,7 @@ class Joiner {
     Joiner(const std::vector<Polyhedron>& parts)
         : parts_(parts),
           whole_(laidTogether(parts, ranges_)),
-          touch_(kTouch * extentOf(whole_)),
+          touch_(kTouchingFaces * extentOf(whole_)),
           covered_(whole_.faces.size(), 0.0),
           root_(parts.size()) {
         for (std::size_t f = 0; f < whole_.faces.size(); ++f) normals_.push_back(whole_.faceNormal(f));
@@ -316,7 +316,7 @@ std::vector<std::int32_t> sideTowards(const Polyhedron& shape, const Vec3& direc
     std::vector<std::int32_t> side{static_cast<std::int32_t>(best)};
     if (shape.partCount() == 1) return side;
     const FaceFrame plane = faceFrame(shape, best);
-    const double touch = kTouch * extentOf(shape);
+    const double touch = kTouchingFaces * extentOf(shape);
     for (std::size_t face = 0; face < shape.faces.size(); ++face) {
         const auto& outline = shape.faces[face];
         if (face != best && !shape.isInner(face) && (shape.faceNormal(face) - plane.e3).norm() <= kOpposite &&
@@ -340,7 +340,7 @@ std::vector<Polygon> coversOf(const Polyhedron& shape, std::size_t face) {
     std::vector<Polygon> covers;
     if (shape.faces.covers().empty() || shape.faces.covers()[face] == Cover::none) return covers;
     const auto& parts = shape.faces.parts();
-    const double touch = kTouch * extentOf(shape);
+    const double touch = kTouchingFaces * extentOf(shape);
     for (const std::int32_t beside : parts[partOf(shape.faces, face)].beside) {
         const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
         for (std::size_t f = 0; f < faceCount(other); ++f) {

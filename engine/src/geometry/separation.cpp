@@ -9,9 +9,11 @@ namespace {
 
 // Sine below which two edges count as parallel: their cross product would be rounding. Any unit vector is a
 // valid axis, so a poor one cannot hide an overlap; it only finds nothing new.
-constexpr double kParallel = 1e-8;
+constexpr double kParallelSine = 1e-8;
 
-bool isParallel(const Vec3& a, const Vec3& b) { return a.cross(b).squaredNorm() < kParallel * kParallel; }
+bool isParallel(const Vec3& a, const Vec3& b) {
+    return a.cross(b).squaredNorm() < kParallelSine * kParallelSine;
+}
 
 /// Directions of the edges, one of each set of parallel ones.
 std::vector<Vec3> edgeDirections(const WorldShape& shape) {

@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-constexpr double kParallel = 1e-12;  // of a unit vector along a normal: the line never meets the plane
+constexpr double kNeverMeets = 1e-12;  // of a unit vector along a normal: the line never meets the plane
 
 /// What of a line a convex part holds [m]; empty when begin > end.
 struct Held {
@@ -18,7 +18,7 @@ Held heldBy(std::span<const FacePlane> part, const Vec3& from, const Vec3& direc
     Held held;
     for (const FacePlane& face : part) {
         const double below = tolerance - face.normal.dot(from - face.at), along = face.normal.dot(direction);
-        if (std::abs(along) < kParallel) {
+        if (std::abs(along) < kNeverMeets) {
             if (below < 0) return {1, 0};
         } else if (along > 0) {
             held.end = std::min(held.end, below / along);

@@ -11,13 +11,13 @@ namespace talus::history {
 namespace {
 
 constexpr double kMostOverBound = 2.0;
-constexpr double kMostGained = 0.1;  // of the largest kinetic energy so far
-constexpr double kNothing = 1e-6;    // of the model's weight times the median block's size
+constexpr double kMostGained = 0.1;   // of the largest kinetic energy so far
+constexpr double kNegligible = 1e-6;  // of the model's weight times the median block's size
 
 /// Negligible energy [J].
 double nothing(const State& state) {
     const std::vector<double>& mass = state.blocks.mass;
-    return kNothing * std::accumulate(mass.begin(), mass.end(), 0.0) *
+    return kNegligible * std::accumulate(mass.begin(), mass.end(), 0.0) *
            state.geometry->model.gravity.magnitude * state.geometry->length_scale;
 }
 

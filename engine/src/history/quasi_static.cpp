@@ -23,7 +23,7 @@ namespace {
 // takes longer. So a pair waits one step for every so many free blocks. With 4,775 blocks and no waiting,
 // searches took three quarters of the time; pairs of small models do not wait.
 constexpr std::int64_t kBlocksPerWait = 25;
-constexpr double kGone = 0.1;         // of a block's own size: it has failed
+constexpr double kFailedBy = 0.1;     // of a block's own size: it has failed
 constexpr int kStepsPerGlance = 100;  // ... checked at this interval
 constexpr double kShareOfTolerance =
     0.01;  // in equilibrium the imbalance is equivalent to this share of the load's tolerance
@@ -31,11 +31,11 @@ constexpr double kSlowPeriodGrowth = 8.0;  // slip makes the observed period lon
 
 /// Whether a block has moved so far that the assembly is no longer the one that was loaded, in equilibrium or
 /// not: a fallen block may lie still at the foot of the slope.
-bool hasGone(const State& state, const SettlingStart& start) {
+bool hasFailed(const State& state, const SettlingStart& start) {
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;
         const double way = wayFrom(start.position, start.orientation, state, b);
-        if (way > kGone * state.geometry->size[b] + start.reach) return true;
+        if (way > kFailedBy * state.geometry->size[b] + start.reach) return true;
     }
     return false;
 }
@@ -155,7 +155,7 @@ void watchUntilDecided(State& state, QuasiStaticWork& work, Watched& watched, Se
     while (!decided && !interrupted(work) && settling.steps < work.settings.most_steps) {
         takeSteps(state, work, settling);
         decided = watched.watch.look(state, settling);
-        if (!decided && settling.steps % kStepsPerGlance == 0 && hasGone(state, watched.start)) {
+        if (!decided && settling.steps % kStepsPerGlance == 0 && hasFailed(state, watched.start)) {
             settling.verdict = Verdict::failing;
             settling.reason =
                 describe("a block is displaced by more than a tenth of its size: out-of-balance force",

@@ -12,13 +12,14 @@ namespace talus::history {
 namespace {
 
 constexpr int kLeastStepsPerWindow = 100;
-constexpr double kFlat = 0.03;     // spread of the out-of-balance force over its mean, within a window
+constexpr double kFlatForce = 0.03;  // spread of the out-of-balance force over its mean, within a window
 constexpr double kEven = 0.01;     // change of the motion from window to window: it goes on at the same speed
 constexpr double kLevel = 0.05;    // change of the mean from window to window on a plateau with some noise
 constexpr int kLevelWindows = 3;   // as many such windows in a row
 constexpr int kWindowsInSpan = 4;  // where it is not flat: windows per span, and spans are compared
 constexpr double kPlateau = 0.8;   // out-of-balance force of a span over that of the span before
-constexpr double kSteady = 0.9;    // motion of a window over that of the window before: it does not slow down
+constexpr double kSteadyMotion =
+    0.9;  // motion of a window over that of the window before: it does not slow down
 constexpr double kSlowestMotion = 32.0;  // slowest motion the drag is tuned to, in slowest periods
 
 }  // namespace
@@ -63,10 +64,10 @@ bool Watch::look(const State& state, Settling& settling) {
 bool Watch::closeWindow(const State& state, Settling& settling) {
     const double motion = largestMotion(state, position_, orientation_);
     window_.motion = motion - last_motion_;
-    const bool steady =
-        window_.mean() > limit_ && last_window_.samples > 0 && window_.motion > kSteady * last_window_.motion;
-    const bool flat = steady && window_.most - window_.least < kFlat * window_.mean() &&
-                      window_.mean() > (1.0 - kFlat) * last_window_.mean();
+    const bool steady = window_.mean() > limit_ && last_window_.samples > 0 &&
+                        window_.motion > kSteadyMotion * last_window_.motion;
+    const bool flat = steady && window_.most - window_.least < kFlatForce * window_.mean() &&
+                      window_.mean() > (1.0 - kFlatForce) * last_window_.mean();
     // The speed shows what the noise of the force hides: it falls where a spring acts, however slow the mode.
     const bool even = steady && last_window_.motion > 0 &&
                       std::abs(window_.motion - last_window_.motion) < kEven * last_window_.motion &&
@@ -85,7 +86,7 @@ bool Watch::closeSpan(Settling& settling, double motion) {
     span_.motion = motion - last_span_motion_;
     const bool plateau = last_span_.samples > 0 && span_.mean() > limit_ &&
                          span_.mean() > kPlateau * last_span_.mean() &&
-                         span_.motion > kSteady * last_span_.motion;
+                         span_.motion > kSteadyMotion * last_span_.motion;
     last_span_ = span_;
     last_span_motion_ = motion;
     span_ = {};

@@ -27,9 +27,9 @@ constexpr double kClose = 1e-5;      // of tilts [rad] and horizontal loads: a b
 constexpr double kTiltWidth = 1e-8;  // [rad]; the wrench of water depends on the tilt, so the limit is found
                                      // by iteration
 constexpr int kMostTilts = 60;
-constexpr double kSteepest = 1.5;      // farthest that gravity is turned in one programme [rad]
+constexpr double kLargestTurn = 1.5;   // farthest that gravity is turned in one programme [rad]
 constexpr double kLeastFactor = 1e-4;  // of safety: a lower one counts as none
-constexpr double kMostFactor = 102.4;
+constexpr double kLargestFactor = 102.4;
 constexpr double kMostHorizontal = 100;  // weights
 
 /// a + factor b.
@@ -144,8 +144,8 @@ class LimitSearch {
         std::optional<std::pair<double, double>> last{};  // the previous tilt and the remaining turn from
                                                           // there
         for (int k = 0; k < kMostTilts; ++k) {
-            const double most = std::clamp(stop - tilt, 0.0, kSteepest);
-            const std::optional<double> way = wayOn(tilt, k == 0 ? 0 : -kSteepest, most, side);
+            const double most = std::clamp(stop - tilt, 0.0, kLargestTurn);
+            const std::optional<double> way = wayOn(tilt, k == 0 ? 0 : -kLargestTurn, most, side);
             if (!way) {
                 if (isStopped(control_)) keepSoFar(side, stands, falls);
                 return {};
@@ -227,7 +227,7 @@ class LimitSearch {
                 return;
             }
             bracket.take(factor, found.balanced);
-            if (bracket.stands >= kMostFactor || bracket.falls <= kLeastFactor) break;
+            if (bracket.stands >= kLargestFactor || bracket.falls <= kLeastFactor) break;
             factor = nextFactor(found, factor, bracket);
         }
         concludeFactor(loads, bracket.stands, bracket.falls);
@@ -249,7 +249,7 @@ class LimitSearch {
     /// halves.
     double nextFactor(const Balance& found, double factor, const FactorBracket& bracket) const {
         const double width = settings_.factor_width;
-        if (bracket.falls == kInfinity) return std::min(2 * factor, kMostFactor);
+        if (bracket.falls == kInfinity) return std::min(2 * factor, kLargestFactor);
         const double least = std::max(bracket.stands, kLeastFactor);
         const double half = std::sqrt(least * bracket.falls);
         if (found.balanced) return bracket.stood > 1 ? half : std::min(half, factor * (1 + 0.9 * width));
@@ -262,13 +262,13 @@ class LimitSearch {
     void concludeFactor(const Loads& loads, double stands, double falls) {
         result_.upper = falls;
         if (stands > 0) result_.lower = stands;
-        result_.status = stands >= kMostFactor ? SearchStatus::stable_to_stop
-                         : stands > 0          ? SearchStatus::found
-                                               : SearchStatus::unstable_at_start;
+        result_.status = stands >= kLargestFactor ? SearchStatus::stable_to_stop
+                         : stands > 0             ? SearchStatus::found
+                                                  : SearchStatus::unstable_at_start;
         if (assembly_.plane_section || result_.status != SearchStatus::found) return;
         double step = settings_.factor_width;
         Balance outside = checkFactor(loads, falls, Side::outside);
-        for (; outside.balanced && result_.upper < kMostFactor; step *= 2) {
+        for (; outside.balanced && result_.upper < kLargestFactor; step *= 2) {
             result_.upper *= 1 + step;
             outside = checkFactor(loads, result_.upper, Side::outside);
         }

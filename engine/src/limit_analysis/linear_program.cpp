@@ -11,16 +11,17 @@ namespace {
 
 constexpr double kTolerance = 1e-9;  // of rows, and of reduced costs; both are of size one (programme.h)
 // CLP takes larger numbers for infinite, and ends the program where it cannot.
-constexpr double kMost = 1e20;
+constexpr double kLargestBound = 1e20;
 
-bool isWithinReach(double x) { return std::abs(x) < kMost; }
+bool isWithinReach(double x) { return std::abs(x) < kLargestBound; }
 
 /// A row may have no lower or no upper bound.
 bool areBounds(const std::vector<double>& lower, const std::vector<double>& upper) {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
+    constexpr double kUnbounded = std::numeric_limits<double>::infinity();
     return std::all_of(lower.begin(), lower.end(),
-                       [](double x) { return isWithinReach(x) || x == -kNone; }) &&
-           std::all_of(upper.begin(), upper.end(), [](double x) { return isWithinReach(x) || x == kNone; });
+                       [](double x) { return isWithinReach(x) || x == -kUnbounded; }) &&
+           std::all_of(upper.begin(), upper.end(),
+                       [](double x) { return isWithinReach(x) || x == kUnbounded; });
 }
 
 /// Ends the simplex method when the caller asks for it.

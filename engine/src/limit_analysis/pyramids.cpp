@@ -7,14 +7,14 @@ namespace talus::limit {
 namespace {
 
 constexpr double kTurn = 2 * M_PI;
-constexpr int kDirections = 4;     // of each pyramid at first
-constexpr double kNearest = 1e-4;  // two directions [rad]
+constexpr int kFirstDirections = 4;  // of each pyramid at first
+constexpr double kNearest = 1e-4;    // two directions [rad]
 
 }  // namespace
 
 Pyramids::Pyramids(const Assembly& assembly) : plane_section_(assembly.plane_section) {
     std::vector<double> first;
-    const int directions = plane_section_ ? 2 : kDirections;
+    const int directions = plane_section_ ? 2 : kFirstDirections;
     for (int k = 0; k < directions; ++k) first.push_back(kTurn * k / directions);
     angles_.assign(assembly.points.size(), first);
 }

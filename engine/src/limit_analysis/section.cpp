@@ -9,8 +9,8 @@
 namespace talus::limit {
 namespace {
 
-constexpr double kSame = 1e-7;   // of the length scale: places that are the same but for rounding
-constexpr double kEqual = 1e-9;  // of a weight
+constexpr double kPlaceRounding = 1e-7;  // of the length scale: places that are the same but for rounding
+constexpr double kEqual = 1e-9;          // of a weight
 
 /// A place as a whole number; the offset keeps places on a round grid off the border between two numbers.
 std::int64_t cellOf(double place, double width) { return std::llround(place / width + 0.381966); }
@@ -79,12 +79,12 @@ std::optional<std::vector<Points>> pointsBySlice(const Assembly& assembly, const
         const bool both = point.body_a != kFixed && point.body_b != kFixed;
         const std::int32_t group_a = groupOf(point.body_a), group_b = groupOf(point.body_b);
         const double across = std::abs(point.axes(1, 2));
-        if (across > 1 - kSame && both && group_a == group_b) continue;  // between two slices
+        if (across > 1 - kPlaceRounding && both && group_a == group_b) continue;  // between two slices
         const auto slice = static_cast<std::size_t>(
             slices.slice[static_cast<std::size_t>(point.body_a == kFixed ? point.body_b : point.body_a)]);
         const bool within = !both || slices.slice[static_cast<std::size_t>(point.body_a)] ==
                                          slices.slice[static_cast<std::size_t>(point.body_b)];
-        if (across > kSame || !within) return std::nullopt;
+        if (across > kPlaceRounding || !within) return std::nullopt;
         result[slice][{group_a, group_b, point.joint}].push_back(point);
     }
     return result;
@@ -95,7 +95,7 @@ bool holds(const std::vector<ContactPoint>& points, const ContactPoint& like, co
            double same) {
     return std::any_of(points.begin(), points.end(), [&](const ContactPoint& point) {
         return (point.place - place).norm() <= same &&
-               (point.axes.col(2) - like.axes.col(2)).norm() <= kSame &&
+               (point.axes.col(2) - like.axes.col(2)).norm() <= kPlaceRounding &&
                std::abs(point.area - like.area) <= 1e-6 * like.area;
     });
 }
@@ -145,7 +145,7 @@ Assembly folded(const Assembly& assembly, const Slices& slices, const Points& po
 }  // namespace
 
 Assembly foldToSection(Assembly assembly, const Loads& water, double length_scale) {
-    const double same = kSame * length_scale;
+    const double same = kPlaceRounding * length_scale;
     if (assembly.bodies.empty()) return assembly;
     const std::optional<Slices> slices = slicesOf(assembly, same);
     if (!slices || !bodiesEqual(assembly, *slices, water, same)) return assembly;

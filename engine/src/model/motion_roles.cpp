@@ -10,8 +10,8 @@ namespace {
 /// Diagonal of the box around the moving blocks: it makes a rotation comparable with a translation. A block
 /// that turns about a pivot within reach of the moving group topples; one whose pivot is far away slides.
 double movingExtent(const std::vector<BlockWay>& blocks, const std::vector<char>& moving) {
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    Vec3 low = Vec3::Constant(kFar), high = Vec3::Constant(-kFar);
+    constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+    Vec3 low = Vec3::Constant(kUnbounded), high = Vec3::Constant(-kUnbounded);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (!moving[b]) continue;
         const Vec3 reach = Vec3::Constant(blocks[b].radius);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace rock_mass;
 
-constexpr double kRounding = 1e-9;  // of the area two faces share
+constexpr double kAreaRounding = 1e-9;  // of the area two faces share
 
 struct CutFace {
     std::int32_t block = 0, face = 0;
@@ -72,7 +72,7 @@ void appendCuts(std::size_t joint, const Reach& reach, const Sides& sides, std::
             const double shared = area(common);
             const double beyond = 1 - reach.coveredArea(common) / shared;
             cuts.push_back({below.block, below.face, above.block, above.face, joint, shared,
-                            beyond < kRounding ? 0 : std::min(beyond, 1.0)});
+                            beyond < kAreaRounding ? 0 : std::min(beyond, 1.0)});
         }
     }
 }

@@ -12,14 +12,14 @@ namespace talus::rock_mass {
 
 namespace {
 
-constexpr double kNear = 1e-9;     // of the extent
-constexpr double kSlender = 1e3;   // times that: the plane of a narrower triangle is not known so well
-constexpr double kFolded = 1e-12;  // 1 + cosine of the angle between the normals of neighbours
+constexpr double kNearMiss = 1e-9;   // of the extent
+constexpr double kLeastWidth = 1e3;  // times that: the plane of a narrower triangle is not known so well
+constexpr double kFolded = 1e-12;    // 1 + cosine of the angle between the normals of neighbours
 
 class Crossings {
  public:
     explicit Crossings(const TriangleSurface& surface)
-        : surface_(surface), near_(kNear * surfaceExtent(surface)) {
+        : surface_(surface), near_(kNearMiss * surfaceExtent(surface)) {
         for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
             boxes_.emplace_back();
             for (std::size_t i = 0; i < 3; ++i) boxes_.back().add(cornerOf(surface, t, i));
@@ -95,7 +95,7 @@ class Crossings {
         for (std::size_t i = 0; i < 3; ++i)
             longest =
                 std::max(longest, (cornerOf(surface_, t, (i + 1) % 3) - cornerOf(surface_, t, i)).norm());
-        const bool slender = areaVector(surface_, t).norm() < kSlender * near_ * longest;
+        const bool slender = areaVector(surface_, t).norm() < kLeastWidth * near_ * longest;
         for (std::size_t i = 0; i < 3; ++i) {
             const Vec3& a = cornerOf(surface_, t, i);
             const Vec3 edge = cornerOf(surface_, t, (i + 1) % 3) - a;

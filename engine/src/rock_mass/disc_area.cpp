@@ -19,7 +19,8 @@ namespace {
 
 using namespace rock_mass;
 
-constexpr double kRounding = 1e-10;  // of the radius squared: sectors that add up to nothing, but for this
+constexpr double kSectorRounding =
+    1e-10;  // of the radius squared: sectors that add up to nothing, but for this
 
 }  // namespace
 
@@ -56,7 +57,7 @@ double areaInside(const Fracture& disc, const TriangleSurface& region) {
     }
     // For a disc far larger than the region the sectors are all rounding.
     if (whole) return std::max(enclosed, 0.0) * disc.radius * disc.radius;
-    return sum > kRounding ? sum * disc.radius * disc.radius : 0;
+    return sum > kSectorRounding ? sum * disc.radius * disc.radius : 0;
 }
 
 double fractureIntensity(const std::vector<Fracture>& discs, const TriangleSurface& region) {

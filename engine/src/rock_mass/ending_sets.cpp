@@ -14,9 +14,9 @@ namespace {
 using namespace rock_mass;
 
 constexpr std::size_t kMostJoints = 1'000'000;
-constexpr double kParallel = 1e-6;                 // sine of the angle between the planes
-constexpr double kNarrow = 1e-9;                   // of the region's size: no rectangle
-constexpr std::uint64_t kStream = 0x656e64696e67;  // of random numbers that no other set has
+constexpr double kParallelPlanes = 1e-6;                 // sine of the angle between the planes
+constexpr double kNarrow = 1e-9;                         // of the region's size: no rectangle
+constexpr std::uint64_t kEndingStream = 0x656e64696e67;  // of random numbers that no other set has
 
 /// A slab between two planes of the other joint; the first and last slab are open on one side [m along its
 /// normal].
@@ -35,7 +35,7 @@ class Ending {
         const auto planes = jointPlanes(description_, description_.region.vertices);
         if (!planes) return planes.errors();
         across_ = otherNormal();
-        if (across_.cross(upwardNormal(ending_.set.dip, ending_.set.dip_direction)).norm() < kParallel)
+        if (across_.cross(upwardNormal(ending_.set.dip, ending_.set.dip_direction)).norm() < kParallelPlanes)
             return fault(".ends_at", "found a joint parallel to this set, allowed: one that meets it");
         bound();
         for (const Slab& slab : slabs(*planes))
@@ -101,7 +101,7 @@ class Ending {
     }
 
     std::optional<Error> fill(const Slab& slab) {
-        Random random(description_.seed ^ kStream, index_, slab.number);
+        Random random(description_.seed ^ kEndingStream, index_, slab.number);
         RockMass own;
         own.seed = random.next();
         own.sets.push_back(ending_.set);
@@ -123,7 +123,7 @@ class Ending {
     /// The rectangle of a plane between the two sides of a slab, if it comes near the region.
     void add(const Plane& plane, const Slab& slab) {
         const Vec3 along = across_.cross(plane.normal);
-        if (along.norm() < kParallel) return;  // a scattered one that follows the other joint
+        if (along.norm() < kParallelPlanes) return;  // a scattered one that follows the other joint
         const Vec3 strike = along.normalized(), up = plane.normal.cross(strike);
         const Vec3 centre = middle_ - plane.height(middle_) * plane.normal;
         // Up the plane, the distance from the other joint changes linearly.

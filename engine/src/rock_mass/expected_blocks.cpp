@@ -9,9 +9,9 @@ namespace talus::rock_mass {
 
 namespace {
 
-constexpr std::size_t kDirections = 16;     // that stand for the planes of a joint set with scatter
-constexpr double kInFace = 1e-9;            // of the region: a plane this near to its side cuts nothing
-constexpr std::size_t kMostFamilies = 200;  // triples of them are looked at one by one
+constexpr std::size_t kScatterDirections = 16;  // that stand for the planes of a joint set with scatter
+constexpr double kInFace = 1e-9;                // of the region: a plane this near to its side cuts nothing
+constexpr std::size_t kMostFamilies = 200;      // triples of them are looked at one by one
 
 /// Parallel planes.
 struct Family {
@@ -76,7 +76,7 @@ void appendFamilies(const std::vector<JointPlane>& joints, const std::vector<std
     const bool parallel = std::all_of(members.begin(), members.end(), [&](std::size_t m) {
         return joints[m].plane.normal == joints[members[0]].plane.normal;
     });
-    const auto some = thinned(members, parallel ? 1 : kDirections);
+    const auto some = thinned(members, parallel ? 1 : kScatterDirections);
     for (const std::size_t m : some)
         families.push_back({joints[m].plane.normal, density / static_cast<double>(some.size())});
 }

@@ -57,7 +57,7 @@ class Drawing {
  public:
     Drawing(const FractureSet& set, const TriangleSurface& region, std::uint64_t seed, std::size_t index,
             const std::atomic<bool>* stop)
-        : set_(set), region_(region), random_(seed, kStream + index, 0), stop_(stop) {
+        : set_(set), region_(region), random_(seed, kFractureStream + index, 0), stop_(stop) {
         for (const Vec3& v : region.vertices) box_.add(v);
         mean_ = upwardNormal(set.dip, set.dip_direction);
     }
@@ -68,7 +68,7 @@ class Drawing {
     }
 
  private:
-    static constexpr std::uint64_t kStream = 0x66726163ULL;  // apart from those of joint sets
+    static constexpr std::uint64_t kFractureStream = 0x66726163ULL;  // apart from those of joint sets
 
     Result<std::vector<Fracture>> toCount() {
         std::vector<Fracture> discs;

@@ -13,8 +13,8 @@ namespace {
 
 using namespace rock_mass;
 
-constexpr double kRounding = 4e-16;  // of the largest coordinate: nothing lies between
-constexpr int kMostRounds =
+constexpr double kCoordinateRounding = 4e-16;  // of the largest coordinate: nothing lies between
+constexpr int kMostRepairRounds =
     16;  // an edge is divided at all its corners at once; pieces may meet further ones
 
 class Repair {
@@ -29,7 +29,7 @@ class Repair {
         mergeVertices();
         if (tolerance_ > 0) {
             dropNarrow();
-            for (int round = 0; round < kMostRounds && splitOpenEdges(); ++round) {
+            for (int round = 0; round < kMostRepairRounds && splitOpenEdges(); ++round) {
             }
         }
         dropUnused();
@@ -48,7 +48,7 @@ class Repair {
     void mergeVertices() {
         double farthest = 0;
         for (const Vec3& v : vertices()) farthest = std::max(farthest, v.cwiseAbs().maxCoeff());
-        const double near = std::max(tolerance_, kRounding * farthest);
+        const double near = std::max(tolerance_, kCoordinateRounding * farthest);
         VertexTable table(near > 0 ? near : 1);
         std::vector<Vec3> kept;
         std::vector<std::int32_t> same(vertices().size());

@@ -22,12 +22,12 @@ namespace {
 
 using namespace rock_mass;
 
-constexpr double kLeastLean = 0.05;   // cosine between a triangle and the plane its star is drawn in
-constexpr double kUpright = 1e-6;     // likewise, for triangles that face up and must stay so
-constexpr double kInLine = 1e-9;      // of the length: corners of the rim this near to a line in plan may be
-                                      // removed
-constexpr double kSlender = 0.02;     // shape (1 is equilateral) of the worst triangle that may be made ...
-constexpr double kShapeShare = 0.05;  // ... and the deviation accepted for a good one, as a share
+constexpr double kLeastLean = 0.05;    // cosine between a triangle and the plane its star is drawn in
+constexpr double kStillUpward = 1e-6;  // likewise, for triangles that face up and must stay so
+constexpr double kInLine = 1e-9;       // of the length: corners of the rim this near to a line in plan may be
+                                       // removed
+constexpr double kWorstShape = 0.02;   // shape (1 is equilateral) of the worst triangle that may be made ...
+constexpr double kShapeShare = 0.05;   // ... and the deviation accepted for a good one, as a share
 
 using Vec2d = Eigen::Vector2d;
 using Corners = std::array<std::int32_t, 3>;
@@ -174,7 +174,7 @@ class Simplifier {
             old_shape = std::min(old_shape, shape(corners(t)));
         }
         for (const Corners& t : fan) new_shape = std::min(new_shape, shape(t));
-        if (new_shape < std::min(kSlender, old_shape)) return std::nullopt;
+        if (new_shape < std::min(kWorstShape, old_shape)) return std::nullopt;
         const auto push = largestPush(u, v, star, fan, around, on_rim);
         if (!push || !(before + *push <= allowed_)) return std::nullopt;
         return Removal{before + *push + kShapeShare * allowed_ * (1 - new_shape), before + *push, u, v};
@@ -205,7 +205,7 @@ class Simplifier {
         for (const std::size_t t : star) {
             const Vec3 a = area(corners(t));
             normal += a;
-            looks_up = looks_up && a.z() > kUpright * a.norm();
+            looks_up = looks_up && a.z() > kStillUpward * a.norm();
         }
         if (on_rim && !looks_up) return std::nullopt;
         if (on_rim) normal = Vec3::UnitZ();  // along the rim both have the same outline in plan only
@@ -214,7 +214,7 @@ class Simplifier {
             if (!leans(area(corners(t)), sheet)) return std::nullopt;
         for (const Corners& t : fan) {
             const Vec3 a = area(t);
-            if (!leans(a, sheet) || (looks_up && !(a.z() > kUpright * a.norm()))) return std::nullopt;
+            if (!leans(a, sheet) || (looks_up && !(a.z() > kStillUpward * a.norm()))) return std::nullopt;
         }
         return pushIn(sheet, u, v, fan, around);
     }

@@ -12,7 +12,7 @@ namespace talus::rock_mass {
 
 namespace {
 
-constexpr double kTouch = 1e-9;  // of the smaller face: less common area is none
+constexpr double kLeastCommonArea = 1e-9;  // of the smaller face: less common area is none
 
 struct FaceOf {
     std::int32_t plane;
@@ -40,7 +40,8 @@ double faceArea(const CellFace& face, const VertexTable& vertices) {
 
 bool touch(const CellFace& a, const CellFace& b, const Knife& knife) {
     const double common = sharedArea(a, b, knife.planes, knife.vertices);
-    return common > 0 && common > kTouch * std::min(faceArea(a, knife.vertices), faceArea(b, knife.vertices));
+    return common > 0 &&
+           common > kLeastCommonArea * std::min(faceArea(a, knife.vertices), faceArea(b, knife.vertices));
 }
 
 Box boundsOf(const Cell& piece, const VertexTable& vertices) {

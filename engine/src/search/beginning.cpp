@@ -13,7 +13,7 @@ namespace {
 using equilibrium::EquilibriumPath;
 using equilibrium::Released;
 
-constexpr double kNothing = 1e-12;  // [rad], or of the weight
+constexpr double kNoLoad = 1e-12;  // [rad], or of the weight
 // Attempts to apply the weight, each with more strength than the last.
 constexpr int kWeightAttempts = 3;
 constexpr double kPartsLess = 0.5;
@@ -58,8 +58,7 @@ class Loader {
         const auto bare = path_.place();
         if (!weigh()) {
             // A block that falls on level ground may be stable at its tilt.
-            if (begun_.result != PathResult::failed || std::abs(start_.tilt - level) < kNothing)
-                return begun_;
+            if (begun_.result != PathResult::failed || std::abs(start_.tilt - level) < kNoLoad) return begun_;
             path_.goBack(bare);
             level = start_.tilt;
             path_.vary(tilting.loading, level);
@@ -67,7 +66,7 @@ class Loader {
         }
         if (start_.weighted && start_.weighted(path_) && !bringOn(weightAxis(start_.imbalance), "weight"))
             return begun_;
-        const bool may_be_later = std::abs(start_.tilt - level) > kNothing;
+        const bool may_be_later = std::abs(start_.tilt - level) > kNoLoad;
         if (!model_.hasWater()) {
             if (weaken() && tilt(tilting, level)) push();
             return begun_;
@@ -170,7 +169,7 @@ class Loader {
 
     bool follow(const LoadAxis& axis, double wanted, double rise, const char* stage) {
         begun_.stage = stage;
-        if (std::abs(wanted) < kNothing) return true;
+        if (std::abs(wanted) < kNoLoad) return true;
         const LoadAxis shares = shareOf(axis, wanted);
         path_.vary(shares.loading, 0);
         Follow follow = following(

@@ -18,7 +18,7 @@ using equilibrium::Parting;
 using equilibrium::PathStep;
 using equilibrium::Released;
 
-constexpr int kMostSteps = 4'000;
+constexpr int kMostPathSteps = 4'000;
 constexpr double kShortOfTarget = 0.9;
 constexpr std::int64_t kLeastWorkBeyond = 60;  // factorisations
 constexpr double kLeastGrowth = 0.5, kMostGrowth = 2;
@@ -42,7 +42,7 @@ class Follower {
     }
 
     Followed run() {
-        for (int k = 0; k < kMostSteps; ++k) {
+        for (int k = 0; k < kMostPathSteps; ++k) {
             if (path_.stopped()) return ended(PathResult::interrupted);
             if (const auto result = look()) return ended(*result);
             mended_ = false;

@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-constexpr double kTouch = 1e-7;  // of a body's radius: what is nearer touches
+constexpr double kTouchingParts = 1e-7;  // of a body's radius: what is nearer touches
 
 /// A part of a block of several.
 const ConvexPart& partAt(const Geometry& geometry, std::int32_t part) {
@@ -70,7 +70,7 @@ FixedShapes placeFixed(const Blocks& blocks, const Geometry& geometry) {
         fixed.planes = facePlanes(fixed.together);
         Box all;
         for (const Box& box : boxes) all.add(box.min), all.add(box.max);
-        fixed.tolerance = kTouch * 0.5 * (all.max - all.min).norm();
+        fixed.tolerance = kTouchingParts * 0.5 * (all.max - all.min).norm();
     }
     fixed.boxes = BoxTree(std::move(boxes));
     return fixed;
@@ -127,7 +127,7 @@ std::optional<PartOfBody> partOfBody(const State& state, std::int32_t part) {
                       static_cast<std::size_t>(part - geometry.first_part[block]),
                       state.blocks.orientation.matrix(block),
                       state.blocks.position.get(block),
-                      kTouch * geometry.radius[block]};
+                      kTouchingParts * geometry.radius[block]};
 }
 
 PlacedPart::PlacedPart(const State& state, std::int32_t part)

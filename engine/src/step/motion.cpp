@@ -69,10 +69,10 @@ void gather(State& state, Range range, double dt) {
 
 void gatherAndDrift(State& state, Range range, double dt) {
     // Blocks per piece: those loaded by the first pass are still in the second-level cache for the other.
-    constexpr std::size_t kPiece = 512;
+    constexpr std::size_t kBlocksAtOnce = 512;
     const MotionView view = motionView(state, dt);
-    for (std::size_t begin = range.begin; begin < range.end; begin += kPiece) {
-        const Range piece{begin, std::min(begin + kPiece, range.end)};
+    for (std::size_t begin = range.begin; begin < range.end; begin += kBlocksAtOnce) {
+        const Range piece{begin, std::min(begin + kBlocksAtOnce, range.end)};
         sumForces(state, view, piece);
         kernels(state).kick_and_drift(view, piece.begin, piece.end);
     }

@@ -36,9 +36,9 @@ class Findings {
 
 /// Unit and at right angles, to the rounding of many turns.
 inline bool areOrthonormal(const Vec3& e1, const Vec3& e2) {
-    constexpr double kRounding = 1e-9;
-    return std::abs(e1.squaredNorm() - 1.0) < kRounding && std::abs(e2.squaredNorm() - 1.0) < kRounding &&
-           std::abs(e1.dot(e2)) < kRounding;
+    constexpr double kFrameRounding = 1e-9;
+    return std::abs(e1.squaredNorm() - 1.0) < kFrameRounding &&
+           std::abs(e2.squaredNorm() - 1.0) < kFrameRounding && std::abs(e1.dot(e2)) < kFrameRounding;
 }
 
 // Parts of validate. Each is safe once those before it have found nothing.

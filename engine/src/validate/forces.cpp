@@ -13,7 +13,7 @@
 namespace talus {
 namespace {
 
-constexpr double kSame = 1e-9;    // of the sum of magnitudes
+constexpr double kSumRounding = 1e-9;  // of the sum of magnitudes
 constexpr double kPlace = 1e-10;  // of the patch's size: rounding of places, which stiffness makes a force
 
 /// Sums over the contact points of an interface.
@@ -104,11 +104,11 @@ void checkInterface(const State& state, std::size_t i, PointSum& all, Findings& 
     const double length = std::sqrt(f.area[i]),
                  reach = (pose.origin - x_a).norm() + (pose.origin - x_b).norm() + length;
     const double balance =
-        kSame * (wrench.force.norm() * reach + wrench.moment_a.norm() + wrench.moment_b.norm());
+        kSumRounding * (wrench.force.norm() * reach + wrench.moment_a.norm() + wrench.moment_b.norm());
     findings.expect((wrench.moment_a + wrench.moment_b + (x_b - x_a).cross(wrench.force)).norm() <= balance,
                     "interface", i, "its wrenches on the two blocks are not opposite");
     if (state.damping.contact > 0 || state.damping.restitution || sum.dilates) return;
-    const double rounding = kSame * sum.magnitude + kPlace * stiffness * length;
+    const double rounding = kSumRounding * sum.magnitude + kPlace * stiffness * length;
     findings.expect((wrench.force - sum.force).norm() <= rounding, "interface", i,
                     "its force is not the sum over its contact points");
     const Vec3 moment_b = (pose.origin - x_b).cross(sum.force) + sum.moment;
@@ -125,8 +125,9 @@ std::vector<std::string> validateForces(const State& state) {
     const double elastic = elasticEnergy(state);
     findings.expect(kineticEnergy(state) >= 0 && elastic >= 0, "an energy is negative");
     if (!all.dilates)
-        findings.expect(std::abs(elastic - all.energy - tieEnergy(state)) <= kSame * elastic + all.rounding,
-                        "the elastic energy is not that of the springs");
+        findings.expect(
+            std::abs(elastic - all.energy - tieEnergy(state)) <= kSumRounding * elastic + all.rounding,
+            "the elastic energy is not that of the springs");
     return findings.take();
 }
 

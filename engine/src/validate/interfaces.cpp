@@ -11,10 +11,10 @@
 namespace talus {
 namespace {
 
-constexpr double kParallel = 1e-9;   // 1 less the cosine
-constexpr double kInPlane = 1e-6;    // of a block's radius
-constexpr double kSameArea = 1e-9;   // of the area
-constexpr double kRounding = 1e-13;  // of the patch's extent, squared for areas
+constexpr double kParallelNormals = 1e-9;  // 1 less the cosine
+constexpr double kInPlane = 1e-6;          // of a block's radius
+constexpr double kSameArea = 1e-9;         // of the area
+constexpr double kPatchRounding = 1e-13;   // of the patch's extent, squared for areas
 
 const Vec3& vertexOf(const Polyhedron& shape, std::size_t face) {
     return shape.vertices[static_cast<std::size_t>(shape.faces[face][0])];
@@ -26,7 +26,7 @@ bool liesOnFace(const State& state, std::int32_t block, std::int32_t face, const
     const auto b = static_cast<std::size_t>(block), k = static_cast<std::size_t>(face);
     const Polyhedron& shape = state.geometry->shape[b];
     const Vec3 normal = shape.faceNormal(k);
-    return normal.dot(out) > 1.0 - kParallel &&
+    return normal.dot(out) > 1.0 - kParallelNormals &&
            std::abs(normal.dot(origin - vertexOf(shape, k))) <= kInPlane * state.geometry->radius[b];
 }
 
@@ -59,10 +59,10 @@ bool isOnSurface(const State& state, std::int32_t block, std::int32_t face, cons
 /// Orthonormal tangents carried into a tilted plane along their normal: e + s n, e' + s' n, so s s' is their
 /// product.
 bool areCarriedOver(const Vec3& e1, const Vec3& e2) {
-    constexpr double kRounding = 1e-7;
+    constexpr double kTiltedRounding = 1e-7;
     const auto rise = [](const Vec3& e) { return std::sqrt(std::max(0.0, e.squaredNorm() - 1.0)); };
-    return e1.squaredNorm() > 1.0 - kRounding && e2.squaredNorm() > 1.0 - kRounding &&
-           std::abs(std::abs(e1.dot(e2)) - rise(e1) * rise(e2)) <= kRounding;
+    return e1.squaredNorm() > 1.0 - kTiltedRounding && e2.squaredNorm() > 1.0 - kTiltedRounding &&
+           std::abs(std::abs(e1.dot(e2)) - rise(e1) * rise(e2)) <= kTiltedRounding;
 }
 
 void checkFrame(const State& state, std::size_t i, Findings& findings) {
@@ -92,7 +92,7 @@ void checkFrame(const State& state, std::size_t i, Findings& findings) {
 bool isPatch(const std::vector<Eigen::Vector2d>& outline, double patch_area) {
     Polygon polygon;
     for (const Eigen::Vector2d& corner : outline) polygon.push(corner);
-    const double length = extent(polygon), rounding = kRounding * length * length;
+    const double length = extent(polygon), rounding = kPatchRounding * length * length;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vec2 in = polygon.next(k) - polygon[k],
                    out = polygon.next((k + 1) % polygon.size()) - polygon.next(k);
