@@ -26,7 +26,7 @@ struct Interval {
 };
 
 /// Range of values that suggest another unit: rare in the quantity's own unit, common in that one.
-struct Slip {
+struct UnitMixUp {
     double above = 0, below = 0;
     std::string_view unit{};  ///< "g/cm3"
 

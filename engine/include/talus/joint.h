@@ -21,7 +21,7 @@ struct JointProperty {
     double Joint::*value;              ///< in SI units and radians
     std::string_view unit;             ///< of the value under the key
     Interval allowed;                  ///< in that unit
-    Slip slip{};                       ///< likewise
+    UnitMixUp mix_up{};                ///< likewise
     LawSet laws = kAllLaws;            ///< laws that have it
     LawSet required_by{};              ///< laws for which it must be given; else the default of Joint{} holds
     double Joint::*same_as = nullptr;  ///< ... or the value of this property
@@ -47,8 +47,8 @@ namespace detail {
 inline constexpr Interval kStiffness{1e3, 1e15}, kStrength{0, 1e15};
 inline constexpr Interval kFrictionDeg{0, 90, false, true};
 // pi/2 radians are 90 degrees; and no joint of a slope slides at a degree and a half.
-inline constexpr Slip kStiffnessSlip{0, 1e6, "kPa/m or MPa/m"}, kStrengthSlip{0, 1, "kPa or MPa"},
-    kFrictionSlip{0, 1.5708, "radians"};
+inline constexpr UnitMixUp kStiffnessMixUp{0, 1e6, "kPa/m or MPa/m"}, kStrengthMixUp{0, 1, "kPa or MPa"},
+    kFrictionMixUp{0, 1.5708, "radians"};
 inline constexpr LawSet kCoulomb{StrengthLaw::coulomb}, kBartonBandis{StrengthLaw::barton_bandis},
     kPower{StrengthLaw::power};
 
@@ -60,7 +60,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::normal_stiffness,
                   .unit = "Pa/m",
                   .allowed = detail::kStiffness,
-                  .slip = detail::kStiffnessSlip,
+                  .mix_up = detail::kStiffnessMixUp,
                   .required_by = kAllLaws,
                   .in_law = "normal_stiffness",
                   .what = "normal stress per closure"},
@@ -68,7 +68,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::shear_stiffness,
                   .unit = "Pa/m",
                   .allowed = detail::kStiffness,
-                  .slip = detail::kStiffnessSlip,
+                  .mix_up = detail::kStiffnessMixUp,
                   .required_by = kAllLaws,
                   .in_law = "shear_stiffness",
                   .what = "shear stress per slip before sliding"},
@@ -76,7 +76,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::friction,
                   .unit = "deg",
                   .allowed = detail::kFrictionDeg,
-                  .slip = detail::kFrictionSlip,
+                  .mix_up = detail::kFrictionMixUp,
                   .laws = detail::kCoulomb,
                   .required_by = detail::kCoulomb,
                   .reduced_in = detail::kCoulomb,
@@ -86,7 +86,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::cohesion,
                   .unit = "Pa",
                   .allowed = detail::kStrength,
-                  .slip = detail::kStrengthSlip,
+                  .mix_up = detail::kStrengthMixUp,
                   .laws = detail::kCoulomb,
                   .reduced_in = detail::kCoulomb,
                   .in_law = "cohesion",
@@ -95,7 +95,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::tensile_strength,
                   .unit = "Pa",
                   .allowed = detail::kStrength,
-                  .slip = detail::kStrengthSlip,
+                  .mix_up = detail::kStrengthMixUp,
                   .laws = detail::kCoulomb,
                   .in_law = "tensile_strength",
                   .what = "tension at which it opens"},
@@ -103,7 +103,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::residual_cohesion,
                   .unit = "Pa",
                   .allowed = detail::kStrength,
-                  .slip = detail::kStrengthSlip,
+                  .mix_up = detail::kStrengthMixUp,
                   .laws = detail::kCoulomb,
                   .reduced_in = detail::kCoulomb,
                   .in_law = "residual_cohesion",
@@ -112,7 +112,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::residual_friction,
                   .unit = "deg",
                   .allowed = detail::kFrictionDeg,
-                  .slip = detail::kFrictionSlip,
+                  .mix_up = detail::kFrictionMixUp,
                   .laws = {StrengthLaw::coulomb, StrengthLaw::barton_bandis},
                   .required_by = detail::kBartonBandis,
                   .same_as = &Joint::friction,
@@ -149,7 +149,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::jcs,
                   .unit = "Pa",
                   .allowed = Interval::positive(1e15),
-                  .slip = {0, 1e4, "MPa"},
+                  .mix_up = {0, 1e4, "MPa"},
                   .laws = detail::kBartonBandis,
                   .required_by = detail::kBartonBandis,
                   .in_law = "",
@@ -160,7 +160,7 @@ inline constexpr std::array kJointProperties{
                   .value = &Joint::max_friction,
                   .unit = "deg",
                   .allowed = {0, 80, true, false},
-                  .slip = detail::kFrictionSlip,
+                  .mix_up = detail::kFrictionMixUp,
                   .laws = detail::kBartonBandis,
                   .in_law = "",
                   .what = "greatest angle of the strength over the normal stress"},

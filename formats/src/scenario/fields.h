@@ -19,27 +19,27 @@ struct NumberField {
     double Owner::*value;   ///< in SI units and radians
     std::string_view unit;  ///< of what stands under the key
     Interval allowed;       ///< in that unit
-    Slip slip{};            ///< likewise
+    UnitMixUp mix_up{};     ///< likewise
 
     constexpr double toSi() const { return unit == "deg" ? kRadPerDeg : 1.0; }
 };
 
 // Geotechnical centrifuges reach some 1000 g.
 inline constexpr Interval kGravity{0, 1e5};
-inline constexpr Slip kGravitySlip{9700, 9900, "mm/s^2"};
+inline constexpr UnitMixUp kGravityMixUp{9700, 9900, "mm/s^2"};
 // The lightest model blocks are of foam, 10 kg/m^3; osmium has 22590.
 inline constexpr Interval kDensity{10, 30000};
-inline constexpr Slip kDensitySlip{0, 100, "g/cm3, t/m3 or kN/m3"};
+inline constexpr UnitMixUp kDensityMixUp{0, 100, "g/cm3, t/m3 or kN/m3"};
 // From gases to mercury (13546).
 inline constexpr Interval kFluidDensity{1, 30000};
-inline constexpr Slip kFluidDensitySlip{0, 30, "g/cm3, t/m3 or kN/m3"};
+inline constexpr UnitMixUp kFluidDensityMixUp{0, 30, "g/cm3, t/m3 or kN/m3"};
 // Rocks fall at up to some 100 m/s; faster ones would meet as shock waves, not as rigid bodies.
 inline constexpr Interval kSpeed{-1000, 1000};  ///< [m/s]
 // From a second before anything has moved to thirty years; longer than any history can be computed.
 inline constexpr Interval kDuration = Interval::positive(1e9);  ///< [s]
 
 inline constexpr std::array kGravityFields{
-    NumberField<Gravity>{"magnitude", &Gravity::magnitude, "m/s^2", kGravity, kGravitySlip},
+    NumberField<Gravity>{"magnitude", &Gravity::magnitude, "m/s^2", kGravity, kGravityMixUp},
     NumberField<Gravity>{"tilt_deg", &Gravity::tilt, "deg", kTiltDeg}};
 
 inline constexpr std::array kSeismicFields{
@@ -59,7 +59,7 @@ inline constexpr std::array kDampingFields{
 
 /// What a [[water]] of any kind has.
 inline constexpr std::array kWaterFields{
-    NumberField<Water>{"density", &Water::density, "kg/m^3", kFluidDensity, kFluidDensitySlip},
+    NumberField<Water>{"density", &Water::density, "kg/m^3", kFluidDensity, kFluidDensityMixUp},
     NumberField<Water>{"drains_at_aperture", &Water::drains_at_aperture, "m", kSize}};
 
 /// What one with `volume = "closed"` has beside.
@@ -87,7 +87,7 @@ std::vector<std::string> keysOf(const Fields& fields) {
 template <class Fields, class Owner>
 void readNumbers(TableReader& table, const Fields& fields, Owner& owner) {
     for (const auto& field : fields)
-        if (const auto given = table.number(field.key, field.allowed, field.slip))
+        if (const auto given = table.number(field.key, field.allowed, field.mix_up))
             owner.*field.value = *given * field.toSi();
 }
 

@@ -35,7 +35,7 @@ JointProperties readGiven(TableReader& table, Joint& joint) {
             if (table.has(property.key)) reportOfAnotherLaw(table, property.key, joint.law);
             continue;
         }
-        const auto value = table.number(property.key, property.allowed, property.slip);
+        const auto value = table.number(property.key, property.allowed, property.mix_up);
         if (value) joint.*property.value = *value * property.toSi();
         given[p] = value.has_value();
     }
@@ -219,7 +219,7 @@ Materials readMaterials(Report& report, TableReader& root) {
         TableReader table(report, entry.node, entry.field, {"density"});
         table.require({"density"});
         materials.names.add(entry.name);
-        materials.densities.push_back(table.number("density", kDensity, kDensitySlip).value_or(1));
+        materials.densities.push_back(table.number("density", kDensity, kDensityMixUp).value_or(1));
     }
     return materials;
 }

@@ -64,7 +64,7 @@ void reportFound(Report& report, Node node, const std::string& field, const std:
 }
 
 std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Interval& range,
-                                 const Slip& slip) {
+                                 const UnitMixUp& mix_up) {
     ask(report, field, [&] { return numberIn(range); });
     if (!node.isNumber()) {
         const bool any = !std::isfinite(range.min) && !std::isfinite(range.max);
@@ -74,7 +74,7 @@ std::optional<double> readNumber(Report& report, Node node, const std::string& f
     const double value = node.number();
     const std::string found = "found " + valueText(node);
     const std::string meant =
-        slip.looksLike(value) ? "; is it in " + std::string(slip.unit) + "?" : std::string();
+        mix_up.looksLike(value) ? "; is it in " + std::string(mix_up.unit) + "?" : std::string();
     if (range.contains(value)) {
         if (!meant.empty()) report.warn(field + ": " + found + meant);
         return value;
@@ -191,10 +191,11 @@ void TableReader::error(std::string_view key, std::string message) {
     report_.add(placeOf(key), fieldOf(key), std::move(message));
 }
 
-std::optional<double> TableReader::number(std::string_view key, const Interval& range, const Slip& slip) {
+std::optional<double> TableReader::number(std::string_view key, const Interval& range,
+                                          const UnitMixUp& mix_up) {
     ask(key, [&] { return numberIn(range); });
     const auto node = find(key);
-    return node ? readNumber(report_, *node, fieldOf(key), range, slip) : std::nullopt;
+    return node ? readNumber(report_, *node, fieldOf(key), range, mix_up) : std::nullopt;
 }
 
 std::optional<std::int64_t> TableReader::integer(std::string_view key, Bounds bounds) {

@@ -42,7 +42,7 @@ struct FieldNode {
 // One node each; `field` names it in messages. A number that looks like another unit is reported so: beside
 // the fault, or as a warning where it is allowed.
 std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Interval& range,
-                                 const Slip& slip = {});
+                                 const UnitMixUp& mix_up = {});
 std::optional<std::int64_t> readInteger(Report& report, Node node, const std::string& field, Bounds bounds);
 std::optional<std::string> readText(Report& report, Node node, const std::string& field);
 /// \param length the number of elements wanted, any when nothing
@@ -85,7 +85,7 @@ class TableReader {
         const std::vector<std::string>& keys) const;  ///< those of `keys` that are there
 
     // Nothing when the key is missing or its value is not allowed (which is then reported).
-    std::optional<double> number(std::string_view key, const Interval& range, const Slip& slip = {});
+    std::optional<double> number(std::string_view key, const Interval& range, const UnitMixUp& mix_up = {});
     std::optional<std::int64_t> integer(std::string_view key, Bounds bounds);
     std::optional<bool> boolean(std::string_view key);
     std::optional<std::string> text(std::string_view key);
