@@ -41,7 +41,7 @@ async function script(generated) {
   return { code: result.outputFiles[0].text.trim(), packages: [...new Set(packages)].sort() };
 }
 
-/** What the licences want to go along: each package's name, version and licence text. */
+/** Texts that the licences require: each package's name, version and licence text. */
 const licences = (packages) => packages.map((name) => {
   const folder = join(here, "node_modules", name);
   const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));

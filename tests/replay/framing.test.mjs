@@ -92,7 +92,7 @@ await test("why a block slides or topples follows the numbers that decide, and t
   const moving = await page.evaluate(() => window.replay.moving);
   for (const block of moving.slice(0, 12)) {
     const { text, role } = await said(block);
-    const found = /(Slides|Topples|sliding|toppling): ([\d.]+)° turned over the ([\d.]+) (\w*m) of what moves make ([\d.]+) ([µ\w]*m), (more|less) than (\d+) % of its way of ([\d.]+) (\w*m)/.exec(text);
+    const found = /(Slides|Topples|sliding|toppling): its rotation of ([\d.]+)° times the moving group's extent of ([\d.]+) (\w*m) is ([\d.]+) ([µ\w]*m), (more|less) than (\d+) % of its displacement of ([\d.]+) (\w*m)/.exec(text);
     ok(found, text);
     const [, word, turned, extent, extentUnit, swing, swingUnit, more, share, way, wayUnit] = found;
     const [size, arc, gone] = [metres(extent, extentUnit), metres(swing, swingUnit), metres(way, wayUnit)];
@@ -109,7 +109,7 @@ await test("why a block slides or topples follows the numbers that decide, and t
   }, [block, role === 4 ? 1 : 2]);
   const { text } = await said(block);
   ok(text.startsWith(role === 4 ? "Slides at the failure" : "Topples at the failure"), text);
-  ok(/By its motion up to here: (counts as )?(topples|slides|toppling|sliding)/.test(text), text);
+  ok(/By its motion up to this frame: (counts as )?(topples|slides|toppling|sliding)/.test(text), text);
   await page.context().close();
 });
 

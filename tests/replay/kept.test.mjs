@@ -37,7 +37,7 @@ await test("the address asks for it, and a block says at which factor it goes", 
   const name = await page.evaluate(() => window.replay.header.names[window.replay.header.motion.findIndex((m) => m === 0)]);
   await open(`#colour=factor&select=${encodeURIComponent(name)}`);
   equal(await page.evaluate(() => window.replay.look.colouring), kind === "groups" ? "factor" : "displacement");
-  equal((await text("#selection")).includes("Goes at a factor of"), kind === "groups");
+  equal((await text("#selection")).includes("Fails at a factor of"), kind === "groups");
 });
 
 await test("the curve of the search stands in the panel with its answer", async () => {

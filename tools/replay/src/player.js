@@ -1,7 +1,7 @@
 // Time: which two frames are shown and how far between them; playing goes by the clock, not by drawn pictures.
 
 export const speeds = [1 / 1000, 1 / 500, 1 / 200, 1 / 100, 1 / 50, 1 / 20, 1 / 10, 1 / 5, 1 / 2, 1, 2, 5, 10];
-const kWholeRunSeconds = 8; // what playing a whole run should last about, at first
+const kWholeRunSeconds = 8; // duration of playing a whole run, at first
 
 export class Player {
   constructor(frames, onChange) {
@@ -26,7 +26,7 @@ export class Player {
     return low;
   }
 
-  /** The neighbouring frames and the share of the way from a to b. */
+  /** The neighbouring frames a and b and the share of the time between them. */
   between() {
     const k = this.index();
     const a = this.frames[k], b = this.frames[Math.min(k + 1, this.frames.length - 1)];
@@ -67,7 +67,7 @@ export class Player {
     this.onChange();
   }
 
-  /** Goes on by the seconds that have passed. */
+  /** Advances by the seconds that have passed. */
   advance(seconds) {
     if (!this.playing) return;
     const next = this.time + seconds * this.speed;

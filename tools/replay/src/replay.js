@@ -1,4 +1,4 @@
-// The replay: what is shown of the run at the player's time. Everything is drawn on demand, at most once a picture.
+// The replay: the scene at the player's time. Everything is drawn on demand, at most once a picture.
 
 import { add, get, norm, poseOf, radiiOf, sub, turn } from "./data/poses.js";
 import { prepareFull } from "./data/contacts.js";
@@ -87,7 +87,7 @@ export class Replay {
     return Math.sqrt(most);
   }
 
-  /** Looks from one of the named views at what is to be seen; by a `moment` of the run at where it is then. */
+  /** Sets one of the named views; with a `moment` of the run, on the positions at that time. */
   home(view, moment = null) {
     this.view = view;
     this.moment = moment;
@@ -96,7 +96,7 @@ export class Replay {
     this.frameAgain();
   }
 
-  /** Puts what is to be seen beside the legends as they are now, unless the reader has taken the camera since. */
+  /** Frames the scene beside the legends, unless the reader has moved the camera since. */
   frameAgain() {
     if (!this.framed) return;
     this.stage.setTilt((this.moment ?? this.frames[0]).tilt);
@@ -293,7 +293,7 @@ export class Replay {
     return isCut(this.plane ?? null, this.placeOf(block, offset));
   }
 
-  /** When a block has set off, and whether it flies in a good part of its motion. */
+  /** When a block began to move, and whether it flies in much of its motion. */
   historyOf(block) {
     this.histories ??= new Map();
     if (!this.histories.has(block))

@@ -1,4 +1,4 @@
-// Numbers with units, for people: a prefix that keeps them between 1 and 1000, four significant digits.
+// Numbers with units: a prefix that keeps them between 1 and 1000, four significant digits.
 
 const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"]];
 

@@ -1,4 +1,4 @@
-// What the contact points of a full state add up to, per interface, and why a block or a joint does what it does.
+// Sums over the contact points of a full state, per interface.
 
 import { add, get, restOffset, scale, turn } from "./poses.js";
 
@@ -20,7 +20,7 @@ function sumsOf(full, i) {
     if (p.state[k] === State.slipping) ++sums.slipping;
     if (p.bond[k] < 1) ++sums.broken;
     sums.xi += p.normal[k] * p.xi[k], (sums.eta += p.normal[k] * p.eta[k]);
-    // |S| over strength is what is stored; the strength follows where an Lp carries shear.
+    // The file has |S| over strength; the strength follows where an Lp carries shear.
     if (p.mobilised[k] > 0) sums.shear += shear, (sums.strength += shear / p.mobilised[k]);
   }
   sums.openShare = sums.area > 0 ? sums.open / sums.area : 1;
@@ -46,7 +46,7 @@ function isIdle(full, i) {
   return full.interfaces.patchBegin[i + 1] - full.interfaces.patchBegin[i] === 1 && full.sums[i].normal === 0;
 }
 
-/** Adds what the page derives to a full state: sums per interface, interfaces and water force per block. */
+/** Adds derived data to a full state: sums per interface, interfaces and water force per block. */
 export function prepareFull(header, full) {
   const count = full.interfaces.count;
   full.sums = Array.from({ length: count }, (_, i) => sumsOf(full, i));

@@ -5,7 +5,7 @@ import { ByteBuffer } from "flatbuffers";
 import { decompress } from "fzstd";
 import { decodeFrame, decodeFull, decodeHeader } from "./messages.js";
 
-const kPauseMs = 30; // between two looks at the page while a long file is read
+const kPauseMs = 30; // between two updates of the page while a long file is read
 
 /** Bytes of the base64 texts in elements of this class, in the document's order; each text is whole in itself. */
 export function embeddedBytes(selector) {

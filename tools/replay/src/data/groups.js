@@ -1,6 +1,9 @@
-// Blocks that go together when strength is reduced, as the search found them that kept this run.
+// Blocks that fail together when strength is reduced, by the search that kept this run.
 
-/** [{ factor, blocks (how many), share }], the first to go first; `share` is 1 for those and falls to a third for the last. */
+/**
+ * [{ factor, blocks (how many), share }], the first to fail first; `share` falls from 1 for these to a third for the
+ * last.
+ */
 export function groupsOf(header) {
   const counts = new Map();
   for (const factor of header.failure?.factor ?? []) if (factor > 0) counts.set(factor, (counts.get(factor) ?? 0) + 1);
@@ -8,7 +11,7 @@ export function groupsOf(header) {
   return factors.map((factor) => ({ factor, blocks: counts.get(factor), share: span > 0 ? 1 - (factor - factors[0]) / span / 1.5 : 1 }));
 }
 
-/** How hot each block is drawn: its group's share, 0 for those that stand as far as the search went. */
+/** Heat of each block's colour: its group's share, 0 for those that the search has not found to fail. */
 export function heatOfGroups(header) {
   const shares = new Map(groupsOf(header).map(({ factor, share }) => [factor, share]));
   return Float32Array.from(header.names, (_, b) => shares.get(header.failure?.factor[b]) ?? 0);

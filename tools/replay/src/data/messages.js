@@ -1,5 +1,5 @@
-// The messages of formats/snapshot.fbs as plain objects of arrays, through the code that flatc writes for the schema: all
-// fields, under flatc's names, so that a field the schema gets needs no line here.
+// The messages of formats/snapshot.fbs as plain objects of arrays, by the code that flatc writes for the schema: all
+// fields, under flatc's names, so that a new field of the schema needs no line here.
 
 import { Frame } from "schema/frame";
 import { Full } from "schema/full";
@@ -21,7 +21,10 @@ function fieldsOf(table) {
   return kept.get(methods);
 }
 
-/** As flatc calls its helpers: a field with the name of a keyword ("interface") has an underscore behind it, they have not. */
+/**
+ * As flatc calls its helpers: a field with the name of a keyword ("interface") has an underscore behind it, they have
+ * not.
+ */
 const stem = (name) => name.replace(/_$/, "");
 
 function vector(table, name) {
@@ -57,7 +60,7 @@ export function decodeHeader(buffer) {
   };
 }
 
-/** What the search says that kept this run; null for others. */
+/** Results of the search that kept this run; null for others. */
 const failureOf = (failure) => failure && {
   ...failure,
   analysis: failure.analysis ?? "",

@@ -1,17 +1,17 @@
-// What moves in a run: which blocks, whereto, and whether they fly.
+// Motion in a run: which blocks move, in which direction, and whether they fly.
 
 import { add, get, norm, scale, sub, upOf } from "./poses.js";
 import { Role } from "./roles.js";
 
-const kFlightShare = 0.1; // of the frames in which a block moves: in more of them it flies, it falls
-const kFlightFit = 0.05; // how near to gravity's the acceleration of a flight is, over g
+const kFlightShare = 0.1; // of the frames in which a block moves: a block that flies in more of them falls
+const kFlightFit = 0.05; // largest difference of a flight's acceleration from gravity's, over g
 const kMoves = 0.02; // of the fastest speed of the run: slower does not count as moving
 
 /** Blocks that slide or topple by these roles. */
 export const movingBlocks = (roles) =>
   Array.from(roles.keys()).filter((b) => roles[b] === Role.slides || roles[b] === Role.topples);
 
-/** Level direction in which the mass goes, or null when it goes nowhere. */
+/** Level direction of the moving mass, or null when it has none. */
 export function headingOf(header, frame, blocks) {
   let sum = [0, 0, 0], all = 0;
   for (const b of blocks) {
@@ -23,7 +23,7 @@ export function headingOf(header, frame, blocks) {
   return level > 0.1 * all && level > 0 ? Math.atan2(sum[1], sum[0]) : null;
 }
 
-/** Whether a block flies in a good part of its motion: its velocity then changes by gravity alone. */
+/** Whether a block flies in much of its motion: its velocity then changes by gravity alone. */
 export function falls(header, frames, block) {
   const g = header.gravity;
   if (!(g > 0) || frames.length < 3) return false;
@@ -39,7 +39,7 @@ export function falls(header, frames, block) {
   return moves > 0 && flies > kFlightShare * moves;
 }
 
-/** What the blocks do together, for people: the mode, or that more than half of the moving mass falls. */
+/** The motion of all blocks in words: the mode, or that more than half of the moving mass falls. */
 export function motionText(header, frames, mode, blocks) {
   if (mode === "none" || blocks.length === 0) return "no failure";
   const massOf = (list) => list.reduce((sum, b) => sum + header.mass[b], 0);

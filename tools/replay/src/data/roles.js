@@ -1,7 +1,7 @@
-// What each block does in a failure, by the rule of talus/motion_roles.h: the numbers come with the page. A block moves when
-// it goes a share of the farthest one's way and more than a share of the smallest block's size, since a file does not say
-// how much the joints gave at rest; it topples when its rotation, at the size of the moving group, makes up more than a
-// share of its motion.
+// The role of each block in a failure, by the rule of talus/motion_roles.h: the numbers come with the page. A block moves
+// when it goes a share of the farthest one's way and more than a share of the smallest block's size, since a file does
+// not say how much the joints gave at rest; it topples when its rotation, at the size of the moving group, makes up more
+// than a share of its motion.
 
 import { get, norm } from "./poses.js";
 
@@ -9,9 +9,9 @@ export const Role = { fixed: 0, driven: 1, stands: 2, slides: 3, topples: 4 };
 export const roleNames = ["fixed", "driven", "stands", "slides", "topples"];
 
 export const rule = JSON.parse(document.getElementById("motion-rule")?.textContent ?? "{}");
-const kStandingShare = rule.deflections * rule.deflectionOfSize; // of a block's size: less is no motion
+const kStandingShare = rule.deflections * rule.deflectionOfSize; // of a block's size: a smaller displacement is no motion
 
-/** Way of a block since the start, of its farthest corner [m]. */
+/** Displacement of a block's farthest corner since the start [m]. */
 export const motionOf = (frame, block, radius) =>
   norm(get(frame.displacement, block)) + norm(get(frame.rotation, block)) * radius[block];
 
@@ -32,7 +32,7 @@ function movingExtent(header, frame, radius, moving) {
   return norm([high[0] - low[0], high[1] - low[1], high[2] - low[2]]);
 }
 
-/** What the rule reads from a frame: each block's way, which of them move, the size of the group that does. */
+/** Input of the rule from a frame: each block's displacement, the moving blocks, the extent of the moving group. */
 export function motionAt(header, frame, radius) {
   const motion = header.names.map((_, b) => (header.motion[b] === 0 ? motionOf(frame, b, radius) : 0));
   const largest = motion.reduce((most, value) => Math.max(most, value), 0);
@@ -43,7 +43,7 @@ export function motionAt(header, frame, radius) {
 
 const rolesOfSearch = [Role.stands, Role.slides, Role.topples, Role.topples]; // in the order of the schema
 
-/** Role of every block as the search saw it that kept this run, else by its motion up to this frame, as a Uint8Array. */
+/** Role of every block by the search that kept this run, else by its motion up to this frame, as a Uint8Array. */
 export function rolesAt(header, frame, radius) {
   if (header.failure)
     return Uint8Array.from(header.motion, (motion, b) =>
@@ -70,7 +70,7 @@ export function overallMode(header, roles) {
   return sliding >= rule.pure * all ? "sliding" : toppling >= rule.pure * all ? "toppling" : "mixed";
 }
 
-/** Time at which a block had gone that share of its size, or null. */
+/** Time at which a block was displaced by that share of its size, or null. */
 export function setOffTime(header, frames, block, radius) {
   const found = frames.find((frame) => motionOf(frame, block, radius) > kStandingShare * header.size[block]);
   return found ? found.time : null;

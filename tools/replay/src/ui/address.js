@@ -1,4 +1,4 @@
-// What the address may ask for, so that a report can link to a moment: page.html#t=0.2&colour=role&joints&select=c1r1s1.
+// Settings in the address, so that a report can link to a moment: page.html#t=0.2&colour=role&joints&select=c1r1s1.
 
 export function readAddress(replay, hash) {
   const asked = new URLSearchParams(hash.slice(1));

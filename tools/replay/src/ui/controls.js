@@ -332,7 +332,7 @@ export class Controls {
     const context = { header: replay.header, full: replay.full, frames: replay.now };
     const html = selected.block >= 0 ? blockText({ ...context, radius: replay.radius, roles: replay.roles, block: selected.block, ...replay.historyOf(selected.block) })
       : selected.interface >= 0 && replay.full ? interfaceText({ ...context, i: selected.interface })
-      : `<p class="note">Click a block, or with <em>Joints</em> shown a joint, to see its numbers and why it fails or stands.</p>`;
+      : `<p class="note">Click a block, or with <em>Joints</em> shown a joint, to see its numbers and why it fails or is stable.</p>`;
     if (html !== this.selectionShown) element("selection").innerHTML = this.selectionShown = html;
   }
 

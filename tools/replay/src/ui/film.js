@@ -1,4 +1,4 @@
-// Pictures and films of what is shown, with what explains them: name and time, colours, scale, compass. Both are made in the page; a
+// Pictures and films of the scene, with captions: name and time, colours, scale, compass. Both are made in the page; a
 // film is recorded by the browser while the run plays.
 
 import { gradientStops } from "../view/colours.js";

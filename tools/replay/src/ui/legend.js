@@ -11,12 +11,12 @@ const unitOf = (kind) => (value) =>
 
 const kGroupsListed = 8;
 
-/** Colour and words of each group that goes together, and of what stands. */
+/** Colour and words of each group that fails together, and of the other blocks. */
 export function groupItems(groups) {
   const listed = groups.slice(0, kGroupsListed).map(({ factor, blocks, share }) =>
     [heatText(share), `at ${factor.toFixed(3)}: ${blocks} block${blocks === 1 ? "" : "s"}`]);
   if (groups.length > kGroupsListed) listed.push([heatText(groups.at(-1).share), `... to ${groups.at(-1).factor.toFixed(3)}`]);
-  return [...listed, [heatText(0), "not known to go"]];
+  return [...listed, [heatText(0), "not known to fail"]];
 }
 
 /** The colours' meaning in words, for pictures. */
@@ -29,7 +29,7 @@ export function legendHtml({ colouring, range, ownScale, roles, groups, joints, 
     const present = [...new Set(roles)].sort();
     parts.push(`Failure role<ul>${present.map((role) => item(roleColours[role], roleNames[role])).join("")}</ul>`);
   } else if (colouring === "factor") {
-    parts.push(`Factor of safety at which blocks go<ul>${groupItems(groups).map(([colour, text]) => item(colour, text)).join("")}</ul>`);
+    parts.push(`Factor of safety at which blocks fail<ul>${groupItems(groups).map(([colour, text]) => item(colour, text)).join("")}</ul>`);
   } else {
     const text = unitOf(colouring);
     parts.push(`${titles[colouring]}${ownScale ? " (scale of this frame)" : ""}<div class="bar" style="background:${gradientOf("heat")}"></div>` +

@@ -1,4 +1,4 @@
-// The buttons that save a picture and record a film, and what they write on it.
+// The buttons that save a picture and record a film, and the captions of both.
 
 import { angle, quantity } from "../units.js";
 import { roleNames } from "../data/roles.js";
@@ -15,14 +15,14 @@ export class Recorder {
     picture_button.addEventListener("click", () => this.picture());
     film_button.addEventListener("click", () => this.toggle());
     film_button.disabled = !canFilm();
-    if (film_button.disabled) film_button.title = "This browser records no films";
+    if (film_button.disabled) film_button.title = "This browser cannot record films";
   }
 
   name() {
     return (this.replay.header.scenarioPath.split("/").at(-1) || "run").replace(/\.toml$/, "");
   }
 
-  /** The picture as it has just been rendered, and what explains it. */
+  /** The picture as just rendered, with its captions. */
   compose() {
     const { replay } = this, { look, stage, player } = replay;
     const roles = look.colouring === "role";
@@ -30,7 +30,7 @@ export class Recorder {
     compose(this.canvas, stage.renderer.domElement, {
       dark: replay.controls.dark(), ratio: stage.renderer.getPixelRatio(), title: this.name(),
       lines: [`t = ${quantity(player.time, "s")}, tilt ${angle(replay.now.a.tilt, 4)}, ${replay.motionText}`,
-        ...(look.joints && replay.full ? [`joints at t = ${quantity(replay.full.time, "s")}: green little, yellow half, red all of the friction used, grey open`] : []),
+        ...(look.joints && replay.full ? [`joints at t = ${quantity(replay.full.time, "s")}: friction mobilised little (green), half (yellow), fully (red); open (grey)`] : []),
         ...(look.exaggeration !== 1 ? [`displacement drawn × ${Number(look.exaggeration.toPrecision(3))}`] : [])],
       colours: roles ? { ...colourCaption(look, replay.range), items: present.map((role) => [roleColours[role], roleNames[role]]) }
         : colourCaption(look, replay.range, replay.groups),

@@ -1,4 +1,4 @@
-// How large things are and where north is: scale bar and compass.
+// Scale bar and compass.
 
 import { quantity } from "../units.js";
 
@@ -23,7 +23,7 @@ export const scaleSvg = ({ pixels, text }) =>
 
 const bearing = (degrees) => String(Math.round(((degrees % 360) + 360) % 360) % 360).padStart(3, "0");
 
-/** Where a view looks to: clockwise from north, and how far down, in degrees. */
+/** Direction of a view: clockwise from north, and plunge, in degrees. */
 export function viewText([x, y, z]) {
   const down = (Math.asin(Math.max(-1, Math.min(1, -z))) * 180) / Math.PI;
   const level = Math.hypot(x, y);
@@ -32,7 +32,7 @@ export function viewText([x, y, z]) {
 }
 
 const kApart = 12, kOffLine = 8, kReach = 46; // of letters: from each other, from lines, from the middle at most [px]
-const kAlong = 0.3; // of its length north is seen: shorter, it goes along the view
+const kAlong = 0.3; // least visible share of north's length: below it, north lies along the view
 const colours = { x: "#c0392b", y: "#2e8b57", z: "#2f6fd0", g: "currentColor" };
 const apart = ([x, y], [u, v]) => Math.hypot(x - u, y - v);
 

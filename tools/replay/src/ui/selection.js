@@ -1,4 +1,4 @@
-// The panel's text for what is selected: a block or an interface, its numbers and why.
+// The panel's text for a selected block or interface: its numbers and why it fails or is stable.
 
 import { escape, loadFigure, wordsOf } from "./words.js";
 import { add, cross, dot, get, norm, poseOf, sub, turn, upOf } from "../data/poses.js";
@@ -33,7 +33,7 @@ export function blockText({ header, full, frames, block, radius, roles, setOff, 
     ["Mass, weight", `${quantity(header.mass[block] * 1000, "g")}, ${quantity(header.mass[block] * header.gravity, "N")}`],
   ];
   const goesAt = header.failure?.factor[block];
-  if (goesAt > 0) rows.push(["Goes at a factor of", goesAt.toFixed(4)]);
+  if (goesAt > 0) rows.push(["Fails at a factor of", goesAt.toFixed(4)]);
   if (full) rows.push(["Out of balance", quantity(norm(get(full.force, block)), "N")]);
   return `<h2><span>Block ${escape(header.names[block])} ${badge}</span>${close}</h2>` +
     why(whyBlock({ header, full, frames, block, radius, role, setOff, falls })) + facts(rows) + neighbourTable(header, full, block);
@@ -73,7 +73,7 @@ export function interfaceText({ header, full, frames, i }) {
     ["Shear force", quantity(Math.hypot(s.shear1, s.shear2), "N")],
     ["Water thrust", quantity(s.water, "N")],
     ["Friction used", percent(s.mobilised)],
-    ["Normal force acts", `${percent(s.edge)} of the way to the rim`],
+    ["Normal force acts", `${percent(s.edge)} of the distance to the rim`],
     ["Middle", metres(at)],
     ["Dip of the plane", `${dip.toFixed(1)}°`],
   ];
@@ -87,13 +87,13 @@ export function interfaceText({ header, full, frames, i }) {
     `<th>P</th><th>area</th><th>state</th><th>used</th></tr></thead><tbody>${points.join("")}</tbody></table></div>`;
 }
 
-/** "tilt 19.5312°": the program says how it tells the loads of its searches. */
+/** "tilt 19.5312°": the words are those of the program for the loads of its searches. */
 function loadText({ analysis, load }) {
   const words = wordsOf(analysis);
   return words ? `${words.text} ${loadFigure(words, load)}` : `load ${ratio(load)}`;  // a search of another version
 }
 
-/** What the file says of the run: for the panel's last section. */
+/** Facts of the run for the panel's last section. */
 export function runText(file, mode) {
   const { header, end, frames } = file;
   const ended = end?.get("ended") ?? "not known (still running, or killed)";

@@ -1,8 +1,8 @@
-// What people read: text that is safe in markup, and loads as the program tells them.
+// Texts of the page: safe in markup, and loads in the program's words.
 
 export const escape = (text) => String(text).replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
 
-/** How the program tells the loads of a search: { text, scale, decimals, unit }; undefined for one of another version. */
+/** The program's words for the loads of a search: { text, scale, decimals, unit }; undefined for one of another version. */
 export const wordsOf = (analysis) => JSON.parse(document.getElementById("searches")?.textContent ?? "{}")[analysis];
 
 /** A load of the file in its unit: "19.531°", "1.0799". */

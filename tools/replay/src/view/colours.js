@@ -1,5 +1,5 @@
-// Colours of the scene. Stone at rest, hot where something happens; the scales darken evenly, so that they survive a
-// black-and-white print and colour-blind eyes.
+// Colours of the scene. Stone colours at rest, hot colours for motion. The scales darken evenly, so that they work in
+// black-and-white print and for colour-blind readers.
 
 import * as THREE from "three";
 

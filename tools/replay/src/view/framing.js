@@ -1,13 +1,13 @@
-// What is put in view, and from how far: the model and the way of what moves, beside the legends that stand over the scene.
+// Framing of the scene: the model and the paths of moving blocks, beside the legends over the scene.
 
 import { add, get, norm, poseOf, sub, turn } from "../data/poses.js";
 
 const kGroundSize = 3; // a fixed block this many times as large as the free ones is ground
 const kGroundInView = 2.2; // ground that makes the view larger than this many times is not put in view
 const kFarWay = 20; // in sizes of a block: one that flies this far must not make the rest a dot
-const kMoments = 9, kMany = 1000; // of a way, at most; blocks
-const kDot = 60; // what moves is a dot in a view this many times as large
-const kDirections = 300; // in which a cloud of points is felt for its farthest ones
+const kMoments = 9, kMany = 1000; // positions along a path, at most; blocks
+const kDot = 60; // moving blocks are a dot in a view this many times as large
+const kDirections = 300; // directions in which the outermost points of a cloud are sought
 
 const emptyBox = () => ({ low: [Infinity, Infinity, Infinity], high: [-Infinity, -Infinity, -Infinity] });
 const radiusOf = ({ low, high }) => norm(sub(high, low)) / 2;
@@ -35,7 +35,7 @@ function cornersIn(header, frame, block, points) {
   return points;
 }
 
-/** Where blocks are on their way; of very many fewer moments do. */
+/** Positions of blocks along their paths; fewer moments for very many blocks. */
 function wayOf(header, frames, blocks) {
   const count = blocks.length > kMany ? 3 : kMoments, points = [];
   const moments = new Set(Array.from({ length: count }, (_, k) => frames[Math.round((k * (frames.length - 1)) / (count - 1))]));
@@ -43,7 +43,7 @@ function wayOf(header, frames, blocks) {
   return points;
 }
 
-/** Movers without those that fly off while most of what moves, by mass, does not. */
+/** Moving blocks without those that fly off while most of the moving mass does not. */
 function nearMovers(header, frame, radius, moving) {
   const typical = Math.max(...Array.from(moving, (b) => radius[b]).slice(0, 10000));
   const near = moving.filter((b) => norm(get(frame.displacement, b)) < kFarWay * typical);
@@ -51,7 +51,7 @@ function nearMovers(header, frame, radius, moving) {
   return mass(near) > 0.5 * mass(moving) ? near : moving;
 }
 
-/** All of the model as it lies at the start and what moves on its way; ground where it is not far larger. */
+/** The model at the start and the moving blocks along their paths; ground only where it is not far larger. */
 function wholeModel(header, frames, radius, free, way) {
   const typical = free.reduce((most, b) => Math.max(most, radius[b]), 0);
   const points = way.slice(), ground = [];
@@ -75,7 +75,7 @@ export function pointsInView({ header, frames, radius, free, moving }, closer, f
   return closer && 2 * radiusOf(boxOf(way)) < 0.8 * size ? cornersOf(boxOf(way), 2) : all;
 }
 
-/** Of a cloud of points those that lie outermost in many directions. */
+/** The outermost points of a cloud in many directions. */
 export function outermost(points) {
   if (points.length <= kDirections) return points;
   const found = new Set();

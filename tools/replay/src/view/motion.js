@@ -1,4 +1,4 @@
-// The motion textures: what the shaders know of two neighbouring frames.
+// The motion textures: two neighbouring frames for the shaders.
 
 import * as THREE from "three";
 import { cutUniforms } from "./section.js";

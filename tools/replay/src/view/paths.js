@@ -1,4 +1,4 @@
-// Ways that blocks have gone: lines through their centroids, frame by frame, up to the moment that is shown.
+// Paths of blocks: lines through their centroids, frame by frame, up to the moment shown.
 
 import * as THREE from "three";
 import { cutDeclaration, cutDiscard } from "./shaders.js";
@@ -22,7 +22,7 @@ out vec4 colour;
 void main() { ${cutDiscard} colour = ink; }`;
 
 export class PathsView {
-  /** `moving`: blocks whose ways are drawn. */
+  /** `moving`: blocks whose paths are drawn. */
   constructor(header, frames, motion, moving) {
     this.stride = Math.max(1, Math.ceil((moving.length * frames.length) / kMostSegments));
     this.perFrame = 2 * moving.length;

@@ -1,4 +1,4 @@
-// What is under the pointer, by casting its ray at the blocks or joints where they are drawn.
+// The block or joint under the pointer, by casting its ray at them as drawn.
 
 import { add, cross, dot, get, norm, poseOf, scale, sub, turn } from "../data/poses.js";
 import { patchCorners } from "./sheets.js";
@@ -27,7 +27,10 @@ function rayNearSphere(origin, direction, centre, radius) {
   return along > -radius && norm(sub(to, scale(direction, along))) <= radius;
 }
 
-/** Index of the first block along the ray (unit direction, model frame), or -1. `seen(block)` and `isCut(point)` say what is not drawn. */
+/**
+ * Index of the first block along the ray (unit direction, model frame), or -1. `seen(block)` and `isCut(point)` say what
+ * is not drawn.
+ */
 export function pickBlock(header, radius, frames, times, origin, direction, seen = () => true, isCut = () => false) {
   let best = -1, nearest = Infinity;
   for (let b = 0; b < header.names.length; ++b) {

@@ -1,4 +1,4 @@
-// The section plane: what lies in front of it is not drawn, and what it cuts through looks solid.
+// The section plane: everything in front of it is hidden, and cut blocks look solid.
 
 import * as THREE from "three";
 import { add, dot, get } from "../data/poses.js";
@@ -9,7 +9,7 @@ export const sections = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 /** Uniforms shared by everything that is cut: a point p is drawn where dot(xyz, p) <= w. */
 export const cutUniforms = () => ({ cut: { value: new THREE.Vector4(0, 0, 0, 1) } });
 
-/** From where to where blocks reach along a direction, over the start of the run. */
+/** Extent of the blocks along a direction, at the start of the run. */
 export function reach(header, along, shown) {
   let low = Infinity, high = -Infinity;
   for (let v = 0, b = 0; v < header.vertex.x.length; ++v) {

@@ -1,4 +1,4 @@
-// The stage: camera, renderer, and everything that stands in the model frame. Gravity points down on the screen, so that
+// The stage: camera, renderer, and all objects in the model frame. Gravity points down on the screen, so that
 // a tilted slope looks tilted.
 
 import * as THREE from "three";

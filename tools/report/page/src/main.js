@@ -1,4 +1,4 @@
-// The page of a report: reads the JSON that the program put into it and draws what it says (../README.md).
+// The page of a report: reads the JSON that the program put into it and draws its content (../README.md).
 
 import { html, words } from "./dom.js";
 import { drawings } from "./drawing.js";

@@ -1,4 +1,4 @@
-// Numbers as people read them.
+// Numbers as text.
 
 export const typeset = (text) => text.replace(/^-/, "−");
 
@@ -16,7 +16,7 @@ export function figure(value) {
   return fixed(value, decimals);
 }
 
-/** A tick or a tip: as short as it can be said. */
+/** A tick or a tip: the shortest text. */
 export const short = (value) => typeset(String(Number(value.toPrecision(6))));
 
 export function percent(share) {

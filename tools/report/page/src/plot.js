@@ -165,7 +165,7 @@ function swatch(series) {
   return svg("svg", { viewBox: "0 0 26 14", "aria-hidden": "true" }, shape);
 }
 
-/** What the ends of a heat map's colours stand for. */
+/** Values at the ends of a heat map's colours. */
 function colourScale({ rows }) {
   const values = rows.map(by(2)), [low, high] = [Math.min(...values), Math.max(...values)].map(figure);
   return html("ul", { class: "key" }, html("li", {}, `${low} `, html("span", { class: "viridis" }), ` ${high}`));
@@ -180,7 +180,7 @@ function legend(plot) {
   return html("ul", { class: "key" }, named.map((one) => html("li", {}, swatch(one), words(one.name))));
 }
 
-/** What is drawn, as tables: for screen readers, and for those who want the numbers. Made when it is opened. */
+/** The plotted data as tables, for screen readers and for the numbers. Made when opened. */
 function numbers(plot) {
   const box = html("details", {}, html("summary", {}, "Numbers"));
   box.addEventListener("toggle", () => {

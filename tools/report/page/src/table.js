@@ -39,14 +39,14 @@ function breakable(text) {
   return pieces.flatMap((piece) => (typeof piece === "string" ? words(piece) : piece));
 }
 
-/** Texts of a column are broken into lines where some are long, in wider lines where they are sentences, and a share before its interval. */
+/** Long texts of a column are broken into lines, sentences into wider lines, and a share before its interval. */
 function breaking(column, texts, values) {
   if (values.some((value) => typeof value === "object" && value !== null)) return "share";
   const longest = isText(column) ? texts.reduce((most, text) => Math.max(most, text.length), 0) : 0;
   return longest > kSentence ? "sentence" : longest > kLong ? "long" : "";
 }
 
-/** Shows that a table goes on beyond the right edge of its box, or beneath its first column. */
+/** Marks a table that continues beyond the right edge of its box, or beneath its first column. */
 function showWhereCut(box) {
   const look = () => {
     box.classList.toggle("more", box.scrollLeft + box.clientWidth < box.scrollWidth - 1);
@@ -57,7 +57,7 @@ function showWhereCut(box) {
   return box;
 }
 
-/** `alerts`: rows that are not as they should be. */
+/** `alerts`: rows that differ from their reference. */
 export function table({ caption, columns, rows, alerts = [] }) {
   const head = html("tr", {}, columns.map((column) => html("th", { class: classes(column), scope: "col" }, words(column.title))));
   const texts = columns.map((column, k) => rows.map((row) => cellText(row[k], column)));
