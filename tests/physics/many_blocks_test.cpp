@@ -75,7 +75,7 @@ TEST_SUITE("slow: physics") {
             CHECK(result.answer == doctest::Approx(kind.at(kFriction)).epsilon(0.002));
             CHECK(result.moving_blocks.size() == static_cast<std::size_t>(kRows * kColumns));
             std::vector<std::string> gone;
-            for (const BlockGroup& group : result.let_go)
+            for (const BlockGroup& group : result.removed_groups)
                 for (const std::string& name : group.blocks) {
                     CAPTURE(name);
                     const double exact = kind.at(slick[static_cast<std::size_t>(name[1] - '0')].friction);
@@ -113,7 +113,7 @@ TEST_SUITE("slow: physics") {
                 CHECK((result.status == SearchStatus::interrupted ||
                        (!stop && result.status == SearchStatus::found)));
                 CHECK(result.low <= kind.at(kFriction));
-                CHECK(result.high >= kind.at(result.let_go.empty() ? 20 : kFriction));
+                CHECK(result.high >= kind.at(result.removed_groups.empty() ? 20 : kFriction));
             }
         }
     }

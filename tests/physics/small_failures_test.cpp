@@ -31,7 +31,7 @@ TEST_SUITE("physics") {
         const double friction[] = {35, 24, 20, 40}, size[] = {1, 0.3, 0.2, 1};
         struct Wanted {
             double share;
-            std::size_t answer, let_go;
+            std::size_t answer, removed_groups;
         };
         for (const Kind& kind : kinds) {
             std::uint64_t hash = 0;
@@ -55,19 +55,19 @@ TEST_SUITE("physics") {
                 CHECK((result.status == SearchStatus::found));
                 CHECK(result.answer == doctest::Approx(answer(wanted.answer)).epsilon(0.001));
                 CHECK(result.moving_blocks == std::vector{"b" + std::to_string(wanted.answer)});
-                REQUIRE(result.let_go.size() == wanted.let_go);
-                for (std::size_t k = 0; k < wanted.let_go; ++k) {
-                    CHECK(result.let_go[k].factor == doctest::Approx(answer(2 - k)).epsilon(0.001));
-                    CHECK(result.let_go[k].blocks == std::vector{"b" + std::to_string(2 - k)});
+                REQUIRE(result.removed_groups.size() == wanted.removed_groups);
+                for (std::size_t k = 0; k < wanted.removed_groups; ++k) {
+                    CHECK(result.removed_groups[k].factor == doctest::Approx(answer(2 - k)).epsilon(0.001));
+                    CHECK(result.removed_groups[k].blocks == std::vector{"b" + std::to_string(2 - k)});
                 }
-                CHECK(leftOut(result).size() == wanted.let_go);
+                CHECK(leftOut(result).size() == wanted.removed_groups);
                 if (wanted.share == 0) hash = result.state_hash;
-                if (wanted.let_go == 0) CHECK(result.state_hash == hash);  // the same search
+                if (wanted.removed_groups == 0) CHECK(result.state_hash == hash);  // the same search
                 if (kind.find != safetyFactor || wanted.share != 0.05) continue;
                 Control control;
                 control.groups = 3;
                 const SearchResult groups = *safetyFactor(model, control);
-                CHECK(groups.let_go.size() == 2);
+                CHECK(groups.removed_groups.size() == 2);
                 REQUIRE(groups.groups.size() == 2);
                 CHECK(groups.groups[0].blocks == std::vector<std::string>{"b0"});
                 CHECK(groups.groups[1].factor == doctest::Approx(answer(3)).epsilon(0.001));
@@ -95,7 +95,7 @@ TEST_SUITE("physics") {
             CHECK(degrees(result.answer) == doctest::Approx(35).epsilon(0.001));
             CHECK(result.fallen_at_start.empty());
             CHECK(leftOut(result).size() == 2);
-            CHECK(result.let_go[0].factor == doctest::Approx(radians(tilt)));
+            CHECK(result.removed_groups[0].factor == doctest::Approx(radians(tilt)));
             // No answer where what fails has that much of the mass.
             model.analysis.least_mass_share = 0.001;
             CHECK((criticalAngle(model)->status == SearchStatus::unstable_at_start));
@@ -123,7 +123,7 @@ TEST_SUITE("physics") {
             }
             const SearchResult result = *criticalAngle(model);
             CHECK((result.status == SearchStatus::found));
-            CHECK(result.let_go.size() == (is_tied ? 0 : 1));
+            CHECK(result.removed_groups.size() == (is_tied ? 0 : 1));
             CHECK(result.moving_blocks == std::vector<std::string>{is_tied ? "pebble" : "slope"});
             CHECK(degrees(result.answer) > (is_tied ? 20.5 : 34.9));
             CHECK(degrees(result.answer) < (is_tied ? 25.0 : 35.1));
@@ -149,13 +149,13 @@ TEST_SUITE("physics") {
         CHECK((gone.status == SearchStatus::found));
         CHECK(degrees(gone.answer) == doctest::Approx(35).epsilon(0.001));
         CHECK(gone.moving_blocks == std::vector<std::string>{"pier"});
-        REQUIRE(gone.let_go.size() == 1);
-        CHECK(gone.let_go[0].blocks == std::vector<std::string>{"plank", "prop"});
+        REQUIRE(gone.removed_groups.size() == 1);
+        CHECK(gone.removed_groups[0].blocks == std::vector<std::string>{"plank", "prop"});
         const SearchResult together = plank(0.08);
         CHECK((together.status == SearchStatus::found));
-        CHECK(together.answer == gone.let_go[0].factor);
+        CHECK(together.answer == gone.removed_groups[0].factor);
         CHECK(together.moving_blocks == std::vector<std::string>{"plank", "prop"});
-        CHECK(together.let_go.empty());
+        CHECK(together.removed_groups.empty());
         // The prop slides, then the plank falls: each is said to move as it does.
         CHECK((together.mode == FailureMode::mixed));
         struct Told {
@@ -195,8 +195,8 @@ TEST_SUITE("physics") {
                                rest = found(pebble + "[analysis]\nleast_mass_share = 0.05\n");
             CHECK((alone.status == SearchStatus::found));
             CHECK((rest.status == SearchStatus::found));
-            REQUIRE(rest.let_go.size() == 1);
-            CHECK(rest.let_go[0].blocks == std::vector<std::string>{"pebble"});
+            REQUIRE(rest.removed_groups.size() == 1);
+            CHECK(rest.removed_groups[0].blocks == std::vector<std::string>{"pebble"});
             CHECK(rest.moving_blocks == alone.moving_blocks);
             CHECK(degrees(rest.answer) == doctest::Approx(degrees(alone.answer)).epsilon(0.002));
             CHECK(degrees(alone.answer) < 19);  // by the water

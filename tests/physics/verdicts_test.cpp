@@ -242,8 +242,8 @@ TEST_SUITE("physics") {
                 model.analysis.stop = radians(stop);
                 const SearchResult result = *criticalAngle(model);
                 CHECK((result.status == SearchStatus::stable_to_stop));
-                REQUIRE(result.let_go.size() == 1);
-                CHECK(result.let_go[0].blocks == std::vector<std::string>{"crumb"});
+                REQUIRE(result.removed_groups.size() == 1);
+                CHECK(result.removed_groups[0].blocks == std::vector<std::string>{"crumb"});
                 CHECK((result.mode == FailureMode::none));
                 CHECK(result.moving_blocks.empty());
                 CHECK(result.motions.empty());

@@ -180,9 +180,9 @@ std::string betweenText(const SearchReport& report, const BlockGroup& group) {
 }
 
 /// Failures below the answer that were too small to be it.
-ResultLines letGoText(const SearchReport& report) {
+ResultLines removedText(const SearchReport& report) {
     ResultLines rows;
-    for (const BlockGroup& group : report.result.let_go) {
+    for (const BlockGroup& group : report.result.removed_groups) {
         const std::string share = percentText(massShare(report.scenario.model, group.blocks));
         const char* what = rows.empty() ? "removed before" : "";
         rows = std::move(rows) +
@@ -256,7 +256,7 @@ ResultLines failureLines(const SearchReport& report) {
 }
 
 ResultLines groupLines(const SearchReport& report) {
-    return fallenText(report.result) + letGoText(report) + groupsText(report.result);
+    return fallenText(report.result) + removedText(report) + groupsText(report.result);
 }
 
 ResultLines supportLines(const SearchReport& report) {

@@ -234,7 +234,7 @@ Json searchJson(const SearchReport& report) {
     json["moving_blocks"] = result.moving_blocks;
     json["moving_mass_share"] = number(massShare(report.scenario.model, result.moving_blocks));
     json["fallen_at_start"] = result.fallen_at_start;
-    json["let_go"] = list(result.let_go, [&](const BlockGroup& group) {
+    json["let_go"] = list(result.removed_groups, [&](const BlockGroup& group) {
         return Json{{search.answer_key, number(group.factor / scale)},
                     {search.keyInUnit("bracket"), {number(group.low / scale), number(group.high / scale)}},
                     {"blocks", group.blocks},

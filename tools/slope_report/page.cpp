@@ -101,7 +101,7 @@ class SlopePage {
             const auto [volume, mass] = amountOf(result_.fallen_at_start);
             add("falls at the start", "-", volume, mass, result_.fallen_at_start);
         }
-        for (const BlockGroup& group : result_.let_go) {
+        for (const BlockGroup& group : result_.removed_groups) {
             add("fails before the answer", figureOf(search_, group.factor), group.volume, group.mass,
                 group.blocks);
         }

@@ -151,7 +151,7 @@ struct SearchResult {
     /// fall whatever the strength: removed before the search; sorted
     std::vector<std::string> fallen_at_start;
     /// failed below the answer with less mass than AnalysisSettings::least_mass_share, in that order
-    std::vector<BlockGroup> let_go{};
+    std::vector<BlockGroup> removed_groups{};
     /// The lowest and the highest answer found, and how each was found; valid when found.
     std::optional<std::pair<double, double>> answer_interval{};
     std::pair<std::string, std::string> answer_interval_reasons{};

@@ -106,7 +106,7 @@ class HeldBonds {
         : state_(state), any_(std::any_of(state.laws.begin(), state.laws.end(), contact::isBrittle)) {
         hold();
     }
-    ~HeldBonds() { letGo(); }
+    ~HeldBonds() { unclamp(); }
     HeldBonds(const HeldBonds&) = delete;
     HeldBonds& operator=(const HeldBonds&) = delete;
 
@@ -118,7 +118,7 @@ class HeldBonds {
         std::transform(laws_.begin(), laws_.end(), state_.laws.begin(), contact::held);
         held_ = true;
     }
-    void letGo() {
+    void unclamp() {
         if (!held_) return;
         state_.laws.swap(laws_);
         held_ = false;
@@ -178,7 +178,7 @@ void watchUntilDecided(State& state, QuasiStaticWork& work, Watched& watched, Se
 void decide(State& state, QuasiStaticWork& work, HeldBonds& bonds, Watched& watched, Settling& settling) {
     watchUntilDecided(state, work, watched, settling);
     if (bonds.areHeld() && settling.verdict == Verdict::stable) {
-        bonds.letGo();
+        bonds.unclamp();
         settling.verdict = Verdict::undecided;
         watched = {std::move(watched.start), watchOf(state, work), DragTuner(state)};
         watchUntilDecided(state, work, watched, settling);
@@ -242,7 +242,7 @@ Settling bringOn(State& state, QuasiStaticWork& work, const Ramp& ramp) {
     const auto ramp_steps = static_cast<double>(ramp_samples * kStepsPerSample);
     HeldBonds bonds(state);
     const SetLoad set_load = [&](int k) {
-        bonds.letGo();
+        bonds.unclamp();
         ramp(state, static_cast<double>(settling.steps + k + 1) / ramp_steps);
         bonds.hold();
     };

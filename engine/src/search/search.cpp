@@ -200,7 +200,7 @@ void Search::follow(Course& course) {
     if (course.begun.result != PathResult::reached) return;
     if (std::isfinite(begins_failing_)) {
         if (!raiseTo(course, begins_failing_)) return;
-        if (result_.let_go.empty()) return narrowBeginnings(course);
+        if (result_.removed_groups.empty()) return narrowBeginnings(course);
         raiseTo(course, axis().stop);
         return;
     }
@@ -308,7 +308,7 @@ bool Search::letSmallGo(EquilibriumPath& path, const Followed& found, bool is_an
         group.low = found.bracket.stands, group.high = found.bracket.fails;
         group.factor = 0.5 * (group.low + group.high);
     }
-    result_.let_go.push_back(std::move(group));
+    result_.removed_groups.push_back(std::move(group));
     return true;
 }
 Result<SearchResult> searchFor(Varied varied, const Model& model, const Control& control,

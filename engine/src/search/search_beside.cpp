@@ -99,7 +99,7 @@ Ceiling Search::boundOf(const Course& course) {
     State state = has_settled ? *settled_ : *built_;
     state.laws = jointLaws(rest_->joints, 1);
     LimitSettings settings;
-    for (const BlockGroup& group : result_.let_go)
+    for (const BlockGroup& group : result_.removed_groups)
         settings.left_out.insert(settings.left_out.end(), group.blocks.begin(), group.blocks.end());
     return limit::ceilingOf(state, varied_, control_.upper_bound == Beside::always, control_, settings);
 }
@@ -123,7 +123,7 @@ void Search::addLimitEquilibrium() {
     Control control = control_;
     control.progress = {};
     std::vector<std::string> gone;
-    for (const BlockGroup& group : result_.let_go)
+    for (const BlockGroup& group : result_.removed_groups)
         gone.insert(gone.end(), group.blocks.begin(), group.blocks.end());
     const auto all = keyBlocks(talus::withoutBlocks(*rest_, gone), control);
     if (!all) return;
@@ -158,9 +158,9 @@ void Search::addBounds() {
 void Search::addUnloadedJoints(const Course& course) {
     std::string& low_reason = result_.answer_interval_reasons.first;
     report("the interval", kPath, "joints unloaded at first");
-    std::vector<BlockGroup> let_go = result_.let_go;
+    std::vector<BlockGroup> removed_groups = result_.removed_groups;
     unloaded_ = unloadedAtFirst();
-    result_.let_go = let_go;
+    result_.removed_groups = removed_groups;
     if (isStopped(control_)) return;
     if (unloaded_.empty() || !course.followed.stood ||
         unloaded_.shearCarried(course.followed.stood->state) < rules_.carries_shear) {
@@ -175,7 +175,7 @@ void Search::addUnloadedJoints(const Course& course) {
     if (varied_ == Varied::factor) *axis_ = weakened;
     Course other = begin();
     follow(other);
-    result_.let_go = std::move(let_go);
+    result_.removed_groups = std::move(removed_groups);
     *strength_ = axis;
     *axis_ = own;
     without_friction_ = false;

@@ -127,7 +127,7 @@ void Search::describe(Course& course, bool has_begun) {
     const ContactCount contacts = countContacts(last.interfaces);
     result_.interfaces = contacts.interfaces;
     result_.contact_points = contacts.points;
-    const bool alike = gone_ == std::vector<char>(gone_.size(), 0) && result_.let_go.empty();
+    const bool alike = gone_ == std::vector<char>(gone_.size(), 0) && result_.removed_groups.empty();
     if (fails && control_.keep_failing_state && alike) keepFailing(course, last);
     for (std::string& warning : searchWarnings(*built_, last, fails, !has_begun))
         result_.warnings.push_back(std::move(warning));

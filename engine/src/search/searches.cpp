@@ -252,7 +252,7 @@ const LoadSearch* loadSearch(std::string_view name) {
 
 std::vector<std::string> leftOut(const SearchResult& result) {
     std::vector<std::string> names = result.fallen_at_start;
-    for (const BlockGroup& group : result.let_go)
+    for (const BlockGroup& group : result.removed_groups)
         names.insert(names.end(), group.blocks.begin(), group.blocks.end());
     return names;
 }
