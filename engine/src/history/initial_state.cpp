@@ -106,3 +106,19 @@ InitialState bringToStart(State& state, const Control& control, bool parallel) {
 }
 
 }  // namespace talus::history
+
+namespace talus {
+
+const char* toString(InitialState start) {
+    switch (start) {
+        case InitialState::equilibrium:
+            return "equilibrium";
+        case InitialState::held:
+            return "held";
+        case InitialState::unstressed:
+            break;
+    }
+    return "unstressed";
+}
+
+}  // namespace talus

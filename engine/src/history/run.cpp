@@ -113,7 +113,7 @@ class TimeHistory {
         progress_.stability_bound = stableTimeStep(failing.frequency, state_.damping.contact);
         chooseTimeStep();
         beginFrames();
-        let_go_ = state_.blocks.position;
+        released_at_ = state_.blocks.position;
         far_enough_ = far_enough;
         return {};
     }
@@ -175,7 +175,7 @@ class TimeHistory {
         if (!(far_enough_ < kInfinity)) return false;
         for (std::size_t b = 0; b < state_.blocks.size(); ++b)
             if (state_.blocks.motion[b] == Motion::free &&
-                (state_.blocks.position.get(b) - let_go_.get(b)).norm() >= far_enough_)
+                (state_.blocks.position.get(b) - released_at_.get(b)).norm() >= far_enough_)
                 return true;
         return false;
     }
@@ -346,7 +346,7 @@ class TimeHistory {
     RunProgress progress_;
     InitialState start_ = InitialState::unstressed;
     std::int64_t last_light_ = -1, last_full_ = -1;  // steps at which they were handed out
-    PositionArray let_go_;                           // positions at the start of a failure
+    PositionArray released_at_;                      // positions at the start of a failure
     double far_enough_ = kInfinity;
     bool went_far_ = false;
     bool interrupted_ = false;
@@ -481,31 +481,5 @@ InitialState Simulation::startedFrom() const { return history_->taken->startedFr
 HistoryRecord Simulation::record() const { return history_->taken->record(); }
 std::uint64_t Simulation::stateHash() const { return talus::stateHash(history_->taken->state()); }
 FullFrame Simulation::frame() const { return fullFrameOf(history_->taken->state()); }
-
-const char* toString(InitialState start) {
-    switch (start) {
-        case InitialState::equilibrium:
-            return "equilibrium";
-        case InitialState::held:
-            return "held";
-        case InitialState::unstressed:
-            break;
-    }
-    return "unstressed";
-}
-
-std::vector<Error> checkModel(const Model& model, const Control& control, ModelCheck* found) {
-    return inArena(control.threads, [&]() {
-        const bool threads = control.threads != 1;
-        const Result<State> built = buildState(keptByCaller(model), threads, control);
-        if (!built) return built.errors();
-        if (found) {
-            const ContactCount contacts = countContacts(built->interfaces);
-            *found = {checks::doubtsOfHistory(*built, threads), contacts.interfaces, contacts.points,
-                      built->interfaces.size() - contacts.interfaces};
-        }
-        return checks::implausible(*built);
-    });
-}
 
 }  // namespace talus
