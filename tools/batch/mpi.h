@@ -2,8 +2,8 @@
 // Runs handed out to the processes of an MPI job, for clusters whose nodes have no file system with locks in
 // common. Built with -DTALUS_MPI=ON; else every process is the only one.
 //
-// Process 0 keeps the folder: it hands out runs one at a time to whoever asks, writes the rows that come
-// back, and computes itself in a second thread. The others need the sweep's files, and nothing of the folder.
+// Process 0 has the folder: it assigns runs one at a time on request, writes the returned rows, and computes
+// in a second thread. The others need the sweep's files, and nothing of the folder.
 
 #include <atomic>
 

@@ -87,8 +87,8 @@ bool areResults(const std::string& path, const std::string& header) {
     return header.starts_with(start);
 }
 
-/// What is written into the folder goes by names of the batch's own choice, so it must not come out
-/// elsewhere: a link may lead to the results of another batch, even to those that are being merged.
+/// The batch chooses the names of its files, so writing must stay inside the folder. A link may lead to the
+/// results of another batch, even to those that are being merged.
 void refuseLinks(const std::string& folder, const std::string& results) {
     const std::string in = folder + "/";
     for (const std::string& path : {in + kInfoName, in + kLockName, results, results + "-metadata.json",

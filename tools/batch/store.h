@@ -109,8 +109,8 @@ class AloneIn {
 /// Throws BadInput when the folder holds what is not this batch's, or a link in place of one of its files.
 void refuseToReplaceOther(const std::string& folder, const BatchInfo& info);
 
-/// What a folder holds, without opening it for writing: the batch, and all rows of all results in it, a later
-/// row of a run in place of an earlier one. Throws BadInput, FileRefused.
+/// Content of a folder, without opening it for writing: the batch, and all rows of all results, the last row
+/// of each run. Throws BadInput, FileRefused.
 struct StoredBatch {
     BatchInfo info;
     /// by run: its row, as text, since a million may come

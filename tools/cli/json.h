@@ -9,8 +9,8 @@
 
 namespace talus::tools {
 
-/// As text. Use it in place of Json::dump, which throws for bytes that are not UTF-8: names of files may hold
-/// such bytes, and are written with U+FFFD in their place.
+/// As text. Use it in place of Json::dump, which throws for bytes that are not UTF-8. Names of files may hold
+/// such bytes; U+FFFD replaces them.
 std::string jsonText(const Json& json, int indent = -1);
 void printJson(const Json& json);  ///< one object and a newline on stdout; throws FileRefused
 Json number(double value);         ///< null when not finite

@@ -90,7 +90,7 @@ class Follower {
     std::size_t at_ = 0;
 };
 
-/// Computes from `full` until the goals are met; a goal between the regular frames (the last one of an
+/// Computes from `full` until the goals are met. A goal between the regular frames (the last one of an
 /// interrupted run) gets its own computation, with a frame at that time.
 void follow(const Model& model, std::optional<FullFrame> full, Task task, Stretch& result) {
     while (!task.goals.empty() && result.fault.empty() && !stopRequested()) {

@@ -36,7 +36,7 @@ class HtmlPage {
     std::string body_;
 };
 
-/// An SVG file as one of several elements of a page: its style, which would otherwise apply to the page, and
+/// An SVG file as one of several elements of a page. Its style, which would otherwise apply to the page, and
 /// the name of its clip path hold inside the element only.
 std::string svgElement(std::string_view svg, const std::string& id);
 

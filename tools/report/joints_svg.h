@@ -11,7 +11,7 @@
 namespace talus::tools {
 
 /// Poles of all planes on the lower hemisphere, equal-area (Schmidt), north upwards, each set in a colour of
-/// its own; the legend has their number, the dip and dip direction of their mean, and Fisher's constant of
+/// its own. The legend has their number, the dip and dip direction of their mean, and Fisher's constant of
 /// their scatter.
 std::string stereonetSvg(const std::vector<formats::RockJoint>& joints, std::string_view title);
 

@@ -24,8 +24,8 @@ struct PaintedPolygon {
     std::size_t source = 0;   ///< whose polygon it is; pieces keep it
 };
 
-/// The farthest first. Polygons without an order are cut. Where there are many, the picture is cut into cells
-/// first: within one the order is that of a tree of planes (Fuchs, Kedem and Naylor 1980), whose splitting
+/// The farthest first. Polygons without an order are cut. With many polygons the picture is cut into cells
+/// first. Within a cell the order is that of a tree of planes (Fuchs, Kedem and Naylor 1980), whose splitting
 /// planes are the polygons' own.
 std::vector<PaintedPolygon> paintOrder(std::vector<PaintedPolygon> polygons);
 

@@ -15,7 +15,7 @@ Plot plotDifference(const PaperResults& results);
 /// Critical angle of the dry slope against the contact points per interface.
 Plot plotPoints(const PaperResults& results);
 
-/// Tilt at which a dry column b x h overturns about the outermost points of an N x N grid [rad]: those lie
+/// Tilt at which a dry column b x h overturns about the outermost points of an N x N grid [rad]. These lie
 /// half a cell inside the edge, so tan(beta) = (1 - 1/N) b/h.
 double gridOverturning(double b, double h, int n);
 

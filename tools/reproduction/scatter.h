@@ -1,7 +1,7 @@
 #pragma once
-// The laboratory's scatter, computed: every interface draws its own friction angle in the range that was
-// measured on the model's blocks, many samples, dry and with water in each fissure; beside the three
-// laboratory repeats.
+// The laboratory's scatter, computed: every interface draws its own friction angle from the range measured on
+// the model's blocks. Many samples, dry and with water in each fissure, stand beside the three laboratory
+// repeats.
 
 #include <array>
 #include <cstdint>

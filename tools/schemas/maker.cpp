@@ -1,5 +1,5 @@
-// Writes the JSON Schemas into a folder at build time: reading thousands of documents takes seconds, which
-// nobody who asks for a schema, or builds a model in Python, should wait for.
+// Writes the JSON Schemas into a folder at build time. Reading thousands of documents takes seconds, too long
+// for a command or a model in Python.
 
 #include <fstream>
 

@@ -1,7 +1,7 @@
 #pragma once
-// Frames of a run as plain data: what a viewer plays (LightFrame), what a restart needs to the last bit
-// (FullFrame), and the shapes they belong to (RunGeometry). The engine hands them out and takes a full one
-// back; formats keep them in files (formats/snapshot.fbs has the same fields and says more about each).
+// Frames of a run as plain data: LightFrame for viewers, FullFrame for exact restarts, and their shapes
+// (RunGeometry). The engine writes them and restarts from a full one. Formats store them in files;
+// formats/snapshot.fbs has the same fields with more explanation.
 //
 // SI units and radians. Vectors of begins: item k owns [begin[k], begin[k + 1]); they have one entry more
 // than items.

@@ -1,7 +1,7 @@
 #pragma once
-// The one description of a full frame's arrays: the name each has in snapshot files, what it has one entry
-// for, its unit, and what an index in it points at. Checks of frames from files go through it (misfit), and
-// so does the codec; that the schema agrees with it is tested (tests/formats/snapshot/frame_table_test.cpp).
+// The one description of a full frame's arrays: name in snapshot files, items that have entries, unit, and
+// target of an index. Checks of frames from files go through it (misfit), and so does the codec; that the
+// schema agrees with it is tested (tests/formats/snapshot/frame_table_test.cpp).
 
 #include <cstdint>
 #include <optional>

@@ -24,9 +24,9 @@
 
 namespace talus::kinematics {
 
-/// Angles that differ by less are the same [rad]: some 6e-8 degrees. It lies far above the rounding of a
-/// change of notation (1e-15) and far below what a compass resolves (0.01), so a plane on a limit is judged
-/// alike in every notation.
+/// Angles that differ by less are the same [rad]: some 6e-8 degrees. It is far above the rounding of a change
+/// of notation (1e-15) and far below the resolution of a compass (0.01). So a plane on a limit has the same
+/// result in every notation.
 inline constexpr double kSameAngle = 1e-9;
 /// Planes at a smaller angle are parallel and have no line of intersection [rad]: 6e-5 degrees, below every
 /// survey.
@@ -70,9 +70,9 @@ double planarMargin(const Vec3& normal, const Face& face, const Limits& limits);
 /// Wedge sliding on a line of intersection, without lateral limits. Primary zone: the line daylights and
 /// plunges more steeply than friction.
 double wedgeMargin(const Vec3& line, const Face& face, double friction);
-/// Secondary zone: the line daylights and plunges less steeply than friction, but more than the plane that
-/// dips at the friction angle in the face's dip direction does along its trend. The wedge can slide on one of
-/// its planes.
+/// Secondary zone: the line daylights and plunges less steeply than friction. It is steeper than the apparent
+/// dip, along its trend, of a plane that dips at the friction angle in the face's dip direction. The wedge
+/// can slide on one of its planes.
 double secondaryWedgeMargin(const Vec3& line, const Face& face, double friction);
 
 /// The planes on which a wedge slides, by the dip vectors alone.

@@ -143,9 +143,8 @@ struct Seismic {
     double vertical = 0;                  ///< k_v, against gravity
 };
 
-/// A force at a point of a block, a pressure on one face of it, or a pressure on all free face area inside a
-/// box with normals within 60 degrees of a direction. It keeps the direction it has at the start and follows
-/// its point.
+/// A force at a point of a block, or a pressure: on one face, or on all free face area in a box with normals
+/// within 60 degrees of a direction. It keeps the direction it has at the start and follows its point.
 struct AppliedLoad {
     enum class Kind : std::uint8_t { force, face, box };
     Kind kind = Kind::force;

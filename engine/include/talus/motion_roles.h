@@ -45,8 +45,8 @@ struct BlockWay {
 };
 
 /// Per block: `none` when it does not move (or is not free), `toppling` when it turns about a pivot within
-/// reach of the moving group, else `sliding`, also where it turns in the plane of its joint, or has no pivot
-/// on a neighbour. \param deflection elastic displacement of the assembly in equilibrium [m]
+/// reach of the moving group, else `sliding`. A block that turns in the plane of its joint, or has no pivot
+/// on a neighbour, slides. \param deflection elastic displacement of the assembly in equilibrium [m]
 std::vector<FailureMode> motionRoles(const std::vector<BlockWay>& blocks, double deflection);
 
 /// Of the whole, by moving mass.

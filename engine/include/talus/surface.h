@@ -19,10 +19,10 @@ struct TriangleSurface {
     std::vector<std::array<std::int32_t, 3>> triangles;
 };
 
-/// What keeps a surface from being the boundary of a region: empty, an index or a coordinate out of range, a
-/// triangle without area, an edge with one triangle (open) or more than two (non-manifold), neighbours that
-/// face opposite ways, a surface that crosses itself or faces inwards. Fields are "triangles[i]" (0-based) or
-/// "" for the whole; messages have the coordinates of the place. At most 20 faults are listed.
+/// Faults that keep a surface from bounding a region. It is empty, crosses itself or faces inwards; an index
+/// or a coordinate is out of range; a triangle has no area. An edge has one triangle (open) or more than two
+/// (non-manifold); neighbours face opposite ways. Fields are "triangles[i]" (0-based) or "" for the whole;
+/// messages have the coordinates of the place. At most 20 faults are listed.
 std::vector<Error> checkSurface(const TriangleSurface& surface);
 
 /// The volume a closed surface encloses; negative when it faces inwards [m^3].

@@ -41,9 +41,10 @@ struct Prediction {
     const char* kind() const { return topples ? "overturning about the toe" : "sliding on a plane"; }
 };
 
-/// The lowest limit-equilibrium tilt of a model the formulas apply to, else nothing: one stack in "stack"
-/// bond with uniform density (columns in front of each watered fissure or of each joint slide on a bed level,
-/// or the toe column overturns), or one free box on a fixed plane. Nothing is returned rather than a guess.
+/// The lowest limit-equilibrium tilt of a model to which the formulas apply, else nothing. They apply to one
+/// stack in "stack" bond with uniform density: columns in front of each watered fissure or of each joint
+/// slide on a bed level, or the toe column overturns. They also apply to one free box on a fixed plane.
+/// Nothing is returned rather than a guess.
 std::optional<Prediction> predict(const Model& model);
 
 /// Hoek and Bray's plane failure with a water-filled tension crack; lengths in m, unit weights in N/m^3.

@@ -30,8 +30,8 @@ class BodyMaker {
     /// without it (its own factor is less) is carried. It joins the group with all that must move with it,
     /// the least factor first, until nothing more is carried. Otherwise the lowest row of a stack would slide
     /// from under the others as if they had no weight. Carried blocks that cannot move are kept in `carried`.
-    /// The result does not move if the allowed work is used up, or if it reaches a group in `known`, which
-    /// was settled before; groups on the way are added to `known`.
+    /// The result has no motion if the allowed work is used up, or if it reaches a group in `known`, which
+    /// was settled before. Groups on the way are added to `known`.
     Group settled(Group group, std::unordered_set<std::uint64_t>* known = nullptr);
     /// Neighbours and members that `settled` may look at from now on.
     void allow(std::size_t work) { work_left_ = work; }

@@ -19,17 +19,14 @@ struct GroupSearch {
     bool interrupted = false;
 };
 
-/// Groups that are judged:
+/// Groups that are tested:
 ///  1. each block alone;
-///  2. what has to move with each block along each direction of `directionsOf`, as far as kMostVisits goes,
-///     small ones first;
-///  3. along each direction all that can move, connected piece by connected piece;
-///  4. from the weakest of these on, groups with neighbours more and members less, as long as that makes them
-///     weaker (growth.h): halves of a wedge, or of a slab that cohesion holds together, are stronger than the
-///     whole.
-/// Those that may be listed take along what they carry (BodyMaker::settled).
-/// The factor of each is exact for its body. That no weaker group exists is not proved: their number grows
-/// exponentially.
+///  2. the closure of each block along each direction of `directionsOf`, small ones first, within kMostVisits;
+///  3. along each direction all movable blocks, by connected pieces;
+///  4. from the weakest of these, groups with more neighbours and fewer members, as long as that weakens them
+///     (growth.h). Halves of a wedge, or of a slab held by cohesion, are stronger than the whole.
+/// Groups that may be listed include the blocks they carry (BodyMaker::settled). The factor of each is exact
+/// for its body. It is not proved that no weaker group exists: their number grows exponentially.
 /// \param curve  the weakest by volume, too; it changes nothing of `groups`
 GroupSearch leastGroups(const Slope& slope, const std::vector<Joint>& joints, std::size_t most, bool curve,
                         bool parallel, const Control& control);

@@ -45,7 +45,7 @@ std::optional<Error> openVolume(const State& state, std::size_t index) {
 constexpr double kStiff = 0.1;
 
 /// Sum of K / m over the blocks that bound a water. The level falls by a d / (b w) when one wall of area a
-/// recedes by d, b the opening and w the width of the fissure, so K = rho g a^2 / (b w) [1/s^2].
+/// recedes by d, with the opening b and the width w of the fissure. So K = rho g a^2 / (b w) [1/s^2].
 double waterFrequency(const State& state, std::size_t index) {
     const Water& water = state.geometry->model.waters[index];
     std::vector<double> walls(state.blocks.size(), 0.0);

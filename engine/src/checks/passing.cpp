@@ -28,8 +28,8 @@ double sizeOf(const State& state, std::size_t i) {
                     state.geometry->size[static_cast<std::size_t>(state.interfaces.block_b[i])]);
 }
 
-/// Whether an interface may be deep, without computing its position: its springs are pressed far, or its
-/// reference gap is far off, or it may have moved so far since the last look.
+/// Whether an interface may be deep, without computing its position: its springs are pressed far, its
+/// reference gap is far off, or it may have moved that far.
 bool mayBeDeep(const State& state, std::size_t i, const std::vector<double>& ways) {
     const Interfaces& f = state.interfaces;
     // Share of the deepest corner's overlap: a triangular patch that just touches along its far side.

@@ -5,8 +5,8 @@
 
 namespace talus::checks {
 
-/// Warns once of every pair of blocks that overlap by more than half of the thinner one's thickness along the
-/// contact's normal: a deeper block may leave by the far side. For histories, at each look at contacts before
+/// Warns once of every pair of blocks whose overlap exceeds half of the thinner one's thickness along the
+/// contact's normal. A deeper block may leave by the far side. For histories, at each look at contacts before
 /// they are searched again, so that a passing block is found in its own contact.
 /// Reads:  poses, velocities, interfaces
 /// Writes: warnings

@@ -49,8 +49,8 @@ std::vector<std::int32_t> stiffestJoints(const State& state, double Joint::*stif
     return stiffest;
 }
 
-/// A block of height h sinks by rho g h / k_n, and on a slope shears by that times k_n / k_s before it
-/// slides: a share of its height that does not depend on its size.
+/// A block of height h sinks by rho g h / k_n. On a slope it shears by that times k_n / k_s before it slides.
+/// As a share of its height, neither depends on its size.
 void addSoftJoints(const State& state, double Joint::*stiffness, std::string_view key, const char* does,
                    std::vector<Error>& errors) {
     const Model& model = state.geometry->model;

@@ -25,9 +25,9 @@ std::vector<std::size_t> splintersOfRounding(const State& state, double load_tol
 /// \pre here and below: the state is as `buildState` gives it
 std::vector<Error> implausible(const State& state);
 
-/// Doubts, values that are probably not intended: joints so soft that a block sinks a tenth of its size under
-/// its own weight, water that wets no free block or stands high above the model, blocks that nothing holds,
-/// joints that dilate by more than their friction.
+/// Doubts, values that are probably not intended. Joints are so soft that a block sinks a tenth of its size
+/// under its own weight, or dilate by more than their friction. Water wets no free block or stands high above
+/// the model. Nothing holds the blocks.
 std::vector<std::string> doubts(const State& state);
 
 /// The same, and the block that makes a history's steps many times shorter than the median block would.

@@ -34,9 +34,8 @@ struct FacePair {
 
 FaceFrame faceFrame(const WorldShape& shape, std::size_t face);
 
-/// The patch between two given faces, if they lie against each other: normals opposite within the angle,
-/// outlines that overlap when b's is projected along a's normal, least gap within the
-/// limits.
+/// The patch between two given faces, if they lie against each other: their normals are opposite within the
+/// angle, b's outline projected along a's normal overlaps a's, and the least gap is within the limits.
 std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, const WorldShape& b,
                                      std::size_t face_b, const FacePairLimits& limits);
 

@@ -154,8 +154,8 @@ void appendKept(State& state, OldInterfaces& old, std::size_t o) {
     old.kept_as[o] = static_cast<std::int64_t>(n);
 }
 
-/// Interfaces on their way into a state. They are stored in the order in which they are added, but those with
-/// as many corners side by side within windows short enough that neighbours in space stay neighbours in
+/// Interfaces on their way into a state. They are stored in the order in which they are added. Within short
+/// windows those with equal numbers of corners are side by side; neighbours in space stay neighbours in
 /// memory.
 class InterfaceWindow {
  public:

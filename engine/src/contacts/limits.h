@@ -16,15 +16,15 @@ inline constexpr double kFasterAhead = 4.0;   // times: largest growth of a bloc
 inline constexpr double kShareOfMargin =
     0.25;  // of the margin, likewise: two blocks may come towards each other
 
-/// Faces meet as faces up to this angle from parallel, and the more the deeper they are pressed into each
-/// other (per share of the smaller block's size) [rad]. Beyond that only the patch's lowest edge or vertex
-/// carries (the next contact points lie a sixth of the patch away). So the change between a contact of faces
-/// and one of a vertex or edge has no jump.
+/// Faces meet as faces up to this angle from parallel [rad], which grows with their overlap (per share of the
+/// smaller block's size). Beyond that only the patch's lowest edge or vertex carries (the next contact points
+/// lie a sixth of the patch away). So the change between a contact of faces and one of a vertex or edge has
+/// no jump.
 inline constexpr double kFaceAngle = 0.05;
 inline constexpr double kFaceAnglePerDepth = 10.0;
 
-/// A patch with less area than one contact point at a vertex is too soft to carry for long: pressed deeper
-/// than this (share of the smaller block's size) it is replaced by vertices and edges.
+/// A patch with less area than one contact point at a vertex is too soft to carry for long. Pressed deeper
+/// than this (share of the smaller block's size), it is replaced by vertices and edges.
 inline constexpr double kSliverDepth = 1e-4;
 
 /// In quasi-static work a patch of less than this share of the smaller face, and of less than a vertex's
@@ -38,8 +38,8 @@ inline constexpr double kLeastShare = 4e-4;
 VertexEdgeLimits vertexEdgeLimits(const Geometry& geometry, std::size_t block_1, std::size_t block_2,
                                   double reach);
 
-/// Area that a contact point at a vertex or a crossing of edges stands for: that of a vertex contact point on
-/// a four-cornered face of the two blocks' lesser mean face area (A/24 with `vertex` points, A/4 with
+/// Area of a contact point at a vertex or a crossing of edges [m^2]: that of a contact point at the corner of
+/// a four-cornered face with the two blocks' lesser mean face area (A/24 with `vertex` points, A/4 with
 /// `corner` and `quarter`, A/N^2 with `grid N`) [m^2].
 double vertexEdgeArea(const Geometry& geometry, std::size_t block_1, std::size_t block_2);
 

@@ -68,8 +68,8 @@ class PlacedShapes {
     std::vector<Vec3> vertices_, normals_;
 };
 
-/// Pairs of parts of the range whose boxes, each wider by half its margin, meet, in order; none of two
-/// blocks that stand where Geometry::fixed has them.
+/// Pairs of parts of the range whose boxes, each wider by half its margin, meet, in order. Pairs of two fixed
+/// blocks in place are left out.
 PartPairs nearPairs(const State& state, const PlacedShapes& placed, const SearchRange& range, bool parallel,
                     SearchWork& work);
 

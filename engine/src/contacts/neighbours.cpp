@@ -1,11 +1,10 @@
 // Pairs of overlapping boxes by grids, one per class of size.
 //
-// A box lives in the one cell that holds its lower corner, in the grid whose cells are the first, of sizes
-// doubled from class to class, that are not smaller than the box. So the lower corners of all boxes of a
-// class that overlap a given box lie in the cells from one below its lower corner to that of its upper
-// corner. Each box looks into its own class (half the cells around it, so that a pair is met once) and into
-// all coarser ones; a floor under a million blocks is then one lookup per block, and nothing is ever tested
-// against everything.
+// Cell sizes double from class to class. A box belongs to the first class whose cells are not smaller than
+// it, and there to the cell of its lower corner. So the lower corners of all boxes of a class that overlap a
+// given box lie in the cells from one below its lower corner to that of its upper corner. Each box searches
+// its own class (half the cells around it, so that a pair is met once) and all coarser ones. A floor under a
+// million blocks is then one lookup per block.
 //
 // Cells are numbered row by row. Boxes are sorted by cell, so a row of cells is one contiguous run of boxes.
 

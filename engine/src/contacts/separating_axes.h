@@ -65,9 +65,9 @@ class AlongArcs {
     std::vector<double> along_;
 };
 
-/// Pairs of edges that are the two blocks' outermost along their cross product: the arc between the normals
-/// of one edge's faces and that between the opposites of the other's cross on the unit sphere (the Gauss map;
-/// Gregorius 2013).
+/// Pairs of edges that are outermost in both blocks along their cross product. On the unit sphere, the arc
+/// between the normals of one edge's faces crosses the arc between the negated normals of the other's (the
+/// Gauss map; Gregorius 2013).
 class GaussMap {
  public:
     explicit GaussMap(const Pair& pair)

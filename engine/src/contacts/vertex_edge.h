@@ -1,8 +1,8 @@
 #pragma once
 // Where blocks meet by vertices and edges (contacts/vertex_edge_points.h). A pair of convex parts that may
 // meet so before the next search has a group of interfaces of one corner and one contact point each, its
-// places; those that touch nothing are idle: too far open to carry anything. The kernel skips groups in which
-// all are idle.
+// places. Places that touch nothing are idle: too far open to carry anything. The kernel skips groups in
+// which all are idle.
 
 #include <map>
 #include <utility>

@@ -48,12 +48,12 @@ struct VertexEdgeLimits {
     double reach = 0;  ///< points farther open than this are left out [m]
 };
 
-/// The contact normal is the axis along which the two are farthest apart or least deep in each other: a
-/// face's normal or the cross product of two edges (separating-axis theorem; Gottschalk, Lin and Manocha
-/// 1996). Where that axis is a face's normal and the other block lies on it with a face, no point is found:
-/// contacts/face_pairs.h treats it. For parts of bodies only axes along which the bodies touch (PartOfBody)
-/// count, and only vertices and edges of the body. On a face up to four of the other block's vertices, and of
-/// the places where its edges cross the face's outline.
+/// The contact normal is the axis of largest gap or least overlap: a face's normal or the cross product of
+/// two edges (separating-axis theorem; Gottschalk, Lin and Manocha 1996). Where that axis is a face's normal
+/// and the other block lies on it with a face, no point is found: contacts/face_pairs.h treats it. For parts
+/// of bodies only axes along which the bodies touch (PartOfBody) count, and only vertices and edges of the
+/// body. On a face up to four of the other block's vertices, and of the places where its edges cross the
+/// face's outline.
 VertexEdgePoints findVertexEdgePoints(const WorldShape& first, const WorldShape& second,
                                       const VertexEdgeLimits& limits);
 

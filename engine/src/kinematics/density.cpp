@@ -14,8 +14,8 @@ double terzaghiWeight(const Vec3& normal, const Vec3& scanline, double least_ang
 
 double poleDensity(const Vec3& direction, const std::vector<Vec3>& normals,
                    const std::vector<double>& weights, const Counting& counting) {
-    // A circle about an axis with half angle t covers 1 - cos t of the hemisphere, and so does exp(k (cos -
-    // 1)) with k = 1 / area, up to exp(-k): both integrals over the hemisphere are 2 pi area.
+    // A circle about an axis with half angle t covers 1 - cos t of the hemisphere. With k = 1 / area, exp(k
+    // (cos - 1)) has the same integral up to exp(-k): both are 2 pi area.
     const double concentration = 1 / counting.area, edge = 1 - counting.area;
     double sum = 0, all = 0;
     for (std::size_t i = 0; i < normals.size(); ++i) {

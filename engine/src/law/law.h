@@ -1,8 +1,8 @@
 #pragma once
 // The contact law at one contact point (eqs 5-9 of the paper), as pure functions: forces, strength,
-// stiffness, energy, and what gap or slide belongs to a force or an energy. Every loop calls these; the
-// behaviour of a joint is defined nowhere else. V is a double, or several of them in a register
-// (simd/lanes.h): both take the same steps in the same order and give the same bits.
+// stiffness, energy, and the gap or slide for a force or an energy. Every loop calls these; the behaviour of
+// a joint is defined nowhere else. V is a double, or several of them in a register (simd/lanes.h): both take
+// the same steps in the same order and give the same bits.
 //
 // Signs: gap is positive when open, forces act on the block that is not the reference one; the normal force
 // is the effective (spring) force, compression positive. Water acts beside it: eq 7's opening rule with F_n +
@@ -177,8 +177,8 @@ TALUS_KERNEL simd::MaskOf<V> holdsNothing(const JointParameters<V>& joint, V bon
 
 /// Forces at a contact point from its gap and slide; updates its memory.
 ///
-/// `release` is the share of a broken bond that is removed per call: 1 in a time history (brittle, eqs 7-9),
-/// less in quasi-static work, where slow release keeps the energy of a break from breaking its neighbours. A
+/// `release` is the share of a broken bond that is removed per call. It is 1 in a time history (brittle, eqs
+/// 7-9) and less in quasi-static work, where slow release keeps a break from breaking its neighbours. A
 /// softening joint loses its bond with displacement instead: a second call at the same place changes nothing.
 /// `Remembers` may be false when no joint `hasMemory`, `Curved` when none is; the result is the same, to the
 /// bit.

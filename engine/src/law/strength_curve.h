@@ -1,13 +1,12 @@
 #pragma once
-// The shear strength of a law over the normal stress as a table of quadratic pieces, so that kernels need no
+// The shear strength of a law over the normal stress as a table of quadratic pieces. Kernels then need no
 // logarithm, tangent or power, all laws cost the same, and a law is a formula in plain C++.
 //
-// Between two of 64 stresses to a power of two the parabola through the ends and the middle is off by less
-// than h^3
-// |f'''| / 125 with h = sigma / 64: 2e-8 of a power law, 2e-7 of Barton and Bandis' steepest, nothing of a
-// tabulated envelope; kinks are ends of pieces. Below 1 Pa the strength is linear down to its value without
-// normal stress. The alternative is logarithm and tangent for lanes: some 40 dependent operations, against 5
-// and a look-up, and another set for each law.
+// There are 64 pieces to a power of two. The parabola through the ends and the middle of a piece is off by
+// less than h^3 |f'''| / 125 with h = sigma / 64: 2e-8 for a power law, 2e-7 for Barton and Bandis' steepest,
+// nothing for a tabulated envelope. Kinks are ends of pieces. Below 1 Pa the strength is linear down to its
+// value without normal stress. The alternative is logarithm and tangent for lanes: some 40 dependent
+// operations, against 5 and a look-up, and another set for each law.
 
 #include <memory>
 #include <vector>

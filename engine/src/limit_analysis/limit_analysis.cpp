@@ -244,9 +244,8 @@ class LimitSearch {
         }
     };
 
-    /// From a factor that fails to where its imbalance would be nothing, by Newton's method in the factor's
-    /// logarithm, and a little less; from there up by the bracket's width. Where that does not close it, by
-    /// halves.
+    /// From a failing factor to one without imbalance, by Newton's method in the factor's logarithm, and
+    /// slightly below; from there up by the bracket's width. Where that does not close it, by halves.
     double nextFactor(const Balance& found, double factor, const FactorBracket& bracket) const {
         const double width = settings_.factor_width;
         if (bracket.falls == kInfinity) return std::min(2 * factor, kLargestFactor);

@@ -1,10 +1,10 @@
 #pragma once
 // Assemblies that can be solved in a plane: equal slices side by side along y, each its own mirror image.
 //
-// The forces of all slices added up are forces in the plane: what slices do to each other cancels, mirrored
-// points act as one, and friction cones are convex, so none is beyond its strength. The other way round,
-// forces in the plane shared out evenly balance every slice by itself. So the limit is that of the section,
-// and there the cone is exact.
+// The sum of the forces of all slices is a force system in the plane. Forces between slices cancel, mirrored
+// points act as one, and friction cones are convex, so none exceeds its strength. The other way round, forces
+// in the plane shared out evenly balance every slice by itself. So the limit is that of the section, and
+// there the cone is exact.
 
 #include "limit_analysis/assembly.h"
 

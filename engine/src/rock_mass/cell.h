@@ -1,12 +1,12 @@
 #pragma once
 // Convex cells of a rock mass during cutting: faces with their planes, over one table of welded vertices.
 //
-// Whether a vertex lies below, in or above a plane depends on its coordinates and the plane alone, and a cut
-// edge gives the same new vertex in every cell. So neighbours agree about a cut along their common face.
-// Joints are given by angles, so a joint meant to pass through a vertex misses it by some 1e-16 of the
-// region; exact arithmetic would cut slivers of that thickness. Hence a vertex within the weld distance of a
-// plane lies in the plane. Along a convex outline heights rise and fall once, so vertices below, in and above
-// come in at most four runs, also with that band, and both parts are closed.
+// The side of a vertex on a plane depends on its coordinates and the plane alone, and a cut edge gives the
+// same new vertex in every cell. So neighbours agree about a cut along their common face. Joints are given by
+// angles, so a joint meant to pass through a vertex misses it by some 1e-16 of the region; exact arithmetic
+// would cut slivers of that thickness. Hence a vertex within the weld distance of a plane lies in the plane.
+// Along a convex outline heights rise and fall once. So vertices below, in and above form at most four runs,
+// also with that band, and both parts are closed.
 
 #include <cstdint>
 #include <unordered_map>

@@ -1,6 +1,6 @@
 #pragma once
-// The solids as leaves of the tree of cuts: a node's box holds all that was cut from it, so a plane visits
-// only the solids it may meet, and the nodes above them.
+// The solids as leaves of the tree of cuts. A node's box holds all that was cut from it, so a plane visits
+// only the solids that it may meet, and the nodes above them.
 
 #include <vector>
 

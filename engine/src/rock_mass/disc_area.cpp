@@ -1,6 +1,6 @@
 // How much of a disc lies inside a closed surface. The disc's plane cuts the surface in closed lines with the
-// inside on their left; the area that a circle shares with their inside is the signed sum, over their pieces
-// p q, of its area with the triangle (centre, p, q): the lines need not be assembled.
+// inside on their left. The circle's area within them is a signed sum over their pieces p q: its common area
+// with the triangle (centre, p, q). So the lines need not be assembled.
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 // Radii of discs: their moments, and radii drawn by the law times a power of the radius.
 //
-// Discs are uniform in space, so the number of radius r that may reach into a box of sides a, b, c is in
-// proportion to (a + 2r)(b + 2r)(c + 2r), a sum of powers of r. A law times r^k is a law of the same kind:
+// Discs are uniform in space. So the number of radius r that may reach into a box of sides a, b, c is
+// proportional to (a + 2r)(b + 2r)(c + 2r), a sum of powers of r. A law times r^k is a law of the same kind:
 // r^-e becomes r^(k-e), a lognormal one with the mean mu of its logarithm one with mu + k sigma^2. So radii
 // are drawn for discs near the box only, and none that is too far away.
 

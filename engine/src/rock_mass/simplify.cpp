@@ -3,11 +3,11 @@
 //   star of u --u goes to its neighbour v--> fan of v in the star's outline
 //
 // Both are graphs over the same outline in a plane, so pushing along that plane's normal maps one onto the
-// other, one to one. The displacement is linear between the corners of the two superposed, so it is largest
+// other, one to one. The displacement is linear between the corners of the two superposed. So it is largest
 // at one of these: at u, or where an edge of the star crosses one of the fan. Every triangle keeps the sum of
 // the displacements that made it. The maps of all steps in turn take the first surface onto the last one, and
-// no point moves farther than that sum, which so bounds the Hausdorff distance both ways. It is not the least
-// bound (opposite displacements add up), but needs no search in the first surface.
+// no point moves farther than that sum. It bounds the Hausdorff distance both ways. It is not the least bound
+// (opposite displacements add up), but needs no search in the first surface.
 
 #include <algorithm>
 #include <cmath>

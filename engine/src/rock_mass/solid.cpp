@@ -57,8 +57,8 @@ Solid bounded(std::vector<Cell> pieces, const VertexTable& vertices) {
     return {std::move(pieces), bounds.min, bounds.max};
 }
 
-/// Pieces that were parted inside the region only are merged where possible: each with the first later one
-/// that it fits, and once grown with those it did not fit before.
+/// Merges pieces that were divided inside the region only, where possible: each with the first later one that
+/// it fits. A grown piece tries the others again.
 void mergePieces(std::vector<Cell>& pieces, const Knife& knife) {
     std::vector<Box> bounds;
     for (const Cell& piece : pieces) bounds.push_back(boundsOf(piece, knife.vertices));

@@ -9,8 +9,8 @@ namespace talus::search {
 namespace {
 
 constexpr double kInDegrees = 180.0 / M_PI;
-// The driving force is at most the weight, and mostly a few tenths of it: a change of the strength by a share
-// amounts to at least a tenth of that share of the weight.
+// The driving force is at most the weight, and usually a few tenths of it. So a relative change of strength
+// is equivalent to at least a tenth of that share of the weight.
 constexpr double kLeastDriving = 0.1;
 constexpr double kMostFactor = 100;  // no larger factor is searched for
 constexpr double kMostAcceleration = 100;

@@ -1,6 +1,6 @@
 #pragma once
-// Follows the equilibrium path of a load up to a target, or to the first peak beyond which neighbouring
-// blocks part by more than the failure displacement before equilibrium is found again.
+// Follows the equilibrium path of a load up to a target or to failure. Failure is the first peak beyond which
+// neighbouring blocks part by more than the failure displacement before equilibrium is found again.
 
 #include <functional>
 #include <optional>

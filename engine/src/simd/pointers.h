@@ -1,6 +1,6 @@
 #pragma once
-// Arrays as kernels see them: plain pointers, so that builds for different instruction sets share no code
-// with the rest (a container's inline function compiled for AVX2 could be linked in everywhere).
+// Arrays for kernels: plain pointers, so that builds for different instruction sets share no code with the
+// rest. A container's inline function compiled for AVX2 could be linked in everywhere.
 
 namespace talus::simd {
 

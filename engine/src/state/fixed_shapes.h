@@ -1,7 +1,6 @@
 #pragma once
-// Fixed blocks at their places. They never move, so they are placed once, in the build, and a search for
-// contacts visits only their parts near another block: a ground of 100,000 triangles costs a search no more
-// than a plane.
+// Fixed blocks at their places. They never move, so they are placed once, in the build. A search for contacts
+// visits only their parts near another block: a ground of 100,000 triangles costs it no more than a plane.
 
 #include <cstddef>
 #include <cstdint>

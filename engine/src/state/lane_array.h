@@ -1,7 +1,7 @@
 #pragma once
-// Records of interfaces, corners and contact points as the kernels read them: kLanes of them side by side,
-// quantity by quantity, so that a register takes one quantity of several with one load and everything one
-// group needs lies in one piece.
+// Records of interfaces, corners and contact points for the kernels: kLanes of them side by side, quantity by
+// quantity. A register takes one quantity of several records with one load, and the data of a group are
+// contiguous.
 
 #include <cassert>
 #include <cstddef>

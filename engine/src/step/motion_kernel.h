@@ -91,10 +91,9 @@ TALUS_KERNEL Triple<V> selectTriple(const Mask& mask, const Triple<V>& yes, cons
 }
 
 /// Turns the pair (angular momentum in the block's frame, orientation) about one principal axis: the exact
-/// flow of one third of the free rigid body's energy, but for tan(angle/2) ~ angle/2, which keeps it
-/// symplectic (it is the exact flow of a function of the same component) and second order. `t` is that
-/// tangent; a, j, k go round x, y, z. Splitting after Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107
-/// (1997) 5840.
+/// flow of one third of the free rigid body's energy, with tan(angle/2) ~ angle/2. It stays symplectic, as
+/// the exact flow of a function of the same component, and of second order. `t` is that tangent; a, j, k go
+/// round x, y, z. Splitting after Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107 (1997) 5840.
 template <class V>
 TALUS_KERNEL void spinAbout(V t, V& m_j, V& m_k, V& q_w, V& q_a, V& q_j, V& q_k) {
     const V one = V{} + 1.0;

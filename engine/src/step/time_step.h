@@ -11,10 +11,10 @@ namespace talus {
 /// inertia [1/s^2]; 0 for blocks that are not free. A block that touches nothing gets the bound of its first
 /// contact.
 ///
-/// A spring between blocks a and b stores k/2 (delta_a - delta_b)^2 <= k (delta_a^2 + delta_b^2), so the
-/// assembled stiffness is at most the block-diagonal one with 2 K_a (or K_a for springs against a block that
-/// does not move), K_a the 6x6 stiffness of block a with its neighbours held. Hence omega_max^2 <= max_a
-/// lambda_max(M_a^-1 2 K_a). All contact points count as closed: opening and slipping only soften.
+/// A spring between blocks a and b stores k/2 (delta_a - delta_b)^2 <= k (delta_a^2 + delta_b^2). Let K_a be
+/// the 6x6 stiffness of block a with its neighbours held. The assembled stiffness is at most the
+/// block-diagonal one with 2 K_a (or K_a for springs against a block that does not move). Hence omega_max^2
+/// <= max_a lambda_max(M_a^-1 2 K_a). All contact points count as closed: opening and slipping only soften.
 std::vector<double> frequencyBounds(const State& state, bool parallel);
 
 /// The largest of them.

@@ -9,8 +9,9 @@ namespace talus::theory {
 
 namespace {
 
-/// Thrust of water of depth H on a joint normal to the base, per width and per cos(tilt): rho_w g H^2 / 2 (eq
-/// 16: the table is horizontal, so pressure grows along the tilted joint by rho_w g cos(tilt) only) [N/m].
+/// Thrust of water of depth H on a joint normal to the base, per width and per cos(tilt): rho_w g H^2 / 2
+/// [N/m]. (Eq 16: the table is horizontal, so pressure grows along the tilted joint by rho_w g cos(tilt)
+/// only.)
 double thrustPerWidth(const SlidingMass& mass) {
     return 0.5 * mass.water_density * mass.gravity * mass.water_depth * mass.water_depth;
 }

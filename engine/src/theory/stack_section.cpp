@@ -1,5 +1,5 @@
-// A regular stack as a section: blocks found by where they are, each bed's joint and each wall's water
-// gathered per slice; all slices must be alike, or the section would not represent the model.
+// A regular stack as a section: blocks by their positions, each bed's joint and each wall's water per slice.
+// All slices must be alike, or the section would not represent the model.
 
 #include <algorithm>
 #include <cmath>

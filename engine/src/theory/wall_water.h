@@ -20,9 +20,9 @@ struct WallWater {
     double momentAbout(double z) const;  ///< per cos(tilt) [N m]
 };
 
-/// All walls of all waters on free blocks; nothing when one of them is beyond the formulas: a level that
-/// changes with time or with the tilt (elevation), a fissure that drains, a face that is not an upright
-/// rectangle across x, or a `pair` (which the caller may take out first).
+/// All walls of all waters on free blocks; nothing when one of them is beyond the formulas. These are a level
+/// that changes with time or with the tilt (elevation), a fissure that drains, a face that is not an upright
+/// rectangle across x, and a `pair` (which the caller may remove first).
 std::optional<std::vector<WallWater>> wallWaters(const Model& model, const std::vector<Water>& waters);
 
 }  // namespace talus::theory

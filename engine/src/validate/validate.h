@@ -1,6 +1,6 @@
 #pragma once
 // Invariants of a state, on which every function that takes one may rely. Debug builds check them after every
-// update of the contacts (contacts/update.cpp), tests after each test, and a frame from a file must satisfy
+// update of the contacts (contacts/update.cpp), and tests after each test. A frame from a file must satisfy
 // them before it is used (frame/frame.h).
 
 #include <string>

@@ -45,9 +45,9 @@ bool noLocksHere(int error) {
     return error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP || error == EINVAL;
 }
 
-// nfs(5): nolock, local_lock=posix and =all keep fcntl locks on the client; mount.cifs(8): nobrl sends none
-// to the server; mount.lustre(8): localflock keeps them on the client, noflock has none; sshfs has no server
-// that knows of locks.
+// nfs(5): nolock, local_lock=posix and =all keep fcntl locks on the client. mount.cifs(8): nobrl sends none
+// to the server. mount.lustre(8): localflock keeps them on the client, noflock has none. The server of sshfs
+// has no locks.
 LockReach lockReach(std::string_view kind, std::string_view options) {
     if (kind == "lustre" && has(options, "noflock")) return LockReach::none;
     const bool nfs = kind == "nfs" || kind == "nfs4";

@@ -320,8 +320,8 @@ bool Reader::loadChunk(std::size_t chunk) {
     return true;
 }
 
-/// Whether the loaded chunk has a record of its own at every place that is named in it: else one record's
-/// bytes could be read again and again as many.
+/// Whether every place named in the loaded chunk has a record of its own. Otherwise the bytes of one record
+/// could be read as many.
 bool Reader::namesRecords(std::size_t chunk) const {
     const auto before = [](const MessagePlace& place, std::size_t wanted) { return place.chunk < wanted; };
     auto place = std::lower_bound(places_.begin(), places_.end(), chunk, before);

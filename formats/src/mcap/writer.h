@@ -1,7 +1,6 @@
 #pragma once
-// Writes an MCAP file: messages are gathered into chunks, which go to the file whole, each compressed and
-// with its checksum and index; the summary follows at the end. A process that dies leaves all chunks it
-// wrote.
+// Writes an MCAP file. Messages are gathered into chunks, which are written whole, each compressed and with
+// its checksum and index. The summary follows at the end. A process that dies leaves all chunks it wrote.
 
 #include <optional>
 

@@ -17,8 +17,8 @@ struct HeightGrid {
 };
 
 /// Adds the squares between four heights, from the south-west on, each as two triangles along the diagonal
-/// whose ends differ less; a square that lacks a height is no part of the terrain. \pre every height has a
-/// vertex of its own, numbered in the order of the heights
+/// whose ends differ less. A square that lacks a height is left out. \pre every height has a vertex of its
+/// own, numbered in the order of the heights
 void addSquares(const HeightGrid& grid, SurfaceBuilder& builder);
 
 }  // namespace talus::formats::mesh

@@ -131,8 +131,8 @@ TimeMoments momentsOf(const GroundMotion& motion) {
     return sum;
 }
 
-/// Takes off the mean, or the straight line c0 + c1 t that is nearest by least squares: over a length T the
-/// integrals of the rest and of the rest times t are zero, so the velocity ends where it began.
+/// Subtracts the mean, or the straight line c0 + c1 t of least squares. The integrals of the rest, and of the
+/// rest times t, over the length T are then zero, so the velocity ends as it began.
 void correctBaseline(GroundMotion& motion, bool line) {
     const double start = motion.time.front(), length = motion.time.back() - start;
     const TimeMoments moments = momentsOf(motion);

@@ -11,7 +11,7 @@ constexpr std::size_t kMaxWalls =
     4'000'000;  // of all waters together: keeps repeated entries from taking all memory
 
 /// Faces of a stack's blocks in the joint behind `fissure` columns: the +x faces of the column in front of it
-/// and the -x faces of the column behind it, as far as there are such columns.
+/// and the -x faces of the column behind it, where these columns exist.
 std::vector<WetFace> stackJointWalls(const Stack& stack, int fissure, const Model& model) {
     std::vector<WetFace> walls;
     const auto addColumn = [&](int column, const Vec3& direction) {

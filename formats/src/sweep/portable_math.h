@@ -1,7 +1,7 @@
 #pragma once
-// Functions a sample is made with, from +, -, *, / and sqrt alone: IEEE 754 fixes those to the last bit,
-// while exp and log of a C library differ between versions and processors. So a seed gives the same samples
-// on every machine.
+// Functions for samples, from +, -, *, / and sqrt alone. IEEE 754 fixes these to the last bit, while exp and
+// log of a C library differ between versions and processors. So a seed gives the same samples on every
+// machine.
 
 namespace talus::formats::sweep {
 

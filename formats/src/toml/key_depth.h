@@ -1,6 +1,6 @@
 #pragma once
-// A guard before the TOML parser: it builds one nested table per part of a dotted key and takes them down
-// recursively, so a key of a hundred thousand parts would overflow the stack.
+// A guard before the TOML parser. The parser builds one nested table per part of a dotted key and destroys
+// them recursively, so a key of a hundred thousand parts would overflow the stack.
 
 #include <optional>
 #include <string_view>

@@ -1,6 +1,6 @@
 #pragma once
-// Typed access to one table of a scenario. Every read checks the type and the range, reports what is wrong at
-// its place and then yields nothing, so that reading goes on and all faults are found in one pass.
+// Typed access to one table of a scenario. Every read checks the type and the range. It reports a fault at
+// its place and then returns nothing, so that reading continues and all faults are found in one pass.
 
 #include <cstdint>
 #include <initializer_list>

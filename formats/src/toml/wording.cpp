@@ -41,8 +41,8 @@ bool continues(std::string_view longer, std::string_view shorter) {
     return shorter.size() >= 3 && longer.substr(0, shorter.size()) == shorter;
 }
 
-/// Edits between two texts in lower case, or between the first and the second without its last part
-/// ("duraton" for "duration_s"), which counts as one more; a text that continues the other is one edit away.
+/// Edits between two texts in lower case. The second may lose its last part for one more edit ("duraton" for
+/// "duration_s"). A text that continues the other is one edit away.
 std::size_t distance(const std::string& found, const std::string& candidate) {
     if (found == candidate) return 0;
     if (continues(found, candidate) || continues(candidate, found)) return 1;

@@ -24,8 +24,8 @@ std::string listed(const std::vector<std::string>& names);
 std::string joinField(std::string_view parent, std::string_view key);
 std::string elementField(std::string_view parent, std::size_t index);
 
-/// The candidate a user most likely meant, if one is near enough: few edits (insert, delete, replace, swap of
-/// neighbours; case ignored), or one continues the other ("friction" for "friction_deg").
+/// The most likely intended candidate, if one is near enough: by few edits (insert, delete, replace, swap of
+/// neighbours; case ignored), or where one continues the other ("friction" for "friction_deg").
 std::optional<std::string> nearest(std::string_view found, const std::vector<std::string>& candidates);
 
 /// `, did you mean "columns"?` or `, allowed: ...`.

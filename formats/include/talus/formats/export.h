@@ -36,7 +36,7 @@ std::string stlBlocks(const SnapshotHeader& header, const LightFrame& frame);
 std::string plyBlocks(const SnapshotHeader& header, const LightFrame& frame);
 
 /// glTF 2.0 in its binary form (.glb): a node and a mesh per block, coloured by its motion up to the last
-/// frame; several frames give an animation in the run's time. \pre at least one frame
+/// frame. Several frames give an animation in the run's time. \pre at least one frame
 std::string gltfBlocks(const SnapshotHeader& header, const std::vector<LightFrame>& frames);
 
 }  // namespace talus::formats

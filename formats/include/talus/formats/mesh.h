@@ -1,6 +1,6 @@
 #pragma once
 // Surfaces from mesh files (STL and PLY as text or binary, Wavefront OBJ, DXF as text), height grids (ESRI
-// ASCII) and points: closed ones, or open terrains that are given sides and a base.
+// ASCII) and points. They are closed, or open terrains that get sides and a base.
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 // Snapshot files: a run's header, frames and full states in an MCAP container (formats/snapshot.fbs says what
-// is in a message). Written by a thread of its own while the run goes on; read frame by frame, also while it
-// is being written, and as far as it goes when it was cut anywhere.
+// is in a message). A separate thread writes it during the run. It is read frame by frame, also while it is
+// being written, and up to the place where it was cut.
 //
 // Limits: a full state of at most 2 GB (some 500,000 blocks with nine contact points an interface), which is
 // what one FlatBuffers message holds. The reader's memory stays below four times the largest chunk it

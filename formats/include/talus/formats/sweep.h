@@ -1,7 +1,6 @@
 #pragma once
 // Sweep files: a scenario, an analysis, and what varies. A sweep is a list of runs that is never stored: each
-// run's sample follows from its number alone, so any worker can compute any run, and any run can be looked at
-// again.
+// run's sample follows from its number alone. So any worker can compute any run, and any run can be repeated.
 //
 //   format = 1
 //   scenario = "slope.toml"        # beside the sweep file
