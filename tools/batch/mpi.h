@@ -14,7 +14,7 @@ namespace talus::tools::batch {
 class MpiJob {
  public:
     MpiJob();   ///< joins the job that mpirun (or srun) has started this process in, if it has
-    ~MpiJob();  ///< leaves it; helpers that have not been told so are told that there is nothing to do
+    ~MpiJob();  ///< leaves it; helpers still waiting are told that no work remains
     MpiJob(const MpiJob&) = delete;
     MpiJob& operator=(const MpiJob&) = delete;
 

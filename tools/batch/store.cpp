@@ -218,7 +218,7 @@ void Store::openResults() {
     writeFile(path + "-metadata.json", jsonText(csvMetadata(info_, resultsName(shard_)), 2) + "\n");
 }
 
-/// \pre byte 0 is held, so nobody is in the middle of a row
+/// \pre byte 0 is held, so no process is in the middle of a row
 void Store::cutTornRow() {
     const std::string path = resultsPath();
     std::uint64_t size = sizeOf(results_, path), end = size;
@@ -319,7 +319,7 @@ bool Store::claim(std::uint64_t run, bool again) {
     const auto wanted = [&] { return state_[run] == kOpen || (again && state_[run] == kFailedRow); };
     if (!wanted() || !lock(1 + run, false)) return false;
     const State before = static_cast<State>(state_[run]);
-    readNewRows();  // whoever had the run may have finished it since
+    readNewRows();  // the process that had the run may have finished it since
     if (wanted() && state_[run] == before) return true;
     unlock(1 + run);
     return false;

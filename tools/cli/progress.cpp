@@ -23,7 +23,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kBarInterval = 0.1, kLineInterval = 5.0;  // between two reports that are shown [s]
 constexpr double kBarTick = 1.0, kLineTick = 60.0;         // ... and at the latest, without any [s]
 constexpr std::size_t kBarWidth = 24, kLeastDetail = 12;
-constexpr double kLeastSeconds = 2.0, kLeastFraction = 0.02;  // seen, before a time is told
+constexpr double kLeastSeconds = 2.0, kLeastFraction = 0.02;  // recorded before a time is shown
 
 std::string clockText(double seconds) {
     const auto whole = static_cast<long>(std::lround(seconds));

@@ -66,7 +66,7 @@ void writeAll(const Manual& manual, const std::string& out) {
 }
 
 int execute(const VerificationOptions& options) {
-    makeFolder(options.out);  // one that cannot be made is told before minutes of computing, not after
+    makeFolder(options.out);  // a folder that cannot be made is reported before minutes of computing
     const Manual manual = compute(options);
     writeAll(manual, options.out);
     if (options.common.json)

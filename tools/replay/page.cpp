@@ -24,7 +24,7 @@ constexpr std::string_view kPlace = "<!--SNAPSHOT-->";
 constexpr std::string_view kMark = "<title>Talus replay</title>";  // every page has it near its start
 constexpr std::size_t kMarkWithin = 1000;
 
-/// A file of its own name that is gone with the object.
+/// A temporary file, removed with the object.
 class TemporaryFile {
  public:
     TemporaryFile() {

@@ -10,8 +10,8 @@
 namespace talus {
 
 /// Blocks, their shapes and inertia, the first search for interfaces, contact points, wet walls. The state is
-/// at rest and unstressed, with the model's own tilt and damping and full loads. Errors (fields of the
-/// model): shapes without volume, blocks that overlap, pairs that do not touch, water without a wall, two
+/// unstressed and without velocity, with the model's own tilt and damping and full loads. Errors (fields of
+/// the model): shapes without volume, blocks that overlap, pairs that do not touch, water without a wall, two
 /// waters on one place, `grid N` on patches that are not rectangles; an interruption.
 Result<State> buildState(std::shared_ptr<const Model> description, bool parallel,
                          const Control& control = {});

@@ -20,7 +20,7 @@ std::vector<char> blocksNamed(const Model& model, const std::vector<std::string>
 /// Their numbers, ascending.
 std::vector<std::size_t> numbersOf(const Model& model, const std::vector<std::string>& names);
 
-/// As the public one. \param gone one entry per block
+/// As the public function. \param gone one entry per block
 Model withoutBlocks(const Model& model, const std::vector<char>& gone);
 
 /// Share of the mass of free blocks that the marked ones have, 0..1.

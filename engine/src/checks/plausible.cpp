@@ -19,7 +19,7 @@
 namespace talus::checks {
 namespace {
 
-// A block that has gone this share of its size has failed (quasi_static.h).
+// A block displaced by this share of its size has failed (quasi_static.h).
 constexpr double kMostSink = 0.1;
 // Water farther above or below a model than this many of its extents is an input error. (Ten: a wedge in an
 // abutment may stand under a reservoir several times its own height.)

@@ -240,7 +240,7 @@ double reachOf(const Polygon& polygon) {
     return std::sqrt(farthest);
 }
 
-/// On a polygon whose frame is told about a block's centroid: `arm` to the frame's origin, model frame.
+/// On a polygon whose frame is relative to a block's centroid: `arm` to the frame's origin, model frame.
 Wrench pressureOn(const Cells& cells, const Polygon& polygon, double reach, const FaceFrame& face,
                   const Vec3& arm) {
     Thrust sum;

@@ -76,7 +76,7 @@ std::optional<PressureField::Bound> fallingTo(const JointEnds& ends, Water::Dayl
     return PressureField::Bound{rate * down.dot(ends.low), -rate * down};
 }
 
-/// Most walls are under water or dry all over; only one that the water line crosses has to be gone round.
+/// Most walls are wholly wet or dry; only a wall that the water line crosses needs clipping.
 Thrust thrustOnWall(const WetPatches& wet, std::size_t w, const LinearPressure& pressure) {
     const auto first = static_cast<std::size_t>(wet.vertex_begin[w]);
     const auto corners = static_cast<std::size_t>(wet.vertex_begin[w + 1]) - first;

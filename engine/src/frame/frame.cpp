@@ -59,7 +59,7 @@ void addWaterLevels(const State& state, WaterLevels& levels) {
         levels.drained.push_back(state.drained[w]);
         const PressureField field = pressureField(state, w, state.load);
         const double unit_weight = field.gradient.norm();
-        // p = p0 + gradient . x in the state's coordinates; the table is told in the model's.
+        // p = p0 + gradient . x in the state's coordinates; the table is in the model's.
         const double shift = field.gradient.dot(state.geometry->origin);
         levels.table.push_back(unit_weight > 0 ? (field.p0 - shift) / unit_weight : kNoTable);
     }

@@ -112,7 +112,7 @@ void addReadings(const State& state, const FrameInterfaces& interfaces, FramePoi
                                static_cast<std::size_t>(interfaces.point_begin[i + 1])};
         addStrength(state.laws[static_cast<std::size_t>(state.interfaces.joint[i])], range, points);
         if (state.wet.size() == 0) continue;
-        // Both walls of a fissure feel the same water: it is told once.
+        // Both walls of a fissure have the same water: it counts once.
         if (!addWaterOf(state, i, range, sideOf(state.interfaces, i, false), points))
             addWaterOf(state, i, range, sideOf(state.interfaces, i, true), points);
     }

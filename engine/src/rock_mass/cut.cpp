@@ -233,7 +233,7 @@ class Cutter {
 
     void warnOfCuts() {
         for (std::size_t joint = 0; joint < tallies_.size();) {
-            // Discs of a network are told together.
+            // Discs of a network are reported together.
             std::size_t next = joint + 1, idle = 0;
             Tally tally = tallies_[joint];
             for (; next < tallies_.size() && isOfNetwork(next) &&

@@ -54,7 +54,7 @@ inline bool CutTree::mayMeet(const Node& node, const Plane& plane, const Reach* 
     return std::abs(plane.height(node.min + half)) <= plane.normal.cwiseAbs().dot(half) + weld;
 }
 
-/// Into the slot of a solid that is gone, or a new one.
+/// Into the slot of a removed solid, or a new one.
 inline void CutTree::addLeaf(Solid solid, std::int32_t slot) {
     Node leaf{solid.min, solid.max};
     leaf.solid = slot >= 0 ? slot : static_cast<std::int32_t>(solids_.size());

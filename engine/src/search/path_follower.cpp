@@ -159,7 +159,7 @@ class Follower {
                path_.state().geometry->length_scale;
     }
 
-    /// \return whether the path has gone on, or a shorter step is to be tried
+    /// \return whether the path has advanced; else a shorter step is to be tried
     bool stepAlong() {
         if (slow_ >= static_cast<int>(rules_.slow_steps)) return false;
         if (follow_.report) follow_.report(path_.load(), "stands");

@@ -17,7 +17,7 @@ namespace {
 constexpr double kMostShare = 0.5;
 constexpr int kRounds = 4;  // one is exact but where several contacts share a block
 
-/// Idle and open places hold nothing; there are many of them.
+/// Idle and open places hold no energy; there are many of them.
 bool holdsNothing(const State& state, std::size_t i) {
     return isIdle(state.interfaces, i) ||
            (isVertexEdge(state.interfaces, i) && relativePose(state, i).gap.x() >= 0);

@@ -14,10 +14,10 @@ namespace talus {
 /// positive". Empty when all hold.
 ///  - blocks: arrays of one size, unit quaternions, positive masses and moments of inertia, none for blocks
 ///    that are not free;
-///  - interfaces: groups of equal corners and contact points that follow each other, slots that go with them,
-///    nothing in
-///    unused lanes; indices within their arrays; a pair of faces once; frames orthonormal, in the two faces'
-///    planes, from a to b; patches convex, counter-clockwise, of the area they say;
+///  - interfaces: groups of equal corners and contact points that follow each other, with their slots and
+///    nothing in unused lanes; indices within their arrays; a pair of faces once;
+///  - frames: orthonormal, in the two faces' planes, from a to b;
+///  - patches: convex, counter-clockwise, of the stated area;
 ///  - places for vertices and edges: four for a pair of blocks, idle ones carry nothing;
 ///  - contact points: their areas add up to the patch's, bonds in 0..1, stored places those of the rule;
 ///  - incidence: of each block exactly its interfaces and wet walls in their order, with side and slot;

@@ -7,7 +7,7 @@ namespace talus::formats::mesh {
 
 namespace {
 
-constexpr std::size_t kMostPlaces = 5;  // that are told; of more, how many
+constexpr std::size_t kMostPlaces = 5;  // that are listed; of more, the number
 
 std::string counted(std::size_t count, const char* one, const char* many) {
     return std::to_string(count) + (count == 1 ? one : many);

@@ -27,7 +27,7 @@ constexpr double kSevenDigits = 1e-6;  // of the extent: default tolerance of th
 constexpr double kMended = 1e-4;       // of the extent: the same where a surface is to be mended
 constexpr double kSmallHole = 0.05;    // of the extent: holes no wider are closed, if they are to be mended
 constexpr double kSinglePrecision = 0x1p-24;
-constexpr double kTooCoarse = 1e-4;  // of the extent: coordinates that are no finer are told
+constexpr double kTooCoarse = 1e-4;  // of the extent: coarser coordinates give a warning
 constexpr double kRoundShift = 100;  // [m]
 
 std::string counted(std::size_t count, const char* one, const char* many) {
@@ -209,7 +209,7 @@ class MeshReader {
 
     /// Faults of triangles by their lines, else counted from 1.
     std::vector<Error> told(std::vector<Error> errors) const {
-        // Of a terrain without a base every edge of its rim is told.
+        // For a terrain without a base every edge of its rim is a fault.
         if (!options_.base && !errors.empty() && errors[0].message.find("found an open surface") == 0)
             errors[0].message += "; for an open terrain give the elevation of its base";
         if (!errors.empty()) errors[0].message += open_holes_;

@@ -8,8 +8,7 @@ namespace talus::formats::scenario {
 
 namespace {
 
-// Shares of intact rock that are told apart: a network of 10,000 discs then makes a thousand joints, not
-// 50,000.
+// Distinct shares of intact rock: a network of 10,000 discs then makes a thousand joints, not 50,000.
 constexpr long kBridgeSteps = 1000;
 constexpr const char *kLaw = "law", *kShearStrength = "shear_strength";
 

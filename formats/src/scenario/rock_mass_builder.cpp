@@ -10,7 +10,8 @@ namespace talus::formats::scenario {
 namespace {
 
 constexpr double kOnPlane = 1e-6;  // of the region's extent: how near to a plane counts as in it
-constexpr double kTold = 0.01;     // of the cuts of finite joints: what lies beyond the joints is told of
+constexpr double kTold = 0.01;     // of the cuts of finite joints: a larger share beyond the joints is
+                                   // reported
 
 double extentOf(const TriangleSurface& region) {
     Vec3 min = region.vertices[0], max = min;

@@ -13,7 +13,7 @@ constexpr std::size_t kMaxProfile = 1000;
 constexpr Interval kAzimuthDeg{-360, 360, false, false};
 using Surface = std::optional<TriangleSurface>;
 
-/// Faults of a mesh file are told at the key that names it, with their own place in front.
+/// Faults of a mesh file are reported at the key that names it, with their own place in front.
 Surface take(TableReader& region, const std::string& key, Result<TriangleSurface> surface) {
     if (surface) return std::move(*surface);
     for (Error error : surface.errors()) {

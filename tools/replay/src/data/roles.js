@@ -1,7 +1,6 @@
-// The role of each block in a failure, by the rule of talus/motion_roles.h: the numbers come with the page. A block moves
-// when it goes a share of the farthest one's way and more than a share of the smallest block's size, since a file does
-// not say how much the joints gave at rest; it topples when its rotation, at the size of the moving group, makes up more
-// than a share of its motion.
+// The role of each block in a failure, by the rule of talus/motion_roles.h; its numbers come with the page. A block moves when
+// its displacement is a share of the largest one and more than a share of the smallest block's size, since a file has no
+// elastic displacements. It topples when its rotation, times the moving group's extent, exceeds a share of its displacement.
 
 import { get, norm } from "./poses.js";
 
