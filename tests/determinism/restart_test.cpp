@@ -211,7 +211,7 @@ TEST_SUITE("determinism") {
         checkRestarts(model, 4);
     }
 
-    TEST_CASE("restart: interrupted at any time, the run goes on from its last frame") {
+    TEST_CASE("restart: interrupted at any time, the run continues from its last frame") {
         const Model model = scenarioModel(runScenarioText());
         const std::uint64_t whole = record(model).result->state_hash;
         for (const std::size_t stop_after : {1, 2, 13, 30}) {

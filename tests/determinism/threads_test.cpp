@@ -73,7 +73,7 @@ TEST_SUITE("determinism") {
         CHECK(one->waters[0].level != 0.4);
     }
 
-    TEST_CASE("a copied state goes on to the same bits") {
+    TEST_CASE("a copied state continues to the same bits") {
         Model model = slidingSlope();
         State state = *buildState(model, false);
         const double dt = 2e-6;

@@ -10,7 +10,7 @@ namespace {
 
 Result<std::unique_ptr<int>> seven() { return std::make_unique<int>(7); }
 
-TEST_CASE("a value is moved out of a result that nobody keeps") {
+TEST_CASE("a value is moved out of a temporary result") {
     const std::unique_ptr<int> value = *seven();  // cannot be copied
     CHECK(*value == 7);
 }

@@ -120,7 +120,7 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("Goodman and Bray's columns fail at one factor, whatever the history") {
+    TEST_CASE("Goodman and Bray's columns fail at one factor, for any loading path") {
         for (const std::string name : {"goodman-bray", "goodman-bray-slice-38.15"})
             for (const double friction : {36.0, 38.15, 40.0}) {
                 CAPTURE(name);

@@ -100,7 +100,7 @@ TEST_CASE("bridges: what holds a block in tension counts as far as it softens wi
             }
 }
 
-TEST_CASE("bridges: without rock the joint's strength goes on, and that is said") {
+TEST_CASE("bridges: without rock the joint's strength continues, with a warning") {
     const auto scenario = formats::parseScenario(bench(40, 5, 5e3, 60e3), "bench.toml");
     REQUIRE(scenario.ok());
     REQUIRE(scenario->warnings.size() == 2);

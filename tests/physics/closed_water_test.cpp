@@ -68,7 +68,7 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("closed volume: without damping it goes on until the work is used up") {
+    TEST_CASE("closed volume: without damping the block moves until the work is used up") {
         for (const double opening : {0.002, 0.005}) {
             ClosedFissure fissure;
             fissure.opening = opening;

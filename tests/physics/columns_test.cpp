@@ -118,7 +118,8 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("columns of different heights stand as long as each by itself, and no longer than the first") {
+    TEST_CASE(
+        "columns of different heights are stable up to the limit of each, and not beyond that of the first") {
         for (unsigned seed = 11; seed <= 20; ++seed) {
             CAPTURE(seed);
             const Row row = drawn(seed, false);

@@ -69,7 +69,7 @@ TEST_SUITE("physics") {
                                    column.overturns())) < 0.01);
     }
 
-    TEST_CASE("where a block topples, the interval goes down to its elastic pivot") {
+    TEST_CASE("where a block topples, the interval includes its elastic pivot") {
         const Column soft{.stiffness = 1e10};
         std::pair<double, double> between;
         const double answer = answerOf(soft.model(PointRule::Kind::vertex), true, &between);

@@ -189,7 +189,7 @@ TEST_SUITE("slow: physics") {
 
     // Weight laid on at once finds the jam of such columns sooner than a tilt that grows: a few stand, for
     // some hundredths of a degree.
-    TEST_CASE("stacks of equal columns begun beyond the tilt at which one topples do not stand") {
+    TEST_CASE("stacks of equal columns begun beyond the tilt at which one topples are unstable") {
         int stacks = 0, stood = 0;
         for (const auto& [columns, rows, width] :
              {std::tuple{2, 5, 0.2}, {3, 5, 0.2}, {7, 5, 0.2}, {5, 8, 0.3}, {3, 10, 0.3}, {12, 3, 0.1}})

@@ -52,7 +52,7 @@ TEST_SUITE("physics") {
             }
     }
 
-    TEST_CASE("bricks steeper than their friction angle do not stand on beds that gape, either") {
+    TEST_CASE("bricks steeper than their friction angle are unstable on open beds, too") {
         for (const double gap : {2e-4, 1e-3}) {
             CAPTURE(gap);
             Model model = bricks(2, gap);

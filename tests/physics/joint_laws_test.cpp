@@ -124,7 +124,7 @@ TEST_SUITE("physics") {
         CHECK(table->moving_blocks == coulomb->moving_blocks);
     }
 
-    TEST_CASE("what the load only presses together keeps its bonds on the way to rest") {
+    TEST_CASE("joints that the load only compresses keep their bonds on the way to equilibrium") {
         // The whole stack turns about its toe. Bonds that broke as it came to rest let it slide at 19.5
         // degrees.
         Model model = stackModel(4, 6, 1, 19.5, {0.25, 0.1, 0.1});

@@ -88,7 +88,7 @@ TEST_SUITE("physics") {
         CHECK(rows >= 20);
     }
 
-    TEST_CASE("key blocks: slices between fixed slices go at tan(phi) over tan(dip) of their bed") {
+    TEST_CASE("key blocks: slices between fixed slices slide at tan(phi) over tan(dip) of their bed") {
         for (const double dip : {30.0, 38.0, 45.0})
             for (const int blocks : {1, 3}) {
                 CAPTURE(dip);
@@ -207,7 +207,7 @@ TEST_SUITE("physics") {
               doctest::Approx((kBoxWeight + 3000) * tan_phi / std::hypot(0.2 * kBoxWeight, 5000)));
     }
 
-    TEST_CASE("key blocks: of a stack with cohesion on a weak bed all that lies above it goes together") {
+    TEST_CASE("key blocks: in a stack with cohesion all blocks above a weak bed fail together") {
         Model model = stackModel(1, 5, 1, 30, {1, 1, 1});
         model.gravity.tilt = radians(25);
         Joint weak = joint(15);
@@ -248,7 +248,7 @@ TEST_SUITE("physics") {
             if (group.carries.empty()) CHECK(group.sliding.factor > factor(8) * (1 - 1e-6));
     }
 
-    TEST_CASE("key blocks: what is carried and cannot go along is named") {
+    TEST_CASE("key blocks: carried blocks that cannot move along are named") {
         // A block on an incline carries one that a fixed wall holds back.
         Model model = floorModel(30);
         model.gravity.tilt = radians(20);
@@ -377,7 +377,7 @@ TEST_SUITE("physics") {
         CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
     }
 
-    TEST_CASE("key blocks: a model that nothing holds is refused, and it ends early when asked to") {
+    TEST_CASE("key blocks: a model without fixed blocks is refused, and an interruption ends early") {
         Model loose;
         loose.joints = {joint(30)};
         addBox(loose, "a", {0, 0, 0}, {1, 1, 1});

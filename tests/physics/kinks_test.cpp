@@ -92,7 +92,7 @@ TEST_SUITE("physics") {
     // In time a contact keeps what overlap it was found with unless its blocks still have motion to work it
     // off: a corner that is rounded off for the sake of verdicts would lie up to a thousandth of its block in
     // the other bed for ever.
-    TEST_CASE("a slab that slides into the angle of two beds comes to rest on both, not in one") {
+    TEST_CASE("a slab that slides into the angle of two beds stops on both, not in one") {
         for (const double turn : {30.0, 35.0, 40.0, 44.0})
             for (const double friction : {20.0, 30.0, 34.0}) {
                 CAPTURE(turn);

@@ -75,7 +75,7 @@ TEST_SUITE("physics") {
             checkElasticBounce(verification(std::string("bounce-") + kind), 0.05, kind);
     }
 
-    TEST_CASE("off centre part of the energy goes into spin; none comes, and none is lost") {
+    TEST_CASE("off centre part of the energy becomes spin; none is added or lost") {
         const std::pair<const char*, Eigen::Quaterniond> kinds[] = {
             {"edge, 30 degrees", turnAbout(Vec3::UnitY(), 30)},
             {"corner", turnAbout({1, 2, 0.5}, 25)},
@@ -229,7 +229,7 @@ RunOn runOn(const Model& model) {
 TEST_SUITE("slow: physics") {
     // The lowest 250 rocks: all 1,000 take ten times as long (`talus run bench/verification/pile.toml`; ten
     // such piles: `talus-piles 10`).
-    TEST_CASE("a random pile of rocks dropped into a box comes to rest") {
+    TEST_CASE("a random pile of rocks dropped into a box reaches equilibrium") {
         Model model = verification("pile");
         model.blocks.resize(5 + 250);  // behind floor and walls
         model.run.duration = 2;        // one rock still topples after 1.75 s

@@ -61,7 +61,7 @@ const Kind kKinds[] = {
 }  // namespace
 
 TEST_SUITE("slow: physics") {
-    TEST_CASE("of many blocks what has too little mass is let go near the load at which it slides") {
+    TEST_CASE("among many blocks one of too little mass is removed near the load at which it slides") {
         const std::vector<Slick> slick = {{24, 0.2}, {20, 0.1}, {28, 0.3}, {24.2, 0.05}};
         for (const Kind& kind : kKinds) {
             CAPTURE(kind.tilt);
@@ -89,7 +89,7 @@ TEST_SUITE("slow: physics") {
         }
     }
 
-    TEST_CASE("however coarse the bracket, and wherever it is interrupted, the search says what it knows") {
+    TEST_CASE("with any bracket and any interruption the search reports its results so far") {
         for (const Kind& kind : kKinds) {
             CAPTURE(kind.tilt);
             Model model = field({{20, 0.1}}, kind.tilt);
@@ -118,7 +118,7 @@ TEST_SUITE("slow: physics") {
         }
     }
 
-    TEST_CASE("many small blocks that go together are the answer") {
+    TEST_CASE("many small blocks that fail together are the answer") {
         const std::vector<Slick> together(20, {25, 0.2});  // each has a thousandth of the mass
         for (const Kind& kind : kKinds) {
             CAPTURE(kind.tilt);

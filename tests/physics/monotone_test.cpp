@@ -197,7 +197,7 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("Alejano and Alonso's columns: what the ratio of the two stiffnesses is worth") {
+    TEST_CASE("Alejano and Alonso's columns: the effect of the ratio of the two stiffnesses") {
         const Model model = verification("alejano-alonso");
         for (const double ratio : {0.03, 0.1, 0.3, 1.0}) {
             const double factor = factorOf(model, 0, 1e12, ratio * 1e12);

@@ -110,7 +110,7 @@ TEST_SUITE("physics") {
             }
     }
 
-    TEST_CASE("restitution: what has bounced comes to rest, and stays as deep as its weight presses it") {
+    TEST_CASE("restitution: a bouncing block reaches equilibrium, as deep as its weight presses it") {
         for (const double e : {0.0, 0.3, 0.6}) {
             CAPTURE(e);
             Model model = nothing(e, 1e8);

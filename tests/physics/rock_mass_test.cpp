@@ -65,7 +65,7 @@ TEST_CASE("cut rock: a block of two convex parts overturns as one body") {
     checkAngle("bracket", 12.54, 0.02);
 }
 
-TEST_CASE("cut rock: Goodman and Bray's slope stands and topples as they say, near their friction angle") {
+TEST_CASE("cut rock: Goodman and Bray's slope topples near their friction angle") {
     const auto result = safetyFactor(verification("goodman-bray"), {});
     REQUIRE(result.ok());
     REQUIRE((result->status == SearchStatus::found));

@@ -16,7 +16,7 @@ using namespace talus;
 using namespace talus::test;
 
 TEST_SUITE("physics") {
-    TEST_CASE("what fails and has too little mass to be the answer is let go, whatever is searched for") {
+    TEST_CASE("a failure of too little mass to be the answer is removed, in every search") {
         using Find = Result<SearchResult> (*)(const Model&, const Control&, const SearchRules&);
         struct Kind {
             Find find;
@@ -102,7 +102,7 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("a small block that a bolt ties is not let go: the bolt would hold on to where it was") {
+    TEST_CASE("a small block that a bolt ties is not removed: the bolt would stay tied to its place") {
         for (const bool is_tied : {false, true}) {
             CAPTURE(is_tied);
             Model model = floorModel(35);
@@ -172,7 +172,7 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("water presses on what is left as it did when a small block is let go") {
+    TEST_CASE("water presses on the other blocks as before when a small block is removed") {
         const std::string pebble =
             "[joint.slick]\nnormal_stiffness = 1e10\nshear_stiffness = 1e10\nfriction_deg = 2\n"
             "[[block]]\nname = \"shelf\"\nfixed = true\nbox = { min = [-9, 0, -1], max = [-7, 1, 0] }\n"

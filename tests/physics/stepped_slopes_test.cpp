@@ -88,7 +88,7 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("stepped slopes that rise to the back stand as long as their tallest column by itself") {
+    TEST_CASE("stepped slopes that rise to the back are stable up to the limit of their tallest column") {
         const std::vector<std::vector<int>> shapes{
             {1, 2, 3, 4}, {2, 3, 4, 5, 6}, {1, 6}, {3, 6, 6}, {2, 2, 5}};
         for (const std::vector<int>& heights : shapes)

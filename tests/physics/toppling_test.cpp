@@ -76,14 +76,15 @@ TEST_SUITE("slow: physics") {
         }
     }
 
-    TEST_CASE("arches stand that were called unstable at the start, and fail by hinges when tilted") {
+    TEST_CASE("arches are stable at the start, and fail by hinges when tilted") {
         const double found = degrees(tilted(archModel(27, 10, 1.5, 35, 1e12), "1.5 m").answer);
         CHECK(found < 8.27 + 0.01);
         CHECK(found > 8.27 - 0.05);
         CHECK((criticalAngle(archModel(27, 10, 1.0, 35, 1e12))->status == SearchStatus::unstable_at_start));
     }
 
-    TEST_CASE("columns that yield before they fall have failed: they are not followed beyond the ceiling") {
+    TEST_CASE(
+        "columns that yield before they fall have failed: they are not followed beyond the upper bound") {
         for (const double dip_deg : {50.0, 55.7, 61.0}) {
             const Model model = leaningColumns(dip_deg);
             const SearchResult result =

@@ -170,7 +170,7 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("several loose blocks, one upon the other and apart, are all let go") {
+    TEST_CASE("several loose blocks, one upon the other and apart, are all removed") {
         Model model = slope();
         const std::size_t first = model.blocks.size();
         hang(model, "under", {-0.05, 0.1, 0.3});
@@ -207,7 +207,7 @@ TEST_SUITE("physics") {
         CHECK(result.moving_blocks == std::vector<std::string>{"hangs"});
     }
 
-    TEST_CASE("groups go one after the other, each at its own factor") {
+    TEST_CASE("groups fail one after the other, each at its own factor") {
         Model model = floorModel(30);
         const double friction[] = {40, 30, 35};
         for (int k = 0; k < 3; ++k) {
@@ -228,7 +228,7 @@ TEST_SUITE("physics") {
         }
     }
 
-    TEST_CASE("what stands to the end is said to fail in no way, whatever was let go before") {
+    TEST_CASE("a slope stable up to the largest load has no failure mode, whatever was removed before") {
         for (const double slick : {10.0, 15.0, 20.0})
             for (const double stop : {21.0, 24.0}) {
                 CAPTURE(slick);
@@ -280,7 +280,7 @@ TEST_SUITE("slow: physics") {
                 }
     }
 
-    TEST_CASE("arches that stand are not said to fall at the start") {
+    TEST_CASE("stable arches are not reported as failing at the start") {
         const ArchCase cases[] = {
             {11, 1.5, 9.165}, {15, 1.1, 0.799}, {21, 1.1, 0.695}, {27, 1.1, 0.704}, {27, 1.5, 8.269}};
         for (const ArchCase& one : cases) {

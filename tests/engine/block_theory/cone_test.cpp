@@ -78,7 +78,7 @@ TEST_CASE("the direction of sliding is the nearest that contacts leave to the re
     CHECK(moving < 3900);
 }
 
-TEST_CASE("a block is removable exactly where a direction of the sphere has no neighbour in the way") {
+TEST_CASE("a block is removable exactly where some direction of the sphere has no obstructing neighbour") {
     std::mt19937 random(2);
     const std::vector<Vec3> directions = sphere(20000);
     int removable = 0, locked = 0;

@@ -44,7 +44,7 @@ TEST_SUITE("checks") {
         CHECK_FALSE(areSplinters(state, {1}));
     }
 
-    TEST_CASE("a block goes with what joined or wetted it alone") {
+    TEST_CASE("a block is removed with the joints and waters that belong to it alone") {
         Model model = row();
         model.joints.push_back(joint(20));
         model.pair_joints = {{0, 1, 1}, {0, 2, 1}};

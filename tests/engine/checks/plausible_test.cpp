@@ -37,7 +37,7 @@ bool isTooStrong(const AppliedLoad& load) {
 }  // namespace
 
 TEST_SUITE("checks") {
-    TEST_CASE("loads that press a block into its joint by more than a tenth of its size are told") {
+    TEST_CASE("loads that press a block into its joint by more than a tenth of its size are reported") {
         const double most_force = 0.1 * 0.2 * kStiffness * 0.04, most_pressure = 0.1 * 0.2 * kStiffness;
         CHECK_FALSE(isTooStrong(force(0.9 * most_force)));
         CHECK(isTooStrong(force(1.1 * most_force)));

@@ -46,7 +46,7 @@ void checkTold(const Model& model, const std::string& key, const std::string& wh
 }  // namespace
 
 TEST_SUITE("checks") {
-    TEST_CASE("water that stands below all free blocks is told by the key it was given with") {
+    TEST_CASE("water below all free blocks is reported by its scenario key") {
         Model model = bench();
         const auto with = [&](auto change) {
             Water water = behind(model);

@@ -71,7 +71,7 @@ TEST_SUITE("contacts") {
         CHECK((angularMomentum(state) - l).norm() < 1e-12 * l.norm());
     }
 
-    TEST_CASE("one whose blocks stand still stays as it is") {
+    TEST_CASE("a contact of blocks without velocity stays as it is") {
         State state = lateState();
         const double late = state.interfaces.referenceGap(0, 0);
         recoverGaps(state);
@@ -87,7 +87,7 @@ TEST_SUITE("contacts") {
         CHECK(relativePose(state, 0).gap.x() == doctest::Approx(0).scale(1e-9));
     }
 
-    TEST_CASE("what overlapped at the start within the closed gap goes on to count as closed") {
+    TEST_CASE("an overlap at the start within the closed gap still counts as closed") {
         Model model = floorModel(30, 1e8);
         addBox(model, "a", {0, 0, -0.9e-4}, {1, 1, 1});
         State state = *buildState(model, false);

@@ -236,7 +236,8 @@ TEST_SUITE("contacts") {
         CHECK_FALSE(isOnFaces());
     }
 
-    TEST_CASE("a search around the blocks that have gone far leaves others as they are, and misses nothing") {
+    TEST_CASE(
+        "a search around the blocks that have moved far leaves others as they are, and misses nothing") {
         // Columns on a steep floor: the front ones slide off and topple, the ones behind them follow.
         Model model = stackModel(4, 3, 2, 20, {0.2, 0.1, 0.1}, 1e8);
         model.gravity.tilt = radians(35);

@@ -81,7 +81,7 @@ TEST_SUITE("equilibrium") {
         }
     }
 
-    TEST_CASE("back at a place of the path it goes on as before, to the bit") {
+    TEST_CASE("after a return to an earlier state the path is the same, to the bit") {
         LoadedPath loaded(stackModel(2, 3, 1, 30, {0.2, 0.1, 0.1}, 1e10));
         EquilibriumPath& path = loaded.path;
         const auto goOn = [&] {

@@ -73,7 +73,7 @@ TEST_SUITE("equilibrium") {
             }
     }
 
-    TEST_CASE("newton: a tangent step lies on the arc, and a secant step goes on in its direction") {
+    TEST_CASE("newton: a tangent step lies on the arc, and a secant step continues in its direction") {
         AtRest at(slab(30));
         const Arc arc{.unknown = Unknown::load, .displacement = 1e-6, .load = 1e-2};
         const PathStep tangent = tangentStep(at.equations, arc, {});
@@ -115,7 +115,7 @@ TEST_SUITE("equilibrium") {
         }
     }
 
-    TEST_CASE("newton: rest below the friction angle takes as much shear as the slope asks for") {
+    TEST_CASE("newton: equilibrium below the friction angle has the shear of the slope") {
         AtRest at(slab(20));
         at.equations.setLoad(radians(15));
         const Arc arc{.unknown = Unknown::none, .displacement = kInfinity};

@@ -70,7 +70,7 @@ Eigen::Matrix3d differences(const Case& c) {
 }  // namespace
 
 TEST_SUITE("equilibrium") {
-    TEST_CASE("the response is the contact law's, nothing let down") {
+    TEST_CASE("the response is the contact law's, without release") {
         std::mt19937 random(5);
         int slips = 0, open = 0, softened = 0;
         for (int k = 0; k < 20000; ++k) {

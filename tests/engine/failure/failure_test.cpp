@@ -94,7 +94,9 @@ TEST_SUITE("failure") {
         CHECK((failure.motions[1].mode == FailureMode::toppling));
     }
 
-    TEST_CASE("failure: blocks that come no farther than joints give, or by a share of the farthest, stand") {
+    TEST_CASE(
+        "failure: blocks displaced by less than joints give, or by a small share of the largest, do not "
+        "move") {
         const State from = boxAndColumn();
         State to = from;
         shift(to, kBox, {-1e-3, 0, 0});

@@ -96,7 +96,7 @@ TEST_SUITE("forces") {
         CHECK(bolt::dowelForce(law, Vec3::UnitX(), {0, 0.001, 0}, memory).force == Vec3::Zero());
     }
 
-    TEST_CASE("dowel action: elastic across the bolt to its strength, then along the way it goes") {
+    TEST_CASE("dowel action: elastic across the bolt to its strength, then plastic along its displacement") {
         const BoltLaw law = lawOf(80, kNever);
         BoltMemory memory;
         CHECK((bolt::dowelForce(law, Vec3::UnitX(), {0, 0.001, 0}, memory).force - Vec3(0, -20, 0)).norm() <

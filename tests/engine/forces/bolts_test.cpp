@@ -70,7 +70,7 @@ void move(State& state, std::size_t block, const Vec3& by, const Eigen::Quaterni
 }  // namespace
 
 TEST_SUITE("forces") {
-    TEST_CASE("an anchored bolt ties the blocks of its head and its end; a grouted one all it goes through") {
+    TEST_CASE("an anchored bolt ties the blocks of its head and its end; a grouted one all that it crosses") {
         const State anchored = *buildState(bolted(anchorOf({0.5, 0.5, 2}, {0.5, 0.5, -0.5})), false);
         REQUIRE(anchored.bolts.size() == 1);
         CHECK(anchored.bolts.segments[0].block_a == 2);

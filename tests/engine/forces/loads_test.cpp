@@ -120,7 +120,7 @@ TEST_SUITE("forces") {
         checkWrench(sum, force, Vec3(0, 0.075, 0.125).cross(force));
     }
 
-    TEST_CASE("faces look a way within 60 degrees; only those of free blocks count") {
+    TEST_CASE("faces count within 60 degrees of a direction; only those of free blocks") {
         for (const auto& [dip, found] : {std::pair{59.9, true}, {60.1, false}}) {
             Model model = floorModel(30);
             addTurnedCube(model, "cube", turnAbout(Vec3::UnitY(), dip), 0, 0, 0.0, 1.0);

@@ -200,7 +200,7 @@ TEST_SUITE("forces") {
         CHECK(on(state, 1).force.z() == doctest::Approx(-9810 * 4));
     }
 
-    TEST_CASE("another water is felt instead of the surface where it stands") {
+    TEST_CASE("another water acts in place of the water table where it stands") {
         Model model = floorModel(30);
         addBox(model, "box", {0, 0, 0}, {2, 1, 3});
         model.phreatic = PhreaticSurface{.line = {{-9, 2}, {9, 2}}, .field = "water[0]"};

@@ -52,7 +52,7 @@ TEST_SUITE("geometry") {
         CHECK((found.axis - Vec3::UnitZ()).norm() < 1e-12);
     }
 
-    TEST_CASE("two crossed edges are told apart by their common normal only") {
+    TEST_CASE("only their common normal separates two crossed edges") {
         // Two boxes standing on edge, one above the other, their edges at right angles: no face normal
         // separates them.
         const double half = std::sqrt(0.5);

@@ -45,7 +45,7 @@ void checkSame(const State& a, const State& b) {
 }  // namespace
 
 TEST_SUITE("history") {
-    TEST_CASE("what stands, stands: a box a degree below its friction angle, undamped") {
+    TEST_CASE("a box a degree below its friction angle does not move, undamped") {
         const RunResult result = runFor(boxAt(29), 1.0, "box");
         CHECK((result.start == InitialState::equilibrium));
         // Elastic settlement and slide under its weight, and nothing else.
@@ -55,7 +55,7 @@ TEST_SUITE("history") {
         CHECK(std::abs(result.watch[0].displacement.y()) < 1e-12);
     }
 
-    TEST_CASE("a watered stack with a factor of safety of 1.06 stands, too") {
+    TEST_CASE("a watered stack with a factor of safety of 1.06 does not move") {
         Model model = stackModel(4, 5, 1, 19.5);
         model.waters = {fissureAt(model, 0.4, 0.35)};
         model.gravity.tilt = radians(12.7);
@@ -84,7 +84,7 @@ TEST_SUITE("history") {
         CHECK(-undamped.watch[0].displacement.x() == doctest::Approx(0.5 * a * 0.25).epsilon(1e-4));
     }
 
-    TEST_CASE("unstressed: when asked for, and when a block touches nothing") {
+    TEST_CASE("unstressed start: on request, and when a block touches nothing") {
         Model asked = boxAt(0);
         asked.run.start = RunSettings::Start::unstressed;
         CHECK((runFor(asked, 0.001, "box").start == InitialState::unstressed));

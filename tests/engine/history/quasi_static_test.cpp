@@ -47,7 +47,7 @@ Settling broughtOn(State& state, double tilt_deg, std::int64_t most_steps) {
 }  // namespace
 
 TEST_SUITE("history") {
-    TEST_CASE("stacks under a tilt that is brought on slowly stand or fail as they should") {
+    TEST_CASE("stacks under a slowly applied tilt are stable or fail by limit equilibrium") {
         for (const Case& of : kCases) {
             CAPTURE(of.name);
             State state = *buildState(modelOf(of), false);

@@ -46,7 +46,7 @@ TEST_CASE("Simulation: the bits of run() at every frame, on one thread and on tw
         }
 }
 
-TEST_CASE("Simulation: goes on behind the duration of a run") {
+TEST_CASE("Simulation: continues beyond the duration of a run") {
     const auto model = fallingCube();
     auto simulation = Simulation::begin(model);
     REQUIRE(simulation.ok());
@@ -70,7 +70,7 @@ TEST_CASE("Simulation: the view of its blocks shows the latest step") {
     CHECK(view.quaternion[4] * view.quaternion[4] <= 1);
 }
 
-TEST_CASE("Simulation: stops when told, and goes on") {
+TEST_CASE("Simulation: can be interrupted and continued") {
     auto simulation = Simulation::begin(fallingCube());
     REQUIRE(simulation.ok());
     std::atomic<bool> stop = true;

@@ -130,7 +130,7 @@ TEST_SUITE("law") {
         CHECK(contactLaw(joint, kArea, -1e-5, 2e-4, 0, 1, memory).shear_1 == doctest::Approx(-250));
     }
 
-    TEST_CASE("a break is let down in as many calls as `release` says") {
+    TEST_CASE("a break is released in as many calls as `release` says") {
         PointMemory memory;
         double last = contactLaw(cohesive(), kArea, -1e-5, 1.2e-4, 0, 0.1, memory).shear_1;
         CHECK(last == doctest::Approx(-1000));  // 0.9 of the cohesion is left, and 100 N of friction
@@ -219,7 +219,7 @@ TEST_SUITE("law") {
         }
     }
 
-    TEST_CASE("a joint that softens makes no energy on any way, and a second call changes nothing") {
+    TEST_CASE("a softening joint makes no energy on any path, and a second call changes nothing") {
         std::mt19937 random(3);
         std::normal_distribution<double> gauss(0, 1);
         for (int history = 0; history < 200; ++history) {

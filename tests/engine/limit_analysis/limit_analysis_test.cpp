@@ -226,7 +226,7 @@ TEST_SUITE("limit analysis") {
             checkLimit(stackModel(1, rows, 1, 35), Varied::tilt, std::atan(0.2 / (0.1 * rows)));
     }
 
-    TEST_CASE("columns that lean on each other stand more than one of them: a ceiling, not the answer") {
+    TEST_CASE("columns that lean on each other: an upper bound, not the answer") {
         const LimitResult result = limitOf(stackModel(3, 20, 1, 35), Varied::tilt);
         CHECK((result.status == SearchStatus::found));
         CHECK(result.lower > 1.2 * std::atan(0.2 / 2.0));
@@ -373,7 +373,7 @@ TEST_SUITE("limit analysis") {
         CHECK(result->mechanism.size() == 1);
     }
 
-    TEST_CASE("a ceiling: the upper end, or why there is none") {
+    TEST_CASE("the upper bound: the upper end, or why there is none") {
         const Model model = blockOnPlane(27, {1, 1, 0.5}, 20);
         const auto factor = limitCeiling(model, Varied::factor, false);
         REQUIRE(factor.ok());
@@ -397,14 +397,14 @@ TEST_SUITE("limit analysis") {
         CHECK(level->reason.find("stable up to the largest load tried") != std::string::npos);
     }
 
-    TEST_CASE("it ends when it is asked to") {
+    TEST_CASE("limit analysis can be interrupted") {
         const std::atomic<bool> stop{true};
         const auto result = limitAnalysis(stackModel(3, 10, 1, 30), Varied::tilt, {.stop = &stop});
         REQUIRE(result.ok());
         CHECK((result->status == SearchStatus::interrupted));
     }
 
-    TEST_CASE("ended on its way it keeps the bounds it has") {
+    TEST_CASE("an interrupted limit analysis keeps its bounds so far") {
         for (const Varied load : {Varied::tilt, Varied::factor, Varied::horizontal}) {
             const Model model = stackModel(3, 10, 1, 30);
             const auto whole = limitAnalysis(model, load);

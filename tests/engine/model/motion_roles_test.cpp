@@ -29,7 +29,7 @@ TEST_SUITE("model") {
         CHECK((motionRoles({block}, 1e-5)[0] == FailureMode::sliding));
     }
 
-    TEST_CASE("motion roles: what moves less than the assembly does at rest stands") {
+    TEST_CASE("motion roles: displacements below the elastic deflection are no motion") {
         CHECK((motionRoles({aboutItsEdge(1e-4)}, 1e-3)[0] == FailureMode::none));
     }
 }

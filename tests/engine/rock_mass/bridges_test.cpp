@@ -122,7 +122,7 @@ TEST_CASE("property: what lies within discs is what they have of the region, how
     });
 }
 
-TEST_CASE("joint choice: a joint of two faces holds for these alone, whichever side is asked first") {
+TEST_CASE("joint choice: a joint of two faces holds for these alone, in either order") {
     Model model;
     for (const double friction : {0.3, 0.5, 0.7}) {
         Joint joint;

@@ -382,7 +382,7 @@ TEST_CASE("cutting: a joint across the arms of a U leaves two arms and a base") 
     CHECK(cut.blocks.size() == 2);
 }
 
-TEST_CASE("cutting: faults of the joints are told by their field") {
+TEST_CASE("cutting: faults of the joints name their field") {
     RockMass rock = box({1, 1, 1});
     rock.sets = {jointSet(0, 0, 0)};
     auto fault = cutRockMass(rock);

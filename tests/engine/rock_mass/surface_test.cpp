@@ -71,7 +71,7 @@ TEST_CASE("surfaces: closed ones are good, and have their volume") {
     CHECK(checkSurface(terrain(4, 0.5, 1)).empty());
 }
 
-TEST_CASE("surfaces: open, non-manifold, turned and inverted ones are told apart") {
+TEST_CASE("surfaces: open, non-manifold, turned and inverted ones are distinguished") {
     TriangleSurface open = cube();
     open.triangles.erase(open.triangles.begin() + 3);
     checkFault(open, "triangles[", "open surface");
@@ -138,7 +138,7 @@ TEST_CASE("profiles: either sense of rotation, corners on straight sides, deep n
     }
 }
 
-TEST_CASE("profiles: faults are told with their point") {
+TEST_CASE("profiles: faults name their point") {
     const auto fault = [](const std::vector<Eigen::Vector2d>& profile) {
         const auto surface = extrudeProfile(profile, 0, 1);
         REQUIRE_FALSE(surface.ok());

@@ -176,7 +176,7 @@ TEST_SUITE("search") {
         }
     }
 
-    TEST_CASE("where the caller takes out what has failed, the path goes on with the rest") {
+    TEST_CASE("where the caller removes failed blocks, the path continues with the others") {
         LoadedPath loaded(boxes({25, 20, 30}));
         std::vector<double> failed;
         Follow follow = upTo(radians(60));
@@ -197,7 +197,7 @@ TEST_SUITE("search") {
         CHECK(degrees(followed.bracket.stands) == doctest::Approx(30).epsilon(1e-3));
     }
 
-    TEST_CASE("a path that is stopped says so, and what it knows") {
+    TEST_CASE("an interrupted path says so, with its results so far") {
         const Model model = boxes({20});
         std::atomic<bool> stop{false};
         const LoadAxis weight = weightAxis(1e-4), tilt = tiltAxis(model, {});

@@ -49,7 +49,7 @@ Momenta momentaOf(const State& state) {
 }  // namespace
 
 TEST_SUITE("engine/step") {
-    TEST_CASE("an impulse takes the energy it is asked for, and leaves both momenta") {
+    TEST_CASE("an impulse takes the given energy, and conserves both momenta") {
         State state = pressedBoxes();
         const Momenta before = momentaOf(state);
         const double kinetic = kineticEnergy(state);

@@ -215,7 +215,7 @@ TEST_CASE("single bodies with water behind them") {
     }
 }
 
-TEST_CASE("a single box: water in front holds it, uplift under it lets it go") {
+TEST_CASE("a single box: water in front holds it, uplift under it releases it") {
     Model held = singleModel(1, 0.5, 20), lifted = held;
     addFaceWater(held, -Vec3::UnitX(), 0.2);
     const double weight = 26000 * 0.5 * 0.5, thrust = 9810 * 0.5 * 0.02;

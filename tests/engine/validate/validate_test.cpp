@@ -89,7 +89,7 @@ void checkFound(const State& sound, const std::vector<Damage>& damages,
 
 }  // namespace
 
-TEST_CASE("validate: sound states of every rule of contact points pass, at the start and under way") {
+TEST_CASE("validate: sound states of every rule of contact points pass, at the start and in motion") {
     for (const PointRule::Kind kind :
          {PointRule::Kind::vertex, PointRule::Kind::distributed, PointRule::Kind::corner,
           PointRule::Kind::quarter, PointRule::Kind::grid}) {

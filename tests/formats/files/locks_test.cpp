@@ -51,7 +51,7 @@ TEST_CASE("a file that got nothing is taken away, one that was replaced meanwhil
     CHECK(folder.files() == 1);
 }
 
-TEST_CASE("a file that is shorter or longer than what was written is told at its end") {
+TEST_CASE("a file that is shorter or longer than the written bytes is reported at its end") {
     const TemporaryFolder folder;
     const std::string path = folder / "new";
     const auto file = OutputFile::open(path);
@@ -124,7 +124,7 @@ TEST_CASE("an input is known under every name that leads to it") {
     CHECK_FALSE(isInput(folder / "absent"));
 }
 
-TEST_CASE("what takes the place on the disk of an input that is gone is none") {
+TEST_CASE("a file with the inode of a removed input is no input") {
     const TemporaryFolder folder;
     int generation = 0;
     const int probe = ::open(folder.write("probe", "x").c_str(), O_RDONLY);

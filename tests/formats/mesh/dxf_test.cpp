@@ -119,7 +119,7 @@ TEST_CASE("DXF: a terrain makes the blocks that OBJ makes, by its ending or by t
     }
 }
 
-TEST_CASE("DXF: what is left out is told, and the header's unit where it is another") {
+TEST_CASE("DXF: entities left out are reported, and the header's unit where it differs") {
     const std::string line = dxfPair(0, "LINE") + dxfPair(8, "0") + dxfPair(10, "not read");
     const std::string traces = dxfPair(0, "POLYLINE") + dxfPair(70, "8") + dxfPair(0, "VERTEX") +
                                dxfPlace(10, Vec3::Ones()) + dxfPair(0, "SEQEND");

@@ -108,7 +108,7 @@ TEST_CASE("poles: two notations in one table have to agree") {
                "found a plane by strike_deg, dip_deg that differs from the one by dip_deg");
 }
 
-TEST_CASE("poles: faults are told where they are, all of them") {
+TEST_CASE("poles: all faults are reported with their places") {
     CHECK(format(parsePoles("", "p.csv").errors()[0])
               .starts_with("p.csv: error: found no header, allowed: dip_deg"));
     checkFault("dip,dd\n", "1", "found no rows");

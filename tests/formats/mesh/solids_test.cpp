@@ -53,7 +53,7 @@ bool mentions(const std::vector<std::string>& warnings, const std::string& words
 
 }  // namespace
 
-TEST_CASE("solids: told apart by name where they touch, in every format") {
+TEST_CASE("solids: distinguished by name where they touch, in every format") {
     // Two boxes with a common face and its corners.
     const std::string obj = "o left\n" + objText(boxAt(0)) + "g right\n" + objText(boxAt(1), 8);
     const std::string stl = stlText(boxAt(0), "left") + stlText(boxAt(1), "right");

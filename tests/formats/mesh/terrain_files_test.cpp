@@ -137,7 +137,7 @@ TEST_CASE("terrain files: every ground makes the same blocks in all formats, and
     }
 }
 
-TEST_CASE("terrain files: what was repaired, turned and simplified is told, and which blocks are dust") {
+TEST_CASE("terrain files: repairs, turned and simplified surfaces are reported, and very small blocks") {
     const TemporaryFolder folder;
     const std::vector<double> z = heights(Ground::rough, kN);
     TriangleSurface s = terrainOf(z, kN);

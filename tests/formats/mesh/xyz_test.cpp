@@ -95,7 +95,7 @@ TEST_CASE("points: a median of an even number of heights is the mean of the midd
     CHECK(heightAt(readGoodPoints(text, cellsOf(1, true)).surface, 0.5, 0.5) == 4);
 }
 
-TEST_CASE("points: cells without points are told; holes are refused, or closed on request") {
+TEST_CASE("points: cells without points are reported; holes are refused, or closed on request") {
     const std::string text = pointsWhere(6, [](int i, int j) { return i != 2 || j != 3; });
     CHECK(has(fault(text, cellsOf(1)), "found a hole with 8 edges about (2.5, 3.5, 0)"));
     MeshOptions options = cellsOf(1);
@@ -110,7 +110,7 @@ TEST_CASE("points: cells without points are told; holes are refused, or closed o
     CHECK(surfaceVolume(readGoodPoints(rim, cellsOf(1)).surface) == doctest::Approx(24).epsilon(1e-12));
 }
 
-TEST_CASE("points: what touches the largest piece at a corner, or lies apart, is left out and told") {
+TEST_CASE("points: pieces that touch the largest one at a corner, or lie apart, are left out and reported") {
     // 4 x 4 cells, 3 x 3 at its corner, which share one cell; and two cells far off.
     const std::string text = pointsWhere(20, [](int i, int j) {
         return (i < 4 && j < 4) || (i >= 3 && i < 6 && j >= 3 && j < 6) || (i == 15 && j < 2);

@@ -118,7 +118,7 @@ TEST_CASE("blocks by hand: a mesh file is the body it encloses, whatever its for
     }
 }
 
-TEST_CASE("blocks by hand: faults of parts and meshes are told where they are") {
+TEST_CASE("blocks by hand: faults of parts and meshes are reported with their places") {
     checkFault(bodyFault("parts = []\n", 9, ".parts", "found 0 parts, allowed: 1 to 1000"));
     checkFault(bodyFault("parts = [{ box = { min = [0, 0, 0], max = [1, 1, 0] } }]\n", 9, ".parts[0].box.max",
                          "found 0 along z"));

@@ -132,7 +132,7 @@ TEST_SUITE("scenario changes") {
         });
     }
 
-    TEST_CASE("faults name who asked and the field, not a line of the file") {
+    TEST_CASE("faults name the option and the field, not a line of the file") {
         CHECK(fault("joint.default.friction_deg", "100")
                   .starts_with("--set: error: joint.default.friction_deg: found"));
         CHECK(fault("joint.default.friction_deg", "steep")

@@ -24,7 +24,7 @@ const std::string kF1 =
 
 }  // namespace
 
-TEST_CASE("fracture sets: drawn to their P32, told as joints of the rock mass, cut with their strength") {
+TEST_CASE("fracture sets: drawn to their P32, listed as joints of the rock mass, cut with their strength") {
     const Scenario scenario = readGood(rock(kF1, joint("F1", "friction_deg = 20")));
     const auto joints = rockJoints(scenario);
     REQUIRE(joints.ok());
@@ -68,7 +68,7 @@ TEST_CASE("fracture sets: written to CSV and read again they are the same discs 
     CHECK((*readFractures(plain))[0].centre == Vec3(4, 4, 4));
 }
 
-TEST_CASE("fracture sets: faults are told where they are") {
+TEST_CASE("fracture sets: faults are reported with their places") {
     const test::TemporaryFolder folder;
     const auto fault = [](const std::string& keys, int line, const std::string& field,
                           const std::string& fragment) {

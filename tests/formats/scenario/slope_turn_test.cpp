@@ -74,7 +74,7 @@ TEST_CASE("slope azimuth: 270, or 90 where the +x end is the lower one, changes 
     }
 }
 
-TEST_CASE("slope azimuth: the factor of safety is the same whichever way the slope looks") {
+TEST_CASE("slope azimuth: the factor of safety is the same for any azimuth of the slope") {
     const auto factor = [](const Scenario& scenario) {
         const auto result = safetyFactor(scenario.model);
         REQUIRE(result.ok());

@@ -96,7 +96,7 @@ TEST_SUITE("scenario") {
                "bolt_pattern[0].box: found no free face");
     }
 
-    TEST_CASE("a pattern becomes bolts on the free face that looks its way") {
+    TEST_CASE("a pattern becomes bolts on the free face in its direction") {
         const auto scenario =
             parseScenario(kBlocks + pattern("box = { min = [-1, 0, 4], max = [1, 4, 8] }\n"), "slope.toml");
         REQUIRE(scenario.ok());

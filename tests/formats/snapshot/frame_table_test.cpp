@@ -218,7 +218,7 @@ TEST_CASE("the codec puts each array under its own name, and back") {
     }
 }
 
-TEST_CASE("the replay page asks for fields that are there") {
+TEST_CASE("the replay page reads existing fields only") {
     const std::string source =
         test::contentOf(std::string(TALUS_SOURCE_DIR) + "/tools/replay/src/data/messages.js");
     static const std::map<std::string, std::string> kMessages{{"header", "Header"},

@@ -30,7 +30,7 @@ const Sample& sample() {
 
 }  // namespace
 
-TEST_CASE("every message survives the way into a file and back, to the bit") {
+TEST_CASE("every message survives writing and reading, to the bit") {
     const TemporaryFolder folder;
     const Sample& s = sample();
     REQUIRE(s.run.result.ok());
@@ -98,7 +98,7 @@ TEST_CASE("an unfinished file gives its frames and says that it has no end") {
     CHECK(reader->faults()[1].find("frames up to t =") != std::string::npos);
 }
 
-TEST_CASE("what stands at a path is told apart") {
+TEST_CASE("kinds of files at a path are distinguished") {
     const TemporaryFolder folder;
     CHECK(inspectSnapshot(folder / "none.mcap") == SnapshotFile::absent);
     CHECK(inspectSnapshot(folder.write("empty.mcap", "")) == SnapshotFile::empty);

@@ -75,7 +75,7 @@ TEST_CASE("what fails before the search has blocks to show and no curve") {
     CHECK(isSvg(folder / "b.svg"));
 }
 
-TEST_CASE("limit equilibrium stands in the JSON where theory knows the model") {
+TEST_CASE("limit equilibrium is in the JSON where a formula applies") {
     const TemporaryFolder folder;
     const std::string scenario = folder.write("slides.toml", blockScenario(0, 20, kQuickSearch));
     const auto json = runTalus({"critical-angle", scenario, "--json", "--quiet"}).json();

@@ -71,7 +71,7 @@ bool says(const std::string& svg, const std::string& words) { return svg.find(wo
 
 }  // namespace
 
-TEST_CASE("what fails has another colour than what stands and what is fixed, and is moved by half its size") {
+TEST_CASE("failing blocks have their own colour, and are moved by half their size") {
     const std::string svg = picture(lowSlides(), scenario());
     const std::set<std::string> colours{colourOf(svg, "low"), colourOf(svg, "high"), colourOf(svg, "floor")};
     CHECK(colours.size() == 3);

@@ -25,7 +25,7 @@ TEST_CASE("whole boxes of a stack become ranges") {
     CHECK(compactNames({}) == "");
 }
 
-TEST_CASE("what is not a box is told in pieces, and names of other kinds as they are") {
+TEST_CASE("names that form no box are listed in pieces, and other names as they are") {
     CHECK(compactNames({"c1r1s1", "c1r2s1", "c1r4s1", "c3r1s1"}) == "c1 r1-2 s1, c1 r4 s1, c3 r1 s1");
     CHECK(compactNames({"c1r1s1", "c1r1s2", "c1r2s1"}) == "c1 r1 s1-2, c1 r2 s1");
     CHECK(compactNames({"c1r1s1", "key", "c1rs2"}) == "c1 r1 s1, key, c1rs2");

@@ -39,7 +39,7 @@ TEST_SUITE("progress") {
         CHECK(worstFactor([](double t) { return t < 50 ? t * 2 / 150 : (t + 50) / 150; }) < 2.001);
     }
 
-    TEST_CASE("nothing is told at first, and nothing while the fraction stands still") {
+    TEST_CASE("no time is shown at first, or while the fraction is constant") {
         TimeLeft left;
         CHECK_FALSE(left.after(0, 0.0));
         CHECK_FALSE(left.after(0.5, 0.3));
@@ -71,7 +71,7 @@ TEST_SUITE("progress") {
         CHECK(progressLine(probe, 3, kUnknown, 43) == "83% probe 12  0:03 elapsed  tilt 12.4860");
     }
 
-    TEST_CASE("text is wrapped at words, examples go on further in") {
+    TEST_CASE("text is wrapped at words, and examples are indented") {
         test::checkProperty("width of wrapped text", 100, [] {
             const auto width = static_cast<std::size_t>(*rc::gen::inRange(20, 100));
             std::istringstream lines(

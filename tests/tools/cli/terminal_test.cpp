@@ -11,7 +11,7 @@ using namespace talus;
 using namespace talus::tools;
 using namespace talus::tools::testing;
 
-TEST_CASE("long lines are broken at spaces and go on behind their label; short ones stay as they are") {
+TEST_CASE("long lines are broken at spaces and continue behind their label; short ones stay as they are") {
     CHECK(fitted("moving blocks     1: key\nanother\n", 50) == "moving blocks     1: key\nanother\n");
     CHECK(fitted("range             none: weight brought on at that load fails in the same place\n", 50) ==
           "range             none: weight brought on at that\n"
@@ -36,7 +36,7 @@ TEST_CASE("a terminal gets results that fit it, a pipe gets lines") {
     CHECK(runTalus(arguments).out.find("\ntheory            tan phi / tan alpha") == std::string::npos);
 }
 
-TEST_CASE("a terminal is told that blocks are cut and their contacts searched for") {
+TEST_CASE("a terminal shows that blocks are cut and contacts searched for") {
     const TemporaryFolder folder;
     const std::string path = folder.write(
         "cut.toml",

@@ -46,7 +46,7 @@ TEST_CASE("a grid of friction angles slides at each of them") {
     CHECK(contentOf(batch.out() + "/report.html").find("</html>") != std::string::npos);
 }
 
-TEST_CASE("a sample in which no block is free stands, and says so") {
+TEST_CASE("a sample without free blocks counts as stable, and says so") {
     const BatchFolder batch(
         "[[grid]]\nfield = \"single_joint[0].point[2]\"\nvalues = [1.0, 200.0]\n", "safety-factor",
         "[material.rock]\ndensity = 2650.0\n[joint.default]\nnormal_stiffness = 1e10\nshear_stiffness = 1e9\n"
@@ -154,7 +154,7 @@ TEST_CASE("safety factors, histories, and their probabilities") {
     CHECK(std::stod(cellOf(results, 0, "key.displacement_m")) == doctest::Approx(exact).epsilon(0.1));
 }
 
-TEST_CASE("the same command does nothing twice, and goes on with more samples") {
+TEST_CASE("the same command repeats nothing, and continues with more samples") {
     const BatchFolder batch(draws(4));
     REQUIRE(batch.run().json()["computed"] == 4);
     const std::string before = contentOf(batch.out() + "/results.csv");
@@ -193,7 +193,7 @@ TEST_CASE("rows with other columns, of another version, are not touched") {
     CHECK(contentOf(results) == before);
 }
 
-TEST_CASE("a run that fails is a row with its reason, the batch goes on, and --retry computes it again") {
+TEST_CASE("a failed run is a row with its reason, the batch continues, and --retry computes it again") {
     // Normal deviates below zero are no friction angles.
     const BatchFolder batch(
         "samples = 12\nseed = 2\n[[random]]\nfield = \"joint.default.friction_deg\"\ndistribution = "

@@ -12,7 +12,7 @@
 using namespace talus::tools;
 using namespace talus::tools::testing;
 
-TEST_CASE("an interrupted search says so once, with what it knows, and nothing beside an answer it has not") {
+TEST_CASE("an interrupted search says so once, with its results so far, and claims no answer") {
     const std::string slope = std::string(TALUS_SOURCE_DIR) + "/bench/verification/rock-slope-842.toml";
     for (const double begun : {0.3, 1.0, 2.5}) {
         CAPTURE(begun);
@@ -31,7 +31,7 @@ TEST_CASE("an interrupted search says so once, with what it knows, and nothing b
     }
 }
 
-TEST_CASE("an interrupted limit analysis says so, and the bounds it has") {
+TEST_CASE("an interrupted limit analysis says so, with its bounds so far") {
     const std::string spur = std::string(TALUS_SOURCE_DIR) + "/bench/examples/spur.toml";
     Program program({"limit-analysis", spur, "--for", "factor", "--threads", "1", "--quiet"});
     REQUIRE(waitFor([&] { return program.hasBegun(kSlower * 1.0); }));

@@ -223,7 +223,7 @@ TEST_CASE("kinematics: pictures at the ends of all ranges have places for everyt
     CHECK(result.at("sets")[0].at("cone_95_deg").is_null());
 }
 
-TEST_CASE("kinematics: bad input is told, with its place") {
+TEST_CASE("kinematics: bad input is reported with its place") {
     const TemporaryFolder folder;
     const std::string file = folder.write("poles.csv", kByDip);
     const auto refused = [&](std::vector<std::string> arguments, const std::string& fragment) {

@@ -106,7 +106,7 @@ TEST_CASE("a search says how far its answer depends on the loading path, unless 
     CHECK(people.find("high: ") != std::string::npos);
 }
 
-TEST_CASE("a search has its ceiling beside the answer, unless it is left out") {
+TEST_CASE("a search has its upper bound beside the answer, unless it is left out") {
     const TemporaryFolder folder;
     const std::string path =
         folder.write("slides.toml", blockScenario(10, 20, "[analysis]\nstart_deg = 15.0\nstop_deg = 25.0\n"));

@@ -144,7 +144,8 @@ TEST_CASE(
     CHECK(strong.json().at("critical_k").is_null());
 }
 
-TEST_CASE("a splinter that rounding would move is named and left out, and the others get their answer") {
+TEST_CASE(
+    "a small sliver that rounding would move is named and left out, and the other blocks get their answer") {
     const TemporaryFolder folder;
     // Cubes beside the block: of their weight rounding is eps x k / (rho g size), with 1e11 Pa/m from 20 um
     // on too much.
@@ -348,7 +349,7 @@ TEST_CASE(
     CHECK(warns(with({"run", undrained}), "water[0] never drains: block \\\"key\\\" is displaced by"));
 }
 
-TEST_CASE("an upper bound that cuts through the answer's bracket stands below no answer") {
+TEST_CASE("no answer exceeds an upper bound inside its bracket") {
     using namespace talus;
     const auto scenario = formats::parseScenario(blockScenario(0, 12), "block.toml");
     REQUIRE(scenario);
@@ -418,7 +419,7 @@ TEST_CASE("a model in which no block can move has no answer: bad input, with the
               .exit_code == 0);
 }
 
-TEST_CASE("what is doubtful in a scenario is told beside each result, to those who read it as JSON, too") {
+TEST_CASE("doubts of a scenario are reported with each result, in JSON, too") {
     const TemporaryFolder folder;
     const std::string path = folder.write("box.toml", blockScenario(12, 0.6, "[run]\nduration_s = 0.01\n"));
     for (const std::string command :
@@ -431,7 +432,7 @@ TEST_CASE("what is doubtful in a scenario is told beside each result, to those w
     }
 }
 
-TEST_CASE("an answer that is one of a small part of the slope says so, with the way to the rest") {
+TEST_CASE("an answer for a small part of the slope says so, and how to search for the rest") {
     const TemporaryFolder folder;
     // A pebble on the steeper plane goes at tan(20)/tan(40), the block at tan(20)/tan(12).
     const auto slope = [&](const std::string& pebble) {

@@ -85,7 +85,7 @@ TEST_CASE("what cannot be meant is refused, with the slip that is likely") {
                 "run.time_step_s", "at most half of it");
 }
 
-TEST_CASE("what is allowed but hardly meant is let pass with a warning") {
+TEST_CASE("values that are allowed but probably unintended give a warning") {
     const TemporaryFolder folder;
     const auto warned = [&](const std::string& scenario, const std::string& hint) {
         const Outcome outcome = runTalus({"validate", folder.write("s.toml", scenario)});

@@ -137,7 +137,7 @@ TEST_SUITE("slow: attacks") {
         }
     }
 
-    TEST_CASE("100 kills of batches at random moments: the rows are those of a batch that was let go on") {
+    TEST_CASE("100 kills of batches at random moments: the rows are those of an undisturbed batch") {
         const BatchFolder batch(draws(80));
         const std::string whole = batch.folder / "whole";
         const auto begin = std::chrono::steady_clock::now();

@@ -181,7 +181,7 @@ TEST_CASE("a slope that stands keeps nothing and says so; nothing finished is re
     CHECK(runTalus({"critical-angle", slides, "--keep-run-time", "1"}).exit_code == 2);
 }
 
-TEST_CASE("critical-acceleration: the kept run is shaken by what the slope no longer stands") {
+TEST_CASE("critical-acceleration: the kept run is shaken by more than the slope withstands") {
     const TemporaryFolder folder;
     const std::string file = folder / "failing.mcap";
     const Outcome outcome = runTalus({"critical-acceleration", folder.write("k.toml", blockScenario(10, 20)),
@@ -204,7 +204,7 @@ TEST_CASE("critical-acceleration: the kept run is shaken by what the slope no lo
     CHECK(-end.velocity.x.back() == doctest::Approx(0.2 * a).epsilon(0.05));
 }
 
-TEST_CASE("a failing run that finds no room on its way ends with 4, not as if it was interrupted") {
+TEST_CASE("a failing run without disk space ends with 4, not as an interruption") {
     const TemporaryFolder folder;
     const std::string scenario = folder.write("slides.toml", blockScenario(0, 20, kQuickSearch));
     const std::string whole = folder / "whole.mcap";

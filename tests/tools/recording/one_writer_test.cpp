@@ -43,7 +43,7 @@ TEST_CASE("a second writer gets 4 and a sentence, and the first one's file stays
     CHECK(SnapshotReader::open(run.folder / "live.mcap")->verify().empty());
 }
 
-TEST_CASE("a file that was removed while it was being written is told") {
+TEST_CASE("removal of a file during writing is reported") {
     const LongRun run;
     std::filesystem::create_directory(run.folder / "gone");
     const std::string path = run.folder / "gone/run.mcap";
@@ -56,7 +56,7 @@ TEST_CASE("a file that was removed while it was being written is told") {
     CHECK(outcome.err.find("was removed, replaced or truncated") != std::string::npos);
 }
 
-TEST_CASE("a file that was truncated while it was being written is told at the next write") {
+TEST_CASE("truncation of a file during writing is reported at the next write") {
     const LongRun run;
     for (const std::string name : {"cut.mcap", "cut.csv"}) {
         CAPTURE(name);

@@ -27,7 +27,7 @@ std::string chosen(std::initializer_list<const char*> keys, const std::string& w
 
 }  // namespace
 
-TEST_CASE("report: the analysis is the one asked for, that of [analysis], or that of the tilt") {
+TEST_CASE("report: the analysis is the given one, that of [analysis], or that of the tilt") {
     CHECK(chosen({}) == "safety-factor");
     CHECK(chosen({"gravity.tilt_deg"}) == "critical-angle");
     CHECK(chosen({"gravity.tilt_deg", "analysis.factor_tolerance"}) == "safety-factor");

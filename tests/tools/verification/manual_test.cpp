@@ -81,7 +81,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("verification rows: faults of the table are told with their line") {
+TEST_CASE("verification rows: faults of the table name their line") {
     CHECK(faultOf("A,b,c,,d,1,1,1,closed_form,1,e,,,\n") == "");
     CHECK(faultOf("A,b,c,,d,x,1,1,closed_form,1,e,,,\n") == "rows.csv:2 reference");
     CHECK(faultOf("A,b,c,,d,1,1,,closed_form,1,e,,,\n") == "rows.csv:2 high");
