@@ -40,7 +40,7 @@ VertexEdgeLimits vertexEdgeLimits(const Geometry& geometry, std::size_t block_1,
 
 /// Area of a contact point at a vertex or a crossing of edges [m^2]: that of a contact point at the corner of
 /// a four-cornered face with the two blocks' lesser mean face area (A/24 with `vertex` points, A/4 with
-/// `corner` and `quarter`, A/N^2 with `grid N`) [m^2].
+/// `corner` and `quarter`, A/N^2 with `grid N`).
 double vertexEdgeArea(const Geometry& geometry, std::size_t block_1, std::size_t block_2);
 
 }  // namespace talus

@@ -136,10 +136,10 @@ class Drawing {
         return {volume, slab};
     }
 
-    /// A disc of radius r has its centre within r of the box: (a + 2r)(b + 2r)(c + 2r). Or its plane passes
-    /// within the radius R of the sphere, with the centre within r + R in the plane: 2 pi R (r + R)^2. Discs
-    /// drawn about the box rarely reach a region much smaller than themselves; those about the sphere rarely
-    /// reach a long region much larger than themselves.
+    /// A disc of radius r that meets the box has its centre within r of it: (a + 2r)(b + 2r)(c + 2r). One that
+    /// meets the sphere of radius R has its plane within R of the sphere's centre, and its own centre within
+    /// r + R of there in the plane: 2 pi R (r + R)^2. Discs drawn about the box rarely reach a region much
+    /// smaller than themselves; those about the sphere rarely reach a long region much larger than themselves.
     Places fewestPlaces() const {
         const Vec3 side = box_.max - box_.min;
         const double faces = side.x() * side.y() + side.y() * side.z() + side.z() * side.x();
