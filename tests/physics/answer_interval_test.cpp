@@ -54,8 +54,8 @@ bool hasLower(const SearchResult& result) {
 }  // namespace
 
 TEST_SUITE("physics") {
-    // Low columns wedge tall ones while they slide between them, and rougher ones do not slide: the tilt and
-    // the factor of safety, whose ways there differ, have to agree at the lower end.
+    // Low columns wedge tall ones while they slide between them, and rougher ones do not slide. The loading
+    // paths of tilt and factor of safety differ, but their lower ends must agree.
     TEST_CASE(
         "columns of unequal heights have a factor of one or more below the lower end of their interval") {
         std::mt19937 random(20);

@@ -1,5 +1,5 @@
 // Limit analysis of the scenarios under bench/verification beside the figures of the literature: exact where
-// blocks hinge or slide on what they stand on, a ceiling where they lean on each other.
+// blocks hinge or slide on their base, an upper bound where they lean on each other.
 
 #include <doctest/doctest.h>
 

@@ -187,7 +187,7 @@ TEST_SUITE("slow: physics") {
             }
     }
 
-    // Weight laid on at once finds the jam of such columns sooner than a tilt that grows: a few stand, for
+    // Weight applied at once finds the jam of such columns sooner than a growing tilt: a few are stable, for
     // some hundredths of a degree.
     TEST_CASE("stacks of equal columns begun beyond the tilt at which one topples are unstable") {
         int stacks = 0, stood = 0;

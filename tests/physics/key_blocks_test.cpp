@@ -1,4 +1,4 @@
-// Block theory on models: closed forms, and invariance under turns, scales and orders.
+// Block theory on models: closed forms, and invariance under rotation, scale and order.
 
 #include "talus/block_theory.h"
 

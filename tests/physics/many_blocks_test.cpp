@@ -1,5 +1,5 @@
-// Searches of more than a thousand free blocks, which let go what has too little mass to be the answer
-// without closing in on it.
+// Searches of more than a thousand free blocks, which remove failures of too little mass without refining
+// them.
 
 #include <doctest/doctest.h>
 
@@ -79,7 +79,7 @@ TEST_SUITE("slow: physics") {
                 for (const std::string& name : group.blocks) {
                     CAPTURE(name);
                     const double exact = kind.at(slick[static_cast<std::size_t>(name[1] - '0')].friction);
-                    CHECK(group.low <= 1.002 * exact);  // as exactly as a search without letting go
+                    CHECK(group.low <= 1.002 * exact);  // as exactly as a search without removals
                     CHECK(group.high >= 0.998 * exact);
                     CHECK(group.high - group.low < 0.1 * exact);
                     gone.push_back(name);

@@ -1,5 +1,4 @@
-// More friction or cohesion never gives less safety, and what the joints' stiffness is does not matter as
-// long as they are stiff.
+// More friction or cohesion never gives less safety, and stiff joints give the same answer at any stiffness.
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-// What stands must stand still: the known failures of other engines.
+// Stable assemblies must not move: the known failures of other engines.
 
 #include <doctest/doctest.h>
 
@@ -21,7 +21,7 @@ struct Settled {
     double dt = 0;
 };
 
-/// Gravity put on at once, vibration taken out by drag and dashpots.
+/// Gravity applied at once, vibration damped by drag and dashpots.
 Settled settled(const Model& model, double seconds) {
     Settled result{*buildState(model, false)};
     const std::vector<double> bounds = frequencyBounds(result.state, false);

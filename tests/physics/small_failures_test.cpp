@@ -1,4 +1,5 @@
-// Failures of too little mass to be the answer: they are let go, named, and the search goes on with the rest.
+// Failures of too little mass to be the answer: they are removed and named, and the search continues with the
+// rest.
 
 #include <doctest/doctest.h>
 
@@ -51,7 +52,7 @@ TEST_SUITE("physics") {
                 const auto answer = [&](std::size_t k) {
                     return kind.answer(radians(friction[k]), radians(kind.tilt));
                 };
-                // With the last share what is left after that would not have the mass of an answer.
+                // With the last share the remaining blocks would have too little mass for an answer.
                 CHECK((result.status == SearchStatus::found));
                 CHECK(result.answer == doctest::Approx(answer(wanted.answer)).epsilon(0.001));
                 CHECK(result.moving_blocks == std::vector{"b" + std::to_string(wanted.answer)});

@@ -1,4 +1,4 @@
-// What topples, leans or arches is decided, and where it should be.
+// Toppling, leaning and arching assemblies are decided, with the expected answer.
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-// Verdicts that must not be wrong: what stands is never said to fall, and what falls by itself does not stand
-// for the rest.
+// Verdicts that must not be wrong: a stable slope is never reported as failing, and a loose block is not the
+// answer for the rest.
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-// The replay page says of each block what the engine's rule says: both read the same motions. Needs node.
+// The replay page gives each block the role of the engine's rule, for the same motions. Needs node.
 
 #include <doctest/doctest.h>
 

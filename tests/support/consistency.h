@@ -1,6 +1,6 @@
 #pragma once
-// What a model answers must not contradict: the three searches agree with each other, with limit analysis,
-// with the closed formulas and with time histories.
+// Consistency of a model's answers: the three searches agree with each other, with limit analysis, with the
+// closed formulas and with time histories.
 
 #include <string>
 #include <vector>

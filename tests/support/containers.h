@@ -1,5 +1,5 @@
 #pragma once
-// Snapshot files as somebody makes them who wants to harm: bytes are changed and every checksum is right.
+// Hostile snapshot files: bytes are changed and every checksum is right.
 
 #include <algorithm>
 

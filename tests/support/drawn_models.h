@@ -1,5 +1,5 @@
 #pragma once
-// Small models drawn at random, as scenario files: what users build, not what we chose.
+// Small models drawn at random, as scenario files, instead of chosen ones.
 
 #include <array>
 #include <cstdint>

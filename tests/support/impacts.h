@@ -1,6 +1,5 @@
 #pragma once
-// Impacts of rocks: drawn at random, run to their separation, and where energy comes in that was not there
-// before.
+// Impacts of rocks: drawn at random, run to their separation, with the sources of added energy.
 
 #include <random>
 

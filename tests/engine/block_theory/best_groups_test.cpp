@@ -1,4 +1,4 @@
-// Which of many groups are kept.
+// The kept groups among many.
 
 #include "block_theory/best_groups.h"
 

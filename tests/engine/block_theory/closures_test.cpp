@@ -1,4 +1,4 @@
-// What has to move with a block, against the definition.
+// Closures of blocks against their definition.
 
 #include "block_theory/closures.h"
 

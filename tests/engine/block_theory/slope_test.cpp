@@ -1,4 +1,4 @@
-// What block theory takes of a state.
+// The slope of block theory from a state.
 
 #include "block_theory/slope.h"
 

@@ -1,4 +1,4 @@
-// What contact points carry when their patch is clipped again: forces, memory and energy before and after.
+// Forces, memory and energy of contact points before and after their patch is clipped again.
 
 #include "contacts/carry_over.h"
 
@@ -75,7 +75,7 @@ void search(State& state) {
     checkValid(state, true);
 }
 
-/// Hands everything on to the same interfaces with points that know nothing.
+/// Carries everything over to the same interfaces with new points.
 CarriedPoints handOnInPlace(State& state) {
     const OldInterfaces old = takeInterfaces(state);
     state.interfaces = old.interfaces;
@@ -198,7 +198,7 @@ TEST_SUITE("contacts") {
             for (const ContactPoint& point : contactPoints(state, 0))
                 by_points += std::hypot(point.force.shear_1, point.force.shear_2);
             REQUIRE(whole.norm() > 0);
-            // The forces stand, the block is gone: as after a step that took it away.
+            // The forces remain without the block, as after a step that moved it away.
             const OldInterfaces old = [&] {
                 State taken = state;
                 return takeInterfaces(taken);

@@ -1,5 +1,5 @@
-// What the model holds fixed is met through a tree: against all pairs of boxes, against the same search
-// without it, and by counting what is looked at.
+// Fixed blocks are found through a tree: against all pairs of boxes, against the same search without it, and
+// by the number of visited parts.
 
 #include "contacts/near_pairs.h"
 
@@ -49,7 +49,7 @@ void scatter(State& state, double extent, Random& random) {
     }
 }
 
-/// The same state, of which nothing is known to stand.
+/// The same state without known fixed shapes.
 State withoutTree(const State& state) {
     auto geometry = std::make_shared<Geometry>(*state.geometry);
     geometry->fixed = {};

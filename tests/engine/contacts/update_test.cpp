@@ -219,7 +219,7 @@ TEST_SUITE("contacts") {
         };
         const auto push = [&] { return outOfBalance(state, 1, Vec3::Zero()).force.z(); };
         lean(0.0505);
-        REQUIRE(refresh(true));  // it has gone too far: that never waits
+        REQUIRE(refresh(true));  // it has moved too far: that never waits
         CHECK_FALSE(isOnFaces());
         const double on_vertices = push();
         CHECK(on_vertices > 0);

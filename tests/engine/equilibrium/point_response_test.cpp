@@ -78,7 +78,7 @@ TEST_SUITE("equilibrium") {
             contact::PointMemory memory = c.memory;
             const contact::PointForce law =
                 contact::contactLaw(c.joint, c.area, c.gap, c.slide_1, c.slide_2, 0.0, memory);
-            // What softens further is let down when the step is committed.
+            // Further softening is released when the step is committed.
             if (memory.bond != c.memory.bond) continue;
             const PointResponse point = responseOf(c);
             REQUIRE((forceOf(point) - Eigen::Vector3d(law.shear_1, law.shear_2, law.normal)).norm() <=

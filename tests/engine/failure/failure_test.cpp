@@ -1,4 +1,4 @@
-// Motions that are made by hand, and read as sliding or toppling.
+// Prescribed motions as sliding or toppling.
 
 #include "failure/failure.h"
 
@@ -138,7 +138,7 @@ TEST_SUITE("failure") {
         const double inertia = 1 / state.blocks.inverse_mass[2] - state.blocks.mass[2];
         CHECK(inertia > 0);
         CHECK(inertia <= 0.01 * (state.blocks.mass[1] + state.blocks.mass[2]) * (1 + 1e-9));
-        // Where the chip alone moves, it is what the run is about.
+        // Where the chip alone moves, the run follows the chip.
         CHECK(failure::playedFrequency(state, {0, 0, 1}, false) == bounds[2]);
     }
 

@@ -1,5 +1,4 @@
-// What frames say about contact points for reading: shares of the water's thrust, what a point is doing,
-// mobilised friction.
+// Derived quantities of contact points in frames: shares of the water's thrust, states, mobilised friction.
 
 #include "frame/frame_readings.h"
 
@@ -87,7 +86,7 @@ TEST_CASE(
                 CHECK(shareOf(frame, i) == doctest::Approx(thrust).epsilon(2e-3).scale(1));
                 exact += thrust;
             }
-            // Both walls feel it, each row of blocks on its own; it is told once.
+            // Both walls have it, each row of blocks by itself; it counts once.
             double on_walls = 0;
             for (std::size_t w = 0; w < state.wet.size(); ++w) on_walls += state.wet.force.get(w).norm();
             CHECK(shareOfAll(frame) == within(1e-5, 0.5 * on_walls));

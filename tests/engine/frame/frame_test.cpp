@@ -1,4 +1,4 @@
-// Frames of a state: what they tell, and that no damaged frame gets into the engine.
+// Frames of a state: their content, and refusal of damaged frames.
 
 #include "frame/frame.h"
 

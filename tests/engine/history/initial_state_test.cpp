@@ -1,4 +1,4 @@
-// A time history starts in equilibrium where there is one, and what stands, stands.
+// A time history starts in equilibrium where there is one, and a stable slope does not move.
 
 #include "history/initial_state.h"
 

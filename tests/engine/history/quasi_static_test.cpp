@@ -1,4 +1,4 @@
-// A load that is brought on slowly: what stands comes to rest, what fails is seen to.
+// A slowly applied load: stable assemblies reach equilibrium, failures are found.
 
 #include "history/quasi_static.h"
 
@@ -37,7 +37,7 @@ Model modelOf(const Case& of) {
     return model;
 }
 
-/// Weight and tilt brought on at once.
+/// Weight and tilt applied at once.
 Settling broughtOn(State& state, double tilt_deg, std::int64_t most_steps) {
     const Control control;
     QuasiStaticWork work = prepare(state, {.most_steps = most_steps}, control, 1e-4, false);

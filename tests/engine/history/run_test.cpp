@@ -1,4 +1,4 @@
-// The state in which a search saw an assembly leave its place, and the run that plays it on.
+// The failing state of a search, and the run that continues it.
 
 #include <doctest/doctest.h>
 

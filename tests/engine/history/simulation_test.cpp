@@ -1,4 +1,4 @@
-// A time history taken by hand: the bits of run(), views that go along, and what stops it.
+// A time history step by step: the bits of run(), views of its arrays, and interruptions.
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-// How a block's motion is read: what turns about a pivot topples, what has none slides.
+// Roles of moving blocks: a block that turns about a pivot topples, one without a pivot slides.
 
 #include "talus/motion_roles.h"
 

@@ -1,4 +1,4 @@
-// What is wrong with a surface, and the surfaces made from profiles; regions of any shape keep their volume.
+// Faults of surfaces, and surfaces from profiles; regions of any shape keep their volume.
 
 #include <doctest/doctest.h>
 

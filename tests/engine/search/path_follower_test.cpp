@@ -149,7 +149,7 @@ TEST_SUITE("search") {
         CHECK(factors <= loaded.path.work().factors);
     }
 
-    // A block slides onto a stop: a failure for those who count less than the gap, none for the others.
+    // A block slides onto a stop: a failure by displacements below the gap, none by larger ones.
     TEST_CASE(
         "each displacement has the load at which blocks part by that before equilibrium is found again") {
         constexpr double kSize = 0.3;

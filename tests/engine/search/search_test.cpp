@@ -1,4 +1,4 @@
-// What a search says beside its answer.
+// Secondary results of a search.
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,4 @@
-// Energy that is taken out of how blocks move against each other: as much as was asked for, and no momentum
-// with it.
+// Energy taken from relative motion of blocks: the given amount, without momentum.
 
 #include "step/energy_keeper.h"
 

@@ -156,8 +156,7 @@ TEST_SUITE("step") {
     }
 
     TEST_CASE("translation in a spring is of second order and keeps its energy") {
-        // A cube pressed 0.1 mm into the floor and let go would leave it; a bonded joint holds it as a
-        // spring.
+        // A cube released 0.1 mm deep in the floor would leave it; a bonded joint holds it as a spring.
         const auto swing = [](int steps, double& energy_error) {
             Model model = floorModel(30, 1e8);
             // Cohesion, too: without it the last bit of shear would break a joint in tension.

@@ -1,4 +1,4 @@
-// What the theory says of a whole model, and when it keeps silent.
+// The prediction for a whole model, and models without one.
 
 #include <doctest/doctest.h>
 

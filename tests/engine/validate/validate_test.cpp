@@ -1,4 +1,4 @@
-// The validator itself: sound states of every kind pass, and each thing that can be wrong is found and named.
+// The validator itself: sound states of every kind pass, and each fault is found and named.
 
 #include "validate/validate.h"
 
@@ -72,7 +72,7 @@ struct Damage {
     std::function<void(State&)> make;
 };
 
-/// Each is found by what it says and not before.
+/// Each is found with its own text, and not before.
 void checkFound(const State& sound, const std::vector<Damage>& damages,
                 const std::function<std::vector<std::string>(const State&)>& look) {
     REQUIRE(look(sound).empty());

@@ -1,4 +1,4 @@
-// The MCAP container: what is written is read back; a file cut or damaged anywhere gives what is whole, and
+// The MCAP container: written data are read back; a file cut or damaged anywhere gives its whole part, and
 // says so.
 
 #include <doctest/doctest.h>

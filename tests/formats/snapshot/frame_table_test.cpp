@@ -1,5 +1,5 @@
-// The one table of a frame's arrays (talus/frame_table.h) against all others who know them: the schema, the
-// codec, and the decoder of the replay page.
+// The table of a frame's arrays (talus/frame_table.h) against the schema, the codec, and the decoder of the
+// replay page.
 
 #include "talus/frame_table.h"
 

@@ -1,4 +1,4 @@
-// Snapshot files: every value comes back, unfinished and damaged ones give what is whole.
+// Snapshot files: every value is read back, and unfinished and damaged files give their whole part.
 
 #include "talus/formats/snapshot.h"
 

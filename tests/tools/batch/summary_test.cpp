@@ -1,4 +1,4 @@
-// What rows say together, from rows made up for the purpose.
+// Statistics of made-up rows.
 
 #include "batch/summary.h"
 

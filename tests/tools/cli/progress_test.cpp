@@ -1,4 +1,4 @@
-// What progress says: the time left, and a line for any terminal.
+// Progress: the time left, and a line for any terminal.
 
 #include "cli/progress.h"
 

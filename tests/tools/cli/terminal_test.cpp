@@ -1,4 +1,4 @@
-// Lines that fit a terminal, and a terminal that is told what goes on.
+// Lines that fit a terminal, and progress shown on it.
 
 #include "cli/terminal.h"
 

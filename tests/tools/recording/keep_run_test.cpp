@@ -1,5 +1,5 @@
 // --keep-run of critical-angle and safety-factor: the failing run is a snapshot file like any other, and the
-// search's result does not know of it.
+// search's result does not depend on it.
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-// Two processes at one file, outputs that would replace inputs, files that are gone at the end: nothing is
-// lost unsaid.
+// Two processes at one file, outputs that would replace inputs, files removed during writing: no loss goes
+// unreported.
 
 #include <doctest/doctest.h>
 
