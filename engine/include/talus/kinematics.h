@@ -2,8 +2,8 @@
 // Kinematic tests of a rock slope: which planes and lines of intersection can slide or topple out of a face.
 //
 // A plane is its unit normal that points upwards. A line is a unit vector that points downwards, as lines and
-// poles are plotted on the lower hemisphere; a plane's pole is minus its normal. x is east, y north, z up;
-// angles are in rad.
+// poles plot on the lower hemisphere. A plane's pole is minus its normal. x is east, y north, z up; angles
+// are in rad.
 //
 // Each test is a margin [rad]: the smallest of the angles by which its conditions are met. A plane or line is
 // critical where the margin is positive. Pictures shade the same margins, so that a zone on the net and the
@@ -87,19 +87,19 @@ enum class SlidesOn : std::uint8_t {
 /// counts.
 SlidesOn slidesOn(const Vec3& normal_a, const Vec3& normal_b);
 
-/// Direct toppling: the line dips into the face, within the lateral limits (these included) of the opposite
-/// of its dip direction, and plunges more steeply than 90 degrees minus the face's dip. A vertical line
-/// counts as within the lateral limits. The same of a plane's pole: a base plane that dips out of the face,
-/// less steeply than it.
+/// Direct toppling: the line plunges more steeply than 90 degrees minus the face's dip. It dips into the
+/// face, with its trend within the lateral limits (these included) of the opposite of the face's dip
+/// direction. A vertical line counts as within the lateral limits. The same of a plane's pole: a base plane
+/// that dips out of the face, less steeply than it.
 double directTopplingMargin(const Vec3& line, const Face& face, const Limits& limits);
 /// Oblique toppling: a line outside the lateral limits that dips into the face within 90 degrees and lies
 /// within the friction angle of the vertical, and within the face's dip.
 double obliqueTopplingMargin(const Vec3& line, const Face& face, const Limits& limits);
 
-/// Flexural toppling of layers: the pole lies outside the slip limit, a plane in the face's dip direction
-/// that dips at the face's dip minus friction, and within the lateral limits (these included). In the face's
-/// dip direction: (90 - dip) + friction < dip of the face. A vertical plane has two poles; see
-/// flexuralToppling.
+/// Flexural toppling of layers: the pole lies outside the slip limit and within the lateral limits (these
+/// included). The slip limit is a plane in the face's dip direction that dips at the face's dip minus
+/// friction. In the face's dip direction: (90 - dip) + friction < dip of the face. A vertical plane has two
+/// poles; see flexuralToppling.
 double flexuralTopplingMargin(const Vec3& pole, const Face& face, const Limits& limits);
 
 bool planarSliding(const Vec3& normal, const Face& face, const Limits& limits);

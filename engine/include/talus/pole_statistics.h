@@ -24,9 +24,9 @@ struct FisherStatistics {
         cone_95;  ///< the true mean lies within this angle of the mean, with 95 % confidence [rad]
 };
 
-/// Of planes about their common axis: each normal is turned to the side of the mean, beginning with the axis
-/// of the largest eigenvalue of the orientation tensor. \param weights  one each, or none. \pre at least one
-/// plane
+/// Of planes about their common axis. Each normal is turned to the side of the mean; the first mean is the
+/// axis of the largest eigenvalue of the orientation tensor. \param weights one each, or none. \pre at least
+/// one plane
 FisherStatistics fisherStatistics(const std::vector<Vec3>& normals, const std::vector<double>& weights = {});
 
 /// The set, 0 .. count - 1, of each plane: spherical k-means of axes, the sets in order of their number of

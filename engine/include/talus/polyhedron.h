@@ -114,7 +114,7 @@ std::vector<Polyhedron> partsOf(const Polyhedron& shape);
 bool contains(const Polyhedron& shape, const Vec3& point, double tolerance = 0);
 
 /// The side of a shape towards a direction: the face whose normal is nearest to it (the first of several),
-/// and the faces of other parts in its plane.
+/// with faces of other parts in its plane.
 std::vector<std::int32_t> sideTowards(const Polyhedron& shape, const Vec3& direction);
 
 /// Exact also where the shape is of several parts: their inner faces cancel.

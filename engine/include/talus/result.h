@@ -8,7 +8,7 @@
 
 namespace talus {
 
-/// One fault of the input. `field` is the path a user wrote or should have written ("stack[0].columns"); the
+/// One fault of the input. `field` is the path a user wrote or should have written ("stack[0].columns"). The
 /// scenario reader fills in file, line and column, which are 0 and "" until then.
 struct Error {
     std::string field;

@@ -14,9 +14,9 @@ namespace talus::keyblocks {
 inline constexpr double kSameSet = 0.17453292519943295;  ///< 10 degrees [rad]
 inline constexpr std::size_t kMostSets = 8;
 
-/// Directions that are tried for every block. Those of the sets come first, then the blocks' own (dip
-/// directions of the planes they press, lines of intersection of two), those of most mass first. Each costs a
-/// pass over all contacts.
+/// Directions that are tried for every block. Those of the sets come first. Then come the blocks' own, most
+/// mass first: dip directions of the planes they press, and lines of intersection of two. Each costs a pass
+/// over all contacts.
 inline constexpr std::size_t kMostDirections = 100;
 
 /// A direction that is tried for one block only.

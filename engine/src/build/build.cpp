@@ -26,9 +26,8 @@ Mat3 principalAxes(const Mat3& inertia, Vec3& moments) {
     return axes;
 }
 
-/// Slopes are often given in survey coordinates, millions of metres from their origin, where a double
-/// resolves no more than the overlap of a stiff joint. Far from the origin the state's own origin is the
-/// middle of the model.
+/// Slopes are often given in survey coordinates. Millions of metres from the origin a double resolves no more
+/// than the overlap of a stiff joint. Far from the origin the state's own origin is the middle of the model.
 Vec3 originFor(const Model& model) {
     constexpr double kFar = 10.0;  // of the model's extent
     Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);

@@ -16,7 +16,7 @@ namespace {
 // Share of the larger side by which the walls of the two sides may differ below the level. Joints cut block
 // by block agree to some 1e-6; a neighbour that ends below the level differs by far more.
 constexpr double kSameSides = 0.01;
-// [deg] In a flatter joint the water surface is more than six times as wide as the opening, and the volume
+// [deg] In a flatter joint the water surface is more than six times as wide as the opening. The volume then
 // depends on small tilts of the table.
 constexpr double kLeastDip = 10;
 

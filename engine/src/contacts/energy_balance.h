@@ -21,8 +21,8 @@ std::vector<PairEnergy> energyOfPairs(const Contacts& contacts);
 
 /// A search changes areas, contact normals, and which faces and vertices carry, while they are pressed
 /// together. A pair that would hold more takes the difference from what other contacts of its two blocks have
-/// lost (a block slides off one neighbour onto another). For what is still lacking its reference gap is
-/// lowered. A pair that would hold less recovers overlap that an earlier search took off, as far as that
+/// lost, as where a block slides off one neighbour onto another. For what is still lacking its reference gap
+/// is lowered. A pair that would hold less recovers overlap that an earlier search took off, as far as that
 /// energy allows.
 /// \param before of the same poses
 /// Reads:  poses, laws, interfaces and points

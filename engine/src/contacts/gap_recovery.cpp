@@ -31,7 +31,7 @@ double gapToRecover(const State& state, std::size_t i) {
 }
 
 /// Raising the reference gap by o presses every spring by o more. Together they gain at most k A (depth o +
-/// o^2/2), with the depth of the deepest; as long as that one is open the gain is zero. The blocks lose the
+/// o^2/2), with the depth of the deepest. The gain is zero as long as that one is open. The blocks lose the
 /// energy that the springs gain. \return whether anything changed
 bool recoverGap(State& state, std::size_t i, double missing) {
     const DeepestPoint deepest = deepestPoint(state, i);

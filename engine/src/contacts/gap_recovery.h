@@ -1,17 +1,17 @@
 #pragma once
-// A contact that is found already overlapping, without work by its blocks, counts its gap from that depth
-// (contacts/vertex_edge.h, contacts/carry_over.h): its reference gap lies below the faces. It recovers the
-// overlap from the kinetic energy of its blocks.
+// A contact found already overlapping, without work by its blocks, counts its gap from that depth: its
+// reference gap lies below the faces (contacts/vertex_edge.h, contacts/carry_over.h). It recovers the overlap
+// from the kinetic energy of its blocks.
 
 #include "state/arrays.h"
 
 namespace talus {
 
 /// Each such contact may take a small share of the kinetic energy of the relative motion at its deepest
-/// contact point, by an impulse and its opposite there. It raises its reference gap by at most what that
-/// energy allows, and takes what its springs gain. Momentum, angular momentum and energy are conserved. An
-/// overlap within kClosedGap of the smaller block's size is left alone: faces that touch at the start have
-/// it. One after the other in the order of the interfaces, since neighbours share a block.
+/// contact point, by opposite impulses there. It raises its reference gap by at most what that energy allows,
+/// and takes what its springs gain. Momentum, angular momentum and energy are conserved. An overlap within
+/// kClosedGap of the smaller block's size is left alone: faces that touch at the start have it. One after the
+/// other in the order of the interfaces, since neighbours share a block.
 /// Reads:  poses, interfaces' frames, laws
 /// Writes: interfaces' reference gaps, velocity, angular_momentum
 /// \return whether any contact has recovered something

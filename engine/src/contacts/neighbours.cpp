@@ -20,8 +20,8 @@
 namespace talus {
 namespace {
 
-// A cell is a little larger than its boxes, so that the rounding of a cell index (1e-10 at most) cannot hide
-// a box that just touches.
+// A cell is slightly larger than its boxes, so that rounding of a cell index (1e-10 at most) cannot hide a
+// box that just touches.
 constexpr double kSlack = 1.0 + 1e-6;
 // Keeps the cell numbers of a row-by-row count inside 64 bits.
 constexpr double kMostCellsPerAxis = 1048576;  // 2^20

@@ -30,9 +30,8 @@ bool firstIsReference(const State& state, std::size_t first, std::size_t second)
     return radius_1 >= radius_2 * (1.0 - 1e-9);
 }
 
-/// Faces may look at each other through the bodies: the far side of a block and the near side of its
-/// neighbour, or faces that are not parallel. A pair whose overlap differs from that of the blocks is left
-/// out.
+/// Faces may be opposite through the bodies: the far side of a block and the near side of its neighbour, or
+/// faces that are not parallel. A pair whose overlap differs from that of the blocks is left out.
 void dropFalsePairs(const WorldShape& a, const WorldShape& b, double closed, PairFinding& finding) {
     const auto overlaps = [&](const FacePair& face) { return face.least_gap < -closed; };
     if (std::none_of(finding.faces.begin(), finding.faces.end(), overlaps)) return;

@@ -25,8 +25,8 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
 ///     State::searches_around only those around such blocks.
 ///  2. Else pairs that meet by vertices and edges are looked at again, each when it may have moved enough. A
 ///     contact with the same vertex and face stays as it is, to the bit; others are placed anew. Where faces
-///     without an interface meet (with Springs::keep_energy: may meet before the next look), or faces no
-///     longer meet, all interfaces are found again as in 1.
+///     without an interface meet, or faces no longer meet, all interfaces are found again as in 1. (With
+///     Springs::keep_energy also where they may meet before the next look.)
 ///  3. Else contacts whose reference gap lies below the faces recover it from the kinetic energy of their
 ///     two blocks (contacts/gap_recovery.h).
 /// Reads:  poses, velocities, shapes, laws, interfaces and points

@@ -17,7 +17,7 @@
 namespace talus::equilibrium {
 namespace {
 
-// Vertices and edges are looked at after a quarter of the motion between two looks of a time history, so that
+// Vertices and edges are checked after a quarter of the motion between two checks of a time history. So
 // contacts are found before blocks reach the failure displacement.
 constexpr double kFiner = 4.0;
 constexpr int kShorterStarts = 2;

@@ -3,10 +3,10 @@
 // count.
 //
 // Two columns that overturn side by side turn by the same angle t about toes that lie a width w apart.
-// Exactly, that presses the joint between them by w (1 - cos t), and friction on what it presses stops them
-// after some microns: columns of equal width would stand jammed at tilts far beyond the one at which each of
-// them overturns. No real column is cut so exactly, and by then it has begun to topple. So equilibria are
-// solved without that part of the gaps.
+// Exactly, that presses the joint between them by w (1 - cos t), and friction there stops them after some
+// microns. Columns of equal width would stand jammed at tilts far beyond the one at which each of them
+// overturns. No real column is cut so exactly, and by then it has begun to topple. So equilibria are solved
+// without that part of the gaps.
 
 #include <vector>
 

@@ -12,8 +12,8 @@ namespace talus::equilibrium {
 
 /// LU factors row by row in the matrix's own order, without the blocks that are small beside the diagonal of
 /// their row, ILUT (Saad 1994) of 6 x 6 blocks. The choice is by value: a slipping or lightly pressed joint
-/// has few, and a stiff one keeps its fill at any distance (bench/studies/linear-systems.md compares it with
-/// factors of a fixed structure).
+/// has few, and a stiff one keeps its fill at any distance. (bench/studies/linear-systems.md compares it with
+/// factors of a fixed structure.)
 class IncompleteLu {
  public:
     /// \param instructions  of the products; the same bits with each

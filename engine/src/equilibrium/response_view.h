@@ -1,6 +1,6 @@
 #pragma once
-// What the response kernel reads and writes: the wrenches of interfaces at trial poses and their exact
-// derivative by the poses of both blocks, while nothing is committed.
+// Input and output of the response kernel: wrenches of interfaces at trial poses and their exact derivative
+// by the poses of both blocks, without any commit.
 
 #include <cstddef>
 #include <cstdint>

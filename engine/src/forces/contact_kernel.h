@@ -68,9 +68,9 @@ struct PointLoop {
     Triple<V> height;  ///< of b's material points over a's plane [m]
     PatchSum<V> sum{};
 
-    /// The viscous term c_k of eqs (3)-(4) beside the spring: acts while the contact point is closed, along
-    /// the surface only while it sticks, and never turns the normal force into tension beyond the joint's
-    /// strength.
+    /// The viscous term c_k of eqs (3)-(4) beside the spring. It acts while the contact point is closed,
+    /// along the surface only while it sticks. It never turns the normal force into tension beyond the
+    /// joint's strength.
     TALUS_KERNEL void addDashpot(V xi, V eta, V z, V area, V bond, contact::ForceOf<V>& total) const {
         using simd::either, simd::larger, simd::select;
         const V damped = total.normal - damping_normal * area * affine(velocity.normal, xi, eta);

@@ -2,11 +2,10 @@
 // The water table of a slope: a line over x, extruded along y, or an open surface of triangles, below which
 // every face of a free block feels pressure.
 //
-// Depth is measured along gravity, so below a piece of the line, or a triangle, pressure is linear, and the
-// planes along gravity through its ends, or edges, part what lies below it from what lies below its
-// neighbours. Under all faces of a block the sum is exactly the pressure's integral over its surface:
-// buoyancy, where the table is level. Where another water stands on a wall it is felt instead, so the table's
-// pressure on that polygon is taken off again.
+// Depth is measured along gravity, so pressure is linear below a piece of the line, or a triangle. The planes
+// along gravity through its ends, or edges, bound the region below it. Under all faces of a block the sum is
+// exactly the pressure's integral over its surface: buoyancy, where the table is level. Where another water
+// stands on a wall it is felt instead, so the table's pressure on that polygon is taken off again.
 //
 // Reads:  the model's surface, shapes, poses, wet; load.tilt, load.water_share, gravity
 // Writes: state.phreatic

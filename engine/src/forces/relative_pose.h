@@ -37,9 +37,9 @@ struct RelativePoseOf {
     simd::Triple<V> e1, e2, e3;        ///< model frame
 };
 
-/// Gap and slide are those of b's material points over a's plane, so the gap does not depend on how far b has
-/// slid and clipping the patch again does not change it. The reference face is the fixed or the larger one:
-/// the patch goes with b. Only differences of positions enter, so distance from the origin adds no rounding
+/// Gap and slide are those of b's material points over a's plane. So the gap does not depend on the slide of
+/// b, and clipping the patch again does not change it. The reference face is the fixed or the larger one: the
+/// patch goes with b. Only differences of positions enter, so distance from the origin adds no rounding
 /// beyond that of the positions.
 template <class V>
 TALUS_KERNEL RelativePoseOf<V> relativePoseOf(const FramesOf<V>& f, const PoseOf<V>& a, const PoseOf<V>& b) {

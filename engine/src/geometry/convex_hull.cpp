@@ -1,11 +1,10 @@
 // Convex hull by insertion of the farthest point.
 //
 // Points are rounded to a lattice of 2^-40 of their extent, where a point's side of a facet is an exact
-// integer. So the surface is always closed and convex there, and no point can be seen from a wrong set of
-// facets: the usual failure of hulls with floating-point predicates. The result uses the points as they were
-// given.
+// integer. So the surface is always closed and convex there, and every point sees the right facets. Hulls
+// with floating-point predicates usually fail there. The result uses the points as they were given.
 //
-// Points are sorted first, so the result does not depend on their order: vertices are in lexicographic order,
+// Points are sorted first, so the result does not depend on their order. Vertices are in lexicographic order,
 // each face starts at its lowest vertex, and faces are sorted by their vertices.
 
 #include <Eigen/Geometry>

@@ -29,8 +29,8 @@ constexpr double kShareOfTolerance =
     0.01;  // in equilibrium the imbalance is equivalent to this share of the load's tolerance
 constexpr double kSlowPeriodGrowth = 8.0;  // slip makes the observed period longer; upper bound of that
 
-/// Whether a block has moved so far that the assembly is no longer the one that was loaded, in equilibrium or
-/// not: a fallen block may lie still at the foot of the slope.
+/// Whether a block has moved so far that the assembly is no longer the one that was loaded. It may be in
+/// equilibrium: a fallen block may lie still at the foot of the slope.
 bool hasFailed(const State& state, const SettlingStart& start) {
     for (std::size_t b = 0; b < state.blocks.size(); ++b) {
         if (state.blocks.motion[b] != Motion::free) continue;

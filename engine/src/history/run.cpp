@@ -33,9 +33,9 @@
 namespace talus {
 namespace {
 
-// Share of the stability bound. A spring that closes or opens in the middle of a step costs or gives up to
-// (omega dt)^2 / 4 of the energy of the impact, so models in which blocks fly or move from the start get a
-// step that keeps this below 0.1 %.
+// Share of the stability bound. A spring that closes or opens in the middle of a step loses or adds up to
+// (omega dt)^2 / 4 of the energy of the impact. Models in which blocks fly or move from the start get a step
+// that keeps this below 0.1 %.
 constexpr double kStepSafety = 0.4;
 // For a continued failure: dashpots damp what a long step excites.
 constexpr double kFailingStepSafety = 0.85;
@@ -195,7 +195,7 @@ class TimeHistory {
     }
 
     /// No frame is returned twice. The last frame of an interrupted run is beside the regular ones and does
-    /// not count, so that the resumed run has its frames at the regular times.
+    /// not count. So the resumed run has its frames at the regular times.
     void handOut(bool full) {
         if (std::exchange(last_light_, state_.step) != state_.step) {
             if (output_.record) output_.record(history::recordOf(state_, watched_));

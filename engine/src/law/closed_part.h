@@ -39,7 +39,7 @@ TALUS_KERNEL void addPiece(const double (&shape)[3][3], const double (&overlap)[
 }
 
 /// The part where an affine overlap is positive. It is not computed as the triangle less the open part: for a
-/// narrow strip along a side that leaves only rounding, and toppling blocks stand on such strips.
+/// narrow strip along a side that leaves only rounding. Toppling blocks stand on such strips.
 /// \param overlap  at the corners, negative where the triangle is open [m]
 TALUS_KERNEL ClosedPart closedPart(const double (&overlap)[3]) {
     int closed = 0;

@@ -1,12 +1,12 @@
 #pragma once
 // The contact law at one contact point (eqs 5-9 of the paper), as pure functions: forces, strength,
 // stiffness, energy, and the gap or slide for a force or an energy. Every loop calls these; the behaviour of
-// a joint is defined nowhere else. V is a double, or several of them in a register (simd/lanes.h): both take
+// a joint is defined nowhere else. V is a double, or several of them in a register (simd/lanes.h). Both take
 // the same steps in the same order and give the same bits.
 //
-// Signs: gap is positive when open, forces act on the block that is not the reference one; the normal force
-// is the effective (spring) force, compression positive. Water acts beside it: eq 7's opening rule with F_n +
-// P is the same statement written with the paper's tension-positive total force.
+// Signs: gap is positive when open, and forces act on the block that is not the reference one. The normal
+// force is the effective (spring) force, compression positive. Water acts beside it: eq 7's opening rule with
+// F_n + P is the same statement written with the paper's tension-positive total force.
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +86,7 @@ TALUS_KERNEL V tensileStrength(const JointParameters<V>& joint, V area, V bond) 
     return bond * joint.tensile_strength * area;
 }
 
-/// Stiffness in tension, with what is left of the bond [Pa/m]: a softening point that has opened beyond its
+/// Stiffness in tension, with the remaining bond [Pa/m]. A softening point that has opened beyond its
 /// strength unloads along a straight line to closure.
 template <class V>
 TALUS_KERNEL V tensionStiffness(const JointParameters<V>& joint, V bond) {
@@ -313,8 +313,8 @@ inline double largestStiffness(const JointLaw& joint) {
     return std::max(joint.normal_stiffness, joint.shear_stiffness);
 }
 
-/// The straight envelope of its strength, peak or residual, whichever is more, for limit analysis: |tau| <=
-/// cohesion + sigma_n tan_friction, and no more tension than tensile_strength [Pa].
+/// The straight envelope of its strength for limit analysis, the larger of peak and residual: |tau| <=
+/// cohesion + sigma_n tan_friction, and tension of at most tensile_strength [Pa].
 struct StrengthLine {
     double tan_friction, cohesion, tensile_strength;
 };

@@ -10,8 +10,8 @@
 namespace talus::limit {
 
 /// Bodies and closed contact points of a state as `buildState` gives it. Joints without bond need only the
-/// outermost points of a patch: a force inside their hull is a sum of forces at them, none beyond its
-/// strength. Blocks named in `left_out` are removed.
+/// outermost points of a patch: a force inside their hull is a sum of forces at them, within their strength.
+/// Blocks named in `left_out` are removed.
 Assembly assemble(const State& state, const std::vector<std::string>& left_out);
 
 /// The blocks' masses in a field of this acceleration [m/s^2].

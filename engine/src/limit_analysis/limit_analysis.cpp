@@ -167,7 +167,7 @@ class LimitSearch {
     }
 
     /// For an interrupted search: a load balanced by forces inside the cones is below the limit, and one that
-    /// fails outside of them is above it; in a plane section both are the cone.
+    /// fails outside of them is above it. In a plane section both are the cone.
     void keepSoFar(Side side, double stands, double falls) {
         if (side == Side::inside) result_.lower = std::max(result_.lower, stands);
         if (side == Side::outside || assembly_.plane_section) result_.upper = std::min(result_.upper, falls);

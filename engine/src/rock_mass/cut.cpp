@@ -74,7 +74,7 @@ std::string roundText(double count) {
     return text;
 }
 
-/// Whether a plane passes through the region, or touches it: the region is in one piece, so it does where not
+/// Whether a plane passes through the region, or touches it. The region is in one piece, so it does unless
 /// all corners lie on one side. A finite joint has to come near it, too.
 bool meets(const JointPlane& joint, const TriangleSurface& region) {
     const double weld = weldDistance(region);

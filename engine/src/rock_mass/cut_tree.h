@@ -12,8 +12,8 @@ class CutTree {
  public:
     explicit CutTree(std::vector<Solid> solids);
 
-    /// Calls `cut(solid)` for each leaf a plane may meet (the finite joint `reach` of it, if there is one);
-    /// it returns the parts that replace the solid, none to keep it.
+    /// Calls `cut(solid)` for each leaf that a plane may meet (its finite joint `reach`, if there is one). It
+    /// returns the parts that replace the solid, none to keep it.
     template <class Cut>
     void visit(const Plane& plane, const Reach* reach, double weld, const Cut& cut);
 

@@ -112,7 +112,7 @@ class Follower {
         return fails(path_.partedSince(since_), allowance(), highest_ + rules_.overload * cell_);
     }
 
-    /// Whether the load rises by a cell's share before neighbours have slid as far as in a failure: by a
+    /// Whether the load rises by a cell's share before neighbours slide by the failure displacement: by a
     /// step, which may be longer than that.
     bool risesFast(double gain, double slid) const {
         const double share = (follow_.displacements[follow_.counts] + allowance()) / slid;

@@ -49,7 +49,7 @@ class ReducedTheory {
 
 /// The strength reduction at which the predicted critical tilt is the model's own tilt. Nothing where no
 /// formula applies, or where overturning governs, which does not depend on strength. The formulas may not
-/// apply to strong joints (columns lean) or to weak ones (water pushes uphill), so the first factor that
+/// apply to strong joints (columns lean) or to weak ones (water pushes uphill). So the first factor that
 /// slides is sought upwards.
 std::optional<TheoryFigure> theoryOfFactor(const Model& model, const std::atomic<bool>* stop) {
     constexpr double kLowest = 0.02, kHighest = 50, kRatio = 1.05;
@@ -70,8 +70,8 @@ std::optional<TheoryFigure> theoryOfFactor(const Model& model, const std::atomic
     return at_limit ? std::optional(TheoryFigure{high, *prediction}) : std::nullopt;
 }
 
-/// Without water and cohesion only the direction of the loads matters: on a slope at tilt b an earthquake of
-/// k_h and k_v is a tilt by atan(k_h / (1 - k_v)) more.
+/// Without water and cohesion only the direction of the loads matters. On a slope at tilt b an earthquake of
+/// k_h and k_v adds a tilt of atan(k_h / (1 - k_v)).
 std::optional<TheoryFigure> theoryOfAcceleration(const Model& model, const std::atomic<bool>*) {
     const bool cohesive = std::any_of(model.joints.begin(), model.joints.end(), [](const Joint& joint) {
         return joint.cohesion > 0 || joint.residual_cohesion > 0 || joint.tensile_strength > 0;

@@ -1,9 +1,9 @@
 #pragma once
-// Functions of one variable as tables of pieces, four numbers each: looked up by the leading bits of the
-// variable, 64 pieces to a power of two. The same steps for one number here and for several in lanes.h.
+// Functions of one variable as tables of pieces, four numbers each. The leading bits of the variable select a
+// piece, 64 to a power of two. The same steps for one number here and for several in lanes.h.
 //
-// A table has kPieces pieces: below 1, from 1 to kGreatest, and beyond. A piece holds up to its fourth
-// number; between that and the next piece, the value is sought in the pieces after all others, the last of
+// A table has kPieces pieces: below 1, from 1 to kGreatest, and beyond. A piece is valid up to its fourth
+// number. Between that and the next piece, the value is sought in the extra pieces at the end, the last of
 // which has no end.
 
 #include <cstring>

@@ -1,5 +1,5 @@
 #pragma once
-// Two numbers (each a double or a register of them) side by side in a kernel: while one waits for its last
+// Two numbers (each a double or a register of them) side by side in a kernel. While one waits for its last
 // result, the processor works on the other.
 
 #include "simd/scalar.h"

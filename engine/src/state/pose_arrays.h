@@ -1,6 +1,6 @@
 #pragma once
-// Poses of blocks. Interfaces read them in no order of blocks, so the numbers of one block lie side by side:
-// a pose takes two cache lines instead of seven.
+// Poses of blocks. Interfaces read them in no order of blocks. So the numbers of one block lie side by side,
+// and a pose takes two cache lines instead of seven.
 
 #include <cstddef>
 #include <vector>

@@ -2,7 +2,7 @@
 // One range body, serial or parallel: the driver only cuts the range.
 //
 // TALUS_PLAIN_THREADS: by threads of its own. Debian's TBB is not built for the thread sanitizer, which then
-// sees neither its races nor its synchronisation; with plain threads it sees the races of the bodies.
+// sees neither its races nor its synchronisation. With plain threads it sees the races of the bodies.
 
 #ifdef TALUS_PLAIN_THREADS
 // in place of TBB's loops

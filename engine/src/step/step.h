@@ -6,7 +6,7 @@
 //                                    └─> update water ────> wet wrenches ───────┴─> gather ─> forces,
 //                                    velocities
 //
-// Every stage writes slots of its own index only and reads what earlier stages wrote, so the bits do not
+// Every stage writes slots of its own index only and reads what earlier stages wrote. So the bits do not
 // depend on the cut of the ranges among threads. Between two steps gather and drift are one pass over the
 // blocks.
 

@@ -1,6 +1,7 @@
 #pragma once
 // How a section can fail (upper bounds), and whether it can stand (a lower bound). Where the two meet, the
-// tilt is exact; where they do not, columns lean on each other in a way the closed formulas do not cover.
+// tilt is exact. Where they do not, columns lean on each other in a way that the closed formulas do not
+// cover.
 
 #include <vector>
 
