@@ -1,6 +1,6 @@
 #pragma once
-// Rules for output files. All writing of commands goes through here: no output replaces a file that the
-// command reads, even with --force, and the ending of a name gives the format.
+// Rules for output files. All writing of commands goes through here. No output replaces a file that the
+// command reads, even with --force. The ending of a name gives the format.
 
 #include <initializer_list>
 #include <string>

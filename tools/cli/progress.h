@@ -19,7 +19,7 @@ namespace talus::tools {
 /// as the probes of a search.
 enum class Fraction : std::uint8_t { of_time, of_steps };
 
-/// Time left of a stage whose fraction grows with time: by its speed over the later half of the record, so
+/// Time left of a stage whose fraction grows with time, by its speed over the later half of the record, so
 /// that a change of speed counts. Nothing while the record is too short.
 class TimeLeft {
  public:

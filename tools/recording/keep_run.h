@@ -1,6 +1,6 @@
 #pragma once
-// Keeps the failing run of a search: continued with true inertia until the failure is plain to see, as a
-// snapshot file like those of talus run.
+// Keeps the failing run of a search as a snapshot file like those of talus run, continued with true inertia
+// until the failure is plain to see.
 
 #include <memory>
 #include <optional>

@@ -19,7 +19,7 @@ struct SeenParts {
     std::vector<SeenLine> lines;  ///< to be drawn over all of them: creases first, joints last
 };
 
-/// A polygon of which only slivers show, thinner than 1e-4 of the picture, counts as covered: rounding leaves
+/// A polygon of which only slivers show, thinner than 1e-4 of the picture, counts as covered. Rounding leaves
 /// such gaps between the polygons that cover it.
 /// \param painted  farthest first, as paintOrder gives them
 SeenParts seenParts(std::vector<PaintedPolygon> painted);

@@ -20,8 +20,8 @@ struct Chosen {
     std::string because{};
 };
 
-/// The search of a report. The given one; else the one whose range or tolerance is given under [analysis];
-/// else the critical angle of a scenario with gravity.tilt_deg; else the factor of safety. Throws BadInput
+/// The search of a report. In this order: the given one; the one whose range or tolerance is given under
+/// [analysis]; the critical angle of a scenario with gravity.tilt_deg; the factor of safety. Throws BadInput
 /// for a name that is none. \param wish a search's name, or empty
 Chosen<const LoadSearch*> analysisOf(const formats::Scenario& scenario, const std::string& wish);
 

@@ -1,5 +1,5 @@
-// glTF 2.0 in one binary file (.glb): a mesh a block in its own place, nodes that carry them, and for a run
-// an animation of the nodes that move. glTF's y points up, so the model's z is turned to it.
+// glTF 2.0 in one binary file (.glb): a mesh per block in its own place, a node for each, and for a run an
+// animation of the moving nodes. glTF's y points up, so the model's z is turned to it.
 
 #include <algorithm>
 #include <cmath>

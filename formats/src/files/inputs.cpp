@@ -20,7 +20,7 @@ namespace talus::formats {
 namespace {
 
 /// Device and inode: they identify a file under all its names, as long as it exists. A new file may get the
-/// inode of a removed one, with another time of birth or, in the same tick of the clock, another generation.
+/// inode of a removed one. Its time of birth differs or, in the same tick of the clock, its generation.
 using Identity = std::pair<std::uint64_t, std::uint64_t>;
 
 struct Found {
@@ -66,8 +66,8 @@ std::optional<int> generationOf(const std::string& path) {
     return generation;
 }
 
-/// Whether a file with the inode of an input is still that file: without a time of birth, as long as one of
-/// its names leads there.
+/// Whether a file with the inode of an input is still that file. Without a time of birth, it is as long as
+/// one of its names leads there.
 bool isStill(const Input& input, const Found& now, const std::string& path) {
     if (input.file.born && now.born) {
         if (*input.file.born != *now.born) return false;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kLevel = 1;  // doubles hardly shrink further at higher levels, which take several times as long
 
-// Coordinates shrink by some ten per cent, blocks that have not moved yet to nothing: a frame of a million of
-// them is 36 MB of zeros. A larger claim was made to exhaust the memory.
+// Coordinates shrink by some ten per cent, and unmoved blocks to nothing: a frame of a million of them is 36
+// MB of zeros. A larger claim was made to exhaust the memory.
 constexpr std::uint64_t kMostOfLittle = std::uint64_t{64} << 20;  // [bytes]
 constexpr std::uint64_t kMostRatio = 1024;
 

@@ -1,6 +1,6 @@
 // ESRI ASCII grid: a header (ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize,
-// NODATA_value), then the heights row by row from north to south, each at the middle of its cell. (ARC/INFO's
-// ASCIIGRID; GDAL writes dx and dy for cells that are not square.)
+// NODATA_value), then the heights. They come row by row from north to south, each at the middle of its cell.
+// (ARC/INFO's ASCIIGRID; GDAL writes dx and dy for cells that are not square.)
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 // DXF as text: the faces of its section ENTITIES. 3DFACE has three or four corners (codes 10 to 13, 20 to 23,
-// 30 to 33). POLYLINE with flag 64 is a polyface mesh: VERTEX entities with its places, then such with the
-// numbers of a face's corners, negative before an edge that is not drawn; with flag 16 it is a polygon mesh
+// 30 to 33). POLYLINE with flag 64 is a polyface mesh: VERTEX entities with its places, then others with the
+// numbers of a face's corners, negative before an edge that is not drawn. With flag 16 it is a polygon mesh
 // of M times N places. Everything else is left out and reported. (AutoCAD's DXF reference, section ENTITIES.)
 
 #include "mesh/dxf.h"

@@ -1,5 +1,5 @@
-// Wavefront OBJ: `v x y z` and `f a b c ...`, each corner `vertex`, `vertex/texture` or
-// `vertex/texture/normal`, counted from 1, or backwards from -1; `o` and `g` tell solids apart.
+// Wavefront OBJ: `v x y z` and `f a b c ...`. Each corner is `vertex`, `vertex/texture` or
+// `vertex/texture/normal`, counted from 1, or backwards from -1. `o` and `g` name solids.
 
 #include <charconv>
 

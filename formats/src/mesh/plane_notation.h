@@ -21,7 +21,7 @@ struct QuadrantDip {
 };
 std::optional<QuadrantDip> quadrantDip(std::string_view text);
 
-/// The dip direction, normal to the strike, that is nearer to `towards`; nothing where `towards` is within
+/// The dip direction, normal to the strike, that is nearer to `towards`. Nothing where `towards` is within
 /// some 11 degrees of the strike and so decides nothing. [degrees from north]
 std::optional<double> dipDirectionTowards(double strike, double towards);
 

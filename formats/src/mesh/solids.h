@@ -15,9 +15,9 @@ struct SolidPart {
     std::vector<std::size_t> source;  ///< per triangle: index into those of the whole
 };
 
-/// Divides a surface by the solids it names, unless just two of them share an edge and so are pieces of one;
-/// then each into the pieces connected by edges of two triangles. Further solids of the same name get "-2"
-/// and so on.
+/// Divides a surface by the solids it names, unless just two of them share an edge and so are pieces of one.
+/// Each is then divided into the pieces connected by edges of two triangles. Further solids of the same name
+/// get "-2" and so on.
 /// \param solid  of each triangle, index into `names`; -1: none
 /// Errors ("triangles[i]"): an edge of more than two triangles of one solid, where two may touch.
 Result<std::vector<SolidPart>> solidsOf(const TriangleSurface& surface,

@@ -1,5 +1,5 @@
-// Points as text, one a line: x, y and z in the first three columns, or where a header says so; blanks, tabs,
-// commas or semicolons between them, with semicolons decimal commas. They are thinned to a height grid.
+// Points as text, one a line: x, y and z in the first three columns, or by a header. Separators are blanks,
+// tabs, commas or semicolons; with semicolons, decimal commas are allowed. They are thinned to a height grid.
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
-// Numbers of the tables that one value of the model stands for, other than a joint's (talus/joint.h): read,
-// overridden and named with their unit from here. And what a field of a scenario is, by its path.
+// Numbers of the tables that are one value of the model each, other than a joint's (talus/joint.h). Reader,
+// overrides and units use this list. And what a field of a scenario is, by its path.
 
 #include <array>
 #include <optional>

@@ -15,8 +15,9 @@ struct PlacedBlock {
     bool name_known = false;
 };
 
-/// One, or with `each_solid = true` one for each solid of its mesh, named by the key `name`, which may be
-/// empty, and the solid's own name or number. \param folder of the scenario, where mesh files are looked for
+/// One block, or with `each_solid = true` one for each solid of its mesh. Its name is the key `name`, which
+/// may be empty, and the solid's own name or number. \param folder of the scenario, where mesh files are
+/// looked for
 std::vector<PlacedBlock> readPlacedBlocks(Report& report, const FieldNode& entry, const Materials& materials,
                                           const Joints& joints, const std::string& folder);
 

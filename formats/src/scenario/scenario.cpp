@@ -90,8 +90,8 @@ class ScenarioReader {
         checkThereAreBlocks();
     }
 
-    /// Cut as soon as its tables are read, because only then its blocks have names; not if there are faults
-    /// already, which could be meant for it.
+    /// Cut as soon as its tables are read, because only then its blocks have names. Not after earlier faults,
+    /// which may concern it.
     void readRock(BlockDirectory& directory) {
         rock_ = readRockMass(report_, root_, materials_, joints_, folder_);
         if (!rock_) return;

@@ -13,8 +13,8 @@ const std::array<Vec3, kSides> kSideDirections = {-Vec3::UnitX(), Vec3::UnitX(),
                                                   Vec3::UnitY(),  -Vec3::UnitZ(), Vec3::UnitZ()};
 using SideJoints = std::array<std::int32_t, kSides>;
 
-/// Joint of each bed level and column: level 0 is the floor's, level k lies on row k, the top of the last row
-/// has the plain bed joint.
+/// Joint of each bed level and column. Level 0 is the floor's and level k lies on row k; the top of the last
+/// row has the plain bed joint.
 class BedJoints {
  public:
     BedJoints(const Stack& stack, Joints& joints) : plain_(stack.bed_joint) {
@@ -107,7 +107,7 @@ class StackBuilder {
         return face_joints;
     }
 
-    /// Two blocks on one face (the floor's top, a bed in running bond) may have two joints: the upper block's
+    /// Two blocks on one face (the floor's top, a bed in running bond) may have two joints. The upper block's
     /// column decides, not the lesser friction.
     void appendPairJoints() {
         for (int column = 0; column < stack_.columns; ++column)

@@ -19,7 +19,7 @@ struct KnownNames {
 /// other fields, where there are none to compare with, and for "*".
 std::optional<std::string> unknownName(const FieldPath& path, const KnownNames& known);
 
-/// Warns of each [material.NAME] and [joint.NAME] whose name occurs nowhere else in the file: its intended
+/// Warns of each [material.NAME] and [joint.NAME] whose name occurs nowhere else in the file. Its intended
 /// blocks and joints have another's strength or density. [joint.default] needs no name, nor does the only
 /// material.
 /// \param root  of the file

@@ -1,6 +1,6 @@
 #pragma once
-// Finds a reader's queries by giving it documents until it makes no new ones: every key of every table alone,
-// in pairs and all together, with values of the kinds it queries.
+// Finds a reader's queries by giving it documents until it makes no new ones. The documents have every key of
+// every table alone, in pairs and all together, with values of the queried kinds.
 
 #include <functional>
 #include <string>

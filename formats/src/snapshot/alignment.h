@@ -1,5 +1,5 @@
 #pragma once
-// A check missing in the verifier of FlatBuffers 2.0: it aligns a vector's length to four bytes, but not the
+// A check missing in the verifier of FlatBuffers 2.0. It aligns a vector's length to four bytes, but not the
 // elements to their own size, and compilers assume aligned doubles.
 
 #include "mcap/bytes.h"

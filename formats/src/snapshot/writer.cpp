@@ -106,8 +106,7 @@ void SnapshotWriter::Work::stop() {
     if (thread.joinable()) thread.join();
 }
 
-/// Takes frames off the queue until told to end; what is left in the last chunk goes to the file then, or
-/// when a second has passed.
+/// Takes frames off the queue until the end. The last chunk is written then, or after a second.
 void SnapshotWriter::Work::run() {
     Clock::time_point oldest;
     std::unique_lock lock(mutex);

@@ -22,11 +22,11 @@ std::uint64_t bits(std::uint64_t seed, std::uint64_t stream, std::uint64_t numbe
 /// Uniform, never 0 and never 1: the middles of 2^52 equal cells.
 double uniform(std::uint64_t seed, std::uint64_t stream, std::uint64_t number);
 
-/// A random permutation of 0..count-1, evaluated at one place without ever listing it: a Feistel network over
-/// the next power of four, walked until it is back below `count`. \pre index < count
+/// A random permutation of 0..count-1, evaluated at one place without listing it: a Feistel network over the
+/// next power of four, repeated until the value is below `count`. \pre index < count
 std::uint64_t permuted(std::uint64_t index, std::uint64_t count, std::uint64_t seed, std::uint64_t stream);
 
-/// Sample `index` of a Latin hypercube of `count` samples, in the dimension of this stream: each of `count`
+/// Sample `index` of a Latin hypercube of `count` samples, in the dimension of this stream. Each of `count`
 /// equal cells of (0, 1) is hit once, anywhere inside it.
 double latinHypercube(std::uint64_t index, std::uint64_t count, std::uint64_t seed, std::uint64_t stream);
 

@@ -72,7 +72,7 @@ std::optional<double> numberIn(const SweepValue& value) {
     return std::nullopt;
 }
 
-/// The sweep's scenario with the run's values put into its model; nothing when a value needs the reader: it
+/// The sweep's scenario with the run's values put into its model. Nothing when a value needs the reader: it
 /// defines blocks, or is wrong and needs an error.
 std::optional<Scenario> overridden(const Sweep& sweep, const SweepRun& run) {
     if (!sweep.base || !sweep.only_overrides) return std::nullopt;

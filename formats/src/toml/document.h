@@ -69,9 +69,9 @@ class Document {
 
     Node root() const { return Node(root_.get()); }
 
-    /// Puts a value in place of what is there, which keeps its place in the text; a missing key is added, and
-    /// so are missing tables on the way. With `may_append` an index just behind the end of an array adds an
-    /// element. Returns what is wrong with the path, or nothing. Copies of a document share its nodes.
+    /// Replaces a value, which keeps its place in the text. Adds a missing key, and missing tables of the
+    /// path. With `may_append` an index just behind the end of an array adds an element. Returns what is
+    /// wrong with the path, or nothing. Copies of a document share its nodes.
     std::optional<std::string> set(const std::vector<PathPart>& path, const Scalar& value,
                                    bool may_append = false);
     /// The same with a copy of another document's node.

@@ -1,6 +1,6 @@
 #pragma once
-// A document as TOML text that reads back with the same meaning: same values to the last bit, tables in the
-// same order (which decides ties between joints). Comments are lost.
+// A document as TOML text that reads back with the same values to the last bit and tables in the same order
+// (which decides ties between joints). Comments are lost.
 
 #include <string>
 

@@ -24,8 +24,8 @@ struct Distribution {
 
 const char* toString(Distribution::Kind kind);
 
-/// The value below which a share `u` of the distribution lies. Relative accuracy (of the distance to the
-/// nearer end where there is one): 1e-15 uniform and triangular, 1e-14 normal and lognormal, 1e-12 truncated
+/// The value below which a share `u` of the distribution lies. Relative accuracy, of the distance to the
+/// nearer end where there is one: 1e-15 uniform and triangular, 1e-14 normal and lognormal, 1e-12 truncated
 /// normal and beta.
 /// \pre 0 < u < 1, and the parameters are in range: sd > 0, min < max, min <= mode <= max, alpha, beta > 0;
 /// mean > 0 of a lognormal

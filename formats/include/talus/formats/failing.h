@@ -23,7 +23,7 @@ struct FailingLoad {
 /// as in a search.
 Model failingModel(Model model, const FailingLoad& load);
 
-/// The same with its own text, which starts with `remark` as comment lines and reads back as that model but
+/// The same with its own text, which starts with `remark` as comment lines. It reads back as that model but
 /// for the rounding of angles in degrees. The scenario's settings of searches stay valid. Errors: those of
 /// reading the text, if the load is outside the allowed range of a scenario.
 Result<Scenario> failingScenario(const Scenario& scenario, const FailingLoad& load,

@@ -60,8 +60,8 @@ struct MeshSolids {
     std::vector<std::string> notes;
 };
 
-/// Reads a closed surface, or an open terrain and closes it. Vertices with equal coordinates are one; faces
-/// of OBJ and PLY with more than three corners must be convex; the grid's cells are divided along the
+/// Reads a closed surface, or an open terrain and closes it. Vertices with equal coordinates are one. Faces
+/// of OBJ and PLY with more than three corners must be convex. The grid's cells are divided along the
 /// diagonal whose ends differ less in height. Errors: the file cannot be read, is cut short or malformed
 /// (with its line, if it is text); those of checkSurface or closeTerrain (field "base" for the base), with
 /// the triangle's line, or else its number from 1, and the place in the file's coordinates, scaled to metres
@@ -71,8 +71,8 @@ Result<MeshSurface> readMesh(const std::string& path, const MeshOptions& options
 Result<MeshSurface> parseMesh(const std::string& bytes, const std::string& path,
                               const MeshOptions& options = {});
 
-/// Reads solids that the file tells apart by name (`o` or `g` of OBJ, `solid` of STL, polyface meshes and
-/// layers of DXF), or that do not touch. Errors: as readMesh; solids without names that touch.
+/// Reads solids that do not touch, or that the file distinguishes by name (`o` or `g` of OBJ, `solid` of STL,
+/// polyface meshes and layers of DXF). Errors: as readMesh; solids without names that touch.
 Result<MeshSolids> readSolids(const std::string& path, const MeshOptions& options = {});
 /// The same for a file's bytes in memory.
 Result<MeshSolids> parseSolids(const std::string& bytes, const std::string& path,

@@ -83,8 +83,8 @@ Result<Scenario> parseScenario(const std::string& text, const std::string& path,
 /// An error if no block is free to move, with the joints that cut no block; else nothing.
 std::optional<Error> noFreeBlock(const Scenario& scenario);
 
-/// Adds file, line and column to errors of the engine (overlaps, water on no face, ...), by their field: the
-/// place of the field itself, else of the nearest enclosing table ("water[1].walls" falls back to
+/// Adds file, line and column to errors of the engine (overlaps, water on no face, ...) by their field. A
+/// field without a place gets that of the nearest enclosing table ("water[1].walls" falls back to
 /// "water[1]").
 std::vector<Error> placed(const Scenario& scenario, std::vector<Error> errors);
 

@@ -102,8 +102,8 @@ struct Sweep {
     const char* analysis() const { return search ? search->name : "run"; }
 };
 
-/// Reads and checks a sweep file, its scenario and its table. Every value of a table or grid is tried, and
-/// the median and ends of each distribution, so that errors are found before the first run.
+/// Reads and checks a sweep file, its scenario and its table. Tries every value of a table or grid, and the
+/// median and ends of each distribution, so that errors are found before the first run.
 Result<Sweep> readSweep(const std::string& path);
 /// The same for text in memory; `path` is used in messages and to find what lies beside it. `scenario`, when
 /// given, stands in for the file that the text names.
