@@ -56,12 +56,11 @@ Json largestJson(const formats::Scenario& scenario, const RunResult& result) {
 /// Closed volumes at the end.
 Json watersJson(const RunResult& result) {
     Json waters = Json::array();
-    for (const WaterReport& water : result.waters) {
+    for (const WaterReport& water : result.waters)
         waters.push_back({{"name", water.name},
                           {"level_m", number(water.level)},
                           {"volume_m3", number(water.volume)},
                           {"run_over_m3", number(water.run_over)}});
-    }
     return waters;
 }
 

@@ -79,11 +79,10 @@ std::string toText(const RunOptions& options, const formats::Scenario& scenario,
              text(result.displacements[farthest].norm(), 9) + " m\n";
     for (const SupportTexts& kind : supportTexts(result.supports))
         for (const std::string& line : kind.lines) lines += kind.kind + ": " + line + "\n";
-    for (const WaterReport& water : result.waters) {
+    for (const WaterReport& water : result.waters)
         lines += water.name + ": level " + text(water.level, 6) + " m, volume " + text(water.volume, 9) +
                  " m3" + (water.run_over > 0 ? ", " + text(water.run_over, 9) + " m3 have run over" : "") +
                  "\n";
-    }
     for (const std::string& warning : result.warnings) lines += "warning: " + warning + "\n";
     return lines + recorder.lines();
 }

@@ -90,10 +90,9 @@ std::string HistoryWriter::head(const HistoryRecord& first) const {
     for (const std::string& block : watch_)
         for (const char* quantity : {"x_m", "y_m", "z_m", "vx_m_s", "vy_m_s", "vz_m_s", "rotation_deg"})
             text += ',' + csvField(block + "." + quantity);
-    for (const WaterReport& water : first.waters) {
+    for (const WaterReport& water : first.waters)
         for (const char* quantity : {"level_m", "volume_m3", "run_over_m3"})
             text += ',' + csvField(water.name + "." + quantity);
-    }
     if (first.ground_acceleration) text += ",ground_ax_m_s2,ground_ay_m_s2,ground_az_m_s2";
     for (const Supports& kind : first.supports)
         for (const SupportReport& support : kind.reports) text += ',' + csvField(support.name + ".force_n");
@@ -115,12 +114,11 @@ std::string HistoryWriter::row(const HistoryRecord& record) const {
         line += ',';
         appendNumber(line, block.rotation / kDegree);
     }
-    for (const WaterReport& water : record.waters) {
+    for (const WaterReport& water : record.waters)
         for (const double value : {water.level, water.volume, water.run_over}) {
             line += ',';
             appendNumber(line, value);
         }
-    }
     if (record.ground_acceleration) appendNumbers(line, *record.ground_acceleration);
     for (const Supports& kind : record.supports)
         for (const SupportReport& support : kind.reports) {

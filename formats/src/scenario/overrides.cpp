@@ -100,31 +100,27 @@ std::optional<Target> waterTarget(const Scenario& scenario, const FieldPath& pat
     const auto* key = path.size() > 2 ? std::get_if<std::string>(&path[2]) : nullptr;
     if (!index || !key || *index >= scenario.model.waters.size()) return std::nullopt;
     const std::size_t water = *index;
-    if (path.size() == 3) {
+    if (path.size() == 3)
         if (auto target = numberTarget(kWaterFields, *key,
                                        [water](Model& model) -> Water& { return model.waters[water]; }))
             return target;
-    }
     if (!isGiven(scenario, joinField(elementField("water", water), *key))) return std::nullopt;
-    if (path.size() == 3) {
+    if (path.size() == 3)
         if (auto target = numberTarget(kClosedWaterFields, *key,
                                        [water](Model& model) -> Water& { return model.waters[water]; }))
             return target;
-    }
-    if (path.size() == 3 && *key == "inflow" && scenario.model.waters[water].inflow.size() == 1) {
+    if (path.size() == 3 && *key == "inflow" && scenario.model.waters[water].inflow.size() == 1)
         return Target{kInflow, [water](Scenario& changed, double value) {
                           changed.model.waters[water].inflow = {{0, value}};
                           return true;
                       }};
-    }
-    if (path.size() == 3 && *key == "overflow") {
+    if (path.size() == 3 && *key == "overflow")
         return Target{kCoordinate, [water](Scenario& changed, double value) {
                           Water& changing = changed.model.waters[water];
                           if (!(value >= changing.level[0].value)) return false;
                           changing.overflow = value;
                           return true;
                       }};
-    }
     if (const auto* end = path.size() == 4 && *key == "head" ? std::get_if<std::size_t>(&path[3]) : nullptr;
         end && *end < 2)
         return Target{kLength, [water, end = *end](Scenario& changed, double value) {
