@@ -23,7 +23,7 @@ Block = collections.namedtuple("Block", "page line language text told")
 
 FENCE = re.compile(r"^```(\{?)([\w-]*)\}?(.*)$")
 TOLD = re.compile(r"^<!-- (file|with|output|exit|slow|elsewhere)(?:: *(.*?))? -->$")
-SHOWN = ("keys", "commands", "toctree", "literalinclude")  # Sphinx's own, not code
+SHOWN = ("commands", "toctree", "literalinclude")  # Sphinx's own, not code
 
 
 def blocks(page):

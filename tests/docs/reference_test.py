@@ -56,6 +56,10 @@ class Reference(unittest.TestCase):
                         self.assertTrue(key.meaning, key.name)
                         self.assertTrue(key.kind, key.name)
 
+    def test_the_pages_in_the_repository_are_current(self):
+        said = subprocess.run([sys.executable, ROOT / "tools/docs/keys.py", "--check"], capture_output=True, text=True, check=False)
+        self.assertEqual(said.stderr, "")
+
     def test_some_rows(self):
         rows = {f"{section.header} {key.name}": key for section in reference.sections("scenario") for key in section.keys}
         friction = rows["[joint.NAME] friction_deg"]

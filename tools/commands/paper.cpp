@@ -69,6 +69,14 @@ void writeSlopes(const PaperResults& results, const std::string& folder) {
     }
 }
 
+void writeBag(const PaperResults& results, const std::string& out) {
+    writeFile(out + "/water-bag.csv", bagCsv(results));
+    writeFile(out + "/water-bag-level.svg", svgFile(plotBagLevel(results.bag)));
+    writeFile(out + "/water-bag-displacement.svg", svgFile(plotBagDisplacement(results.bag)));
+    for (const BagRun& bag : results.bag)
+        writeFile(out + "/scenarios/water-" + bag.id + ".toml", bag.run.scenario.text);
+}
+
 void writeAll(const PaperResults& results, const std::string& out) {
     makeFolder(out);
     writeFile(out + "/cases.csv", paperCsv(results));
@@ -80,6 +88,7 @@ void writeAll(const PaperResults& results, const std::string& out) {
     if (results.scatter) writeFile(out + "/scatter.svg", svgFile(plotScatter(*results.scatter)));
     writeSlopes(results, out + "/slopes");
     writeScenarios(results, out + "/scenarios");
+    if (!results.bag.empty()) writeBag(results, out);
     const Json report = paperReport(results);
     writeFile(out + "/index.json", jsonText(report) + '\n');
     writeFile(out + "/index.html", reportPage(report));
@@ -107,7 +116,10 @@ int execute(const PaperOptions& options) {
     }
     PaperResults results = computeAll(options, std::move(cases));
     const auto begin = std::chrono::steady_clock::now();
-    if (options.keep && !results.interrupted) keepFailures(results, keep_folder, options.out, options.common);
+    if (options.keep && !results.interrupted) {
+        keepFailures(results, keep_folder, options.out, options.common);
+        keepBagRuns(results, keep_folder, options.out, options.common);
+    }
     if (options.monte_carlo > 0 && !results.interrupted)
         results.scatter = computeScatter(options.monte_carlo, options.out + "/scatter", options.common);
     results.interrupted = stopRequested();
@@ -132,8 +144,9 @@ Command addPaper(CLI::App& root) {
         ->capture_default_str();
     const auto* keep =
         app->add_option("--keep-run", options->keep_folder,
-                        "Also keep the failing runs of the slope, dry and with water in fissure 5, with "
-                        "their replays, in this folder (default OUT/failing; existing files are replaced)")
+                        "Also keep the failing runs of the slope, dry and with water in fissure 5, and "
+                        "runs with the water bag, with their replays, in this folder (default OUT/failing; "
+                        "existing files are replaced)")
             ->type_name("[DIR]")
             ->expected(0, 1);
     app->add_option("--monte-carlo", options->monte_carlo,

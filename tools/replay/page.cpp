@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "cli/failures.h"
+#include "cli/files.h"
 #include "cli/json.h"
 #include "recording/keep_mechanism.h"
 #include "recording/snapshot_view.h"
@@ -153,6 +154,11 @@ std::string replayPage(std::string_view snapshot) {
     }
     page += kReplayPage.substr(place + kPlace.size());
     return page;
+}
+
+void writeReplay(const std::string& file, const std::string& page) {
+    formats::SnapshotReader reader = openSnapshot(file);
+    writeFile(page, replayPage(snapshotBytes(reader, file, FrameChoice{})));
 }
 
 void refuseToReplace(const std::string& page, const std::string& snapshot, bool force) {

@@ -29,6 +29,9 @@ std::string snapshotBytes(formats::SnapshotReader& reader, const std::string& pa
 /// The page with these bytes inside, as base64 in pieces of a size that browsers accept.
 std::string replayPage(std::string_view snapshot);
 
+/// The page of a whole snapshot file. Throws BadInput and FileRefused.
+void writeReplay(const std::string& file, const std::string& page);
+
 /// Throws BadInput when the path holds anything but a replay page and `force` is not given.
 void refuseToReplace(const std::string& page, const std::string& snapshot, bool force);
 

@@ -129,6 +129,7 @@ Json paperJson(const PaperResults& results) {
     return Json{{"cases", cases},
                 {"monte_carlo", results.scatter ? scatterJson(*results.scatter) : Json(nullptr)},
                 {"kept_runs", kept_runs},
+                {"water_bag", bagJson(results.bag)},
                 {"interrupted", results.interrupted},
                 {"steps", steps},
                 {"cpu_seconds", cpu},

@@ -12,7 +12,6 @@
 #include "cli/progress.h"
 #include "cli/signals.h"
 #include "cli/text.h"
-#include "recording/snapshot_view.h"
 #include "replay/page.h"
 #include "report/page.h"
 #include "reproduction/laboratory.h"
@@ -34,10 +33,6 @@ const char* figureOf(const PaperCase& what) {
     return nullptr;
 }
 
-std::string relativeTo(const std::string& folder, const std::string& path) {
-    return std::filesystem::relative(path, folder).generic_string();
-}
-
 /// Adds up the shares of runs side by side for one progress line.
 class Shares {
  public:
@@ -57,17 +52,16 @@ class Shares {
     ProgressPrinter& printer_;
 };
 
-void writeReplay(const std::string& file, const std::string& page) {
-    formats::SnapshotReader reader = openSnapshot(file);
-    writeFile(page, replayPage(snapshotBytes(reader, file, FrameChoice{})));
-}
-
 std::string capitalised(std::string text) {
     if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     return text;
 }
 
 }  // namespace
+
+std::string relativeTo(const std::string& folder, const std::string& path) {
+    return std::filesystem::relative(path, folder).generic_string();
+}
 
 void markKept(std::vector<PaperCase>& cases) {
     for (PaperCase& what : cases) what.keep_failing = figureOf(what) != nullptr;

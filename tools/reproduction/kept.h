@@ -16,6 +16,9 @@ void markKept(std::vector<PaperCase>& cases);
 void keepFailures(PaperResults& results, const std::string& folder, const std::string& page_folder,
                   const Common& common);
 
+/// The path as a link on a page in `folder`.
+std::string relativeTo(const std::string& folder, const std::string& path);
+
 /// Its caption: "Columns 1-5 (75 blocks) slid; columns 6-7 (30 blocks) stayed."
 std::string seenText(const KeptRun& kept);
 

@@ -160,8 +160,8 @@ Json paperReport(const PaperResults& results) {
     report.heading = "Water in a fissure and the tilt at which a slope of blocks fails";
     report.opening = opening(results);
     report.provenance = results.provenance;
-    report.sections = {slopes(results), keptSection(results), tableSection(results), plots(results),
-                       section5(results)};
+    report.sections = {slopes(results),       keptSection(results), bagSection(results),
+                       tableSection(results), plots(results),       section5(results)};
     if (results.scatter) report.sections.push_back(scatterSection(*results.scatter));
     report.sections.push_back(points(results));
     report.sections.push_back(notes("differences", "Differences", "Where laboratory, paper and model differ",

@@ -9,6 +9,7 @@
 #include "cli/json.h"
 #include "recording/keep_run.h"
 #include "report/numbers.h"
+#include "reproduction/bag.h"
 #include "reproduction/scatter.h"
 #include "talus/analysis.h"
 #include "talus/formats/scenario.h"
@@ -64,6 +65,8 @@ struct PaperResults {
     std::string provenance_comments;   ///< the same as "# key: value" lines
     std::optional<Scatter> scatter{};  ///< with --monte-carlo
     std::vector<PaperKept> kept{};     ///< with --keep-run
+    std::vector<BagRun> bag{};         ///< with --keep-run
+    int bag_fissure = 5;               ///< of the paper's Fig. 5
 };
 
 const char* groupName(PaperGroup group);                 ///< "table-1", "section-5", ...

@@ -1,4 +1,4 @@
-"""What the guide needs of Sphinx: formulas as MathML (no script, no network), tables of keys, help texts of commands."""
+"""What the guide needs of Sphinx: formulas as MathML (no script, no network), help texts of commands."""
 
 import re
 
@@ -29,49 +29,6 @@ def visit_math_block(writer, node):
     raise nodes.SkipNode
 
 
-def _cell(*children):
-    return nodes.entry("", nodes.paragraph("", "", *children))
-
-
-def _table(head, widths, rows):
-    group = nodes.tgroup(cols=len(head))
-    group += [nodes.colspec(colwidth=width) for width in widths]
-    group += nodes.thead("", nodes.row("", *[_cell(nodes.Text(text)) for text in head]))
-    group += nodes.tbody("", *[nodes.row("", *row) for row in rows])
-    return nodes.table("", group, classes=["reference"])
-
-
-def _words(text):
-    """Text whose parts between backquotes are code."""
-    return [nodes.literal(part, part) if k % 2 else nodes.Text(part) for k, part in enumerate(text.split("`"))]
-
-
-def _row(key):
-    kind = f"{key.kind}{', required' if key.required else ''}"
-    allowed = "; ".join(part for part in (key.allowed, key.unit) if part)
-    name = nodes.literal(key.name, key.name)
-    return [_cell(name), _cell(nodes.Text(kind)), _cell(nodes.Text(allowed)), _cell(*_words(key.meaning))]
-
-
-class Keys(Directive):
-    """Every section of a scenario or a sweep with a table of its keys: {keys} scenario"""
-
-    required_arguments = 1
-
-    def run(self):
-        result = []
-        for section in reference.sections(self.arguments[0]):
-            title = section.header or "Above all sections"
-            node = nodes.section(ids=[f"{self.arguments[0]}-{nodes.make_id(title)}"], names=[title])
-            node += nodes.title("", "", nodes.literal(title, title) if section.header else nodes.Text(title))
-            if section.meaning:
-                node += nodes.paragraph("", "", *_words(section.meaning[0].upper() + section.meaning[1:] + "."))
-            if section.keys:
-                node += _table(("key", "kind", "allowed; unit", "meaning"), (22, 18, 26, 34), map(_row, section.keys))
-            result.append(node)
-        return result
-
-
 class Commands(Directive):
     """The help text of every command."""
 
@@ -100,6 +57,5 @@ def setup(app):
     app.connect("source-read", show_file_names)
     app.add_html_math_renderer("mathml", (visit_math, None), (visit_math_block, None))
     app.add_lexer("csv", Csv)
-    app.add_directive("keys", Keys)
     app.add_directive("commands", Commands)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
