@@ -64,17 +64,24 @@ Facts stepFacts(const Slope& slope) {
     return facts;
 }
 
-/// Shares of the contact points that are open, and that carry all the shear they can.
+/// Shares of the contact points that are open, and of the patches that are open in one part only: a patch of
+/// the rule "distributed" takes longer there.
 void tellContacts(benchmark::State& run, const State& state) {
-    double open = 0;
+    double open = 0, patches = 0, partly = 0;
     const std::size_t stride = std::max<std::size_t>(1, state.interfaces.size() / 20000);
     double seen = 0;
-    for (std::size_t i = 0; i < state.interfaces.size(); i += stride)
-        for (const ContactPoint& point : contactPoints(state, i)) {
-            ++seen;
-            open += point.force.open ? 1 : 0;
-        }
+    for (std::size_t i = 0; i < state.interfaces.size(); i += stride) {
+        const auto points = contactPoints(state, i);
+        const auto gaping = std::count_if(points.begin(), points.end(),
+                                          [](const ContactPoint& point) { return point.force.open; });
+        const auto all = static_cast<std::ptrdiff_t>(points.size());
+        seen += static_cast<double>(all);
+        open += static_cast<double>(gaping);
+        ++patches;
+        partly += gaping > 0 && gaping < all ? 1 : 0;
+    }
     run.counters["open"] = open / seen;
+    run.counters["patches_partly_open"] = partly / patches;
 }
 
 void contactBenchmark(benchmark::State& run, const SlopeKind& kind, int threads, simd::InstructionSet set) {
@@ -90,6 +97,17 @@ void contactBenchmark(benchmark::State& run, const SlopeKind& kind, int threads,
     state.instructions = usual;
     tell(run, contactFacts(slope, false));
     tellContacts(run, state);
+}
+
+/// The slope drawn together until no patch is open anywhere.
+void closedBenchmark(benchmark::State& run, const SlopeKind& kind) {
+    constexpr double kCloser = 1e-5;  // of all distances: some ten times what the weight presses a joint
+    State& state = slopeFor(kind).state;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        state.blocks.position.set(b, (1 - kCloser) * state.blocks.position.get(b));
+    for (auto _ : run) updateContacts(state, {0, state.interfaces.groups.size()});
+    tellContacts(run, state);
+    tell(run, contactFacts(slopeFor(kind), false));
 }
 
 /// Every other row of the paper's slope moves to and fro, so far that every closed contact point of the beds
@@ -227,9 +245,12 @@ void addSlope(const Extent& extent, const SlopeKind& kind) {
     addStage(extent, "contacts", kind, [](benchmark::State& run, const SlopeKind& slope, int threads) {
         contactBenchmark(run, slope, threads, simd::bestInstructionSet());
     });
-    if (plain && kind.blocks == 105)
+    if (plain && kind.blocks == 105) {
+        add(extent, "contacts, all closed/" + kind.name(), 1,
+            [=](benchmark::State& run) { closedBenchmark(run, kind); });
         add(extent, "contacts, all slip/" + kind.name(), 1,
             [=](benchmark::State& run) { slippingBenchmark(run, kind); });
+    }
     if (whole) {
         addStage(extent, "gather", kind, gatherBenchmark);
         addStage(extent, "drift", kind, driftBenchmark);

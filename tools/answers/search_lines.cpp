@@ -78,7 +78,7 @@ std::string answerText(const SearchReport& report) {
 ResultLines theoryText(const SearchReport& report) {
     if (!report.theory && report.result.limit_equilibrium) {
         const LimitEquilibrium& limit = *report.result.limit_equilibrium;
-        return line("limit equilibrium", figureOf(report, limit.value) + "  (" + limit.kind +
+        return line("limit equilibrium", figureOf(report, limit.value) + unitOf(report) + "  (" + limit.kind +
                                              ", translation only: " + compactNames(limit.blocks) + ")");
     }
     if (!report.theory) {

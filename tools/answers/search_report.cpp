@@ -167,7 +167,9 @@ Json theoryJson(const SearchReport& report) {
 Json limitEquilibriumJson(const SearchReport& report) {
     if (!report.theory && report.result.limit_equilibrium) {
         const LimitEquilibrium& limit = *report.result.limit_equilibrium;
-        return {{"value", number(limit.value)}, {"kind", limit.kind}, {"blocks", limit.blocks}};
+        return {{"value", number(limit.value / report.search.load->scale)},
+                {"kind", limit.kind},
+                {"blocks", limit.blocks}};
     }
     if (!report.theory) return nullptr;
     const theory::Prediction& prediction = report.theory->prediction;

@@ -110,7 +110,7 @@ struct DisplacementAnswer {
 
 /// Of blocks that slide as one body, translation only (talus/block_theory.h).
 struct LimitEquilibrium {
-    double value = 0;                 ///< factor of safety
+    double value = 0;                 ///< load of the search, as SearchResult::answer
     std::string kind;                 ///< "sliding on one plane", ...
     std::vector<std::string> blocks;  ///< sorted
 };
@@ -133,7 +133,7 @@ struct SearchResult {
     /// The lowest and the highest answer found, and how each was found; valid when found.
     std::optional<std::pair<double, double>> answer_interval{};
     std::pair<std::string, std::string> answer_interval_reasons{};
-    /// The least factor of blocks that have enough mass to be the answer; for factors of safety, where some
+    /// The least load at which blocks slide as one body that have enough mass to be the answer; where some
     /// can slide.
     std::optional<LimitEquilibrium> limit_equilibrium{};
     Ceiling upper_bound{};            ///< for joints that open as they slide, in the shape as built

@@ -78,6 +78,20 @@ std::span<const Vec3> PlacedShapes::vertices(std::size_t part) const {
                                   static_cast<std::size_t>(range->vertices));
 }
 
+bool PlacedShapes::isBeyondFace(std::size_t part, const Vec3& centre, double radius, double distance) const {
+    constexpr double kRounding = 1e-9;  // of the lengths that are added
+    const WorldShape block = whole(blockOf(part));
+    const ConvexPart* range = partIn(geometry_, part);
+    const auto first = range == nullptr ? std::size_t{0} : static_cast<std::size_t>(range->first_face);
+    const std::size_t count = range == nullptr ? block.faces.size() : range->faces.size();
+    for (std::size_t face = first; face < first + count; ++face) {
+        const Vec3 from = centre - block.vertices[static_cast<std::size_t>(block.faces[face][0])];
+        const double slack = kRounding * (from.norm() + radius);
+        if (block.normals[face].dot(from) - radius > distance + slack) return true;
+    }
+    return false;
+}
+
 namespace {
 
 /// The parts that are placed, with their boxes.
@@ -153,6 +167,19 @@ PartPairs nearPairs(const State& state, const PlacedShapes& placed, const Search
     work.placed_faces += placed.placedFaces();
     work.pairs += pairs.size();
     return pairs;
+}
+
+void dropBeyondFaces(const State& state, const PlacedShapes& placed, double margin, PartPairs& pairs) {
+    const auto isBeyond = [&](std::int32_t fixed, std::int32_t moving) {
+        const std::size_t part = static_cast<std::size_t>(fixed),
+                          block = placed.blockOf(static_cast<std::size_t>(moving));
+        return !placed.isPlaced(placed.blockOf(part)) && placed.isPlaced(block) &&
+               placed.isBeyondFace(part, state.blocks.position.get(block), state.geometry->radius[block],
+                                   margin);
+    };
+    std::erase_if(pairs, [&](const BoxPair& pair) {
+        return isBeyond(pair.first, pair.second) || isBeyond(pair.second, pair.first);
+    });
 }
 
 }  // namespace talus

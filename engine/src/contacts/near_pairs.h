@@ -58,6 +58,8 @@ class PlacedShapes {
     WorldShape world(std::size_t part, const std::optional<PartOfBody>& body) const;
     /// Without what tells inner edges from those of the body.
     std::span<const Vec3> vertices(std::size_t part) const;
+    /// Whether a sphere is farther than `distance` beyond some face of the part, by more than rounding.
+    bool isBeyondFace(std::size_t part, const Vec3& centre, double radius, double distance) const;
 
  private:
     WorldShape whole(std::size_t block) const;
@@ -72,5 +74,9 @@ class PlacedShapes {
 /// blocks in place are left out.
 PartPairs nearPairs(const State& state, const PlacedShapes& placed, const SearchRange& range, bool parallel,
                     SearchWork& work);
+
+/// Leaves out pairs of a fixed part and a block whose bounding sphere is farther than the margin beyond one
+/// of the part's faces. The parts of a terrain are long, so boxes alone give some 40 of them for each rock.
+void dropBeyondFaces(const State& state, const PlacedShapes& placed, double margin, PartPairs& pairs);
 
 }  // namespace talus

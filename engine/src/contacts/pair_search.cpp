@@ -244,7 +244,8 @@ bool examinePairs(const State& state, const SearchRange& range, const KnownPairs
     const PlacedShapes placed(state, range, parallel);
     if (isStopped(control)) return false;
     SearchWork done;
-    const PartPairs pairs = nearPairs(state, placed, range, parallel, work != nullptr ? *work : done);
+    PartPairs pairs = nearPairs(state, placed, range, parallel, work != nullptr ? *work : done);
+    if (!initial) dropBeyondFaces(state, placed, range.margin, pairs);  // examinePair finds these apart
     std::vector<PairFinding> findings;
     for (std::size_t begin = 0; begin < pairs.size(); begin += kPairsAtOnce) {
         if (isStopped(control)) return false;

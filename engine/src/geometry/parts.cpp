@@ -159,9 +159,17 @@ class Joiner {
         return any;
     }
 
+    /// Of a part, with the normals that are known already.
+    WorldShape shapeOf(std::size_t part) const {
+        const ConvexPart& range = ranges_[part];
+        const auto first = static_cast<std::size_t>(range.first_face);
+        return {parts_[part].vertices, parts_[part].faces,
+                std::span(normals_).subspan(first, faceCount(range))};
+    }
+
     /// \return whether they touch
     bool meet(std::size_t i, std::size_t j) {
-        const double depth = -findSeparation(parts_[i], parts_[j], -touch_).distance;
+        const double depth = -findSeparation(shapeOf(i), shapeOf(j), -touch_).distance;
         if (depth > touch_) {
             errors_.push_back({"[" + std::to_string(j) + "]", "found a part that overlaps part " +
                                                                   std::to_string(i) +

@@ -13,9 +13,9 @@ namespace {
 
 using namespace rock_mass;
 
-constexpr std::size_t kMostJoints = 1'000'000;
-constexpr double kParallelPlanes = 1e-6;                 // sine of the angle between the planes
-constexpr double kNarrow = 1e-9;                         // of the region's size: no rectangle
+constexpr std::size_t kMostJoints = 1'000'000;  // a mistyped spacing makes more; these take some 0.3 GB
+constexpr double kParallelPlanes = 1e-6;        // sine of the angle between the planes
+constexpr double kNarrow = 1e-9;                // of the region's size: no rectangle
 constexpr std::uint64_t kEndingStream = 0x656e64696e67;  // of random numbers that no other set has
 
 /// A slab between two planes of the other joint; the first and last slab are open on one side [m along its

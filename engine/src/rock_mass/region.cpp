@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kCandidates = 24;      // cutting planes compared for one cell
 constexpr std::size_t kMostCells = 200'000;  // of a region: one for each reflex edge and more
+constexpr double kRounding = 1e-12;          // of the region, of a clipped corner's height; see reachesInto
 constexpr double kSameVolume = 1e-6;  // of a region against its surface, beyond what its flatness allows
 
 /// A triangle of the surface and its place among the planes.
@@ -186,22 +187,41 @@ class Decomposer {
         return true;
     }
 
-    /// Whether a triangle has a part inside the cell, deeper than flat faces may be uneven.
-    bool reachesInto(const Cell& cell, const Facet& facet) const {
-        std::vector<Vec3> part(facet.corner.begin(), facet.corner.end()), next;
+    /// How far a point lies outside the cell's face, or less than `depth_` inside it [m].
+    double outside(const CellFace& face, const Vec3& point) const {
+        const double sign = face.outward ? 1 : -1;
+        return sign * planes_[static_cast<std::size_t>(face.plane)].height(point) + depth_;
+    }
+
+    /// Whether a triangle has a part inside the cell, deeper than flat faces may be uneven. Most triangles
+    /// are told by their corners: all are clearly outside one face, or one is inside all faces.
+    bool reachesInto(const Cell& cell, const Facet& facet) {
+        const double clearly = kRounding * extent_;
+        std::array<bool, 3> is_in{true, true, true};
         for (const CellFace& face : cell.faces) {
-            const Plane& plane = planes_[static_cast<std::size_t>(face.plane)];
-            const double sign = face.outward ? 1 : -1;
-            const auto height = [&](const Vec3& x) { return sign * plane.height(x) + depth_; };
-            next.clear();
-            for (std::size_t i = 0; i < part.size(); ++i) {
-                const Vec3 &a = part[i], &b = part[(i + 1) % part.size()];
-                const double h_a = height(a), h_b = height(b);
-                if (h_a < 0) next.push_back(a);
-                if ((h_a < 0) != (h_b < 0)) next.push_back(a + h_a / (h_a - h_b) * (b - a));
+            std::array<double, 3> heights;
+            for (std::size_t i = 0; i < 3; ++i) {
+                heights[i] = outside(face, facet.corner[i]);
+                is_in[i] = is_in[i] && heights[i] < 0;
             }
-            part.swap(next);
-            if (part.size() < 3) return false;
+            if (std::min({heights[0], heights[1], heights[2]}) > clearly) return false;
+        }
+        return is_in[0] || is_in[1] || is_in[2] || isLeftByClipping(cell, facet);
+    }
+
+    /// Whether clipping the triangle by all faces of the cell leaves a part of it.
+    bool isLeftByClipping(const Cell& cell, const Facet& facet) {
+        part_.assign(facet.corner.begin(), facet.corner.end());
+        for (const CellFace& face : cell.faces) {
+            clipped_.clear();
+            for (std::size_t i = 0; i < part_.size(); ++i) {
+                const Vec3 &a = part_[i], &b = part_[(i + 1) % part_.size()];
+                const double h_a = outside(face, a), h_b = outside(face, b);
+                if (h_a < 0) clipped_.push_back(a);
+                if ((h_a < 0) != (h_b < 0)) clipped_.push_back(a + h_a / (h_a - h_b) * (b - a));
+            }
+            part_.swap(clipped_);
+            if (part_.size() < 3) return false;
         }
         return true;
     }
@@ -263,6 +283,7 @@ class Decomposer {
     std::vector<Facet> facets_;
     const BoxTree* tree_ = nullptr;  ///< of the facets
     std::vector<Cell> cells_;
+    std::vector<Vec3> part_, clipped_;  ///< of isLeftByClipping, kept for their memory
     Vec3 min_, max_;
     double extent_ = 0, deviation_ = 0, depth_ = 0;
 };

@@ -9,10 +9,10 @@
 #include "law/joint_laws.h"
 #include "limit_analysis/ceiling.h"
 #include "measure/natural_order.h"
+#include "search/limit_load.h"
 #include "search/search_run.h"
 #include "state/block_motion.h"
 #include "state/caller.h"
-#include "talus/block_theory.h"
 
 namespace talus::search {
 namespace {
@@ -117,25 +117,23 @@ void Search::lowerInterval(double answer, const std::string& reason) {
 }
 
 void Search::addLimitEquilibrium() {
-    if (varied_ != Varied::factor || result_.status != SearchStatus::found) return;
+    const bool has_answer = result_.status == SearchStatus::found;
+    if (!has_answer && result_.status != SearchStatus::stable_to_stop) return;
     if (control_.upper_bound == Beside::never || isStopped(control_)) return;
+    // A factor takes one look at the groups, other loads several.
+    if (has_answer && varied_ != Varied::factor && !control_.interval) return;
     report("limit equilibrium", kPath, "blocks that slide as one body");
-    Control control = control_;
-    control.progress = {};
     std::vector<std::string> gone;
     for (const BlockGroup& group : result_.removed_groups)
         gone.insert(gone.end(), group.blocks.begin(), group.blocks.end());
-    const auto all = keyBlocks(talus::withoutBlocks(*rest_, gone), control);
-    if (!all) return;
+    const Model model = talus::withoutBlocks(*rest_, gone);
     const double least = rest_->analysis.least_mass_share * freeMass(*built_);
-    const auto group = std::find_if(all->groups.begin(), all->groups.end(), [&](const MovingGroup& one) {
-        return one.sliding.factor > 0 && std::isfinite(one.sliding.factor) && one.mass >= least;
-    });
-    if (group == all->groups.end()) return;
-    result_.limit_equilibrium = LimitEquilibrium{
-        group->sliding.factor,
-        group->sliding.mode == SlidingMode::wedge ? "sliding along two planes" : "sliding on one plane",
-        group->blocks};
+    const LimitQuestion question{model, varied_, least, control_};
+    if (has_answer) {
+        result_.limit_equilibrium = limitEquilibriumOf(question, axis(), result_.answer);
+    } else if (auto why = nothingCanSlide(question, result_.low)) {
+        result_.warnings.push_back(std::move(*why));
+    }
 }
 
 void Search::addBounds() {

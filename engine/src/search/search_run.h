@@ -116,7 +116,7 @@ class Search {
     /// could press them.
     UnloadedJoints unloadedAtFirst();
 
-    /// The least factor by block theory, for the blocks that the answer is for.
+    /// By block theory, for the blocks that the answer is for; without an answer, whether any can move.
     void addLimitEquilibrium();
     /// The lowest and the highest answer found.
     void addInterval(const Course& course);

@@ -37,14 +37,21 @@ double lostFriction(const State& state) {
     });
 }
 
+/// A contact point breaks under the mean stress of its area, and the stress at the edge is higher: in a
+/// continuum the edge would break first, and all after it.
+constexpr const char* kPointByPoint =
+    "Tensile strength is lost one contact point after the other: the answer is on the unsafe side, and is "
+    "lower with more contact points. ";
+
 /// Limit equilibrium keeps cohesion to the end; eq 9 does not.
-std::optional<std::string> ofLostCohesion(double lost) {
+std::optional<std::string> ofLostCohesion(double lost, double torn) {
     if (lost == 0) return std::nullopt;
     return kDependsOnCohesion + std::string(" where a joint first slips or opens (") +
            formatted("%.0f", 100 * lost) +
            " % of the area of such joints at failure). With residual_cohesion = cohesion, as in limit "
-           "equilibrium, the answer may be higher. The upper bound of limit analysis assumes that cohesion "
-           "is kept";
+           "equilibrium, the answer may be higher. " +
+           (torn > 0 ? kPointByPoint : "") +
+           "The upper bound of limit analysis assumes that cohesion is kept";
 }
 
 /// A brittle bond tears at its edge first.
@@ -53,8 +60,8 @@ std::optional<std::string> ofLostTension(double lost) {
     return kDependsOnTension + std::string(" at once where a joint first opens or slips (") +
            formatted("%.0f", 100 * lost) +
            " % of the area of such joints at failure). With softening_displacement, over which rock tears, "
-           "the answer may be higher. The upper bound of limit analysis assumes that tensile strength is "
-           "kept";
+           "the answer may be higher. " +
+           kPointByPoint + "The upper bound of limit analysis assumes that tensile strength is kept";
 }
 
 /// Limit equilibrium counts the peak everywhere at once; a real joint slips progressively.
@@ -101,10 +108,11 @@ std::vector<std::string> searchWarnings(const State& built, const State& last, b
     if (!fails) return warnings;
     if (at_start)
         if (auto pressed = ofJointsPressedIn(last)) warnings.push_back(std::move(*pressed));
-    if (auto lost = ofLostCohesion(lostCohesion(last))) {
+    const double torn = lostTension(last);
+    if (auto lost = ofLostCohesion(lostCohesion(last), torn)) {
         warnings.push_back(std::move(*lost));
-    } else if (auto torn = ofLostTension(lostTension(last))) {
-        warnings.push_back(std::move(*torn));
+    } else if (auto tension = ofLostTension(torn)) {
+        warnings.push_back(std::move(*tension));
     } else if (auto slipped = ofLostFriction(lostFriction(last))) {
         warnings.push_back(std::move(*slipped));
     }

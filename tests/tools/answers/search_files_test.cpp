@@ -75,7 +75,7 @@ TEST_CASE("what fails before the search has blocks to show and no curve") {
     CHECK(isSvg(folder / "b.svg"));
 }
 
-TEST_CASE("limit equilibrium is in the JSON where a formula applies") {
+TEST_CASE("limit equilibrium is in the JSON: of theory where a formula applies, otherwise of block theory") {
     const TemporaryFolder folder;
     const std::string scenario = folder.write("slides.toml", blockScenario(0, 20, kQuickSearch));
     const auto json = runTalus({"critical-angle", scenario, "--json", "--quiet"}).json();
@@ -88,5 +88,12 @@ TEST_CASE("limit equilibrium is in the JSON where a formula applies") {
         "pushed.toml",
         blockScenario(0, 20,
                       std::string(kQuickSearch) + "[[load]]\nblock = \"key\"\nforce = [0.0, 0.0, -1e3]\n"));
-    CHECK(runTalus({"critical-angle", pushed, "--json", "--quiet"}).json().at("limit_equilibrium").is_null());
+    const auto loaded = runTalus({"critical-angle", pushed, "--json", "--quiet"}).json();
+    CHECK(loaded.at("limit_equilibrium").at("kind") == "sliding on one plane");
+    CHECK(loaded.at("limit_equilibrium").at("value").get<double>() ==
+          doctest::Approx(loaded.at("critical_angle_deg").get<double>()).epsilon(2e-3));
+    CHECK(runTalus({"critical-angle", pushed, "--json", "--quiet", "--no-interval"})
+              .json()
+              .at("limit_equilibrium")
+              .is_null());
 }
