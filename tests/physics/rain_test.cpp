@@ -13,7 +13,9 @@
 #include "model/over_time.h"
 #include "support/closed_fissure.h"
 #include "support/relative.h"
+#include "talus/formats/scenario.h"
 #include "talus/simulation.h"
+#include "talus/storm.h"
 
 using namespace talus;
 using namespace talus::test;
@@ -157,5 +159,24 @@ TEST_SUITE("physics") {
         CHECK(one->waters[0].level == other->waters[0].level);
         CHECK(one->waters[0].leaked == other->waters[0].leaked);
         CHECK(one->state_hash == other->state_hash);
+    }
+
+    TEST_CASE("rain: the block of the guide has the factors of limit equilibrium all day") {
+        const auto scenario = formats::readScenario(TALUS_SOURCE_DIR "/bench/examples/rain.toml");
+        REQUIRE(scenario.ok());
+        const auto result = storm(scenario->model, {.step = 7200});
+        REQUIRE(result.ok());
+        // The plane of 30 degrees through the toe, the crack at x = 12 m, the face up to (6.93, 12).
+        const double dip = radians(30), foot = 12 * std::tan(dip), crest = 6.93;
+        const double area = 0.5 * (crest * 12 + (12 - crest) * 24) - 0.5 * 12 * foot;
+        const double weight = area * 2650 * 9.81, tan_phi = std::tan(radians(33));
+        for (const StormPoint& point : result->points) {
+            CAPTURE(point.time);
+            const double depth = point.levels[0] - foot, thrust = 0.5 * 9810 * depth * depth;
+            const double exact = (weight * std::cos(dip) - thrust * std::sin(dip)) * tan_phi /
+                                 (weight * std::sin(dip) + thrust * std::cos(dip));
+            CHECK(point.factor == doctest::Approx(exact).epsilon(0.002));
+        }
+        CHECK(result->failure_time);
     }
 }
