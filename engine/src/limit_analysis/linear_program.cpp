@@ -3,6 +3,7 @@
 #include <ClpEventHandler.hpp>
 #include <ClpSimplex.hpp>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 

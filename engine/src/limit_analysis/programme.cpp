@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "talus/model.h"
+
 namespace talus::limit {
 namespace {
 

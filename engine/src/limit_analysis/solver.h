@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "limit_analysis/programme.h"
+#include "talus/control.h"
 
 namespace talus::limit {
 
