@@ -1,6 +1,7 @@
 #pragma once
 // A linear programme, solved by CLP (COIN-OR): least cost . x with rows and columns within their bounds.
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "talus/analysis.h"
 #include "talus/build_info.h"
 #include "talus/formats/output_file.h"
 #include "talus/formats/scenario.h"
