@@ -33,7 +33,7 @@ formats::Scenario interruptible(const Read& read) {
 
 /// As `talus blocks` draws them.
 std::string picture(const formats::Scenario& scenario, double azimuth_deg, double elevation_deg) {
-    return tools::blocksSvg(scenario.model, {tools::radians(azimuth_deg), tools::radians(elevation_deg)},
+    return tools::blocksSvg(scenario.model, {talus::radians(azimuth_deg), talus::radians(elevation_deg)},
                             scenario.path);
 }
 

@@ -54,7 +54,7 @@ class SnapshotFile {
             const LightFrame frame = tools::valueOf(reader_.frame(k));
             all.times.push_back(frame.time);
             all.steps.push_back(frame.step);
-            all.tilts.push_back(tools::degrees(frame.tilt));
+            all.tilts.push_back(talus::degrees(frame.tilt));
             all.kinetic.push_back(frame.kinetic_energy);
             all.elastic.push_back(frame.elastic_energy);
             all.gravity.push_back(frame.gravity_energy);

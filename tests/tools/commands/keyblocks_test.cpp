@@ -47,7 +47,7 @@ TEST_CASE("keyblocks: a wedge as JSON") {
         for (const auto& component : each.at("direction")) squares += std::pow(component.get<double>(), 2);
         CHECK(squares == doctest::Approx(1));
         CHECK(each.at("direction")[2].get<double>() ==
-              doctest::Approx(-std::sin(tools::radians(each.at("plunge_deg").get<double>()))));
+              doctest::Approx(-std::sin(talus::radians(each.at("plunge_deg").get<double>()))));
         std::set<std::pair<double, double>> planes;
         double resisting = 0;
         for (const auto& plane : each.at("planes")) {

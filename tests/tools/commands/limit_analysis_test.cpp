@@ -33,7 +33,7 @@ TEST_CASE("limit-analysis: tilt, factor and horizontal load of one block") {
     CHECK(tilt.at("mechanism").size() == 1);
     CHECK(tilt.at("mechanism")[0].at("moving") == true);
     CHECK(limitOf(level, "horizontal").at("upper").get<double>() ==
-          doctest::Approx(std::tan(20 * tools::kDegree)).epsilon(1e-6));
+          doctest::Approx(std::tan(20 * talus::kDegree)).epsilon(1e-6));
     CHECK(limitOf(level, "factor").at("status") == "stable_to_stop");
     CHECK(limitOf(level, "factor").at("upper").is_null());
 
@@ -43,7 +43,7 @@ TEST_CASE("limit-analysis: tilt, factor and horizontal load of one block") {
     CHECK(falls.at("lower").is_null());
     CHECK(falls.at("moving_blocks") == nlohmann::json::array({"key"}));
     CHECK(limitOf(steep, "factor").at("upper").get<double>() ==
-          doctest::Approx(std::tan(20 * tools::kDegree) / std::tan(25 * tools::kDegree)).epsilon(2e-4));
+          doctest::Approx(std::tan(20 * talus::kDegree) / std::tan(25 * talus::kDegree)).epsilon(2e-4));
 }
 
 TEST_CASE(
@@ -115,7 +115,7 @@ TEST_CASE("a search has its upper bound beside the answer, unless it is left out
     CHECK(angle.at("ceiling_reason").is_null());
     const auto factor = runTalus({"safety-factor", path, "--json", "--threads", "1"}).json();
     CHECK(factor.at("ceiling").get<double>() ==
-          doctest::Approx(std::tan(20 * tools::kDegree) / std::tan(10 * tools::kDegree)).epsilon(2e-4));
+          doctest::Approx(std::tan(20 * talus::kDegree) / std::tan(10 * talus::kDegree)).epsilon(2e-4));
     const auto without = runTalus({"critical-angle", path, "--no-ceiling", "--json"}).json();
     CHECK(without.at("ceiling").is_null());
     CHECK(without.at("upper_bound").is_null());

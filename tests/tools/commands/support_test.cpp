@@ -17,14 +17,14 @@ const std::string kAnchored = TALUS_SOURCE_DIR "/bench/verification/hoek-bray-cr
 /// The Hoek-Bray slope with 2 m of water: the anchor's force for a factor of safety, by limit equilibrium
 /// [N/m].
 double anchorFor(double factor) {
-    const double dip = tools::radians(35), tan_phi = std::tan(tools::radians(37)), unit = 9810;
+    const double dip = talus::radians(35), tan_phi = std::tan(talus::radians(37)), unit = 9810;
     const double crack = 12 - 7.652010281, area = 7.652010281 / std::sin(dip);
     const double weight =
-        0.5 * 26000 * 144 * ((1 - crack * crack / 144) / std::tan(dip) - 1 / std::tan(tools::radians(60)));
+        0.5 * 26000 * 144 * ((1 - crack * crack / 144) / std::tan(dip) - 1 / std::tan(talus::radians(60)));
     const double uplift = 0.5 * unit * 2 * area, thrust = 0.5 * unit * 4;
     const double holds = 25e3 * area + (weight * std::cos(dip) - uplift - thrust * std::sin(dip)) * tan_phi;
     const double drives = weight * std::sin(dip) + thrust * std::cos(dip);
-    const double to_plane = dip + tools::radians(15);
+    const double to_plane = dip + talus::radians(15);
     return (factor * drives - holds) / (std::sin(to_plane) * tan_phi + factor * std::cos(to_plane));
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("support: the pretension that a factor of safety takes is that of limi
 TEST_CASE("support: the number of bolts of a pattern") {
     const TemporaryFolder folder;
     const std::string path = folder.write("pinned.toml", pinned());
-    const double weight = 2700 * 16 * 9.81, b = tools::radians(30), tan_phi = std::tan(tools::radians(20));
+    const double weight = 2700 * 16 * 9.81, b = talus::radians(30), tan_phi = std::tan(talus::radians(20));
     for (const double factor : {0.7, 0.8, 1.1}) {
         // F = (W cos b + n T) tan(phi) / (W sin b)
         const double exact = (factor * weight * std::sin(b) / tan_phi - weight * std::cos(b)) / 2e4;
