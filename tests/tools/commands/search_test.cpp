@@ -476,7 +476,7 @@ TEST_CASE("an answer for a small part of the slope says so, and how to search fo
     const auto behind =
         runTalus({"safety-factor", path, "--json", "--set", "analysis.least_mass_share=0.05"}).json();
     CHECK(behind.at("moving_blocks") == nlohmann::json{"key"});
-    const double without = std::tan(radians(20)) / std::tan(radians(12));
+    const double without = std::tan(talus::radians(20)) / std::tan(talus::radians(12));
     CHECK(behind.at("ceiling").get<double>() == doctest::Approx(without).epsilon(0.001));
     CHECK(behind.at("range").is_null());
     REQUIRE(behind.at("let_go").size() == 1);
