@@ -13,6 +13,7 @@
 #include "commands/commands.h"
 #include "report/page.h"
 #include "report/svg.h"
+#include "reproduction/bag_page.h"
 #include "reproduction/cases.h"
 #include "reproduction/data.h"
 #include "reproduction/kept.h"
@@ -70,7 +71,7 @@ void writeSlopes(const PaperResults& results, const std::string& folder) {
 }
 
 void writeBag(const PaperResults& results, const std::string& out) {
-    writeFile(out + "/water-bag.csv", bagCsv(results));
+    writeFile(out + "/water-bag.csv", bagCsv(results.bag, results.provenance_comments));
     writeFile(out + "/water-bag-level.svg", svgFile(plotBagLevel(results.bag)));
     writeFile(out + "/water-bag-displacement.svg", svgFile(plotBagDisplacement(results.bag)));
     for (const BagRun& bag : results.bag)

@@ -1,24 +1,15 @@
 #include "reproduction/bag.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "cli/failures.h"
-#include "cli/files.h"
-#include "cli/signals.h"
 #include "cli/text.h"
-#include "replay/page.h"
-#include "reproduction/kept.h"
-#include "reproduction/results.h"
 #include "reproduction/scenario_text.h"
-#include "talus/parallel.h"
 
 namespace talus::tools {
 namespace {
 
-constexpr double kBeyond = 0.3;  ///< tilt beyond the critical angle: slides visibly, and can still stop [deg]
 constexpr double kDuration = 1.0;   ///< the supply fills the bag again within it [s]
 constexpr double kFrame = 0.01;     ///< [s]
 constexpr int kFramesPerFull = 50;  ///< replay needs poses alone
@@ -60,14 +51,6 @@ void addRoles(KeptRun& kept, double watched_displacement) {
     }
 }
 
-const PaperRun* slopeWithBag(const PaperResults& results) {
-    for (const PaperRun& run : results.runs)
-        if (run.what.keep_failing && run.what.fissures == std::vector{results.bag_fissure} &&
-            criticalDeg(run))
-            return &run;
-    return nullptr;
-}
-
 }  // namespace
 
 std::vector<BagRun> bagRuns(const std::string& slope, int fissure, double tilt_deg) {
@@ -105,26 +88,6 @@ void playBagRun(BagRun& bag, const Common& common, const Control& control) {
     kept.run = valueOf(std::move(outcome), kept.scenario);
     kept.file = bag.file;
     if (!bag.history.empty()) addRoles(kept, bag.history.back().displacement);
-}
-
-void keepBagRuns(PaperResults& results, const std::string& folder, const std::string& page_folder,
-                 const Common& common) {
-    const PaperRun* slope = slopeWithBag(results);
-    if (!slope) return;
-    makeFolder(folder);
-    std::vector<BagRun> runs =
-        bagRuns(slope->what.scenario.text, results.bag_fissure, *criticalDeg(*slope) + kBeyond);
-    for (BagRun& bag : runs)
-        bag.file = folder + "/water-" + bag.id + ".mcap", bag.page = folder + "/water-" + bag.id + ".html";
-    inArena(threadsUsed(common), [&] {
-        tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t k) {
-            playBagRun(runs[k], common, {{}, &stopRequested(), 1});
-            writeReplay(runs[k].file, runs[k].page);
-        });
-    });
-    for (BagRun& bag : runs)
-        for (std::string* path : {&bag.file, &bag.page}) *path = relativeTo(page_folder, *path);
-    results.bag = std::move(runs);
 }
 
 }  // namespace talus::tools

@@ -12,8 +12,6 @@
 
 namespace talus::tools {
 
-struct PaperResults;
-
 struct BagInstant {
     double time = 0;          ///< [s]
     double level = 0;         ///< depth of the water [m]
@@ -38,17 +36,10 @@ std::vector<BagRun> bagRuns(const std::string& slope, int fissure, double tilt_d
 /// Computes one, and keeps its snapshots in its file. Throws FileRefused.
 void playBagRun(BagRun& bag, const Common& common, const Control& control);
 
-/// The three runs of the slope with water in fissure 5, with a snapshot file and a replay page each in
-/// `folder`, replacing what is there. No runs without an answer for that slope. Throws FileRefused.
-void keepBagRuns(PaperResults& results, const std::string& folder, const std::string& page_folder,
-                 const Common& common);
-
 Plot plotBagLevel(const std::vector<BagRun>& runs);         ///< level over time
 Plot plotBagDisplacement(const std::vector<BagRun>& runs);  ///< displacement over time
-std::string bagCsv(const PaperResults& results);            ///< run, time, level, displacement, speed
-Json bagJson(const std::vector<BagRun>& runs);              ///< how each run ends
-
-/// The page's section: what is assumed, table, plots and links, or how to get them.
-Json bagSection(const PaperResults& results);
+/// run, time, level, displacement, speed; below the lines of provenance
+std::string bagCsv(const std::vector<BagRun>& runs, const std::string& provenance_comments);
+Json bagJson(const std::vector<BagRun>& runs);  ///< how each run ends
 
 }  // namespace talus::tools

@@ -1,20 +1,30 @@
 // What the page shows of the water bag: plots, a table, and links to the replays.
 
+#include "reproduction/bag_page.h"
+
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 
+#include "cli/files.h"
 #include "cli/json.h"
+#include "cli/signals.h"
 #include "cli/text.h"
+#include "replay/page.h"
 #include "report/csv.h"
 #include "report/page.h"
 #include "report/svg.h"
 #include "reproduction/bag.h"
+#include "reproduction/kept.h"
 #include "reproduction/results.h"
 #include "reproduction/slope.h"
+#include "talus/parallel.h"
 
 namespace talus::tools {
 namespace {
 
+constexpr double kBeyond = 0.3;  ///< tilt beyond the critical angle: slides visibly, and can still stop [deg]
 constexpr std::array<const char*, 3> kRoles{"rule", "laboratory", "theory"};  ///< colours of the curves
 constexpr double kHeadroom = 1.2;  ///< above the largest displacement with a bag
 constexpr double kBeside = 0.1;    ///< below and above the levels, share of their range
@@ -69,7 +79,35 @@ Json pictures(const std::vector<BagRun>& runs, const std::vector<int>& fissures)
     return drawings(items, false);
 }
 
+const PaperRun* slopeWithBag(const PaperResults& results) {
+    for (const PaperRun& run : results.runs)
+        if (run.what.keep_failing && run.what.fissures == std::vector{results.bag_fissure} &&
+            criticalDeg(run))
+            return &run;
+    return nullptr;
+}
+
 }  // namespace
+
+void keepBagRuns(PaperResults& results, const std::string& folder, const std::string& page_folder,
+                 const Common& common) {
+    const PaperRun* slope = slopeWithBag(results);
+    if (!slope) return;
+    makeFolder(folder);
+    std::vector<BagRun> runs =
+        bagRuns(slope->what.scenario.text, results.bag_fissure, *criticalDeg(*slope) + kBeyond);
+    for (BagRun& bag : runs)
+        bag.file = folder + "/water-" + bag.id + ".mcap", bag.page = folder + "/water-" + bag.id + ".html";
+    inArena(threadsUsed(common), [&] {
+        tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t k) {
+            playBagRun(runs[k], common, {{}, &stopRequested(), 1});
+            writeReplay(runs[k].file, runs[k].page);
+        });
+    });
+    for (BagRun& bag : runs)
+        for (std::string* path : {&bag.file, &bag.page}) *path = relativeTo(page_folder, *path);
+    results.bag = std::move(runs);
+}
 
 Plot plotBagLevel(const std::vector<BagRun>& runs) {
     double low = kInfinity, high = 0;
@@ -91,9 +129,9 @@ Plot plotBagDisplacement(const std::vector<BagRun>& runs) {
                         [](const BagInstant& instant) { return 1e3 * instant.displacement; });
 }
 
-std::string bagCsv(const PaperResults& results) {
-    std::string csv = results.provenance_comments + "run,time_s,level_m,displacement_m,speed_m_s\n";
-    for (const BagRun& bag : results.bag)
+std::string bagCsv(const std::vector<BagRun>& runs, const std::string& provenance_comments) {
+    std::string csv = provenance_comments + "run,time_s,level_m,displacement_m,speed_m_s\n";
+    for (const BagRun& bag : runs)
         for (const BagInstant& at : bag.history)
             csv += csvLine({bag.id, csvNumber(at.time), csvNumber(at.level), csvNumber(at.displacement),
                             csvNumber(at.speed)});

@@ -3,6 +3,7 @@
 #include "cli/json.h"
 #include "cli/text.h"
 #include "report/page.h"
+#include "reproduction/bag_page.h"
 #include "reproduction/kept.h"
 #include "reproduction/laboratory.h"
 #include "reproduction/notes.h"

@@ -485,7 +485,7 @@ TEST_CASE("an answer for a small part of the slope says so, and how to search fo
     CHECK(gone.at("blocks") == nlohmann::json{"pebble"});
     CHECK(gone.at("mass_share").get<double>() == doctest::Approx(0.004 / 0.504).epsilon(1e-6));
     CHECK(gone.at("safety_factor").get<double>() ==
-          doctest::Approx(std::tan(radians(20)) / std::tan(radians(40))).epsilon(0.002));
+          doctest::Approx(std::tan(talus::radians(20)) / std::tan(talus::radians(40))).epsilon(0.002));
     CHECK(gone.at("bracket").at(0) < gone.at("safety_factor"));
     CHECK(gone.at("safety_factor") < gone.at("bracket").at(1));
     const Outcome wrong = said({"--set", "analysis.least_mass_share=1"});

@@ -7,6 +7,7 @@
 
 #include "cli/json.h"
 #include "reproduction/bag.h"
+#include "reproduction/bag_page.h"
 #include "reproduction/results.h"
 #include "support/files.h"
 #include "tools/reproduction/samples.h"
@@ -71,7 +72,7 @@ TEST_CASE("the page has plots, ends and links of the water bag, or says how to g
     for (BagRun& bag : results.bag)
         bag.history = {{0, 0.35, 0, 0}, {1, 0.30, 1e-3, 2e-3}, {2, 0.32, 1.2e-3, 0}};
     CHECK(bagJson(results.bag)[1]["lowest_level_m"] == 0.30);
-    CHECK(bagCsv(results).find("supply,1,0.3,0.001,0.002\n") != std::string::npos);
+    CHECK(bagCsv(results.bag, "").find("supply,1,0.3,0.001,0.002\n") != std::string::npos);
     CHECK(plotBagLevel(results.bag).series.size() == 3);
     CHECK(plotBagDisplacement(results.bag).series[2].rows[1][1] == doctest::Approx(1.0));
 }

@@ -180,8 +180,9 @@ TEST_CASE("the report has every table, plot and drawing, and says when it was in
             ids.push_back(section["id"]);
             for (const Json& block : section["blocks"]) ++blocks[block["type"]];
         }
-        CHECK(ids == std::vector<std::string>{"slopes", "replays", "table", "fig6", "section5", "points",
-                                              "differences", "errata", "parameters", "time", "scenarios"});
+        CHECK(ids == std::vector<std::string>{"slopes", "replays", "bag", "table", "fig6", "section5",
+                                              "points", "differences", "errata", "parameters", "time",
+                                              "scenarios"});
         CHECK(blocks["table"] == 5);
         CHECK(blocks["plot"] == 3);
         CHECK(report["sections"][0]["blocks"][1]["items"].size() == 7 + 2);
