@@ -45,8 +45,8 @@ const std::map<std::string, std::string>& lowestFloors() {
         {"rock_mass", "rock_mass"},       {"ending_sets", "rock_mass"},
         {"model_check", "build"},         {"analysis", "failure"},
         {"simulation", "history"},        {"limit_analysis", "limit_analysis"},
-        {"block_theory", "block_theory"}, {"searches", "search"},
-        {"search_rules", "search"},       {"theory", "search"},
+        {"block_theory", "block_theory"}, {"searches", "limit_analysis"},
+        {"search_rules", "equilibrium"},  {"theory", "search"},
         {"kinematics", "kinematics"}};
     return all;
 }
