@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/flows.h"
 #include "support/models.h"
 #include "talus/searches.h"
 
@@ -169,6 +170,22 @@ TEST_SUITE("search") {
             return text.find("no block can leave") != std::string::npos;
         });
         CHECK(told);
+    }
+
+    TEST_CASE("a search over tilt has no limit equilibrium beside flow, which keeps the scenario's tilt") {
+        Model model = floorModel(kFriction);
+        addBox(model, "box", {0, 0, 0}, {4, 1, 1});
+        model.flow = flowAlongX(1e-4, 0, 1);
+        const SearchResult tilted = *criticalAngle(model, kPlain);
+        REQUIRE((tilted.status == SearchStatus::found));
+        CHECK_FALSE(tilted.limit_equilibrium.has_value());
+        // k g M = (g M - U) tan(phi), with uplift that falls from 1 m of water to none
+        const double g = model.gravity.magnitude, mass = 2700 * 4;
+        const double uplift = 0.5 * model.flow->density * g * 4;
+        const double k = (1 - uplift / (g * mass)) * std::tan(radians(kFriction));
+        const SearchResult pushed = *criticalAcceleration(model, kPlain);
+        REQUIRE(pushed.limit_equilibrium.has_value());
+        CHECK(pushed.limit_equilibrium->value == doctest::Approx(k).epsilon(1e-5));
     }
 
     TEST_CASE("the result of each search has the limit equilibrium of its own load") {
