@@ -147,6 +147,17 @@ TEST_SUITE("engine") {
         const auto too_fine = storm(slope.model(), {.step = 1e-3});
         REQUIRE_FALSE(too_fine.ok());
         CHECK(too_fine.errors()[0].field == "step");
+        const double nan = std::nan("");
+        for (const double bad : {0.0, -300.0, kInfinity, nan}) {
+            CAPTURE(bad);
+            const auto no_step = storm(slope.model(), {.step = bad});
+            REQUIRE_FALSE(no_step.ok());
+            CHECK(no_step.errors()[0].field == "step");
+            CHECK(no_step.errors()[0].message.find("allowed: more than 0 s") != std::string::npos);
+            const auto no_duration = storm(slope.model(), {.step = 300, .duration = bad});
+            REQUIRE_FALSE(no_duration.ok());
+            CHECK(no_duration.errors()[0].field == "duration");
+        }
         steady.waters[0].closed = false;
         const auto held = storm(steady, {.duration = 10});
         REQUIRE_FALSE(held.ok());
