@@ -16,8 +16,8 @@
 namespace talus {
 namespace {
 
-// Halvings of the range of levels before a straight line is believed: five searches at least, so that a kink
-// has to hide between neighbours of them.
+// Halvings of the range of levels before a straight line is accepted: nine searches if there are as many
+// levels. A kink between two neighbours of them is missed.
 constexpr int kHalvings = 2;
 // Of the tolerance of factors, by which the search between two others may lie off their straight line. Lines
 // to it are drawn from both. A parabola through the three is off these lines by a quarter of that at most.
