@@ -283,7 +283,7 @@ TEST_CASE("scenario errors: blocks placed by hand") {
         {properties() + block("a", "driven = true\nvelocity = [1, 0, 0]\nangular_velocity = [1, 0, 0]\n"), 12,
          "block[0].angular_velocity", "of a driven block"});
     checkFault({properties() + block("a", "angular_velocity = [1, 0, 2000]\n"), 10,
-                "block[0].angular_velocity[2]", "-1000 to 1000"});
+                "block[0].angular_velocity[2]", "at least -1000 and at most 1000"});
     checkFault({properties() + block("a", "fixed = true\ndriven = true\nvelocity = [1, 0, 0]\n"), 11,
                 "block[0].driven", "both fixed and driven"});
     checkFault(
