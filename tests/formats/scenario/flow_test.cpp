@@ -99,12 +99,12 @@ TEST_CASE("flow: what is refused, with its place") {
     checkStart(refused(flow("aperture = 1e-4\n", "")),
                "flow.boundary: found no [[flow.boundary]] with a head");
     checkStart(refused(flow("aperture = 1e-4\n[flow.joint.cleats]\naperture = 1e-4\n")),
-               "flow.joint.cleats: found \"cleats\"");
+               "flow.joint.cleats: found the unknown joint \"cleats\"");
     checkStart(refused(flow("aperture = 1e-4\n[flow.joint.bedding]\naperture = 0\n")),
                "flow.joint.bedding.aperture: found 0");
     checkStart(
         refused(flow("aperture = 1e-4\n", kHeads + "[[flow.boundary]]\njoint = \"cleats\"\nhead = 1\n")),
-        "flow.boundary[2].joint: found \"cleats\"");
+        "flow.boundary[2].joint: found the unknown joint \"cleats\"");
     checkStart(refused(flow("aperture = 1e-4\n", kHeads + "[[flow.boundary]]\nhead = 1\n")),
                "flow.boundary[2].face: missing");
     checkStart(refused(flow("aperture = 1e-4\n", kHeads + "[[flow.boundary]]\nface = \"+z\"\n")),
