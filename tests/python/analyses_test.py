@@ -101,6 +101,9 @@ class Answers(unittest.TestCase):
         self.assertIn("water[0].level_m", table.read_text())
         with self.assertRaisesRegex(talus.ScenarioError, "level changes"):
             talus.storm(self.file)
+        for name, value in (("step_s", 0), ("step_s", -300), ("step_s", float("nan")), ("duration_s", -1)):
+            with self.subTest(name=name, value=value), self.assertRaisesRegex(talus.ScenarioError, "allowed: more than 0 s"):
+                talus.storm(file, **{name: value})
 
     def test_threads_do_not_matter(self):
         answers = {talus.critical_angle(self.file, threads=threads).state_hash for threads in (0, 1, 2)}

@@ -81,6 +81,8 @@ ResultLines theoryText(const SearchReport& report) {
         return line("limit equilibrium", figureOf(report, limit.value) + unitOf(report) + "  (" + limit.kind +
                                              ", translation only: " + compactNames(limit.blocks) + ")");
     }
+    if (!report.theory && report.search.load->varied == Varied::tilt && report.scenario.model.flow)
+        return line("limit equilibrium", "left out: it would compute [flow] anew at each tilt");
     if (!report.theory) {
         return line("theory",
                     report.cut_short ? "none found before the interruption" : "no closed formula applies");

@@ -79,8 +79,7 @@ std::string leastText(const StormResult& result) {
 
 std::string failureText(const StormResult& result) {
     if (!result.failure_time) return allFound(result) ? "never" : "not known";
-    return "after " + hours(*result.failure_time) +
-           "; later factors are of walls that stand still nevertheless";
+    return "after " + hours(*result.failure_time) + "; later factors assume that the slope has not moved";
 }
 
 std::string balanceText(const WaterReport& water) {

@@ -54,9 +54,9 @@ Command addStorm(CLI::App& root) {
     app->footer(
         "Example:\n  talus storm slope.toml --step-s 600\n  talus storm slope.toml --plot storm.svg --csv "
         "storm.csv\n  talus storm slope.toml --json | jq .least.safety_factor\n\nLevels follow from rain, "
-        "inflow, leak and overflow of closed volumes, and from tables of levels. The walls stand\nas built "
-        "meanwhile. Each level is a search for the factor of safety with that level held. Where one level "
-        "alone\nchanges, factors between searches are interpolated where that is exact to within "
+        "inflow, leak and overflow of closed volumes, and from tables of levels, with the walls\nfixed as "
+        "built. For each level the factor of safety is searched, with that level held constant. If a single "
+        "level\nchanges, factors between searches are interpolated where the error is below "
         "analysis.factor_tolerance.\n\nA factor below 1 is a result (exit code 0). An undecided one is not "
         "(exit code 3).");
     return {app, [options] { return compute(*options); }};

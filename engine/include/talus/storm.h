@@ -15,8 +15,8 @@
 namespace talus {
 
 struct StormSettings {
-    double step = 600;                 ///< between two times of the answer [s]
-    std::optional<double> duration{};  ///< [s]; none: up to the end of the tables (stormDuration)
+    double step = 600;                 ///< between two times of the answer, more than 0 [s]
+    std::optional<double> duration{};  ///< more than 0 [s]; none: up to the end of the tables (stormDuration)
 };
 
 /// The factor of safety at one time.
@@ -49,7 +49,8 @@ std::optional<double> stormDuration(const Model& model);
 /// Levels over time, and the factor of safety at each. Where one level alone changes, factors between
 /// searches are interpolated over the level where that is exact to within AnalysisSettings::factor_tolerance.
 /// The least factor and both sides of a fall below 1 are always searched for.
-/// Errors: those of safetyFactor, no water that changes, no end, more than kMostStormPoints.
+/// Errors: those of safetyFactor, no water that changes, no end, a step or a duration that is not positive
+/// and finite, more than kMostStormPoints.
 Result<StormResult> storm(const Model& model, const StormSettings& settings, const Control& control = {});
 
 inline constexpr std::size_t kMostStormPoints = 20000;  ///< two weeks, minute by minute

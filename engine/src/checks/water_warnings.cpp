@@ -50,8 +50,9 @@ bool isNothing(const Water& water) {
 /// The scenario's key for where it stands.
 const char* levelKey(const Water& water) {
     if (water.kind == Water::Level::head) return ".head";
-    if (water.kind == Water::Level::elevation) return ".elevation";
-    return water.level.size() > 1 ? ".levels" : ".depth";
+    const bool over_time = water.level.size() > 1;
+    if (water.kind == Water::Level::elevation) return over_time ? ".elevations" : ".elevation";
+    return over_time ? ".levels" : ".depth";
 }
 
 std::string atTilt(const Model& model) {

@@ -14,6 +14,10 @@ namespace {
 // Of the search's tolerance. A closed formula shall show how far the answer is from it.
 constexpr double kOfTolerance = 0.01;
 
+// A factor of safety of 0.5. Near a tilt of 90 degrees the true reserve falls without bound. False position
+// would then halve it dozens of times before that end moves.
+constexpr double kLeastReserve = -1;
+
 /// The model under loads, each judged by block theory.
 class Groups {
  public:
@@ -49,7 +53,8 @@ LimitEquilibrium limitOf(double value, MovingGroup group) {
     return {value, wedge ? "sliding along two planes" : "sliding on one plane", std::move(group.blocks)};
 }
 
-/// A load, and 1 less driving over resisting force of the weakest group there: 1 where none slides.
+/// A load, and 1 less driving over resisting force of the weakest group there: 1 where none slides. It is
+/// kLeastReserve at least.
 struct Trial {
     double load = 0, reserve = 1;
     std::optional<MovingGroup> group{};
@@ -59,19 +64,20 @@ std::optional<Trial> tryLoad(const Groups& groups, double load) {
     auto all = groups.at(load);
     if (!all) return std::nullopt;
     Trial trial{load, 1.0, groups.weakest(std::move(*all))};
-    if (trial.group) trial.reserve = 1 - 1 / trial.group->sliding.factor;
+    if (trial.group) trial.reserve = std::max(kLeastReserve, 1 - 1 / trial.group->sliding.factor);
     return trial;
 }
 
-/// Narrows [stands, slides] by false position with halved ends (Illinois; Dowell and Jarratt 1971).
-std::optional<Trial> narrowed(const Groups& groups, Trial stands, Trial slides, double tolerance) {
+/// Narrows [stands, slides] by false position with halved ends (Illinois; Dowell and Jarratt 1971). Trials
+/// keep half a tolerance off both ends: one close to an end says nothing about the other.
+std::optional<LimitEquilibrium> narrowed(const Groups& groups, Trial stands, Trial slides, double tolerance) {
     double of_stands = stands.reserve, of_slides = slides.reserve;
-    for (double last = stands.load; slides.load - stands.load > tolerance;) {
+    while (slides.load - stands.load > tolerance) {
         const double share = of_stands / (of_stands - of_slides);
-        auto trial = tryLoad(groups, stands.load + share * (slides.load - stands.load));
+        auto trial =
+            tryLoad(groups, std::clamp(std::lerp(stands.load, slides.load, share),
+                                       stands.load + 0.5 * tolerance, slides.load - 0.5 * tolerance));
         if (!trial) return std::nullopt;
-        const bool is_same = std::abs(trial->load - last) <= tolerance;
-        last = trial->load;
         if (trial->reserve > 0) {
             of_slides *= 0.5;
             of_stands = trial->reserve;
@@ -81,9 +87,9 @@ std::optional<Trial> narrowed(const Groups& groups, Trial stands, Trial slides, 
             of_slides = trial->reserve;
             slides = std::move(*trial);
         }
-        if (is_same) break;
     }
-    return slides.group ? std::optional(std::move(slides)) : std::nullopt;
+    const double share = stands.reserve / (stands.reserve - slides.reserve);
+    return limitOf(std::lerp(stands.load, slides.load, share), *std::move(slides.group));
 }
 
 std::optional<LimitEquilibrium> leastFactor(const Groups& groups) {
@@ -110,9 +116,7 @@ std::optional<LimitEquilibrium> limitEquilibriumOf(const LimitQuestion& question
         slides = tryLoad(groups, next);
     }
     if (!slides) return std::nullopt;
-    auto limit = narrowed(groups, std::move(*stands), std::move(*slides), kOfTolerance * axis.loading.cell);
-    if (!limit) return std::nullopt;
-    return limitOf(limit->load, std::move(*limit->group));
+    return narrowed(groups, std::move(*stands), std::move(*slides), kOfTolerance * axis.loading.cell);
 }
 
 std::optional<std::string> nothingCanSlide(const LimitQuestion& question, double load) {

@@ -122,6 +122,8 @@ void Search::addLimitEquilibrium() {
     if (control_.upper_bound == Beside::never || isStopped(control_)) return;
     // A factor takes one look at the groups, other loads several.
     if (has_answer && varied_ != Varied::factor && !control_.interval) return;
+    // Block theory would compute the flow anew at each tilt. The search keeps that of the scenario's tilt.
+    if (varied_ == Varied::tilt && rest_->flow) return;
     report("limit equilibrium", kPath, "blocks that slide as one body");
     std::vector<std::string> gone;
     for (const BlockGroup& group : result_.removed_groups)

@@ -16,8 +16,8 @@
 namespace talus {
 namespace {
 
-// Halvings of the range of levels before a straight line is believed: five searches at least, so that a kink
-// has to hide between neighbours of them.
+// Halvings of the range of levels before a straight line is accepted: nine searches if there are as many
+// levels. A kink between two neighbours of them is missed.
 constexpr int kHalvings = 2;
 // Of the tolerance of factors, by which the search between two others may lie off their straight line. Lines
 // to it are drawn from both. A parabola through the three is off these lines by a quarter of that at most.
@@ -282,6 +282,29 @@ std::vector<double> timesUpTo(double duration, double step) {
     return times;
 }
 
+Error notPositive(const char* field, double found) {
+    return {field, "found " + formatted("%g", found) + " s, allowed: more than 0 s, finite"};
+}
+
+bool isPositive(double value) { return value > 0 && std::isfinite(value); }
+
+/// How long the storm lasts [s].
+Result<double> durationOf(const Model& model, const StormSettings& settings) {
+    if (!isPositive(settings.step)) return notPositive("step", settings.step);
+    if (settings.duration && !isPositive(*settings.duration))
+        return notPositive("duration", *settings.duration);
+    const auto duration = settings.duration ? settings.duration : stormDuration(model);
+    if (!duration)
+        return Error{"duration",
+                     "found no table over time that says when the storm ends, allowed: a duration"};
+    const double shortest = *duration / static_cast<double>(kMostStormPoints);
+    if (settings.step < shortest)
+        return Error{"step", "found " + formatted("%g", settings.step) + " s over " +
+                                 formatted("%g", *duration) + " s, allowed: at least " +
+                                 formatted("%g", shortest) + " s"};
+    return *duration;
+}
+
 }  // namespace
 
 std::optional<double> stormDuration(const Model& model) {
@@ -304,14 +327,8 @@ Result<StormResult> storm(const Model& model, const StormSettings& settings, con
         return Error{"water",
                      "found no water whose level changes, allowed: volume = \"closed\" with rain, "
                      "inflow or a leak, or levels over time"};
-    const auto duration = settings.duration ? settings.duration : stormDuration(model);
-    if (!duration)
-        return Error{"duration",
-                     "found no table over time that says when the storm ends, allowed: a duration"};
-    if (*duration / settings.step > static_cast<double>(kMostStormPoints))
-        return Error{"step", "found " + formatted("%g", settings.step) + " s over " +
-                                 formatted("%g", *duration) + " s, allowed: at least " +
-                                 formatted("%g", *duration / static_cast<double>(kMostStormPoints)) + " s"};
+    const auto duration = durationOf(model, settings);
+    if (!duration) return duration.errors();
     StormSearch search(model, control);
     if (auto errors = search.fill(timesUpTo(*duration, settings.step)); !errors.empty()) return errors;
     if (auto errors = search.search(); !errors.empty()) return errors;

@@ -27,14 +27,6 @@ constexpr int kClosedInM = 1, kSplineFit = 4, kPolygonMesh = 16, kClosedInN = 32
 /// Numbers that faces are made of: coordinates, flags and counts.
 bool isRead(int code) { return (code >= 10 && code <= 33) || (code >= 70 && code <= 74); }
 
-/// "3 TEXT, 1 LINE"
-std::string countedText(const std::map<std::string, std::size_t>& counts) {
-    std::string text;
-    for (const auto& [type, count] : counts)
-        text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + type;
-    return text;
-}
-
 /// Of a polyface mesh: numbers of its corners as they stand, 0 for none.
 struct Face {
     std::array<double, 4> corners;
@@ -238,7 +230,7 @@ class DxfReader {
     Result<FileSurface> finish() {
         if (builder_.empty()) return noFaces();
         if (!left_out_.empty())
-            builder_.note("has " + countedText(left_out_) + " besides its faces, which are left out");
+            builder_.note("has " + mesh::countedText(left_out_) + " besides its faces, which are left out");
         if (on_other_layers_ > 0) {
             builder_.note("has " + std::to_string(on_other_layers_) +
                           " faces or meshes on other layers than " + toml::quoted(*layer_) +
@@ -259,7 +251,7 @@ class DxfReader {
             if (const auto remedy = mesh::dxfRemedy(type); !remedy.empty()) remedies.insert(remedy);
         std::string advice;
         for (const std::string_view remedy : remedies) advice += "; " + std::string(remedy);
-        return fault(0, "found no faces" + (left_out_.empty() ? "" : " but " + countedText(left_out_)) +
+        return fault(0, "found no faces" + (left_out_.empty() ? "" : " but " + mesh::countedText(left_out_)) +
                             ", allowed: 3DFACE, and POLYLINE that is a polyface or polygon mesh" + advice);
     }
 

@@ -47,6 +47,9 @@ struct DxfEntity {
     bool has(int code) const { return numbers.count(code) > 0; }
 };
 
+/// Of entities by their types: "2 INSERT, 1 SPLINE".
+std::string countedText(const std::map<std::string, std::size_t>& counts);
+
 /// Advice for an entity type that is not read: "explode the block"; "" for most.
 std::string_view dxfRemedy(std::string_view type);
 

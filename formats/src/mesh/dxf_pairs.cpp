@@ -31,6 +31,13 @@ bool DxfPairs::next() {
     return true;
 }
 
+std::string countedText(const std::map<std::string, std::size_t>& counts) {
+    std::string text;
+    for (const auto& [type, count] : counts)
+        text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + type;
+    return text;
+}
+
 std::string_view dxfRemedy(std::string_view type) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kRemedies{
         {{"INSERT", "explode inserted blocks"},

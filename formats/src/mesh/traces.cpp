@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "files/number.h"
@@ -79,6 +80,14 @@ class TraceReader {
     std::vector<Trace> take() { return std::move(traces_); }
     std::optional<double> unit() const { return unit_; }  ///< of the header [m]
 
+    /// How many entities of each type were not read, on one layer or on all.
+    std::map<std::string, std::size_t> leftOut(const std::optional<std::string>& layer) const {
+        std::map<std::string, std::size_t> counts;
+        for (const auto& [entity, count] : left_out_)
+            if (!layer || entity.first == *layer) counts[entity.second] += count;
+        return counts;
+    }
+
  private:
     void fault(int line, std::string message) { errors_.push_back({"", std::move(message), path_, line, 0}); }
 
@@ -95,8 +104,10 @@ class TraceReader {
         const bool is_line = entity.type == "LINE" || entity.in_plan;
         const bool is_taken = is_line || entity.type == "POLYLINE" || entity.type == "VERTEX";
         bool more = false;
-        while ((more = pairs_.next()) && pairs_.code() != 0)
+        while ((more = pairs_.next()) && pairs_.code() != 0) {
+            if (pairs_.code() == 8) entity.layer = pairs_.value();
             if (is_taken && !readPair(entity)) return false;
+        }
         for (Vec3& point : entity.points)
             if (entity.in_plan) point.z() = entity.elevation;
         finish(std::move(entity), is_line);
@@ -106,7 +117,6 @@ class TraceReader {
     /// Groups 10 and 11 begin a point; of a POLYLINE itself they hold nothing.
     bool readPair(Trace& entity) {
         const int code = pairs_.code();
-        if (code == 8) entity.layer = pairs_.value();
         const bool is_place =
             (code >= 10 && code <= 11) || (code >= 20 && code <= 21) || (code >= 30 && code <= 31);
         if (!is_place && code != 38 && code != 42 && code != 70 && code != 230) return true;
@@ -140,6 +150,8 @@ class TraceReader {
             polyline_ = std::move(entity);
         } else if (is_line) {
             traces_.push_back(std::move(entity));
+        } else if (entity.type != "SEQEND") {
+            ++left_out_[{entity.layer, entity.type == "POLYLINE" ? "POLYLINE mesh" : entity.type}];
         }
     }
 
@@ -156,8 +168,9 @@ class TraceReader {
     mesh::DxfPairs pairs_;
     std::string path_;
     std::vector<Trace> traces_;
-    std::optional<Trace> polyline_;  ///< whose vertices are read
-    bool is_unit_ = false;           ///< the header's variable is $INSUNITS
+    std::optional<Trace> polyline_;                                        ///< whose vertices are read
+    std::map<std::pair<std::string, std::string>, std::size_t> left_out_;  ///< by layer and type
+    bool is_unit_ = false;  ///< the header's variable is $INSUNITS
     std::optional<double> unit_;
     std::vector<Error> errors_;
 };
@@ -233,13 +246,18 @@ std::string layersText(const std::vector<Trace>& traces) {
     return text;
 }
 
-Error noTraces(const std::vector<Trace>& lines, const std::string& path, const TraceOptions& options) {
+/// ' on layer "J1"'; "" where all are wanted.
+std::string onLayer(const TraceOptions& options) {
+    return options.layer ? " on layer " + toml::quoted(*options.layer) : "";
+}
+
+Error noTraces(const std::vector<Trace>& lines, const std::string& left_out, const std::string& path,
+               const TraceOptions& options) {
+    const std::string found =
+        "found no traces" + (left_out.empty() ? "" : " but " + left_out) + onLayer(options);
     if (lines.empty() || !options.layer)
-        return {"", "found no traces, allowed: LINE, POLYLINE or LWPOLYLINE", path, 0, 0};
-    return {"",
-            "found no traces on layer " + toml::quoted(*options.layer) +
-                ", allowed: a layer that has some: " + layersText(lines),
-            path, 0, 0};
+        return {"", found + ", allowed: LINE, POLYLINE or LWPOLYLINE", path, 0, 0};
+    return {"", found + ", allowed: a layer that has some: " + layersText(lines), path, 0, 0};
 }
 
 }  // namespace
@@ -292,7 +310,11 @@ Result<Traces> parseTraces(const std::string& text, const std::string& path, con
             errors.push_back({"", disc.errors().front().message, path, line.line, 0});
     }
     if (!errors.empty()) return errors;
-    if (traces.discs.empty()) return noTraces(lines, path, options);
+    const std::string left_out = mesh::countedText(reader.leftOut(options.layer));
+    if (traces.discs.empty()) return noTraces(lines, left_out, path, options);
+    if (!left_out.empty())
+        traces.notes.push_back("has " + left_out + onLayer(options) +
+                               ", left out: traces are LINE, POLYLINE or LWPOLYLINE");
     if (reader.unit() && *reader.unit() != 1)
         traces.notes.push_back("has a unit of " + numberText(*reader.unit()) +
                                " m by its header, and was read in metres");

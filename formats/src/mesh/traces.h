@@ -18,7 +18,7 @@ struct TraceOptions {
 
 struct Traces {
     std::vector<Fracture> discs;       ///< in the order of the file
-    std::vector<std::string> notes{};  ///< for the user: a unit that is not the metre
+    std::vector<std::string> notes{};  ///< for the user: entities left out, a unit that is not the metre
 };
 
 /// Lines, polylines and lightweight polylines of the section ENTITIES. A trace whose points span a plane has

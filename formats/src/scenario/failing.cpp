@@ -41,9 +41,10 @@ class Editor {
         for (const char* key : {"mass", "rotation", "local"}) document_.erase({"damping", key});
         set({"damping", "contact"}, load.contact_damping);
         eraseRestitution();
-        stop(
-            "water", "levels", [](const Water& water) { return water.level.front().value; },
-            scenario_.model.waters);
+        for (const char* key : {"levels", "elevations"})
+            stop(
+                "water", key, [](const Water& water) { return water.level.front().value; },
+                scenario_.model.waters);
         stop(
             "load", "factor", [](const AppliedLoad& load) { return load.factor.front().value; },
             scenario_.model.loads);

@@ -22,10 +22,10 @@ void readLevel(Report& report, TableReader& table, const std::vector<std::string
     if (!table.requireOneOf(kinds)) return;
     if (const auto depth = table.number("depth", kLength)) water.level = {{0, *depth}};
     if (table.has("levels")) water.level = readTable(report, table, "levels", kNotNegative, "depth m");
-    if (const auto elevation = table.number("elevation", kCoordinate)) {
-        water.kind = Water::Level::elevation;
-        water.level = {{0, *elevation}};
-    }
+    if (const auto elevation = table.number("elevation", kCoordinate)) water.level = {{0, *elevation}};
+    if (table.has("elevations"))
+        water.level = readTable(report, table, "elevations", kCoordinate, "elevation m");
+    if (table.has("elevation") || table.has("elevations")) water.kind = Water::Level::elevation;
     if (const auto head = table.numbers("head", kLength, 2)) {
         water.kind = Water::Level::head;
         water.head = {(*head)[0], (*head)[1]};
@@ -44,21 +44,13 @@ class WaterReader {
     }
 
     std::optional<WaterEntry> read(const FieldNode& node) const {
-        TableReader table(report_, node.node, node.field, {"fissure",    "stack",
-                                                           "between",    "block",
-                                                           "face",       "joint",
-                                                           "plane",      "depth",
-                                                           "elevation",  "levels",
-                                                           "head",       "base",
-                                                           "density",    "drains_at_aperture",
-                                                           "surface",    "obj",
-                                                           "factor",     "daylights",
-                                                           "crack",      "percent_filled",
-                                                           "peak",       "volume",
-                                                           "opening",    "inflow",
-                                                           "overflow",   "rain",
-                                                           "catchment",  "leak_aperture",
-                                                           "leak_length"});
+        TableReader table(report_, node.node, node.field,
+                          {"fissure",        "stack", "between",   "block",         "face",
+                           "joint",          "plane", "depth",     "elevation",     "levels",
+                           "elevations",     "head",  "base",      "density",       "drains_at_aperture",
+                           "surface",        "obj",   "factor",    "daylights",     "crack",
+                           "percent_filled", "peak",  "volume",    "opening",       "inflow",
+                           "overflow",       "rain",  "catchment", "leak_aperture", "leak_length"});
         WaterEntry entry;
         entry.place = table.place();
         entry.water.field = node.field;
@@ -121,8 +113,9 @@ class WaterReader {
         table.require({"opening"});
         requireBoth(table, "rain", "catchment");
         requireBoth(table, "leak_aperture", "leak_length");
-        for (const std::string& key : table.present({"between", "block", "surface", "obj", "levels", "head",
-                                                     "daylights", "percent_filled", "drains_at_aperture"})) {
+        for (const std::string& key :
+             table.present({"between", "block", "surface", "obj", "levels", "elevations", "head", "daylights",
+                            "percent_filled", "drains_at_aperture"})) {
             table.error(key, "found " + key +
                                  " beside volume = \"closed\", allowed: fissure or joint, with depth or "
                                  "elevation");
@@ -170,7 +163,8 @@ class WaterReader {
     /// The water table of the whole slope.
     std::optional<WaterEntry> readSurface(TableReader& table, WaterEntry& entry) const {
         entry.where = WaterEntry::Where::below_surface;
-        for (const std::string& key : table.present({"depth", "elevation", "levels", "daylights"}))
+        for (const std::string& key :
+             table.present({"depth", "elevation", "levels", "elevations", "daylights"}))
             table.error(key, "found " + key + " together with a surface, allowed: one or the other");
         if (table.has("obj"))
             entry.surface.mesh = readSurfaceMesh(table);
@@ -258,7 +252,7 @@ class WaterReader {
     }
 
     std::optional<WaterEntry> readStackJoint(TableReader& table, WaterEntry& entry) const {
-        readLevel(report_, table, {"depth", "elevation", "levels"}, entry.water);
+        readLevel(report_, table, {"depth", "elevation", "levels", "elevations"}, entry.water);
         checkOverflow(table, entry.water);
         const double base = table.number("base", kLength).value_or(0);
         const auto index = readStackName(table);
@@ -296,7 +290,8 @@ class WaterReader {
     /// In a single joint, in one plane of a joint set, or (by elevation) in all of a set.
     std::optional<WaterEntry> readRockJoint(TableReader& table, WaterEntry& entry) const {
         entry.where = WaterEntry::Where::rock_joint;
-        readLevel(report_, table, {"elevation", "depth", "levels", "head", "percent_filled"}, entry.water);
+        readLevel(report_, table, {"elevation", "depth", "levels", "elevations", "head", "percent_filled"},
+                  entry.water);
         checkOverflow(table, entry.water);
         readFilled(table, entry);
         const auto crack = table.text("crack");
@@ -366,7 +361,7 @@ class WaterReader {
 
     std::optional<WaterEntry> readBetweenBlocks(TableReader& table, WaterEntry& entry) const {
         entry.where = WaterEntry::Where::between_blocks;
-        readLevel(report_, table, {"depth", "elevation", "levels", "head"}, entry.water);
+        readLevel(report_, table, {"depth", "elevation", "levels", "elevations", "head"}, entry.water);
         entry.water.pair = readBetween(report_, table, blocks_);
         return entry;
     }
@@ -374,7 +369,7 @@ class WaterReader {
     std::optional<WaterEntry> readBlockFace(TableReader& table, WaterEntry& entry) const {
         entry.where = WaterEntry::Where::block_face;
         table.require({"face"});
-        readLevel(report_, table, {"depth", "elevation", "levels"}, entry.water);
+        readLevel(report_, table, {"depth", "elevation", "levels", "elevations"}, entry.water);
         entry.direction = readDirection(table, "face").value_or(entry.direction);
         const auto name = table.text("block");
         if (!name) return std::nullopt;

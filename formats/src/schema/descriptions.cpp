@@ -203,6 +203,7 @@ constexpr Description kScenario[] = {
     {"water[].depth", "height of the water from `base`, along the joint's steepest line"},
     {"water[].elevation", "instead of depth: height of the water table above the model's origin"},
     {"water[].levels", "instead of depth: depth over time, [time s, depth m]"},
+    {"water[].elevations", "instead of depth: elevation over time, [time s, elevation m]"},
     {"water[].head",
      "head at the +x and the -x end of the contact (+z and -z if it is vertical), linear in between"},
     {"water[].base", "lower end of the water, above the floor; default the joint's lowest point"},

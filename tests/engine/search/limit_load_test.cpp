@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/flows.h"
 #include "support/models.h"
 #include "talus/searches.h"
 
@@ -21,10 +22,14 @@ namespace {
 constexpr double kFriction = 20, kTilt = 8;  // [deg]
 const Control kPlain{.threads = 1};
 
+LoadAxis axisOf(const Model& model, Varied varied) {
+    const SearchRules rules;
+    return varied == Varied::tilt ? tiltAxis(model, rules) : accelerationAxis(model, rules);
+}
+
 /// The limit by a search's axis, wherever the search's own answer lies.
 double limitOf(const Model& model, Varied varied, double answer) {
-    const SearchRules rules;
-    const LoadAxis axis = varied == Varied::tilt ? tiltAxis(model, rules) : accelerationAxis(model, rules);
+    const LoadAxis axis = axisOf(model, varied);
     const auto limit = limitEquilibriumOf({model, varied, 0, kPlain}, axis, answer);
     REQUIRE(limit.has_value());
     return limit->value;
@@ -99,6 +104,31 @@ TEST_SUITE("search") {
         }
     }
 
+    TEST_CASE("limitEquilibriumOf: a search's answer just below the limit, or just above") {
+        const Model model = cohesiveSlope(0);
+        const double phi = radians(kFriction), tilt = radians(kTilt);
+        for (const double cells : {0.001, 0.003, 0.005, 0.0075, 0.0099, 0.0101, 0.015, 0.02, 0.03}) {
+            for (const double side : {-1.0, 1.0}) {
+                CAPTURE(cells);
+                CAPTURE(side);
+                for (const Varied varied : {Varied::tilt, Varied::horizontal}) {
+                    const double exact = varied == Varied::tilt ? phi : std::tan(phi - tilt);
+                    const double answer = exact + side * cells * axisOf(model, varied).loading.cell;
+                    CHECK(limitOf(model, varied, answer) == doctest::Approx(exact).epsilon(1e-6));
+                }
+            }
+        }
+    }
+
+    TEST_CASE("limitEquilibriumOf: a limit beyond which the next load tried is almost upright") {
+        Model model = cohesiveSlope(0);
+        model.analysis.stop = radians(89.99);
+        for (Joint& each : model.joints) each.friction = each.residual_friction = radians(46);
+        const double cell = axisOf(model, Varied::tilt).loading.cell;
+        const double found = limitOf(model, Varied::tilt, radians(46) - 0.005 * cell);
+        CHECK(found == doctest::Approx(radians(46)).epsilon(1e-6));
+    }
+
     TEST_CASE("limitEquilibriumOf: a wedge in a groove is held by both sides") {
         const Model model = grooveModel();
         // Each side carries W cos(b) / (2 cos 45 deg).
@@ -140,6 +170,22 @@ TEST_SUITE("search") {
             return text.find("no block can leave") != std::string::npos;
         });
         CHECK(told);
+    }
+
+    TEST_CASE("a search over tilt has no limit equilibrium beside flow, which keeps the scenario's tilt") {
+        Model model = floorModel(kFriction);
+        addBox(model, "box", {0, 0, 0}, {4, 1, 1});
+        model.flow = flowAlongX(1e-4, 0, 1);
+        const SearchResult tilted = *criticalAngle(model, kPlain);
+        REQUIRE((tilted.status == SearchStatus::found));
+        CHECK_FALSE(tilted.limit_equilibrium.has_value());
+        // k g M = (g M - U) tan(phi), with uplift that falls from 1 m of water to none
+        const double g = model.gravity.magnitude, mass = 2700 * 4;
+        const double uplift = 0.5 * model.flow->density * g * 4;
+        const double k = (1 - uplift / (g * mass)) * std::tan(radians(kFriction));
+        const SearchResult pushed = *criticalAcceleration(model, kPlain);
+        REQUIRE(pushed.limit_equilibrium.has_value());
+        CHECK(pushed.limit_equilibrium->value == doctest::Approx(k).epsilon(1e-5));
     }
 
     TEST_CASE("the result of each search has the limit equilibrium of its own load") {

@@ -131,6 +131,26 @@ TEST_SUITE("engine") {
         CHECK_FALSE(result.failure_time);
     }
 
+    TEST_CASE("storm: elevations that one has found can be given to another, as a table") {
+        const StormSlope slope;
+        Model model = slope.model();
+        Water& water = model.waters[0];
+        water.kind = Water::Level::elevation;
+        water.overflow = kInfinity;
+        const StormResult first = computed(model, {.step = 900, .duration = 1800});
+        REQUIRE(first.points.size() == 3);
+        CHECK(first.points[2].levels[0] > first.points[0].levels[0]);
+        water.closed = false;
+        water.level.clear();
+        for (const StormPoint& point : first.points) water.level.push_back({point.time, point.levels[0]});
+        const StormResult second = computed(model, {.step = 900});
+        REQUIRE(second.points.size() == 3);
+        for (std::size_t k = 0; k < 3; ++k) {
+            CHECK(second.points[k].levels == first.points[k].levels);
+            CHECK(second.points[k].factor == first.points[k].factor);
+        }
+    }
+
     TEST_CASE("storm: a slope that fails before the rain, and one without an end or without water") {
         StormSlope slope;
         slope.fissure.tilt_deg = 20;
@@ -147,6 +167,17 @@ TEST_SUITE("engine") {
         const auto too_fine = storm(slope.model(), {.step = 1e-3});
         REQUIRE_FALSE(too_fine.ok());
         CHECK(too_fine.errors()[0].field == "step");
+        const double nan = std::nan("");
+        for (const double bad : {0.0, -300.0, kInfinity, nan}) {
+            CAPTURE(bad);
+            const auto no_step = storm(slope.model(), {.step = bad});
+            REQUIRE_FALSE(no_step.ok());
+            CHECK(no_step.errors()[0].field == "step");
+            CHECK(no_step.errors()[0].message.find("allowed: more than 0 s") != std::string::npos);
+            const auto no_duration = storm(slope.model(), {.step = 300, .duration = bad});
+            REQUIRE_FALSE(no_duration.ok());
+            CHECK(no_duration.errors()[0].field == "duration");
+        }
         steady.waters[0].closed = false;
         const auto held = storm(steady, {.duration = 10});
         REQUIRE_FALSE(held.ok());

@@ -128,6 +128,29 @@ TEST_CASE("what is drawn in plan has the plane of the drawing, not of the joint:
     CHECK(readGood(polyline(bent)).discs[0].dip < 1e-9);
 }
 
+TEST_CASE("entities that are no traces are left out with a note that counts them, on the wanted layer") {
+    const std::string good = polyline(lineIn(upwardNormal(1, 2), 6, 1.5));
+    const auto entity = [](const std::string& type, const std::string& layer) {
+        return pair(0, type) + pair(8, layer) + place(10, {1, 2, 3});
+    };
+    const std::string others = entity("SPLINE", "J1") + entity("ARC", "J1") + entity("SPLINE", "J1") +
+                               entity("INSERT", "J2") + polyline({{1, 2, 3}}, "J1", 64);
+    const auto one_layer = readGood(others + good, {"J1", {}});
+    CHECK(one_layer.discs.size() == 1);
+    REQUIRE(one_layer.notes.size() == 1);
+    CHECK(one_layer.notes[0] ==
+          "has 1 ARC, 1 POLYLINE mesh, 2 SPLINE on layer \"J1\", left out: traces are LINE, POLYLINE or "
+          "LWPOLYLINE");
+    const auto all = readGood(others + good);
+    REQUIRE(all.notes.size() == 1);
+    CHECK(all.notes[0].starts_with("has 1 ARC, 1 INSERT, 1 POLYLINE mesh, 2 SPLINE, left out"));
+    CHECK(fault(drawing(entity("SPLINE", "J1"))).find("found no traces but 1 SPLINE, allowed") !=
+          std::string::npos);
+    CHECK(fault(drawing(entity("SPLINE", "J2") + good), {"J2", {}})
+              .find("found no traces but 1 SPLINE on layer \"J2\", allowed: a layer that has some: \"J1\"") !=
+          std::string::npos);
+}
+
 TEST_CASE("other layers and entities are passed over; arcs, closed lines and broken files are faults") {
     const std::string good = polyline(lineIn(upwardNormal(1, 2), 6, 1.5));
     const std::string others = pair(0, "CIRCLE") + pair(8, "J1") + pair(10, "1") + pair(40, "2") +

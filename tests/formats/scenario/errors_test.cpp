@@ -366,11 +366,14 @@ TEST_CASE("scenario errors: water") {
     checkFault(inWater("fissure = 1\nlevels = [[0, 0.1],\n[0, 0.2]]\n", 4, ".levels[1]",
                        "found the time 0, allowed: greater than the one before, 0"));
     checkFault(inWater("fissure = 1\nlevels = [[0, -0.1]]\n", 3, ".levels[0][1]", "at least 0"));
+    checkFault(inWater("fissure = 1\nelevation = 0.1\nelevations = [[0, 1]]\n", 4, ".elevations",
+                       "exactly one of depth, elevation, levels, elevations"));
+    checkFault(inWater("fissure = 1\nelevations = [[0, 2e6]]\n", 3, ".elevations[0][1]", "found 2000000"));
     checkFault(inWater("fissure = 1\nlevels = [3]\n", 3, ".levels[0]",
                        "found an integer 3, allowed: an array of 2 numbers"));
 
     checkFault(inWater("between = [\"c1r1s1\", \"c1r2s1\"]\n", 1, ".depth",
-                       "one of these is required: depth, elevation, levels, head"));
+                       "one of these is required: depth, elevation, levels, elevations, head"));
     checkFault(
         inWater("between = [\"c1r1s1\", \"c1r2s1\"]\nhead = [1]\n", 3, ".head", "an array of 2 numbers"));
     checkFault(inWater("between = [\"c1r1s1\", \"c1r2s1\"]\nhead = [1, -1]\n", 3, ".head[1]", "at least 0"));
@@ -431,6 +434,8 @@ TEST_CASE("scenario errors: closed volumes of water") {
                        "found drains_at_aperture beside volume = \"closed\", allowed: fissure or joint"));
     const std::string end = "volume = \"closed\"\nopening = 0.002\n";
     checkFault(inWater("fissure = 1\nlevels = [[0, 0.05]]\n" + end, 3, ".levels", "found levels beside"));
+    checkFault(inWater("fissure = 1\nelevations = [[0, 0.05]]\n" + end, 3, ".elevations",
+                       "found elevations beside"));
     checkFault(inWater("between = [\"c1r1s1\", \"c2r1s1\"]\ndepth = 0.05\n" + end, 2, ".between",
                        "found between beside volume = \"closed\""));
     checkFault(inWater("block = \"c1r1s1\"\nface = \"+x\"\ndepth = 0.05\n" + end, 2, ".block",

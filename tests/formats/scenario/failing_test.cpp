@@ -87,6 +87,22 @@ TEST_CASE("the model is the search's to the bit; the text reads back as it but f
     for (const LevelPoint& point : after->model.waters[0].level) CHECK(point.value == 0.05);
 }
 
+TEST_CASE("elevations over time are held at the first, as levels are") {
+    const std::string levels = "levels = [[0.0, 0.05], [1.0, 0.15]]";
+    std::string text = kText;
+    text.replace(text.find(levels), levels.size(), "elevations = [[0.0, 0.05], [1.0, 0.15]]");
+    FailingLoad load;
+    load.varied = Varied::factor;
+    load.value = 1.25;
+    load.frame_interval = 0.01;
+    const auto after = failingScenario(*parseScenario(text, "slope.toml"), load, "");
+    REQUIRE(after.ok());
+    const auto read = parseScenario(after->text, "again.toml");
+    REQUIRE(read.ok());
+    REQUIRE(read->model.waters[0].level.size() == 2);
+    for (const LevelPoint& point : read->model.waters[0].level) CHECK(point.value == 0.05);
+}
+
 TEST_CASE("strength of every law is divided, also where the file gives no strength_factor") {
     const Scenario before = readGood(
         joint("default", "law = \"barton-bandis\"\njrc = 8\njcs = 5e7\nresidual_friction_deg = 28") +

@@ -85,6 +85,13 @@ TEST_CASE("scenario water: other ways to give the level") {
     CHECK(levels.level[1].value == 0);
     CHECK(levels.level[2].time == 2);
     CHECK(levels.level[2].value == 0.3);
+
+    const Water elevations = watered("fissure = 1\nelevations = [[0, -0.1], [1.5, 0.3]]\n").waters[0];
+    CHECK(elevations.kind == Water::Level::elevation);
+    REQUIRE(elevations.level.size() == 2);
+    CHECK(elevations.level[0].value == -0.1);
+    CHECK(elevations.level[1].time == 1.5);
+    CHECK(elevations.level[1].value == 0.3);
 }
 
 TEST_CASE("scenario water: the stack meant, by name") {
