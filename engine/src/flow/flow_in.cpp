@@ -102,9 +102,10 @@ class Answer {
     void addNodes() {
         for (std::size_t n = 0; n < network_.nodes.size(); ++n) {
             into_.nodes.push_back(network_.nodes[n] + origin_);
-            const double pressure = unit_weight_ * (into_.head[n] - conditions_.elevation[n]);
-            const bool none = std::isnan(pressure) || (flow_.free_surface && pressure < 0);
-            into_.pressure.push_back(none ? 0.0 : pressure);
+            const double above = into_.head[n] - conditions_.elevation[n];
+            into_.pressure_head.push_back(std::isnan(above) ? 0.0 : above);
+            const bool none = flow_.free_surface && above < 0;
+            into_.pressure.push_back(none ? 0.0 : unit_weight_ * into_.pressure_head.back());
             if (conditions_.of[n] == Condition::none)
                 into_.imbalance = std::max(into_.imbalance, std::abs(into_.inflow[n]));
         }
