@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/box_tree.h"
+#include "state/closed_gap.h"
 #include "state/point_layout.h"
 
 namespace talus::flow {
@@ -45,6 +46,35 @@ Patch patchOf(const State& state, std::size_t interface) {
             f.joint[interface], turn * frame.e1_a.cross(frame.e2_a)};
 }
 
+double smallerSize(const State& state, std::size_t interface) {
+    const auto sizeOf = [&](std::int32_t b) { return state.geometry->size[static_cast<std::size_t>(b)]; };
+    return std::min(sizeOf(state.interfaces.block_a[interface]), sizeOf(state.interfaces.block_b[interface]));
+}
+
+/// Least distance between the two faces over the patch, as the blocks stood at the start [m].
+double leastGap(const State& state, std::size_t interface) {
+    const Geometry& geometry = *state.geometry;
+    const InterfaceFrame frame = state.interfaces.frame(interface);
+    const auto a = static_cast<std::size_t>(state.interfaces.block_a[interface]),
+               b = static_cast<std::size_t>(state.interfaces.block_b[interface]);
+    const Mat3 turn_a = geometry.initial_orientation.matrix(a), turn_b = geometry.initial_orientation.matrix(b);
+    const Vec3 apart = geometry.initial_position.get(b) - geometry.initial_position.get(a);
+    const Vec3 normal = turn_a * frame.e1_a.cross(frame.e2_a);
+    double least = kInfinity;
+    for (const Vec2& v : patchOutline(state.interfaces, interface)) {
+        const Vec3 on_a = turn_a * (frame.origin_a + v.x() * frame.e1_a + v.y() * frame.e2_a);
+        const Vec3 on_b = apart + turn_b * (frame.origin_b + v.x() * frame.e1_b + v.y() * frame.e2_b);
+        least = std::min(least, normal.dot(on_b - on_a));
+    }
+    return least;
+}
+
+/// Faces that the contact search found because they are near, but that do not touch, are no joint.
+bool isJoint(const State& state, std::size_t interface) {
+    return state.interfaces.kind[interface] == InterfaceKind::faces &&
+           leastGap(state, interface) <= kClosedGap * smallerSize(state, interface);
+}
+
 Box boxAround(const Vec3& point, double margin) {
     Box box;
     box.add(point);
@@ -74,7 +104,7 @@ class Fans {
     Fans(const State& state, Network& network)
         : network_(network), same_(kSameNode * state.geometry->length_scale) {
         for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
-            if (state.interfaces.kind[i] != InterfaceKind::faces) continue;
+            if (!isJoint(state, i)) continue;
             outlines_.push_back(outlineOf(state, i));
             patches_.push_back(patchOf(state, i));
         }

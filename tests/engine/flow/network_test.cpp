@@ -6,6 +6,7 @@
 #include <set>
 
 #include "build/build.h"
+#include "state/closed_gap.h"
 #include "support/models.h"
 
 using namespace talus;
@@ -66,6 +67,19 @@ TEST_CASE("network: corners on an edge of another patch are nodes of it, so noth
             // Outward.
             CHECK(edge.outward.dot(middle - Vec3(1, 1, 1)) > 0);
         }
+    }
+}
+
+TEST_CASE("network: faces that lie near each other without touching are no joint") {
+    // The contact search makes an interface of faces 30 mm apart; both blocks stand on the floor.
+    for (const double gap : {0.0, 0.9e-4, 3e-4, 0.03}) {
+        CAPTURE(gap);
+        Model model = floorModel(30);
+        addBox(model, "one", {0, 0, 0}, {1, 1, 1});
+        addBox(model, "other", {1 + gap, 0, 0}, {1, 1, 1});
+        const State state = *buildState(std::move(model), false);
+        const bool touches = gap <= kClosedGap * state.geometry->size[1];
+        CHECK(flow::networkOf(state, 0).patches.size() == (touches ? 3 : 2));
     }
 }
 
