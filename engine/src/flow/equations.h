@@ -45,13 +45,19 @@ class Equations {
     /// The same with shares that follow from the heads.
     SparseMatrix derivative(const Vector& heads, double ramp) const;
 
-    /// Largest inflow at a node that is not held, over the sum of those that enter at held nodes.
+    /// Largest inflow at a node that is not held, over the sum of those that enter at held nodes. Infinite
+    /// where an inflow is no number.
     double imbalance(const Vector& inflow) const;
+    /// Whether that is as small as it gets: a share of the inflow, or all that rounding of the heads leaves.
+    bool isBalanced(const Vector& heads, const std::vector<double>& shares, const Vector& inflow) const;
+    /// Whether there are no differences of head to speak of.
+    bool isStill(const Vector& heads) const;
 
  private:
     using Entries = std::vector<Eigen::Triplet<double>>;
 
     double heldHead(std::size_t node) const;
+    bool isRounding(const Vector& heads, const std::vector<double>& shares, const Vector& inflow) const;
     std::array<double, 3> pressureHeads(const Vector& heads, std::size_t triangle) const;
     void addConductance(const std::vector<double>& shares, Entries& entries) const;
     void addShareSlopes(const Vector& heads, double ramp, Entries& entries) const;

@@ -77,12 +77,7 @@ class Answer {
 
     Result<SteadyFlow> solve() {
         Heads heads = solveHeads(network_, conditions_, transmissivity_, flow_.free_surface);
-        if (!heads.found)
-            return Error{flow_.field, "found no free surface after " + std::to_string(heads.iterations) +
-                                          " iterations; the last one left " +
-                                          formatted("%.2g", heads.residual) +
-                                          " of the inflow unbalanced at a node; allowed: a finer network "
-                                          "(flow.refinements), or free_surface = false"};
+        if (!heads.found) return Error{flow_.field, faultOf(heads)};
         into_.ramp = heads.ramp;
         into_.iterations = heads.iterations;
         into_.residual = heads.residual;
@@ -99,6 +94,19 @@ class Answer {
     }
 
  private:
+    std::string faultOf(const Heads& heads) const {
+        const std::string tried = " after " + std::to_string(heads.iterations) +
+                                  " iterations; the last one left " + formatted("%.2g", heads.residual) +
+                                  " of the inflow unbalanced at a node; allowed: ";
+        if (flow_.free_surface)
+            return "found no free surface" + tried +
+                   "a finer network (flow.refinements), or free_surface = false";
+        const auto [least, most] = std::minmax_element(transmissivity_.begin(), transmissivity_.end());
+        return "found no heads that balance the flow" + tried +
+               "apertures that differ less; the largest is " +
+               formatted("%.2g", std::cbrt(*most / *least)) + " times the smallest";
+    }
+
     void addNodes() {
         for (std::size_t n = 0; n < network_.nodes.size(); ++n) {
             into_.nodes.push_back(network_.nodes[n] + origin_);

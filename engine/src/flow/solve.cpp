@@ -17,7 +17,6 @@ constexpr double kFirstRamp = 1, kLastRamp = 1.0 / 32;
 constexpr int kBeginIterations = 60;  // before Newton's method; dams of 8,000 joints need 30
 constexpr double kBegun = 1e-3;       // of the inflow: imbalance from which Newton's method converges
 constexpr int kStageIterations = 60;  // most stages take ten
-constexpr double kBalanced = 1e-9;    // of the inflow: imbalance of a stage that has converged
 constexpr double kRounding = 1e-13;   // of the inflow: no step can lower that
 constexpr int kLineSearch = 12;       // halvings of a step
 constexpr double kArmijo = 1e-4;      // share of the expected decrease that a step must bring
@@ -37,7 +36,9 @@ class Solver {
             solveLinear();
             wrong = equations_.switchOutlets(heads_, equations_.inflows(heads_, shares_));
         }
-        return result(0, !wrong);
+        const Vector inflow = equations_.inflows(heads_, shares_);
+        residual_ = equations_.imbalance(inflow);
+        return result(0, !wrong && equations_.isBalanced(heads_, shares_, inflow));
     }
 
     Heads withFreeSurface() {
@@ -83,7 +84,10 @@ class Solver {
             solveLinear();
             const bool switched = equations_.switchOutlets(heads_, equations_.inflows(heads_, shares_));
             const std::vector<double> next = equations_.sharesOf(heads_, ramp);
-            if (!switched && equations_.imbalance(equations_.inflows(heads_, next)) < kBegun) return;
+            const Vector inflow = equations_.inflows(heads_, next);
+            if (!switched && (equations_.imbalance(inflow) < kBegun ||
+                              equations_.isBalanced(heads_, next, inflow)))
+                return;
             for (std::size_t t = 0; t < next.size(); ++t) {
                 const double step = next[t] - shares_[t];
                 weight[t] = step * before[t] < 0 ? kSlower * weight[t] : std::min(1.0, kFaster * weight[t]);
@@ -97,10 +101,11 @@ class Solver {
     bool converge(double ramp) {
         for (int k = 0; k < kStageIterations; ++k, ++iterations_) {
             equations_.hold(heads_);
-            const Vector inflow = equations_.inflows(heads_, equations_.sharesOf(heads_, ramp));
+            const std::vector<double> shares = equations_.sharesOf(heads_, ramp);
+            const Vector inflow = equations_.inflows(heads_, shares);
             const bool switched = equations_.switchOutlets(heads_, inflow);
             residual_ = equations_.imbalance(inflow);
-            if (!switched && residual_ <= kBalanced) return polish(ramp), true;
+            if (!switched && equations_.isBalanced(heads_, shares, inflow)) return polish(ramp), true;
             equations_.hold(heads_);
             if (!step(ramp)) return false;
         }
@@ -150,7 +155,8 @@ class Solver {
         result.wet_share = shares_;
         result.iterations = iterations_;
         result.ramp = ramp;
-        result.residual = found ? equations_.imbalance(inflow) : residual_;
+        result.residual = residual_;
+        if (found) result.residual = equations_.isStill(heads_) ? 0 : equations_.imbalance(inflow);
         result.found = found;
         return result;
     }
