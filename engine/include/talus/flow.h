@@ -16,7 +16,8 @@ namespace talus {
 struct BoundaryFlow {
     std::string name;
     std::size_t nodes = 0;
-    double inflow = 0, outflow = 0;       ///< into and out of the network [m^3/s]
+    /// Into and out of the network [m^3/s]. Places with a head count net, and those of an outlet.
+    double inflow = 0, outflow = 0;
     double highest_outflow = -kInfinity;  ///< elevation up to which water flows out [m]; none: -infinity
 };
 

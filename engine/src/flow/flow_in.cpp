@@ -148,24 +148,38 @@ class Answer {
                gradient;
     }
 
-    /// Nodes in the dry part leak a little (solve.cpp); they count as no outflow.
+    /// Inflow at the nodes of a boundary that are of one condition.
+    struct Part {
+        double net = 0;
+        double highest_outflow = -kInfinity;
+    };
+
+    /// Only the sum over a boundary is a discharge: where triangles are obtuse, inflows of neighbouring nodes
+    /// with one head differ in sign. Nodes in the dry part leak a little (solve.cpp); they count as no
+    /// outflow.
     void addBoundaries() {
         for (const FlowBoundary& boundary : flow_.boundaries) into_.boundaries.push_back({boundary.name});
-        double most = 0;
-        for (const double inflow : into_.inflow) most = std::max(most, inflow);
+        const double most = into_.inflow.empty() ? 0 : *std::ranges::max_element(into_.inflow);
+        std::vector<std::array<Part, 2>> parts(flow_.boundaries.size());  // of a head, of an outlet
         for (std::size_t n = 0; n < network_.nodes.size(); ++n) {
             if (conditions_.boundary[n] < 0 || conditions_.of[n] == Condition::dry) continue;
-            BoundaryFlow& to = into_.boundaries[static_cast<std::size_t>(conditions_.boundary[n])];
-            const double inflow = into_.inflow[n];
-            ++to.nodes;
-            if (std::abs(inflow) > kNothing * most) (inflow > 0 ? to.inflow : to.outflow) += std::abs(inflow);
-            if (inflow < -kLeak * most)
-                to.highest_outflow = std::max(to.highest_outflow, conditions_.elevation[n]);
+            const auto boundary = static_cast<std::size_t>(conditions_.boundary[n]);
+            ++into_.boundaries[boundary].nodes;
+            Part& part = parts[boundary][conditions_.of[n] == Condition::outlet ? 1 : 0];
+            part.net += into_.inflow[n];
+            if (into_.inflow[n] < -kLeak * most)
+                part.highest_outflow = std::max(part.highest_outflow, conditions_.elevation[n]);
         }
-        for (const BoundaryFlow& boundary : into_.boundaries) {
-            into_.inflow_sum += boundary.inflow;
-            into_.outflow_sum += boundary.outflow;
-        }
+        for (std::size_t k = 0; k < parts.size(); ++k)
+            for (const Part& part : parts[k]) add(part, kNothing * most, into_.boundaries[k]);
+    }
+
+    void add(const Part& part, double nothing, BoundaryFlow& to) {
+        if (std::abs(part.net) <= nothing) return;
+        const double flow = std::abs(part.net);
+        (part.net > 0 ? to.inflow : to.outflow) += flow;
+        (part.net > 0 ? into_.inflow_sum : into_.outflow_sum) += flow;
+        if (part.net < 0) to.highest_outflow = std::max(to.highest_outflow, part.highest_outflow);
     }
 
     /// Where the pressure passes through zero along the edges of the mesh.
