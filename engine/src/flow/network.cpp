@@ -12,14 +12,21 @@
 namespace talus::flow {
 namespace {
 
-// Of the median block size: corners of patches that are nearer to each other are one node. Rounding of
-// clipped outlines is 1e-9 of that, the smallest patches that matter are 1e-3.
-constexpr double kSameNode = 1e-5;
+// Corners of patches that are nearer to each other are one node. Faces touch across gaps of kClosedGap. So the
+// corners of patches that meet at a crossing of two such gaps lie within its diagonal, sqrt(2) kClosedGap.
+constexpr double kSameNode = 2 * kClosedGap;  // of the smaller block of a patch
+constexpr double kRoundedNode = 1e-5;         // of the median block: at least. Outlines are rounded to 1e-9
 
 struct Outline {
     Vec3 centre;
     std::vector<Vec3> corners;
+    double same = 0;  ///< distance within which another corner is the same node [m]
 };
+
+double smallerSize(const State& state, std::size_t interface) {
+    const auto sizeOf = [&](std::int32_t b) { return state.geometry->size[static_cast<std::size_t>(b)]; };
+    return std::min(sizeOf(state.interfaces.block_a[interface]), sizeOf(state.interfaces.block_b[interface]));
+}
 
 /// A patch in the state's coordinates, as its blocks stood at the start.
 Outline outlineOf(const State& state, std::size_t interface) {
@@ -34,6 +41,8 @@ Outline outlineOf(const State& state, std::size_t interface) {
     Outline outline{placed(Vec2::Zero()), {}};
     for (const Vec2& corner : patchOutline(state.interfaces, interface))
         outline.corners.push_back(placed(corner));
+    outline.same =
+        std::max(kRoundedNode * geometry.length_scale, kSameNode * smallerSize(state, interface));
     return outline;
 }
 
@@ -44,11 +53,6 @@ Patch patchOf(const State& state, std::size_t interface) {
     const Mat3 turn = state.geometry->initial_orientation.matrix(a);
     return {static_cast<std::int32_t>(interface), f.block_a[interface], f.block_b[interface],
             f.joint[interface], turn * frame.e1_a.cross(frame.e2_a)};
-}
-
-double smallerSize(const State& state, std::size_t interface) {
-    const auto sizeOf = [&](std::int32_t b) { return state.geometry->size[static_cast<std::size_t>(b)]; };
-    return std::min(sizeOf(state.interfaces.block_a[interface]), sizeOf(state.interfaces.block_b[interface]));
 }
 
 /// Least distance between the two faces over the patch, as the blocks stood at the start [m].
@@ -81,18 +85,33 @@ Box boxAround(const Vec3& point, double margin) {
     return box.grown(margin);
 }
 
-/// Which node each point is: points within `same` of a node's first point are that node.
-std::vector<std::int32_t> merged(const std::vector<Vec3>& points, double same, std::vector<Vec3>& nodes) {
+struct Corner {
+    Vec3 place;
+    double same;  ///< [m]
+};
+
+/// Which node each corner is: those near a node's first corner are that node.
+/// \param reach  of each node, the largest distance within which a corner is the same [m]
+std::vector<std::int32_t> merged(const std::vector<Corner>& corners, std::vector<Vec3>& nodes,
+                                 std::vector<double>& reach) {
     std::vector<Box> boxes;
-    for (const Vec3& point : points) boxes.push_back(boxAround(point, 0));
+    double widest = 0;
+    for (const Corner& corner : corners) {
+        boxes.push_back(boxAround(corner.place, 0));
+        widest = std::max(widest, corner.same);
+    }
     const BoxTree tree(std::move(boxes));
-    std::vector<std::int32_t> node(points.size(), -1);
-    for (std::size_t p = 0; p < points.size(); ++p) {
-        if (node[p] >= 0) continue;
+    std::vector<std::int32_t> node(corners.size(), -1);
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        if (node[c] >= 0) continue;
         const auto next = static_cast<std::int32_t>(nodes.size());
-        nodes.push_back(points[p]);
-        tree.visit(boxAround(points[p], same), [&](std::size_t other) {
-            if (node[other] < 0 && (points[other] - points[p]).norm() <= same) node[other] = next;
+        nodes.push_back(corners[c].place);
+        reach.push_back(corners[c].same);
+        tree.visit(boxAround(corners[c].place, widest), [&](std::size_t other) {
+            const double same = std::max(corners[c].same, corners[other].same);
+            if (node[other] >= 0 || (corners[other].place - corners[c].place).norm() > same) return;
+            node[other] = next;
+            reach.back() = std::max(reach.back(), same);
         });
     }
     return node;
@@ -101,8 +120,7 @@ std::vector<std::int32_t> merged(const std::vector<Vec3>& points, double same, s
 /// Makes the fans of all patches.
 class Fans {
  public:
-    Fans(const State& state, Network& network)
-        : network_(network), same_(kSameNode * state.geometry->length_scale) {
+    Fans(const State& state, Network& network) : network_(network) {
         for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
             if (!isJoint(state, i)) continue;
             outlines_.push_back(outlineOf(state, i));
@@ -111,10 +129,11 @@ class Fans {
     }
 
     void make() {
-        std::vector<Vec3> corners;
+        std::vector<Corner> corners;
         for (const Outline& outline : outlines_)
-            corners.insert(corners.end(), outline.corners.begin(), outline.corners.end());
-        const std::vector<std::int32_t> node = merged(corners, same_, network_.nodes);
+            for (const Vec3& corner : outline.corners) corners.push_back({corner, outline.same});
+        const std::vector<std::int32_t> node = merged(corners, network_.nodes, reach_);
+        if (!reach_.empty()) widest_ = *std::max_element(reach_.begin(), reach_.end());
         std::vector<Box> boxes;
         for (const Vec3& x : network_.nodes) boxes.push_back(boxAround(x, 0));
         tree_ = BoxTree(std::move(boxes));
@@ -128,38 +147,47 @@ class Fans {
     }
 
  private:
-    /// The outline with the nodes that other patches have on it.
-    std::vector<std::int32_t> ringOf(const std::vector<std::int32_t>& corners) const {
+    /// The outline with the nodes that other patches have on it, each node once.
+    std::vector<std::int32_t> ringOf(const std::vector<std::int32_t>& corners, double same) const {
         std::vector<std::int32_t> ring;
         for (std::size_t k = 0; k < corners.size(); ++k) {
             const std::int32_t from = corners[k], to = corners[(k + 1) % corners.size()];
             if (from == to) continue;
             ring.push_back(from);
-            addBetween(from, to, ring);
+            for (const std::int32_t node : between(from, to, same))
+                if (!contains(corners, node) && !contains(ring, node)) ring.push_back(node);
         }
         return ring;
     }
 
-    void addBetween(std::int32_t from, std::int32_t to, std::vector<std::int32_t>& ring) const {
+    static bool contains(const std::vector<std::int32_t>& nodes, std::int32_t node) {
+        return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+    }
+
+    /// Nodes on an edge, in its direction.
+    std::vector<std::int32_t> between(std::int32_t from, std::int32_t to, double same) const {
         const Vec3 &begin = at(from), along = at(to) - begin;
         const double length = along.norm();
         Box box = boxAround(begin, 0);
         box.add(at(to));
-        std::vector<std::pair<double, std::int32_t>> between;
-        tree_.visit(box.grown(same_), [&](std::size_t other) {
+        std::vector<std::pair<double, std::int32_t>> found;
+        tree_.visit(box.grown(widest_), [&](std::size_t other) {
             const auto node = static_cast<std::int32_t>(other);
             const Vec3 d = at(node) - begin;
             const double place = d.dot(along) / length;
             if (node == from || node == to || place <= 0 || place >= length) return;
-            if ((d - place / length * along).norm() <= same_) between.emplace_back(place, node);
+            if ((d - place / length * along).norm() <= std::max(same, reach_[other]))
+                found.emplace_back(place, node);
         });
-        std::sort(between.begin(), between.end());
-        for (const auto& [place, node] : between) ring.push_back(node);
+        std::sort(found.begin(), found.end());
+        std::vector<std::int32_t> nodes;
+        for (const auto& [place, node] : found) nodes.push_back(node);
+        return nodes;
     }
 
     /// Slivers whose corners are one node have no fan.
     void add(std::size_t p, const std::vector<std::int32_t>& corners) {
-        const std::vector<std::int32_t> ring = ringOf(corners);
+        const std::vector<std::int32_t> ring = ringOf(corners, outlines_[p].same);
         if (ring.size() < 3) return;
         const auto centre = static_cast<std::int32_t>(network_.nodes.size());
         network_.nodes.push_back(outlines_[p].centre);
@@ -173,7 +201,8 @@ class Fans {
     const Vec3& at(std::int32_t node) const { return network_.nodes[static_cast<std::size_t>(node)]; }
 
     Network& network_;
-    double same_;  ///< [m]
+    std::vector<double> reach_;  ///< of each node: a corner that near is the same [m]
+    double widest_ = 0;          ///< of these [m]
     std::vector<Outline> outlines_;
     std::vector<Patch> patches_;
     BoxTree tree_;

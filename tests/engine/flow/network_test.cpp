@@ -70,6 +70,28 @@ TEST_CASE("network: corners on an edge of another patch are nodes of it, so noth
     }
 }
 
+TEST_CASE("network: blocks whose coordinates are rounded share their nodes as exact ones do") {
+    // Faces touch across gaps below kClosedGap. Four cubes around a crossing, moved apart by shares of it.
+    for (const double gap : {0.0, 2e-5, 0.9e-4}) {
+        CAPTURE(gap);
+        Model model;
+        model.joints = {joint(30)};
+        for (const int column : {0, 1})
+            for (const int row : {0, 1})
+                addBox(model, std::to_string(2 * column + row), {column * (1 + gap), 0, row * (1 + gap)},
+                       {1, 1, 1});
+        const State state = *buildState(std::move(model), false);
+        const Network network = flow::networkOf(state, 0);
+        CHECK(network.patches.size() == 4);
+        CHECK(network.nodes.size() == 2 * 5 + 4);  // four ends and a crossing, twice, and the centres
+        for (const auto& edge : flow::openEdges(network)) {
+            const Vec3 middle = 0.5 * (network.nodes[static_cast<std::size_t>(edge.nodes[0])] +
+                                       network.nodes[static_cast<std::size_t>(edge.nodes[1])]);
+            CHECK((middle - Vec3(1, 0.5, 1)).norm() > 0.4);  // not at the crossing
+        }
+    }
+}
+
 TEST_CASE("network: faces that lie near each other without touching are no joint") {
     // The contact search makes an interface of faces 30 mm apart; both blocks stand on the floor.
     for (const double gap : {0.0, 0.9e-4, 3e-4, 0.03}) {
