@@ -8,7 +8,7 @@
 namespace talus::flow {
 namespace {
 
-constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which an end looks a way
+constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which a rock face looks a way
 constexpr double kNear = 1e-6;         // of the median patch: a node that far outside a box is in it
 
 class Places {

@@ -17,6 +17,8 @@ namespace {
 constexpr double kSameNode = 2 * kClosedGap;  // of the smaller block of a patch
 constexpr double kRoundedNode = 1e-5;         // of the median block: at least. Outlines are rounded to 1e-9
 
+constexpr double kInPlane = 1 - 1e-6;  // cosine: a face of a block so near to parallel is the joint's own
+
 struct Outline {
     Vec3 centre;
     std::vector<Vec3> corners;
@@ -79,6 +81,26 @@ bool isJoint(const State& state, std::size_t interface) {
            leastGap(state, interface) <= kClosedGap * smallerSize(state, interface);
 }
 
+void addFacesBeside(const State& state, std::int32_t block, const Vec3& normal, std::vector<RockFace>& to) {
+    const Geometry& geometry = *state.geometry;
+    const auto b = static_cast<std::size_t>(block);
+    const Mat3 turn = geometry.initial_orientation.matrix(b);
+    const Polyhedron& shape = geometry.shape[b];
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+        const FacePlane& plane = geometry.face_planes[geometry.first_plane[b] + f];
+        const Vec3 out = turn * plane.normal;
+        if (shape.isInner(f) || std::abs(out.dot(normal)) > kInPlane) continue;
+        to.push_back({out, out.dot(geometry.initial_position.get(b) + turn * plane.at)});
+    }
+}
+
+std::vector<RockFace> facesBeside(const State& state, const Patch& patch) {
+    std::vector<RockFace> faces;
+    for (const std::int32_t block : {patch.block_a, patch.block_b})
+        addFacesBeside(state, block, patch.normal, faces);
+    return faces;
+}
+
 Box boxAround(const Vec3& point, double margin) {
     Box box;
     box.add(point);
@@ -120,7 +142,7 @@ std::vector<std::int32_t> merged(const std::vector<Corner>& corners, std::vector
 /// Makes the fans of all patches.
 class Fans {
  public:
-    Fans(const State& state, Network& network) : network_(network) {
+    Fans(const State& state, Network& network) : state_(state), network_(network) {
         for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
             if (!isJoint(state, i)) continue;
             outlines_.push_back(outlineOf(state, i));
@@ -196,10 +218,13 @@ class Fans {
             network_.patch_of.push_back(static_cast<std::int32_t>(network_.patches.size()));
         }
         network_.patches.push_back(patches_[p]);
+        network_.beside.push_back(facesBeside(state_, patches_[p]));
+        network_.same.push_back(outlines_[p].same);
     }
 
     const Vec3& at(std::int32_t node) const { return network_.nodes[static_cast<std::size_t>(node)]; }
 
+    const State& state_;
     Network& network_;
     std::vector<double> reach_;  ///< of each node: a corner that near is the same [m]
     double widest_ = 0;          ///< of these [m]
@@ -229,6 +254,21 @@ void refine(Network& network) {
     }
     network.triangles = std::move(triangles);
     network.patch_of = std::move(patch_of);
+}
+
+/// The normal of the rock face that an edge lies on and that looks most its way; without one, that way.
+Vec3 rockNormal(const Network& network, std::size_t triangle, const Vec3& begin, const Vec3& end,
+                const Vec3& in_plane) {
+    const auto patch = static_cast<std::size_t>(network.patch_of[triangle]);
+    Vec3 normal = in_plane;
+    double most = 0;
+    for (const RockFace& face : network.beside[patch]) {
+        const double off = std::max(std::abs(face.normal.dot(begin) - face.offset),
+                                    std::abs(face.normal.dot(end) - face.offset));
+        const double looks = face.normal.dot(in_plane);
+        if (off <= network.same[patch] && looks > most) most = looks, normal = face.normal;
+    }
+    return normal;
 }
 
 double medianSide(const Network& network) {
@@ -269,8 +309,9 @@ std::vector<OpenEdge> openEdges(const Network& network) {
         const auto same = [&](std::size_t other) { return sides[other].nodes == sides[s].nodes; };
         if ((s > 0 && same(s - 1)) || (s + 1 < sides.size() && same(s + 1))) continue;
         const auto [nodes, t, k] = sides[s];
-        const Vec3 along = network.corner(t, (k + 1) % 3) - network.corner(t, k);
-        open.push_back({t, {nodes.first, nodes.second}, along.cross(network.patch(t).normal).normalized()});
+        const Vec3 &begin = network.corner(t, k), &end = network.corner(t, (k + 1) % 3);
+        const Vec3 in_plane = (end - begin).cross(network.patch(t).normal).normalized();
+        open.push_back({t, {nodes.first, nodes.second}, rockNormal(network, t, begin, end, in_plane)});
     }
     return open;
 }

@@ -22,9 +22,17 @@ struct Patch {
     Vec3 normal = Vec3::UnitZ();  ///< from a to b
 };
 
+/// A face of a block, in the state's coordinates: normal . x = offset.
+struct RockFace {
+    Vec3 normal = Vec3::UnitZ();  ///< out of the rock
+    double offset = 0;            ///< [m]
+};
+
 struct Network {
     std::vector<Vec3> nodes;  ///< in the state's coordinates [m]
     std::vector<Patch> patches;
+    std::vector<std::vector<RockFace>> beside;  ///< of each patch: faces of its blocks that are not in its plane
+    std::vector<double> same;                   ///< of each patch: distance at which points are the same [m]
     std::vector<std::array<std::int32_t, 3>> triangles;  ///< counter-clockwise about their patch's normal
     std::vector<std::int32_t> patch_of;                  ///< of each triangle
     double size = 0;                                     ///< median longest side of a patch [m]
@@ -44,7 +52,7 @@ Network networkOf(const State& state, int refinements);
 struct OpenEdge {
     std::size_t triangle = 0;
     std::array<std::int32_t, 2> nodes{};
-    Vec3 outward = Vec3::Zero();  ///< unit, in the joint's plane
+    Vec3 outward = Vec3::Zero();  ///< unit, normal of the rock face that it lies on; else in the joint's plane
 };
 std::vector<OpenEdge> openEdges(const Network& network);
 

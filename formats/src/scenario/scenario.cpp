@@ -53,6 +53,7 @@ class ScenarioReader {
             readWaters(report_, root_, {stacks_, rock_ ? &*rock_ : nullptr, folder_}, directory);
         for (const ForceSection& section : forceSections())
             section.read({report_, root_, directory, joints_, folder_}, model_);
+        if (rock_) turnFaces(rock_->turn, model_);
         checkFlow();
         std::vector<RockWalls> walls;
         if (report_.clean()) walls = rockWalls(waters);
