@@ -28,7 +28,7 @@ struct SteadyFlow {
     std::vector<double> pressure;  ///< rho g (head - elevation), not below zero with a free surface [Pa]
     /// head - elevation, below zero above the free surface; 0 where no head reaches [m]
     std::vector<double> pressure_head;
-    std::vector<double> inflow;    ///< into the network at each node; zero but at boundaries [m^3/s]
+    std::vector<double> inflow;  ///< into the network at each node; zero but at boundaries [m^3/s]
 
     std::vector<std::array<std::int32_t, 3>> triangles;
     std::vector<std::int32_t> joint, block_a, block_b;  ///< of each triangle

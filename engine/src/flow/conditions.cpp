@@ -65,21 +65,15 @@ Error takesNothing(const FlowBoundary& boundary, const Network& network, const V
                                 placeText(network, origin)};
 }
 
-/// Elevations that a boundary reaches.
-struct Range {
-    double low = kInfinity, high = -kInfinity;
-    void add(double x) { low = std::min(low, x), high = std::max(high, x); }
-};
-
 /// A head below all of its boundary would make that a drain, which the user has not asked for.
-std::optional<Error> drains(const FlowBoundary& boundary, const Flow& flow, const Range& places,
+std::optional<Error> drains(const FlowBoundary& boundary, const Flow& flow, const Extent& places,
                             double rounding) {
     if (boundary.kind != FlowBoundary::Kind::head || !flow.free_surface ||
         boundary.head >= places.low - rounding)
         return std::nullopt;
     std::array<char, 240> text{};
     std::snprintf(text.data(), text.size(),
-                  "found the head %.3f m below the whole of its boundary, which reaches from %.3f to %.3f m; "
+                  "found %.3f, below the whole of its boundary, which reaches from %.3f to %.3f m; "
                   "allowed: an elevation above the model's origin within or above these, or outlet = true",
                   boundary.head, places.low, places.high);
     return Error{boundary.field + ".head", text.data()};
@@ -122,7 +116,7 @@ Result<Conditions> conditionsOf(const Network& network, const Flow& flow, const 
     std::vector<Error> errors, drained;
     const Places places(network, origin);
     for (std::size_t k = 0; k < flow.boundaries.size(); ++k) {
-        Range reached;
+        Extent reached;
         places.each(flow.boundaries[k], [&](std::int32_t node) {
             reached.add(conditions.elevation[static_cast<std::size_t>(node)]);
             apply(flow, k, node, conditions);

@@ -14,8 +14,8 @@ constexpr double kNoPressure = 1e-9;  // of the median patch, as a head: roundin
 constexpr double kBalanced = 1e-9;    // of the inflow: imbalance at a node
 // Of the inflow: what may be left where rounding allows no better, between joints of very unequal apertures.
 constexpr double kUnequalJoints = 1e-6;
-constexpr double kStill = 1e-9;       // of the median patch: water with smaller differences of head is still
-constexpr double kShareStep = 1e-6;   // of the ramp: step of the difference that gives a share's slope
+constexpr double kStill = 1e-9;      // of the median patch: water with smaller differences of head is still
+constexpr double kShareStep = 1e-6;  // of the ramp: step of the difference that gives a share's slope
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 

@@ -27,8 +27,9 @@ class Equations {
               const std::vector<double>& transmissivity);
 
     std::size_t triangles() const { return stiffness_.size(); }
-    double size() const { return network_->size; }  ///< of a patch [m]
-    double datum() const { return datum_; }         ///< [m]
+    double size() const { return network_->size; }      ///< of a patch [m]
+    double height() const { return network_->height; }  ///< of a patch [m]
+    double datum() const { return datum_; }             ///< [m]
     bool isHeld(std::size_t node) const { return held_[node] != 0; }
 
     /// Puts the given heads, and the elevations of outlets that are open, into these.

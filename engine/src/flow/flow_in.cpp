@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLeak = 1e-3;      // of the largest inflow at a node
 constexpr double kNothing = 1e-12;  // of the largest inflow at a node: rounding
-// Of the median patch: a wider ramp moves the free surface by more than a tenth of a patch.
+// Of a patch's height: a wider ramp moves the free surface by more than a tenth of a patch.
 constexpr double kWideRamp = 0.2;
 constexpr double kSurface = 1e-6;  // of the median patch: nearer to zero a pressure head has no sign
 
@@ -103,8 +103,8 @@ class Answer {
                    "a finer network (flow.refinements), or free_surface = false";
         const auto [least, most] = std::minmax_element(transmissivity_.begin(), transmissivity_.end());
         return "found no heads that balance the flow" + tried +
-               "apertures that differ less; the largest is " +
-               formatted("%.2g", std::cbrt(*most / *least)) + " times the smallest";
+               "apertures that differ less; the largest is " + formatted("%.2g", std::cbrt(*most / *least)) +
+               " times the smallest";
     }
 
     void addNodes() {
@@ -218,7 +218,7 @@ class Answer {
     }
 
     void warnOfWideRamp() {
-        if (into_.ramp <= kWideRamp * network_.size) return;
+        if (into_.ramp <= kWideRamp * network_.height) return;
         into_.warnings.push_back(flow_.field + ": the free surface is smeared over " +
                                  formatted("%.2g", into_.ramp) +
                                  " m of pressure head, because a sharper one "

@@ -6,18 +6,21 @@
 #include <utility>
 
 #include "geometry/box_tree.h"
+#include "model/gravity.h"
 #include "state/closed_gap.h"
 #include "state/point_layout.h"
 
 namespace talus::flow {
 namespace {
 
-// Corners of patches that are nearer to each other are one node. Faces touch across gaps of kClosedGap. So the
-// corners of patches that meet at a crossing of two such gaps lie within its diagonal, sqrt(2) kClosedGap.
+// Of the smaller block of a patch: corners of patches that are nearer to each other are one node. Faces touch
+// across gaps of kClosedGap. Where two such gaps cross, corners lie within sqrt(2) kClosedGap.
 constexpr double kSameNode = 2 * kClosedGap;  // of the smaller block of a patch
 constexpr double kRoundedNode = 1e-5;         // of the median block: at least. Outlines are rounded to 1e-9
 
 constexpr double kInPlane = 1 - 1e-6;  // cosine: a face of a block so near to parallel is the joint's own
+
+constexpr double kLevel = 1e-6;  // of the median patch: a network of less height is level
 
 struct Outline {
     Vec3 centre;
@@ -43,8 +46,7 @@ Outline outlineOf(const State& state, std::size_t interface) {
     Outline outline{placed(Vec2::Zero()), {}};
     for (const Vec2& corner : patchOutline(state.interfaces, interface))
         outline.corners.push_back(placed(corner));
-    outline.same =
-        std::max(kRoundedNode * geometry.length_scale, kSameNode * smallerSize(state, interface));
+    outline.same = std::max(kRoundedNode * geometry.length_scale, kSameNode * smallerSize(state, interface));
     return outline;
 }
 
@@ -63,7 +65,8 @@ double leastGap(const State& state, std::size_t interface) {
     const InterfaceFrame frame = state.interfaces.frame(interface);
     const auto a = static_cast<std::size_t>(state.interfaces.block_a[interface]),
                b = static_cast<std::size_t>(state.interfaces.block_b[interface]);
-    const Mat3 turn_a = geometry.initial_orientation.matrix(a), turn_b = geometry.initial_orientation.matrix(b);
+    const Mat3 turn_a = geometry.initial_orientation.matrix(a),
+               turn_b = geometry.initial_orientation.matrix(b);
     const Vec3 apart = geometry.initial_position.get(b) - geometry.initial_position.get(a);
     const Vec3 normal = turn_a * frame.e1_a.cross(frame.e2_a);
     double least = kInfinity;
@@ -283,12 +286,25 @@ double medianSide(const Network& network) {
     return *half;
 }
 
+/// Thickness across a section does not count, because gravity has no part along it; nor do level joints.
+double meanHeight(const Network& network, const Vec3& down) {
+    std::vector<Extent> extent(network.patches.size());
+    for (std::size_t t = 0; t < network.triangles.size(); ++t)
+        for (std::size_t k = 1; k < 3; ++k)
+            extent[static_cast<std::size_t>(network.patch_of[t])].add(network.corner(t, k).dot(down));
+    double sum = 0, squares = 0;
+    for (const Extent& of : extent) sum += of.length(), squares += of.length() * of.length();
+    return sum > kLevel * network.size ? squares / sum : network.size;
+}
+
 }  // namespace
 
 Network networkOf(const State& state, int refinements) {
     Network network;
     Fans(state, network).make();
+    const Gravity& gravity = state.geometry->model.gravity;
     network.size = medianSide(network);
+    network.height = meanHeight(network, downward(gravity, gravity.tilt));
     for (int k = 0; k < refinements; ++k) refine(network);
     return network;
 }

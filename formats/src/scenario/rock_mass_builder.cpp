@@ -142,7 +142,8 @@ FiniteCuts summaryOf(const RockMassInput& input, const std::vector<JointCut>& cu
 
 std::optional<std::string> bridgeNote(const FiniteCuts& cuts) {
     if (cuts.are_bridges || !(cuts.beyond > kTold * cuts.area)) return std::nullopt;
-    return "finite joints cut through whole blocks: " + beyondText(cuts) + " and have the strength of the joints; with "
+    return "finite joints cut through whole blocks: " + beyondText(cuts) +
+           " and have the strength of the joints; with "
            "rock_mass.bridge = \"NAME\" that part has the strength of joint NAME, for intact rock";
 }
 

@@ -92,6 +92,31 @@ TEST_CASE("network: blocks whose coordinates are rounded share their nodes as ex
     }
 }
 
+TEST_CASE("network: an open end looks the way of the rock face it lies on, not along its joint") {
+    // A slab of two prisms, whose joint crosses it at 45 degrees.
+    const auto prism = [](std::vector<Vec3> base) {
+        for (std::size_t k = 0; k < 4; ++k) base.push_back(base[k] + Vec3::UnitZ());
+        return *convexHull(base);
+    };
+    Model model = floorModel(30);
+    addBox(model, "west", {0, 0, 0}, {1, 1, 1});
+    addBox(model, "east", {0, 0, 0}, {1, 1, 1});
+    model.blocks[1].shape = prism({{0, 0, 0}, {0.5, 0, 0}, {1.5, 1, 0}, {0, 1, 0}});
+    model.blocks[2].shape = prism({{0.5, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1.5, 1, 0}});
+    const State state = *buildState(std::move(model), false);
+    const Network network = flow::networkOf(state, 1);
+    std::size_t across = 0;
+    for (const auto& edge : flow::openEdges(network)) {
+        if (std::abs(network.patch(edge.triangle).normal.z()) > 0.5) continue;
+        const double y = network.nodes[static_cast<std::size_t>(edge.nodes[0])].y();
+        const bool on_top = edge.outward.z() > 0.5;
+        if (on_top) continue;
+        CHECK((edge.outward - Vec3(0, y < 0.5 ? -1 : 1, 0)).norm() < 1e-9);
+        ++across;
+    }
+    CHECK(across == 4);
+}
+
 TEST_CASE("network: faces that lie near each other without touching are no joint") {
     // The contact search makes an interface of faces 30 mm apart; both blocks stand on the floor.
     for (const double gap : {0.0, 0.9e-4, 3e-4, 0.03}) {

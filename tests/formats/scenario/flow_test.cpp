@@ -99,12 +99,12 @@ TEST_CASE("flow: what is refused, with its place") {
     checkStart(refused(flow("aperture = 1e-4\n", "")),
                "flow.boundary: found no [[flow.boundary]] with a head");
     checkStart(refused(flow("aperture = 1e-4\n[flow.joint.cleats]\naperture = 1e-4\n")),
-               "flow.joint.cleats: found \"cleats\"");
+               "flow.joint.cleats: found the unknown joint \"cleats\"");
     checkStart(refused(flow("aperture = 1e-4\n[flow.joint.bedding]\naperture = 0\n")),
                "flow.joint.bedding.aperture: found 0");
     checkStart(
         refused(flow("aperture = 1e-4\n", kHeads + "[[flow.boundary]]\njoint = \"cleats\"\nhead = 1\n")),
-        "flow.boundary[2].joint: found \"cleats\"");
+        "flow.boundary[2].joint: found the unknown joint \"cleats\"");
     checkStart(refused(flow("aperture = 1e-4\n", kHeads + "[[flow.boundary]]\nhead = 1\n")),
                "flow.boundary[2].face: missing");
     checkStart(refused(flow("aperture = 1e-4\n", kHeads + "[[flow.boundary]]\nface = \"+z\"\n")),
@@ -147,4 +147,28 @@ TEST_CASE("flow: finite joints are refused whose cuts go on through intact rock,
         CHECK(parseScenario(slopeWith(bridge, "radius = 20.0\n"), "slope.toml").ok());
         CHECK(parseScenario(slopeWith(bridge, ""), "slope.toml").ok());
     }
+}
+
+TEST_CASE("flow: faces of boundaries turn with the profile, as those of fixed blocks do; boxes do not") {
+    const auto boundaryOf = [](const std::string& azimuth) {
+        const auto scenario = parseScenario(
+            "[material.rock]\ndensity = 2700.0\n"
+            "[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = 30.0\n"
+            "[rock_mass]\nregion = { " +
+                azimuth +
+                "y = [0, 1], profile = [[0, 0], [10, 0], [10, 6], [4, 6]] }\n"
+                "fixed = [{ boundary = \"-z\" }]\n"
+                "[[joint_set]]\ndip_deg = 20\ndip_direction_deg = 180\nspacing = 1.0\n" +
+                flow("aperture = 1e-4\n",
+                     "[[flow.boundary]]\nface = \"-x\"\nhead = 4.0\n"
+                     "box = { min = [0, 1, 2], max = [3, 4, 5] }\n"),
+            "slope.toml");
+        REQUIRE(scenario.ok());
+        return scenario->model.flow->boundaries[0];
+    };
+    // A profile whose low side is at -x looks west until it is turned.
+    CHECK((*boundaryOf("").face + Vec3::UnitX()).norm() == 0);
+    CHECK((*boundaryOf("slope_azimuth_deg = 270, ").face + Vec3::UnitX()).norm() < 1e-12);
+    CHECK((*boundaryOf("slope_azimuth_deg = 180, ").face + Vec3::UnitY()).norm() < 1e-12);
+    CHECK(boundaryOf("slope_azimuth_deg = 180, ").box_min == Vec3(0, 1, 2));
 }
