@@ -219,6 +219,61 @@ TEST_CASE("flow: what cannot be is refused") {
     contains(refusal(model), "water[0]: found water in a joint beside flow");
 }
 
+TEST_CASE("flow: a head below all of its boundary is refused, because it would be a drain") {
+    Model model = gridDam(6, 5, 1, {1, 1, 1}, 4, 0.6);
+    for (FlowBoundary& boundary : model.flow->boundaries) boundary.box_min.z() = 0.5;
+    model.flow->boundaries[1].field = "flow.boundary[1]";
+    const auto refused = steadyFlow(model);
+    REQUIRE_FALSE(refused.ok());
+    REQUIRE(refused.errors().size() == 1);
+    CHECK(refused.errors().front().field == "flow.boundary[1].head");
+    CHECK(refused.errors().front().message.starts_with(
+        "found 0.600, below the whole of its boundary, which reaches from 1.000 to 4.000 m"));
+    model.flow->boundaries[1].head = 1;
+    CHECK(steadyFlow(model).ok());
+    model.flow->boundaries[1].head = 0.6;
+    model.flow->free_surface = false;  // then a head counts wherever its boundary lies
+    CHECK(steadyFlow(model).ok());
+}
+
+TEST_CASE("flow: still water is found, with and without a finer mesh") {
+    for (const int refinements : {0, 1, 2}) {
+        CAPTURE(refinements);
+        Model model = gridDam(4, 4, 1, {1, 1.3, 0.9}, 2.3, 0);
+        model.flow->boundaries.pop_back();
+        model.flow->refinements = refinements;
+        const auto found = steadyFlow(model);
+        for (const Error& error : found.errors()) FAIL_CHECK(error.field, ": ", error.message);
+        REQUIRE(found.ok());
+        for (const double head : found->head) CHECK(head == doctest::Approx(2.3).epsilon(1e-9));
+        CHECK(found->residual == 0);
+        CHECK(found->inflow_sum < 1e-12 * cubicLaw(*model.flow, model.flow->aperture));
+    }
+}
+
+TEST_CASE("flow: a boundary of many nodes with one head passes their sum, also of thin polygons") {
+    // Obtuse triangles give neighbouring nodes inflows of both signs.
+    Model model = gridDam(6, 5, 1, {1, 0.05, 1}, 4, 0.6);
+    model.flow->boundaries[0].face.reset();
+    model.flow->boundaries[0].box_max.x() = 1.5;
+    const SteadyFlow found = solved(model);
+    CHECK(found.boundaries[0].outflow == 0);
+    CHECK(found.boundaries[0].highest_outflow == -kInfinity);
+    CHECK(found.boundaries[0].inflow == doctest::Approx(found.boundaries[1].outflow).epsilon(1e-9));
+}
+
+TEST_CASE("flow: the discharge of a section per metre does not depend on its thickness, or it warns") {
+    const SteadyFlow thin = solved(gridDam(6, 5, 1, {1, 1, 1}, 4, 0.6));
+    for (const double thickness : {0.1, 200.0}) {
+        CAPTURE(thickness);
+        const SteadyFlow found = solved(gridDam(6, 5, 1, {1, thickness, 1}, 4, 0.6));
+        const bool is_sharp = found.ramp <= 0.2;  // of the height of a polygon, 1 m; a wider one is warned of
+        CHECK(found.warnings.empty() == is_sharp);
+        CHECK(found.inflow_sum / thickness ==
+              doctest::Approx(thin.inflow_sum).epsilon(is_sharp ? 5e-3 : 0.2));
+    }
+}
+
 TEST_CASE("flow: its pressure lowers the factor of safety of a block on an inclined joint") {
     // U = rho g h / 2 L w under a pressure that falls linearly to nothing at the lower end.
     const double length = 4, width = 1, height = 2, tilt = radians(20), h = 1.5, friction = 30;

@@ -34,20 +34,20 @@ std::size_t highestPressure(const SteadyFlow& flow) {
 }
 
 std::string place(const Vec3& x) {
-    return "x = " + figure("%.4g", x.x()) + ", y = " + figure("%.4g", x.y()) +
-           ", z = " + figure("%.4g", x.z()) + " m";
+    return "x = " + figure("%.3f", x.x()) + ", y = " + figure("%.3f", x.y()) +
+           ", z = " + figure("%.3f", x.z()) + " m";
 }
 
 std::string boundaryText(const BoundaryFlow& boundary) {
     std::string text = "in " + discharge(boundary.inflow) + ", out " + discharge(boundary.outflow);
     if (std::isfinite(boundary.highest_outflow))
-        text += ", up to " + figure("%.4g", boundary.highest_outflow) + " m";
+        text += ", up to " + figure("%.3f", boundary.highest_outflow) + " m";
     return text;
 }
 
 std::string surfaceText(const SteadyFlow& flow) {
     if (flow.free_surface.empty()) return "none: every joint is full";
-    return "from " + figure("%.4g", flow.lowest_surface) + " to " + figure("%.4g", flow.highest_surface) +
+    return "from " + figure("%.3f", flow.lowest_surface) + " to " + figure("%.3f", flow.highest_surface) +
            " m";
 }
 

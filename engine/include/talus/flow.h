@@ -16,7 +16,8 @@ namespace talus {
 struct BoundaryFlow {
     std::string name;
     std::size_t nodes = 0;
-    double inflow = 0, outflow = 0;       ///< into and out of the network [m^3/s]
+    /// Into and out of the network [m^3/s]. Places with a head count net, and those of an outlet.
+    double inflow = 0, outflow = 0;
     double highest_outflow = -kInfinity;  ///< elevation up to which water flows out [m]; none: -infinity
 };
 
@@ -25,7 +26,9 @@ struct SteadyFlow {
     std::vector<Vec3> nodes;       ///< model frame [m]
     std::vector<double> head;      ///< along -g above the model's origin [m]; nan where no head reaches
     std::vector<double> pressure;  ///< rho g (head - elevation), not below zero with a free surface [Pa]
-    std::vector<double> inflow;    ///< into the network at each node; zero but at boundaries [m^3/s]
+    /// head - elevation, below zero above the free surface; 0 where no head reaches [m]
+    std::vector<double> pressure_head;
+    std::vector<double> inflow;  ///< into the network at each node; zero but at boundaries [m^3/s]
 
     std::vector<std::array<std::int32_t, 3>> triangles;
     std::vector<std::int32_t> joint, block_a, block_b;  ///< of each triangle

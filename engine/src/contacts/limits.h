@@ -3,11 +3,9 @@
 
 #include "contacts/vertex_edge_points.h"
 #include "state/arrays.h"
+#include "state/closed_gap.h"  // kClosedGap
 
 namespace talus {
-
-/// Of the smaller block's size: faces nearer than this are closed and unstressed at the start.
-inline constexpr double kClosedGap = 1e-4;
 
 // Displacement that a search allows for; beyond it a block's neighbours are searched again.
 inline constexpr double kTravelLimit = 0.01;  // of a block's own size

@@ -8,7 +8,7 @@
 namespace talus::flow {
 namespace {
 
-constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which an end looks a way
+constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which a rock face looks a way
 constexpr double kNear = 1e-6;         // of the median patch: a node that far outside a box is in it
 
 class Places {
@@ -52,8 +52,8 @@ class Places {
 std::string placeText(const Network& network, const Vec3& origin) {
     Vec3 low = Vec3::Constant(kInfinity), high = -low;
     for (const Vec3& x : network.nodes) low = low.cwiseMin(x + origin), high = high.cwiseMax(x + origin);
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(), "x = %.4g to %.4g, y = %.4g to %.4g, z = %.4g to %.4g m", low.x(),
+    std::array<char, 320> text{};
+    std::snprintf(text.data(), text.size(), "x = %.3f to %.3f, y = %.3f to %.3f, z = %.3f to %.3f m", low.x(),
                   high.x(), low.y(), high.y(), low.z(), high.z());
     return text.data();
 }
@@ -63,6 +63,20 @@ Error takesNothing(const FlowBoundary& boundary, const Network& network, const V
     return {boundary.field, "found no " + what +
                                 " at this boundary; allowed: places of joints that bound a free block, in " +
                                 placeText(network, origin)};
+}
+
+/// A head below all of its boundary would make that a drain, which the user has not asked for.
+std::optional<Error> drains(const FlowBoundary& boundary, const Flow& flow, const Extent& places,
+                            double rounding) {
+    if (boundary.kind != FlowBoundary::Kind::head || !flow.free_surface ||
+        boundary.head >= places.low - rounding)
+        return std::nullopt;
+    std::array<char, 240> text{};
+    std::snprintf(text.data(), text.size(),
+                  "found %.3f, below the whole of its boundary, which reaches from %.3f to %.3f m; "
+                  "allowed: an elevation above the model's origin within or above these, or outlet = true",
+                  boundary.head, places.low, places.high);
+    return Error{boundary.field + ".head", text.data()};
 }
 
 /// Nodes of a head boundary above its head are outlets where there is a free surface.
@@ -99,21 +113,26 @@ Result<Conditions> conditionsOf(const Network& network, const Flow& flow, const 
     Conditions conditions{std::vector(count, Condition::none), std::vector<std::int32_t>(count, -1),
                           std::vector<double>(count), std::vector<double>(count, 0.0)};
     for (std::size_t n = 0; n < count; ++n) conditions.elevation[n] = -down.dot(network.nodes[n] + origin);
-    std::vector<Error> errors;
+    std::vector<Error> errors, drained;
     const Places places(network, origin);
     for (std::size_t k = 0; k < flow.boundaries.size(); ++k) {
-        bool any = false;
+        Extent reached;
         places.each(flow.boundaries[k], [&](std::int32_t node) {
-            any = true;
+            reached.add(conditions.elevation[static_cast<std::size_t>(node)]);
             apply(flow, k, node, conditions);
         });
-        if (!any && !model.is_remainder) errors.push_back(takesNothing(flow.boundaries[k], network, origin));
+        if (model.is_remainder) continue;
+        if (reached.high < reached.low)
+            errors.push_back(takesNothing(flow.boundaries[k], network, origin));
+        else if (auto fault = drains(flow.boundaries[k], flow, reached, kNear * network.size))
+            drained.push_back(std::move(*fault));
     }
     const auto& of = conditions.of;
     if (errors.empty() && !model.is_remainder && std::find(of.begin(), of.end(), Condition::head) == of.end())
         errors.push_back({flow.field,
                           "found no place of the network with a head: every boundary lies above "
                           "its head; allowed: a head above the lowest place of its boundary"});
+    errors.insert(errors.end(), drained.begin(), drained.end());
     if (!errors.empty()) return errors;
     leaveOutUnreached(network, conditions);
     return conditions;

@@ -24,7 +24,7 @@ struct Conditions {
 };
 
 /// Where several boundaries take the same node, the first of them counts.
-/// Errors: a boundary without nodes, no head at all.
+/// Errors: a boundary without nodes, or wholly above its head; no head at all.
 Result<Conditions> conditionsOf(const Network& network, const Flow& flow, const Model& model,
                                 const Vec3& origin);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "flow/cubic_law.h"
 
@@ -10,7 +11,11 @@ namespace {
 
 constexpr double kNoFlow = 1e-12;     // of the largest flow at a node: rounding
 constexpr double kNoPressure = 1e-9;  // of the median patch, as a head: rounding
-constexpr double kShareStep = 1e-6;   // of the ramp: step of the difference that gives a share's slope
+constexpr double kBalanced = 1e-9;    // of the inflow: imbalance at a node
+// Of the inflow: what may be left where rounding allows no better, between joints of very unequal apertures.
+constexpr double kUnequalJoints = 1e-6;
+constexpr double kStill = 1e-9;      // of the median patch: water with smaller differences of head is still
+constexpr double kShareStep = 1e-6;  // of the ramp: step of the difference that gives a share's slope
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
@@ -162,12 +167,45 @@ SparseMatrix Equations::derivative(const Vector& heads, double ramp) const {
 }
 
 double Equations::imbalance(const Vector& inflow) const {
+    if (!inflow.allFinite()) return kInfinity;
     double most = 0, entering = 0;
     for (std::size_t n = 0; n < held_.size(); ++n) {
         const double flow = inflow[static_cast<Eigen::Index>(n)];
         isHeld(n) ? entering += std::max(0.0, flow) : most = std::max(most, std::abs(flow));
     }
     return most > 0 ? most / std::max(entering, most * 1e-300) : 0;
+}
+
+bool Equations::isBalanced(const Vector& heads, const std::vector<double>& shares,
+                           const Vector& inflow) const {
+    const double left = imbalance(inflow);
+    if (left <= kBalanced) return true;
+    if (!heads.allFinite() || !inflow.allFinite()) return false;
+    return isStill(heads) || (left <= kUnequalJoints && isRounding(heads, shares, inflow));
+}
+
+/// Still water has no inflow to compare an imbalance with.
+bool Equations::isStill(const Vector& heads) const {
+    for (const auto& [a, b, c] : network_->triangles)
+        if (std::max({heads[a], heads[b], heads[c]}) - std::min({heads[a], heads[b], heads[c]}) >
+            kStill * size())
+            return false;
+    return true;
+}
+
+/// A node's inflow is a sum of c (h_i - h_j), each known to the rounding of the heads only.
+bool Equations::isRounding(const Vector& heads, const std::vector<double>& shares,
+                           const Vector& inflow) const {
+    Vector conductance = Vector::Zero(heads.size());
+    for (std::size_t t = 0; t < triangles(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            for (const std::size_t end : {k, (k + 1) % 3})
+                conductance[network_->triangles[t][end]] += shares[t] * std::abs(stiffness_[t][k]);
+    const double rounding = std::numeric_limits<double>::epsilon() * heads.cwiseAbs().maxCoeff();
+    for (Eigen::Index n = 0; n < heads.size(); ++n)
+        if (!isHeld(static_cast<std::size_t>(n)) && std::abs(inflow[n]) > rounding * conductance[n])
+            return false;
+    return true;
 }
 
 Gradients gradientsOf(const Network& network, std::size_t triangle) {

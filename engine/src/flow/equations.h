@@ -27,8 +27,9 @@ class Equations {
               const std::vector<double>& transmissivity);
 
     std::size_t triangles() const { return stiffness_.size(); }
-    double size() const { return network_->size; }  ///< of a patch [m]
-    double datum() const { return datum_; }         ///< [m]
+    double size() const { return network_->size; }      ///< of a patch [m]
+    double height() const { return network_->height; }  ///< of a patch [m]
+    double datum() const { return datum_; }             ///< [m]
     bool isHeld(std::size_t node) const { return held_[node] != 0; }
 
     /// Puts the given heads, and the elevations of outlets that are open, into these.
@@ -45,13 +46,19 @@ class Equations {
     /// The same with shares that follow from the heads.
     SparseMatrix derivative(const Vector& heads, double ramp) const;
 
-    /// Largest inflow at a node that is not held, over the sum of those that enter at held nodes.
+    /// Largest inflow at a node that is not held, over the sum of those that enter at held nodes. Infinite
+    /// where an inflow is no number.
     double imbalance(const Vector& inflow) const;
+    /// Whether that is as small as it gets: a share of the inflow, or all that rounding of the heads leaves.
+    bool isBalanced(const Vector& heads, const std::vector<double>& shares, const Vector& inflow) const;
+    /// Whether there are no differences of head to speak of.
+    bool isStill(const Vector& heads) const;
 
  private:
     using Entries = std::vector<Eigen::Triplet<double>>;
 
     double heldHead(std::size_t node) const;
+    bool isRounding(const Vector& heads, const std::vector<double>& shares, const Vector& inflow) const;
     std::array<double, 3> pressureHeads(const Vector& heads, std::size_t triangle) const;
     void addConductance(const std::vector<double>& shares, Entries& entries) const;
     void addShareSlopes(const Vector& heads, double ramp, Entries& entries) const;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLeak = 1e-3;      // of the largest inflow at a node
 constexpr double kNothing = 1e-12;  // of the largest inflow at a node: rounding
-// Of the median patch: a wider ramp moves the free surface by more than a tenth of a patch.
+// Of a patch's height: a wider ramp moves the free surface by more than a tenth of a patch.
 constexpr double kWideRamp = 0.2;
 constexpr double kSurface = 1e-6;  // of the median patch: nearer to zero a pressure head has no sign
 
@@ -77,12 +77,7 @@ class Answer {
 
     Result<SteadyFlow> solve() {
         Heads heads = solveHeads(network_, conditions_, transmissivity_, flow_.free_surface);
-        if (!heads.found)
-            return Error{flow_.field, "found no free surface after " + std::to_string(heads.iterations) +
-                                          " iterations; the last one left " +
-                                          formatted("%.2g", heads.residual) +
-                                          " of the inflow unbalanced at a node; allowed: a finer network "
-                                          "(flow.refinements), or free_surface = false"};
+        if (!heads.found) return Error{flow_.field, faultOf(heads)};
         into_.ramp = heads.ramp;
         into_.iterations = heads.iterations;
         into_.residual = heads.residual;
@@ -99,12 +94,26 @@ class Answer {
     }
 
  private:
+    std::string faultOf(const Heads& heads) const {
+        const std::string tried = " after " + std::to_string(heads.iterations) +
+                                  " iterations; the last one left " + formatted("%.2g", heads.residual) +
+                                  " of the inflow unbalanced at a node; allowed: ";
+        if (flow_.free_surface)
+            return "found no free surface" + tried +
+                   "a finer network (flow.refinements), or free_surface = false";
+        const auto [least, most] = std::minmax_element(transmissivity_.begin(), transmissivity_.end());
+        return "found no heads that balance the flow" + tried +
+               "apertures that differ less; the largest is " + formatted("%.2g", std::cbrt(*most / *least)) +
+               " times the smallest";
+    }
+
     void addNodes() {
         for (std::size_t n = 0; n < network_.nodes.size(); ++n) {
             into_.nodes.push_back(network_.nodes[n] + origin_);
-            const double pressure = unit_weight_ * (into_.head[n] - conditions_.elevation[n]);
-            const bool none = std::isnan(pressure) || (flow_.free_surface && pressure < 0);
-            into_.pressure.push_back(none ? 0.0 : pressure);
+            const double above = into_.head[n] - conditions_.elevation[n];
+            into_.pressure_head.push_back(std::isnan(above) ? 0.0 : above);
+            const bool none = flow_.free_surface && above < 0;
+            into_.pressure.push_back(none ? 0.0 : unit_weight_ * into_.pressure_head.back());
             if (conditions_.of[n] == Condition::none)
                 into_.imbalance = std::max(into_.imbalance, std::abs(into_.inflow[n]));
         }
@@ -139,24 +148,38 @@ class Answer {
                gradient;
     }
 
-    /// Nodes in the dry part leak a little (solve.cpp); they count as no outflow.
+    /// Inflow at the nodes of a boundary that are of one condition.
+    struct Part {
+        double net = 0;
+        double highest_outflow = -kInfinity;
+    };
+
+    /// Only the sum over a boundary is a discharge: where triangles are obtuse, inflows of neighbouring nodes
+    /// with one head differ in sign. Nodes in the dry part leak a little (solve.cpp); they count as no
+    /// outflow.
     void addBoundaries() {
         for (const FlowBoundary& boundary : flow_.boundaries) into_.boundaries.push_back({boundary.name});
-        double most = 0;
-        for (const double inflow : into_.inflow) most = std::max(most, inflow);
+        const double most = into_.inflow.empty() ? 0 : *std::ranges::max_element(into_.inflow);
+        std::vector<std::array<Part, 2>> parts(flow_.boundaries.size());  // of a head, of an outlet
         for (std::size_t n = 0; n < network_.nodes.size(); ++n) {
             if (conditions_.boundary[n] < 0 || conditions_.of[n] == Condition::dry) continue;
-            BoundaryFlow& to = into_.boundaries[static_cast<std::size_t>(conditions_.boundary[n])];
-            const double inflow = into_.inflow[n];
-            ++to.nodes;
-            if (std::abs(inflow) > kNothing * most) (inflow > 0 ? to.inflow : to.outflow) += std::abs(inflow);
-            if (inflow < -kLeak * most)
-                to.highest_outflow = std::max(to.highest_outflow, conditions_.elevation[n]);
+            const auto boundary = static_cast<std::size_t>(conditions_.boundary[n]);
+            ++into_.boundaries[boundary].nodes;
+            Part& part = parts[boundary][conditions_.of[n] == Condition::outlet ? 1 : 0];
+            part.net += into_.inflow[n];
+            if (into_.inflow[n] < -kLeak * most)
+                part.highest_outflow = std::max(part.highest_outflow, conditions_.elevation[n]);
         }
-        for (const BoundaryFlow& boundary : into_.boundaries) {
-            into_.inflow_sum += boundary.inflow;
-            into_.outflow_sum += boundary.outflow;
-        }
+        for (std::size_t k = 0; k < parts.size(); ++k)
+            for (const Part& part : parts[k]) add(part, kNothing * most, into_.boundaries[k]);
+    }
+
+    void add(const Part& part, double nothing, BoundaryFlow& to) {
+        if (std::abs(part.net) <= nothing) return;
+        const double flow = std::abs(part.net);
+        (part.net > 0 ? to.inflow : to.outflow) += flow;
+        (part.net > 0 ? into_.inflow_sum : into_.outflow_sum) += flow;
+        if (part.net < 0) to.highest_outflow = std::max(to.highest_outflow, part.highest_outflow);
     }
 
     /// Where the pressure passes through zero along the edges of the mesh.
@@ -195,7 +218,7 @@ class Answer {
     }
 
     void warnOfWideRamp() {
-        if (into_.ramp <= kWideRamp * network_.size) return;
+        if (into_.ramp <= kWideRamp * network_.height) return;
         into_.warnings.push_back(flow_.field + ": the free surface is smeared over " +
                                  formatted("%.2g", into_.ramp) +
                                  " m of pressure head, because a sharper one "

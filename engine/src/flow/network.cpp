@@ -6,19 +6,32 @@
 #include <utility>
 
 #include "geometry/box_tree.h"
+#include "model/gravity.h"
+#include "state/closed_gap.h"
 #include "state/point_layout.h"
 
 namespace talus::flow {
 namespace {
 
-// Of the median block size: corners of patches that are nearer to each other are one node. Rounding of
-// clipped outlines is 1e-9 of that, the smallest patches that matter are 1e-3.
-constexpr double kSameNode = 1e-5;
+// Of the smaller block of a patch: corners of patches that are nearer to each other are one node. Faces touch
+// across gaps of kClosedGap. Where two such gaps cross, corners lie within sqrt(2) kClosedGap.
+constexpr double kSameNode = 2 * kClosedGap;  // of the smaller block of a patch
+constexpr double kRoundedNode = 1e-5;         // of the median block: at least. Outlines are rounded to 1e-9
+
+constexpr double kInPlane = 1 - 1e-6;  // cosine: a face of a block so near to parallel is the joint's own
+
+constexpr double kLevel = 1e-6;  // of the median patch: a network of less height is level
 
 struct Outline {
     Vec3 centre;
     std::vector<Vec3> corners;
+    double same = 0;  ///< distance within which another corner is the same node [m]
 };
+
+double smallerSize(const State& state, std::size_t interface) {
+    const auto sizeOf = [&](std::int32_t b) { return state.geometry->size[static_cast<std::size_t>(b)]; };
+    return std::min(sizeOf(state.interfaces.block_a[interface]), sizeOf(state.interfaces.block_b[interface]));
+}
 
 /// A patch in the state's coordinates, as its blocks stood at the start.
 Outline outlineOf(const State& state, std::size_t interface) {
@@ -33,6 +46,7 @@ Outline outlineOf(const State& state, std::size_t interface) {
     Outline outline{placed(Vec2::Zero()), {}};
     for (const Vec2& corner : patchOutline(state.interfaces, interface))
         outline.corners.push_back(placed(corner));
+    outline.same = std::max(kRoundedNode * geometry.length_scale, kSameNode * smallerSize(state, interface));
     return outline;
 }
 
@@ -45,24 +59,84 @@ Patch patchOf(const State& state, std::size_t interface) {
             f.joint[interface], turn * frame.e1_a.cross(frame.e2_a)};
 }
 
+/// Least distance between the two faces over the patch, as the blocks stood at the start [m].
+double leastGap(const State& state, std::size_t interface) {
+    const Geometry& geometry = *state.geometry;
+    const InterfaceFrame frame = state.interfaces.frame(interface);
+    const auto a = static_cast<std::size_t>(state.interfaces.block_a[interface]),
+               b = static_cast<std::size_t>(state.interfaces.block_b[interface]);
+    const Mat3 turn_a = geometry.initial_orientation.matrix(a),
+               turn_b = geometry.initial_orientation.matrix(b);
+    const Vec3 apart = geometry.initial_position.get(b) - geometry.initial_position.get(a);
+    const Vec3 normal = turn_a * frame.e1_a.cross(frame.e2_a);
+    double least = kInfinity;
+    for (const Vec2& v : patchOutline(state.interfaces, interface)) {
+        const Vec3 on_a = turn_a * (frame.origin_a + v.x() * frame.e1_a + v.y() * frame.e2_a);
+        const Vec3 on_b = apart + turn_b * (frame.origin_b + v.x() * frame.e1_b + v.y() * frame.e2_b);
+        least = std::min(least, normal.dot(on_b - on_a));
+    }
+    return least;
+}
+
+/// Faces that the contact search found because they are near, but that do not touch, are no joint.
+bool isJoint(const State& state, std::size_t interface) {
+    return state.interfaces.kind[interface] == InterfaceKind::faces &&
+           leastGap(state, interface) <= kClosedGap * smallerSize(state, interface);
+}
+
+void addFacesBeside(const State& state, std::int32_t block, const Vec3& normal, std::vector<RockFace>& to) {
+    const Geometry& geometry = *state.geometry;
+    const auto b = static_cast<std::size_t>(block);
+    const Mat3 turn = geometry.initial_orientation.matrix(b);
+    const Polyhedron& shape = geometry.shape[b];
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+        const FacePlane& plane = geometry.face_planes[geometry.first_plane[b] + f];
+        const Vec3 out = turn * plane.normal;
+        if (shape.isInner(f) || std::abs(out.dot(normal)) > kInPlane) continue;
+        to.push_back({out, out.dot(geometry.initial_position.get(b) + turn * plane.at)});
+    }
+}
+
+std::vector<RockFace> facesBeside(const State& state, const Patch& patch) {
+    std::vector<RockFace> faces;
+    for (const std::int32_t block : {patch.block_a, patch.block_b})
+        addFacesBeside(state, block, patch.normal, faces);
+    return faces;
+}
+
 Box boxAround(const Vec3& point, double margin) {
     Box box;
     box.add(point);
     return box.grown(margin);
 }
 
-/// Which node each point is: points within `same` of a node's first point are that node.
-std::vector<std::int32_t> merged(const std::vector<Vec3>& points, double same, std::vector<Vec3>& nodes) {
+struct Corner {
+    Vec3 place;
+    double same;  ///< [m]
+};
+
+/// Which node each corner is: those near a node's first corner are that node.
+/// \param reach  of each node, the largest distance within which a corner is the same [m]
+std::vector<std::int32_t> merged(const std::vector<Corner>& corners, std::vector<Vec3>& nodes,
+                                 std::vector<double>& reach) {
     std::vector<Box> boxes;
-    for (const Vec3& point : points) boxes.push_back(boxAround(point, 0));
+    double widest = 0;
+    for (const Corner& corner : corners) {
+        boxes.push_back(boxAround(corner.place, 0));
+        widest = std::max(widest, corner.same);
+    }
     const BoxTree tree(std::move(boxes));
-    std::vector<std::int32_t> node(points.size(), -1);
-    for (std::size_t p = 0; p < points.size(); ++p) {
-        if (node[p] >= 0) continue;
+    std::vector<std::int32_t> node(corners.size(), -1);
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        if (node[c] >= 0) continue;
         const auto next = static_cast<std::int32_t>(nodes.size());
-        nodes.push_back(points[p]);
-        tree.visit(boxAround(points[p], same), [&](std::size_t other) {
-            if (node[other] < 0 && (points[other] - points[p]).norm() <= same) node[other] = next;
+        nodes.push_back(corners[c].place);
+        reach.push_back(corners[c].same);
+        tree.visit(boxAround(corners[c].place, widest), [&](std::size_t other) {
+            const double same = std::max(corners[c].same, corners[other].same);
+            if (node[other] >= 0 || (corners[other].place - corners[c].place).norm() > same) return;
+            node[other] = next;
+            reach.back() = std::max(reach.back(), same);
         });
     }
     return node;
@@ -71,20 +145,20 @@ std::vector<std::int32_t> merged(const std::vector<Vec3>& points, double same, s
 /// Makes the fans of all patches.
 class Fans {
  public:
-    Fans(const State& state, Network& network)
-        : network_(network), same_(kSameNode * state.geometry->length_scale) {
+    Fans(const State& state, Network& network) : state_(state), network_(network) {
         for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
-            if (state.interfaces.kind[i] != InterfaceKind::faces) continue;
+            if (!isJoint(state, i)) continue;
             outlines_.push_back(outlineOf(state, i));
             patches_.push_back(patchOf(state, i));
         }
     }
 
     void make() {
-        std::vector<Vec3> corners;
+        std::vector<Corner> corners;
         for (const Outline& outline : outlines_)
-            corners.insert(corners.end(), outline.corners.begin(), outline.corners.end());
-        const std::vector<std::int32_t> node = merged(corners, same_, network_.nodes);
+            for (const Vec3& corner : outline.corners) corners.push_back({corner, outline.same});
+        const std::vector<std::int32_t> node = merged(corners, network_.nodes, reach_);
+        if (!reach_.empty()) widest_ = *std::max_element(reach_.begin(), reach_.end());
         std::vector<Box> boxes;
         for (const Vec3& x : network_.nodes) boxes.push_back(boxAround(x, 0));
         tree_ = BoxTree(std::move(boxes));
@@ -98,38 +172,47 @@ class Fans {
     }
 
  private:
-    /// The outline with the nodes that other patches have on it.
-    std::vector<std::int32_t> ringOf(const std::vector<std::int32_t>& corners) const {
+    /// The outline with the nodes that other patches have on it, each node once.
+    std::vector<std::int32_t> ringOf(const std::vector<std::int32_t>& corners, double same) const {
         std::vector<std::int32_t> ring;
         for (std::size_t k = 0; k < corners.size(); ++k) {
             const std::int32_t from = corners[k], to = corners[(k + 1) % corners.size()];
             if (from == to) continue;
             ring.push_back(from);
-            addBetween(from, to, ring);
+            for (const std::int32_t node : between(from, to, same))
+                if (!contains(corners, node) && !contains(ring, node)) ring.push_back(node);
         }
         return ring;
     }
 
-    void addBetween(std::int32_t from, std::int32_t to, std::vector<std::int32_t>& ring) const {
+    static bool contains(const std::vector<std::int32_t>& nodes, std::int32_t node) {
+        return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+    }
+
+    /// Nodes on an edge, in its direction.
+    std::vector<std::int32_t> between(std::int32_t from, std::int32_t to, double same) const {
         const Vec3 &begin = at(from), along = at(to) - begin;
         const double length = along.norm();
         Box box = boxAround(begin, 0);
         box.add(at(to));
-        std::vector<std::pair<double, std::int32_t>> between;
-        tree_.visit(box.grown(same_), [&](std::size_t other) {
+        std::vector<std::pair<double, std::int32_t>> found;
+        tree_.visit(box.grown(widest_), [&](std::size_t other) {
             const auto node = static_cast<std::int32_t>(other);
             const Vec3 d = at(node) - begin;
             const double place = d.dot(along) / length;
             if (node == from || node == to || place <= 0 || place >= length) return;
-            if ((d - place / length * along).norm() <= same_) between.emplace_back(place, node);
+            if ((d - place / length * along).norm() <= std::max(same, reach_[other]))
+                found.emplace_back(place, node);
         });
-        std::sort(between.begin(), between.end());
-        for (const auto& [place, node] : between) ring.push_back(node);
+        std::sort(found.begin(), found.end());
+        std::vector<std::int32_t> nodes;
+        for (const auto& [place, node] : found) nodes.push_back(node);
+        return nodes;
     }
 
     /// Slivers whose corners are one node have no fan.
     void add(std::size_t p, const std::vector<std::int32_t>& corners) {
-        const std::vector<std::int32_t> ring = ringOf(corners);
+        const std::vector<std::int32_t> ring = ringOf(corners, outlines_[p].same);
         if (ring.size() < 3) return;
         const auto centre = static_cast<std::int32_t>(network_.nodes.size());
         network_.nodes.push_back(outlines_[p].centre);
@@ -138,12 +221,16 @@ class Fans {
             network_.patch_of.push_back(static_cast<std::int32_t>(network_.patches.size()));
         }
         network_.patches.push_back(patches_[p]);
+        network_.beside.push_back(facesBeside(state_, patches_[p]));
+        network_.same.push_back(outlines_[p].same);
     }
 
     const Vec3& at(std::int32_t node) const { return network_.nodes[static_cast<std::size_t>(node)]; }
 
+    const State& state_;
     Network& network_;
-    double same_;  ///< [m]
+    std::vector<double> reach_;  ///< of each node: a corner that near is the same [m]
+    double widest_ = 0;          ///< of these [m]
     std::vector<Outline> outlines_;
     std::vector<Patch> patches_;
     BoxTree tree_;
@@ -172,6 +259,21 @@ void refine(Network& network) {
     network.patch_of = std::move(patch_of);
 }
 
+/// The normal of the rock face that an edge lies on and that looks most its way; without one, that way.
+Vec3 rockNormal(const Network& network, std::size_t triangle, const Vec3& begin, const Vec3& end,
+                const Vec3& in_plane) {
+    const auto patch = static_cast<std::size_t>(network.patch_of[triangle]);
+    Vec3 normal = in_plane;
+    double most = 0;
+    for (const RockFace& face : network.beside[patch]) {
+        const double off = std::max(std::abs(face.normal.dot(begin) - face.offset),
+                                    std::abs(face.normal.dot(end) - face.offset));
+        const double looks = face.normal.dot(in_plane);
+        if (off <= network.same[patch] && looks > most) most = looks, normal = face.normal;
+    }
+    return normal;
+}
+
 double medianSide(const Network& network) {
     std::vector<double> longest(network.patches.size(), 0.0);
     for (std::size_t t = 0; t < network.triangles.size(); ++t) {
@@ -184,12 +286,25 @@ double medianSide(const Network& network) {
     return *half;
 }
 
+/// Thickness across a section does not count, because gravity has no part along it; nor do level joints.
+double meanHeight(const Network& network, const Vec3& down) {
+    std::vector<Extent> extent(network.patches.size());
+    for (std::size_t t = 0; t < network.triangles.size(); ++t)
+        for (std::size_t k = 1; k < 3; ++k)
+            extent[static_cast<std::size_t>(network.patch_of[t])].add(network.corner(t, k).dot(down));
+    double sum = 0, squares = 0;
+    for (const Extent& of : extent) sum += of.length(), squares += of.length() * of.length();
+    return sum > kLevel * network.size ? squares / sum : network.size;
+}
+
 }  // namespace
 
 Network networkOf(const State& state, int refinements) {
     Network network;
     Fans(state, network).make();
+    const Gravity& gravity = state.geometry->model.gravity;
     network.size = medianSide(network);
+    network.height = meanHeight(network, downward(gravity, gravity.tilt));
     for (int k = 0; k < refinements; ++k) refine(network);
     return network;
 }
@@ -210,8 +325,9 @@ std::vector<OpenEdge> openEdges(const Network& network) {
         const auto same = [&](std::size_t other) { return sides[other].nodes == sides[s].nodes; };
         if ((s > 0 && same(s - 1)) || (s + 1 < sides.size() && same(s + 1))) continue;
         const auto [nodes, t, k] = sides[s];
-        const Vec3 along = network.corner(t, (k + 1) % 3) - network.corner(t, k);
-        open.push_back({t, {nodes.first, nodes.second}, along.cross(network.patch(t).normal).normalized()});
+        const Vec3 &begin = network.corner(t, k), &end = network.corner(t, (k + 1) % 3);
+        const Vec3 in_plane = (end - begin).cross(network.patch(t).normal).normalized();
+        open.push_back({t, {nodes.first, nodes.second}, rockNormal(network, t, begin, end, in_plane)});
     }
     return open;
 }

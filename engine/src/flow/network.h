@@ -3,11 +3,12 @@
 // along their common edges, so that water passes from one joint into another there.
 //
 // Each patch is a fan about its centroid. Corners of other patches on one of its edges are nodes of that
-// edge, too. A plane section is the same mesh, one patch wide: on a rectangle with one head at either end linear
-// triangles are exact.
+// edge, too. A plane section is the same mesh, one patch wide: on a rectangle with one head at either end
+// linear triangles are exact.
 //
 // Reads: shapes' initial poses, interfaces of faces as built
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -22,12 +23,30 @@ struct Patch {
     Vec3 normal = Vec3::UnitZ();  ///< from a to b
 };
 
+/// Along one direction.
+struct Extent {
+    double low = kInfinity, high = -kInfinity;  ///< [m]
+    void add(double x) { low = std::min(low, x), high = std::max(high, x); }
+    double length() const { return std::max(0.0, high - low); }
+};
+
+/// A face of a block, in the state's coordinates: normal . x = offset.
+struct RockFace {
+    Vec3 normal = Vec3::UnitZ();  ///< out of the rock
+    double offset = 0;            ///< [m]
+};
+
 struct Network {
     std::vector<Vec3> nodes;  ///< in the state's coordinates [m]
     std::vector<Patch> patches;
+    std::vector<std::vector<RockFace>>
+        beside;                ///< of each patch: faces of its blocks that are not in its plane
+    std::vector<double> same;  ///< of each patch: distance at which points are the same [m]
     std::vector<std::array<std::int32_t, 3>> triangles;  ///< counter-clockwise about their patch's normal
     std::vector<std::int32_t> patch_of;                  ///< of each triangle
     double size = 0;                                     ///< median longest side of a patch [m]
+    /// mean extent of a patch along gravity, weighted with itself; of level patches alone their size [m]
+    double height = 0;
 
     const Vec3& corner(std::size_t triangle, std::size_t k) const {
         return nodes[static_cast<std::size_t>(triangles[triangle][k])];
@@ -44,7 +63,8 @@ Network networkOf(const State& state, int refinements);
 struct OpenEdge {
     std::size_t triangle = 0;
     std::array<std::int32_t, 2> nodes{};
-    Vec3 outward = Vec3::Zero();  ///< unit, in the joint's plane
+    Vec3 outward =
+        Vec3::Zero();  ///< unit, normal of the rock face that it lies on; else in the joint's plane
 };
 std::vector<OpenEdge> openEdges(const Network& network);
 

@@ -11,13 +11,12 @@
 namespace talus::flow {
 namespace {
 
-// Of the median patch: the pressure head below zero over which a joint runs dry, in the first stage and at
-// least in the last one. A wider one raises the free surface by as much; a narrower one rarely converges.
-constexpr double kFirstRamp = 1, kLastRamp = 1.0 / 32;
+// Of a patch's height: the pressure head below zero over which a joint runs dry, in the last stage at least.
+// A wider one raises the free surface by as much; a narrower one rarely converges.
+constexpr double kLastRamp = 1.0 / 32;
 constexpr int kBeginIterations = 60;  // before Newton's method; dams of 8,000 joints need 30
 constexpr double kBegun = 1e-3;       // of the inflow: imbalance from which Newton's method converges
 constexpr int kStageIterations = 60;  // most stages take ten
-constexpr double kBalanced = 1e-9;    // of the inflow: imbalance of a stage that has converged
 constexpr double kRounding = 1e-13;   // of the inflow: no step can lower that
 constexpr int kLineSearch = 12;       // halvings of a step
 constexpr double kArmijo = 1e-4;      // share of the expected decrease that a step must bring
@@ -37,25 +36,25 @@ class Solver {
             solveLinear();
             wrong = equations_.switchOutlets(heads_, equations_.inflows(heads_, shares_));
         }
-        return result(0, !wrong);
+        const Vector inflow = equations_.inflows(heads_, shares_);
+        residual_ = equations_.imbalance(inflow);
+        return result(0, !wrong && equations_.isBalanced(heads_, shares_, inflow));
     }
 
+    /// In thick sections a ramp as high as a polygon may be too narrow to begin with.
     Heads withFreeSurface() {
-        begin(kFirstRamp * equations_.size());
-        double found = 0;
-        for (double ramp = kFirstRamp; ramp >= kLastRamp; ramp /= 2) {
-            const Equations equations = equations_;
-            const Vector heads = heads_;
-            if (!converge(ramp * equations_.size())) {
-                equations_ = equations;
-                heads_ = heads;
-                break;
-            }
-            found = ramp * equations_.size();
+        const Equations equations = equations_;
+        const std::vector<double> shares = shares_;
+        double ramp = 0;
+        for (const double first : {equations_.height(), equations_.size()}) {
+            equations_ = equations;
+            shares_ = shares;
+            heads_.setZero();
+            ramp = narrowestFrom(first);
+            if (ramp > 0) break;
         }
-        const double ramp = found > 0 ? found : kFirstRamp * equations_.size();
-        shares_ = equations_.sharesOf(heads_, ramp);
-        return result(ramp, found > 0);
+        shares_ = equations_.sharesOf(heads_, ramp > 0 ? ramp : equations_.size());
+        return result(ramp, ramp > 0);
     }
 
  private:
@@ -76,6 +75,23 @@ class Solver {
         return rest;
     }
 
+    /// The narrowest ramp for which heads are found, which are those then; zero: not even for the first.
+    double narrowestFrom(double first) {
+        begin(first);
+        double found = 0;
+        for (double ramp = first; ramp >= kLastRamp * equations_.height(); ramp /= 2) {
+            const Equations equations = equations_;
+            const Vector heads = heads_;
+            if (!converge(ramp)) {
+                equations_ = equations;
+                heads_ = heads;
+                break;
+            }
+            found = ramp;
+        }
+        return found;
+    }
+
     /// Each triangle's share moves by its own weight: less where it went to and fro.
     void begin(double ramp) {
         std::vector<double> weight(shares_.size(), 1.0), before(shares_.size(), 0.0);
@@ -83,7 +99,10 @@ class Solver {
             solveLinear();
             const bool switched = equations_.switchOutlets(heads_, equations_.inflows(heads_, shares_));
             const std::vector<double> next = equations_.sharesOf(heads_, ramp);
-            if (!switched && equations_.imbalance(equations_.inflows(heads_, next)) < kBegun) return;
+            const Vector inflow = equations_.inflows(heads_, next);
+            if (!switched &&
+                (equations_.imbalance(inflow) < kBegun || equations_.isBalanced(heads_, next, inflow)))
+                return;
             for (std::size_t t = 0; t < next.size(); ++t) {
                 const double step = next[t] - shares_[t];
                 weight[t] = step * before[t] < 0 ? kSlower * weight[t] : std::min(1.0, kFaster * weight[t]);
@@ -97,10 +116,11 @@ class Solver {
     bool converge(double ramp) {
         for (int k = 0; k < kStageIterations; ++k, ++iterations_) {
             equations_.hold(heads_);
-            const Vector inflow = equations_.inflows(heads_, equations_.sharesOf(heads_, ramp));
+            const std::vector<double> shares = equations_.sharesOf(heads_, ramp);
+            const Vector inflow = equations_.inflows(heads_, shares);
             const bool switched = equations_.switchOutlets(heads_, inflow);
             residual_ = equations_.imbalance(inflow);
-            if (!switched && residual_ <= kBalanced) return polish(ramp), true;
+            if (!switched && equations_.isBalanced(heads_, shares, inflow)) return polish(ramp), true;
             equations_.hold(heads_);
             if (!step(ramp)) return false;
         }
@@ -140,17 +160,19 @@ class Solver {
     Heads result(double ramp, bool found) const {
         Heads result;
         const Vector inflow = equations_.inflows(heads_, shares_);
+        const bool still = equations_.isStill(heads_);  // what flows is rounding
         for (std::size_t n = 0; n < conditions_.of.size(); ++n) {
             const bool dry = conditions_.of[n] == Condition::dry;
             const auto i = static_cast<Eigen::Index>(n);
             result.head.push_back(dry ? std::numeric_limits<double>::quiet_NaN()
                                       : heads_[i] + equations_.datum());
-            result.inflow.push_back(dry ? 0.0 : inflow[i]);
+            result.inflow.push_back(dry || still ? 0.0 : inflow[i]);
         }
         result.wet_share = shares_;
         result.iterations = iterations_;
         result.ramp = ramp;
-        result.residual = found ? equations_.imbalance(inflow) : residual_;
+        result.residual = residual_;
+        if (found) result.residual = still ? 0 : equations_.imbalance(inflow);
         result.found = found;
         return result;
     }

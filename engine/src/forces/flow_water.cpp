@@ -22,8 +22,11 @@ void add(const State& state, std::int32_t block, const Vec3& direction, const Tr
     sums[b] += {push.force * direction, first_moment.cross(direction)};
 }
 
-/// On each block about its centroid, model frame, at the initial poses.
+/// On each block about its centroid, model frame, at the initial poses. Pressure heads keep their sign here:
+/// the free surface cuts a triangle where the linear pressure passes zero, not at the next node.
 std::vector<Wrench> pushesOf(const State& state, const SteadyFlow& flow) {
+    const Model& model = state.geometry->model;
+    const double unit_weight = model.flow->density * model.gravity.magnitude;
     std::vector<Wrench> sums(state.blocks.size());
     for (std::size_t t = 0; t < flow.triangles.size(); ++t) {
         if (!flow.isWet(t)) continue;
@@ -32,7 +35,7 @@ std::vector<Wrench> pushesOf(const State& state, const SteadyFlow& flow) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto n = static_cast<std::size_t>(flow.triangles[t][k]);
             corners[k] = flow.nodes[n] - state.geometry->origin;
-            pressure[k] = flow.pressure[n];
+            pressure[k] = unit_weight * flow.pressure_head[n];
         }
         const TrianglePush push = pushOn(corners, pressure);
         add(state, flow.block_a[t], -flow.normal[t], push, corners[0], sums);

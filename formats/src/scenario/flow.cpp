@@ -78,6 +78,12 @@ void readFlow(const ForceReader& from, Model& model) {
     model.flow = std::move(flow);
 }
 
+void turnFaces(const SlopeTurn& turn, Model& model) {
+    if (!model.flow) return;
+    for (FlowBoundary& boundary : model.flow->boundaries)
+        if (boundary.face) boundary.face = turn(*boundary.face);
+}
+
 void addDerivedJoints(const std::vector<JointOrigin>& origins, Model& model) {
     if (!model.flow) return;
     const auto isOfFile = [&](std::int32_t joint) {

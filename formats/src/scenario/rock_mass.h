@@ -117,6 +117,10 @@ FiniteCuts summaryOf(const RockMassInput& input, const std::vector<JointCut>& cu
 /// A warning that cuts continue beyond their joints, with advice; nothing where they do not, or are bridged.
 std::optional<std::string> bridgeNote(const FiniteCuts& cuts);
 
+/// Why steady flow is refused beside these: a joint conducts over the whole of its cut, also through the rock
+/// beyond it. Nothing where the cuts end with their joints.
+std::optional<std::string> flowBeyondJoints(const FiniteCuts& cuts);
+
 /// Appends the blocks, and the mixed joints between blocks that a finite joint separates in part.
 void appendRockMass(const RockMassInput& input, RockMassBlocks blocks, Joints& joints, Model& model);
 

@@ -122,6 +122,10 @@ std::vector<std::pair<std::int32_t, std::int32_t>> facesInBridges(const std::vec
     return faces;
 }
 
+std::string beyondText(const FiniteCuts& cuts) {
+    return shortText(cuts.beyond) + " of " + shortText(cuts.area) + " m2 of these cuts lie beyond the joints";
+}
+
 }  // namespace
 
 FiniteCuts summaryOf(const RockMassInput& input, const std::vector<JointCut>& cuts) {
@@ -138,10 +142,17 @@ FiniteCuts summaryOf(const RockMassInput& input, const std::vector<JointCut>& cu
 
 std::optional<std::string> bridgeNote(const FiniteCuts& cuts) {
     if (cuts.are_bridges || !(cuts.beyond > kTold * cuts.area)) return std::nullopt;
-    return "finite joints cut through whole blocks: " + shortText(cuts.beyond) + " of " +
-           shortText(cuts.area) +
-           " m2 of these cuts lie beyond the joints and have the strength of the joints; with "
+    return "finite joints cut through whole blocks: " + beyondText(cuts) +
+           " and have the strength of the joints; with "
            "rock_mass.bridge = \"NAME\" that part has the strength of joint NAME, for intact rock";
+}
+
+std::optional<std::string> flowBeyondJoints(const FiniteCuts& cuts) {
+    if (!(cuts.beyond > kTold * cuts.area)) return std::nullopt;
+    return "found finite joints whose cuts go on through intact rock, where no water flows: " +
+           beyondText(cuts) +
+           "; allowed beside flow: joints that end at other joints or at the region's boundary, and joints "
+           "without an extent";
 }
 
 std::optional<RockMassBlocks> cutBlocks(Report& report, const RockMassInput& input) {

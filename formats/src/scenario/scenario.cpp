@@ -53,6 +53,8 @@ class ScenarioReader {
             readWaters(report_, root_, {stacks_, rock_ ? &*rock_ : nullptr, folder_}, directory);
         for (const ForceSection& section : forceSections())
             section.read({report_, root_, directory, joints_, folder_}, model_);
+        if (rock_) turnFaces(rock_->turn, model_);
+        checkFlow();
         std::vector<RockWalls> walls;
         if (report_.clean()) walls = rockWalls(waters);
         if (report_.clean()) buildBlocks();
@@ -181,6 +183,13 @@ class ScenarioReader {
     bool isEmpty(std::string_view key) const {
         const auto node = root_.find(key);
         return !node || (node->kind() == Kind::array && node->size() == 0);
+    }
+
+    void checkFlow() {
+        if (!model_.flow) return;
+        if (auto fault = flowBeyondJoints(finite_cuts_))
+            report_.add(report_.placeOf(model_.flow->field).value_or(kFileStart), model_.flow->field,
+                        std::move(*fault));
     }
 
     void checkWatch(const BlockDirectory& directory) {

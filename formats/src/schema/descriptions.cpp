@@ -275,7 +275,8 @@ constexpr Description kScenario[] = {
     {"flow.boundary[].outlet",
      "true: a seepage face or a drain; no pressure where water flows out, and no inflow"},
     {"flow.boundary[].face",
-     "only the open ends of joints that look within 60 degrees of this direction; default all of the joints"},
+     "only the open ends of joints on rock faces that look within 60 degrees of this direction, which turns "
+     "with the profile; default all of the joints"},
     {"flow.boundary[].joint", "only in this joint, by the name of its [joint.NAME]; default all joints"},
     {"flow.boundary[].box", "only inside this box along the axes"},
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "build/build.h"
+#include "state/closed_gap.h"
 #include "support/models.h"
 
 using namespace talus;
@@ -66,6 +67,66 @@ TEST_CASE("network: corners on an edge of another patch are nodes of it, so noth
             // Outward.
             CHECK(edge.outward.dot(middle - Vec3(1, 1, 1)) > 0);
         }
+    }
+}
+
+TEST_CASE("network: blocks whose coordinates are rounded share their nodes as exact ones do") {
+    // Faces touch across gaps below kClosedGap. Four cubes around a crossing, moved apart by shares of it.
+    for (const double gap : {0.0, 2e-5, 0.9e-4}) {
+        CAPTURE(gap);
+        Model model;
+        model.joints = {joint(30)};
+        for (const int column : {0, 1})
+            for (const int row : {0, 1})
+                addBox(model, std::to_string(2 * column + row), {column * (1 + gap), 0, row * (1 + gap)},
+                       {1, 1, 1});
+        const State state = *buildState(std::move(model), false);
+        const Network network = flow::networkOf(state, 0);
+        CHECK(network.patches.size() == 4);
+        CHECK(network.nodes.size() == 2 * 5 + 4);  // four ends and a crossing, twice, and the centres
+        for (const auto& edge : flow::openEdges(network)) {
+            const Vec3 middle = 0.5 * (network.nodes[static_cast<std::size_t>(edge.nodes[0])] +
+                                       network.nodes[static_cast<std::size_t>(edge.nodes[1])]);
+            CHECK((middle - Vec3(1, 0.5, 1)).norm() > 0.4);  // not at the crossing
+        }
+    }
+}
+
+TEST_CASE("network: an open end looks the way of the rock face it lies on, not along its joint") {
+    // A slab of two prisms, whose joint crosses it at 45 degrees.
+    const auto prism = [](std::vector<Vec3> base) {
+        for (std::size_t k = 0; k < 4; ++k) base.push_back(base[k] + Vec3::UnitZ());
+        return *convexHull(base);
+    };
+    Model model = floorModel(30);
+    addBox(model, "west", {0, 0, 0}, {1, 1, 1});
+    addBox(model, "east", {0, 0, 0}, {1, 1, 1});
+    model.blocks[1].shape = prism({{0, 0, 0}, {0.5, 0, 0}, {1.5, 1, 0}, {0, 1, 0}});
+    model.blocks[2].shape = prism({{0.5, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1.5, 1, 0}});
+    const State state = *buildState(std::move(model), false);
+    const Network network = flow::networkOf(state, 1);
+    std::size_t across = 0;
+    for (const auto& edge : flow::openEdges(network)) {
+        if (std::abs(network.patch(edge.triangle).normal.z()) > 0.5) continue;
+        const double y = network.nodes[static_cast<std::size_t>(edge.nodes[0])].y();
+        const bool on_top = edge.outward.z() > 0.5;
+        if (on_top) continue;
+        CHECK((edge.outward - Vec3(0, y < 0.5 ? -1 : 1, 0)).norm() < 1e-9);
+        ++across;
+    }
+    CHECK(across == 4);
+}
+
+TEST_CASE("network: faces that lie near each other without touching are no joint") {
+    // The contact search makes an interface of faces 30 mm apart; both blocks stand on the floor.
+    for (const double gap : {0.0, 0.9e-4, 3e-4, 0.03}) {
+        CAPTURE(gap);
+        Model model = floorModel(30);
+        addBox(model, "one", {0, 0, 0}, {1, 1, 1});
+        addBox(model, "other", {1 + gap, 0, 0}, {1, 1, 1});
+        const State state = *buildState(std::move(model), false);
+        const bool touches = gap <= kClosedGap * state.geometry->size[1];
+        CHECK(flow::networkOf(state, 0).patches.size() == (touches ? 3 : 2));
     }
 }
 

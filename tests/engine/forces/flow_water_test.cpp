@@ -95,6 +95,26 @@ TEST_CASE("flow water: a full network under one level of water has the buoyancy 
     CHECK(found.torque.norm() < 1e-6 * 9810);
 }
 
+TEST_CASE("flow water: a free surface inside a polygon has the hydrostatic thrust, rho g d^2 / 2") {
+    // A crack between a block and a fixed wall, ten metres high above a step, filled to this depth.
+    for (const double depth : {0.5, 2.0, 5.0, 9.5}) {
+        CAPTURE(depth);
+        Model model = floorModel(30);
+        addBox(model, "body", {0, 0, 0}, {4, 1, 11});
+        model.blocks.push_back(box("wall", {4, 0, 1}, {6, 1, 11}, 2700, Motion::fixed));
+        FlowBoundary crack = headAt(Vec3::UnitZ(), 1 + depth);
+        crack.face.reset();
+        crack.box_min = Vec3(3.9, 0, 0.9);
+        crack.box_max = Vec3(4.1, 1, 11);
+        model.flow = Flow{.aperture = 1e-4, .boundaries = {crack}, .field = "flow"};
+        const State state = *buildState(std::move(model), false);
+        const double thrust = 9810 * depth * depth / 2, arm = 1 + depth / 3 - 5.5;
+        const Wrench found = waterOnBlock(state, 1);
+        CHECK((found.force - Vec3(-thrust, 0, 0)).norm() < 1e-9 * thrust);
+        CHECK((found.torque - Vec3(0, -arm * thrust, 0)).norm() < 1e-8 * thrust);
+    }
+}
+
 TEST_CASE("flow water: far from the origin it is the same") {
     Model far = underHead();
     const Vec3 shift(4e5, 5e6, 0);

@@ -122,3 +122,53 @@ TEST_CASE("flow: an aperture in millimetres is warned of, and a sweep can vary i
     CHECK(canOverride(*scenario, "flow.aperture"));
     CHECK(canOverride(*scenario, "flow.viscosity"));
 }
+
+TEST_CASE("flow: finite joints are refused whose cuts go on through intact rock, bridged or not") {
+    const auto slopeWith = [](const std::string& bridge, const std::string& extent) {
+        return "[material.rock]\ndensity = 2700.0\n"
+               "[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = 30.0\n"
+               "[joint.intact]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = 50.0\n"
+               "cohesion = 1e7\ntensile_strength = 3e6\n"
+               "[rock_mass]\nregion = { y = [0, 1], profile = [[0, 0], [10, 0], [10, 6], [0, 6]] }\n"
+               "fixed = [{ boundary = \"-z\" }]\n" +
+               bridge +
+               "[[single_joint]]\nname = \"finite\"\njoint = \"default\"\npoint = [5, 0.5, 3]\n"
+               "dip_deg = 0\ndip_direction_deg = 270\n" +
+               extent + flow("aperture = 1e-4\n");
+    };
+    const std::string bridged = "bridge = \"intact\"\n";
+    for (const std::string& bridge : {std::string(), bridged}) {
+        const auto scenario = parseScenario(slopeWith(bridge, "radius = 2.0\n"), "slope.toml");
+        REQUIRE_FALSE(scenario.ok());
+        const Error& error = scenario.errors().front();
+        CHECK(error.field == "flow");
+        CHECK(error.line > 0);
+        checkStart(error.message, "found finite joints whose cuts go on through intact rock");
+        CHECK(parseScenario(slopeWith(bridge, "radius = 20.0\n"), "slope.toml").ok());
+        CHECK(parseScenario(slopeWith(bridge, ""), "slope.toml").ok());
+    }
+}
+
+TEST_CASE("flow: faces of boundaries turn with the profile, as those of fixed blocks do; boxes do not") {
+    const auto boundaryOf = [](const std::string& azimuth) {
+        const auto scenario = parseScenario(
+            "[material.rock]\ndensity = 2700.0\n"
+            "[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = 30.0\n"
+            "[rock_mass]\nregion = { " +
+                azimuth +
+                "y = [0, 1], profile = [[0, 0], [10, 0], [10, 6], [4, 6]] }\n"
+                "fixed = [{ boundary = \"-z\" }]\n"
+                "[[joint_set]]\ndip_deg = 20\ndip_direction_deg = 180\nspacing = 1.0\n" +
+                flow("aperture = 1e-4\n",
+                     "[[flow.boundary]]\nface = \"-x\"\nhead = 4.0\n"
+                     "box = { min = [0, 1, 2], max = [3, 4, 5] }\n"),
+            "slope.toml");
+        REQUIRE(scenario.ok());
+        return scenario->model.flow->boundaries[0];
+    };
+    // A profile whose low side is at -x looks west until it is turned.
+    CHECK((*boundaryOf("").face + Vec3::UnitX()).norm() == 0);
+    CHECK((*boundaryOf("slope_azimuth_deg = 270, ").face + Vec3::UnitX()).norm() < 1e-12);
+    CHECK((*boundaryOf("slope_azimuth_deg = 180, ").face + Vec3::UnitY()).norm() < 1e-12);
+    CHECK(boundaryOf("slope_azimuth_deg = 180, ").box_min == Vec3(0, 1, 2));
+}

@@ -64,3 +64,13 @@ TEST_CASE("flow: a scenario without [flow], or a file of another kind, is refuse
     CHECK(runTalus({"flow", TALUS_SOURCE_DIR "/bench/examples/uplift.toml"}).exit_code == 2);
     CHECK(runTalus({"flow", kSlope, "--picture", "picture.png"}).exit_code == 2);
 }
+
+TEST_CASE("flow: apertures so unequal that rounding hides the flow are refused") {
+    const Outcome outcome =
+        runTalus({"flow", kSlope, "--set", "flow.aperture=1e-2", "--set", "flow.joint.bedding.aperture=1e-8",
+                  "--set", "flow.free_surface=false"});
+    CHECK(outcome.exit_code == 2);
+    CAPTURE(outcome.err);
+    CHECK(outcome.err.find("found no heads that balance the flow") != std::string::npos);
+    CHECK(outcome.err.find("the largest is 1e+06 times the smallest") != std::string::npos);
+}
