@@ -20,7 +20,7 @@ struct FlowBoundary {
     };
     Kind kind = Kind::head;
     double head = 0;  ///< along -g above the model's origin [m]
-    /// Open ends of joints that look this way within 60 degrees. Nothing: all of the joints.
+    /// Open ends of joints on rock faces that look this way within 60 degrees. Nothing: all of the joints.
     std::optional<Vec3> face{};
     std::vector<std::int32_t> joints{};  ///< in these joints only; empty: in any
     Vec3 box_min = Vec3::Constant(-std::numeric_limits<double>::infinity());  ///< inside this box only [m]
