@@ -236,14 +236,14 @@ TEST_SUITE("physics") {
                 Model model = floorModel(30);
                 model.joints.push_back(joint(slick));
                 addBox(model, "stays", {0, 0, 0}, {1, 1, 1});
-                addBox(model, "crumb", {2, 0, 0}, {0.1, 0.1, 0.1});
+                addBox(model, "pebble", {2, 0, 0}, {0.1, 0.1, 0.1});
                 model.pair_joints.push_back({0, 2, 1});
                 model.analysis.least_mass_share = 0.01;
                 model.analysis.stop = radians(stop);
                 const SearchResult result = *criticalAngle(model);
                 CHECK((result.status == SearchStatus::stable_to_stop));
                 REQUIRE(result.removed_groups.size() == 1);
-                CHECK(result.removed_groups[0].blocks == std::vector<std::string>{"crumb"});
+                CHECK(result.removed_groups[0].blocks == std::vector<std::string>{"pebble"});
                 CHECK((result.mode == FailureMode::none));
                 CHECK(result.moving_blocks.empty());
                 CHECK(result.motions.empty());

@@ -202,7 +202,7 @@ Face faceOf(const formats::Sweep& sweep, const BatchInfo& info, std::optional<do
     if (sweep.search == nullptr)
         refuseMap("analysis = \"run\"", "an analysis that searches for a failure, such as \"safety-factor\"");
     if (info.thresholds.empty())
-        refuseMap("no load at which the probability is asked for",
+        refuseMap("no load for the probability of failure",
                   "[report] with " + std::string(sweep.search->load->key));
     if (info.cases > 1)
         refuseMap("a sweep of " + std::to_string(info.cases) + " cases",

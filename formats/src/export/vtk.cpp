@@ -92,7 +92,26 @@ FaceValues faceValues(const SnapshotHeader& header, const LightFrame& frame) {
 /// Outlines of all faces but inner ones, one after the other, and where each ends.
 struct Surface {
     std::vector<std::int32_t> vertex, end;
+
+    template <class Outline>
+    void add(const Outline& outline) {
+        vertex.insert(vertex.end(), outline.begin(), outline.end());
+        end.push_back(static_cast<std::int32_t>(vertex.size()));
+    }
 };
+
+/// A file with its points [m] and polygons; data of points or cells follow.
+PolyData polygonFile(const std::vector<double>& points, const Surface& surface) {
+    PolyData poly(points.size() / 3, 0, surface.end.size());
+    poly.open("Points");
+    poly.array("Points", points, 3);
+    poly.close("Points");
+    poly.open("Polys");
+    poly.array("connectivity", surface.vertex);
+    poly.array("offsets", surface.end);
+    poly.close("Polys");
+    return poly;
+}
 
 Surface surfaceOf(const RunGeometry& g) {
     Surface surface;
@@ -112,15 +131,7 @@ std::string vtpBlocks(const SnapshotHeader& header, const LightFrame& frame) {
     std::vector<double> points;
     for (const Vec3& v : placedVertices(header, frame)) append(points, v);
     const FaceValues values = faceValues(header, frame);
-    PolyData poly(points.size() / 3, 0, values.block.size());
-    poly.open("Points");
-    poly.array("Points", points, 3);
-    poly.close("Points");
-    poly.open("Polys");
-    const Surface surface = surfaceOf(g);
-    poly.array("connectivity", surface.vertex);
-    poly.array("offsets", surface.end);
-    poly.close("Polys");
+    PolyData poly = polygonFile(points, surfaceOf(g));
     poly.open("CellData");
     poly.array("block_id", values.block);
     poly.array("motion", values.motion);
@@ -169,18 +180,8 @@ std::string vtpMap(const PolygonMap& map) {
     std::vector<double> points;
     for (const Vec3& v : map.vertices) append(points, v);
     Surface surface;
-    for (const auto& polygon : map.polygons) {
-        surface.vertex.insert(surface.vertex.end(), polygon.begin(), polygon.end());
-        surface.end.push_back(static_cast<std::int32_t>(surface.vertex.size()));
-    }
-    PolyData poly(map.vertices.size(), 0, map.polygons.size());
-    poly.open("Points");
-    poly.array("Points", points, 3);
-    poly.close("Points");
-    poly.open("Polys");
-    poly.array("connectivity", surface.vertex);
-    poly.array("offsets", surface.end);
-    poly.close("Polys");
+    for (const auto& polygon : map.polygons) surface.add(polygon);
+    PolyData poly = polygonFile(points, surface);
     poly.open("CellData");
     for (const auto& [name, values] : map.values) poly.array(name.c_str(), values);
     poly.close("CellData");
@@ -191,19 +192,9 @@ std::string vtpFlow(const SteadyFlow& flow) {
     std::vector<double> points, discharge;
     for (const Vec3& x : flow.nodes) append(points, x);
     for (const Vec3& q : flow.discharge) append(discharge, q);
-    std::vector<std::int32_t> corners, ends;
-    for (const auto& triangle : flow.triangles) {
-        corners.insert(corners.end(), triangle.begin(), triangle.end());
-        ends.push_back(static_cast<std::int32_t>(corners.size()));
-    }
-    PolyData poly(flow.nodes.size(), 0, flow.triangles.size());
-    poly.open("Points");
-    poly.array("Points", points, 3);
-    poly.close("Points");
-    poly.open("Polys");
-    poly.array("connectivity", corners);
-    poly.array("offsets", ends);
-    poly.close("Polys");
+    Surface surface;
+    for (const auto& triangle : flow.triangles) surface.add(triangle);
+    PolyData poly = polygonFile(points, surface);
     poly.open("PointData");
     poly.array("head", flow.head);
     poly.array("pressure", flow.pressure);
