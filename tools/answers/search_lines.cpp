@@ -79,7 +79,8 @@ ResultLines theoryText(const SearchReport& report) {
     if (!report.theory && report.result.limit_equilibrium) {
         const LimitEquilibrium& limit = *report.result.limit_equilibrium;
         return line("limit equilibrium", figureOf(report, limit.value) + unitOf(report) + "  (" + limit.kind +
-                                             ", translation only: " + compactNames(limit.blocks) + ")");
+                                             (limit.translation_only ? ", translation only: " : ": ") +
+                                             compactNames(limit.blocks) + ")");
     }
     if (!report.theory && report.search.load->varied == Varied::tilt && report.scenario.model.flow)
         return line("limit equilibrium", "left out: it would compute [flow] anew at each tilt");

@@ -108,11 +108,20 @@ struct DisplacementAnswer {
     double load = 0;          ///< the answer
 };
 
-/// Of blocks that slide as one body, translation only (talus/block_theory.h).
+/// Of blocks that slide as one body (talus/block_theory.h), or of a row of columns that lean on each other.
 struct LimitEquilibrium {
-    double value = 0;                 ///< load of the search, as SearchResult::answer
-    std::string kind;                 ///< "sliding on one plane", ...
-    std::vector<std::string> blocks;  ///< sorted
+    double value = 0;                   ///< load of the search, as SearchResult::answer
+    std::string kind{};                 ///< "sliding on one plane", ...
+    bool translation_only = true;       ///< else toppling counts, too
+    std::vector<std::string> blocks{};  ///< sorted
+};
+
+/// Strength that joints lose for good where they first slip or open.
+struct LostStrength {
+    enum class Kind : std::uint8_t { cohesion, tension, friction };
+    Kind kind = Kind::cohesion;
+    double share = 0;      ///< of the area of such joints at failure, 0..1
+    bool is_torn = false;  ///< tensile strength is lost, too
 };
 
 struct SearchResult {
@@ -133,15 +142,16 @@ struct SearchResult {
     /// The lowest and the highest answer found, and how each was found; valid when found.
     std::optional<std::pair<double, double>> answer_interval{};
     std::pair<std::string, std::string> answer_interval_reasons{};
-    /// The least load at which blocks slide as one body that have enough mass to be the answer; where some
-    /// can slide.
+    /// The least load at which blocks slide as one body that have enough mass to be the answer, or at which
+    /// columns topple; where either can.
     std::optional<LimitEquilibrium> limit_equilibrium{};
     Ceiling upper_bound{};            ///< for joints that open as they slide, in the shape as built
     double failure_displacement = 0;  ///< failure displacement [share of the median block size]
     /// The answers by other failure displacements where they differ from the answer by more than the
     /// tolerance; ascending.
     std::vector<DisplacementAnswer> answers_by_displacement{};
-    std::vector<PathPoint> path{};  ///< load against displacement, from the start of the search
+    std::vector<PathPoint> path{};                ///< load against displacement, from the start of the search
+    std::optional<LostStrength> lost_strength{};  ///< on which the answer depends
     /// Share of brittle joint area that has lost its cohesion in the failure, 0..1.
     double lost_cohesion = 0;
     /// The answer if that cohesion were kept, as in limit equilibrium; where some is lost.

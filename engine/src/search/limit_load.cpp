@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
+#include "block_theory/column_row.h"
+#include "build/build.h"
+#include "measure/natural_order.h"
 #include "state/caller.h"
 #include "talus/block_theory.h"
 #include "talus/searches.h"
@@ -17,6 +21,8 @@ constexpr double kOfTolerance = 0.01;
 // A factor of safety of 0.5. Near a tilt of 90 degrees the true reserve falls without bound. False position
 // would then halve it dozens of times before that end moves.
 constexpr double kLeastReserve = -1;
+
+constexpr double kLeastFactor = 0.01;  // of safety: a row of columns with less is given no factor
 
 /// The model under loads, each judged by block theory.
 class Groups {
@@ -50,46 +56,102 @@ class Groups {
 
 LimitEquilibrium limitOf(double value, MovingGroup group) {
     const bool wedge = group.sliding.mode == SlidingMode::wedge;
-    return {value, wedge ? "sliding along two planes" : "sliding on one plane", std::move(group.blocks)};
+    return {.value = value,
+            .kind = wedge ? "sliding along two planes" : "sliding on one plane",
+            .blocks = std::move(group.blocks)};
 }
 
-/// A load, and 1 less driving over resisting force of the weakest group there: 1 where none slides. It is
-/// kLeastReserve at least.
+/// A load, and what is left there: above 0 while the slope is stable, below where it fails.
 struct Trial {
     double load = 0, reserve = 1;
-    std::optional<MovingGroup> group{};
+    std::optional<LimitEquilibrium> limit{};  ///< what fails or would fail; `value` is not set
 };
 
-std::optional<Trial> tryLoad(const Groups& groups, double load) {
+/// Nothing where the model cannot be judged at this load.
+using TryLoad = std::function<std::optional<Trial>(double load)>;
+
+/// The reserve is 1 less driving over resisting force of the weakest group: 1 where none slides. It is
+/// kLeastReserve at least.
+std::optional<Trial> tryGroups(const Groups& groups, double load) {
     auto all = groups.at(load);
     if (!all) return std::nullopt;
-    Trial trial{load, 1.0, groups.weakest(std::move(*all))};
-    if (trial.group) trial.reserve = std::max(kLeastReserve, 1 - 1 / trial.group->sliding.factor);
+    Trial trial{.load = load};
+    auto group = groups.weakest(std::move(*all));
+    if (!group) return trial;
+    trial.reserve = std::max(kLeastReserve, 1 - 1 / group->sliding.factor);
+    trial.limit = limitOf(0, *std::move(group));
     return trial;
 }
 
-/// Narrows [stands, slides] by false position with halved ends (Illinois; Dowell and Jarratt 1971). Trials
+/// The row of columns of a model at a load. Nothing where it is none.
+std::optional<keyblocks::ColumnRow> rowAt(const LimitQuestion& question, double load) {
+    Model model = question.model;
+    putUnderLoad(model, question.varied, load);
+    Control control = question.control;
+    control.progress = {};
+    auto state = buildState(keptByCaller(model), control.threads != 1, control);
+    return state && !isStopped(control) ? keyblocks::columnRow(*state) : std::nullopt;
+}
+
+LimitEquilibrium limitOf(const Model& model, const keyblocks::ColumnRow& row,
+                         const keyblocks::LeaningState& leaning) {
+    LimitEquilibrium limit;
+    limit.kind =
+        leaning.topples ? "toppling of columns (Goodman and Bray)" : "sliding of columns (Goodman and Bray)";
+    limit.translation_only = false;
+    for (std::size_t k = 0; k < leaning.moving; ++k) limit.blocks.push_back(model.blocks[row.blocks[k]].name);
+    sortNaturally(limit.blocks);
+    return limit;
+}
+
+/// The reserve is that of the toe column.
+std::optional<Trial> tryColumns(const Model& model, const std::optional<keyblocks::ColumnRow>& row,
+                                double load, double factor) {
+    const auto leaning = row ? keyblocks::leaningAt(row->columns, factor) : std::nullopt;
+    if (!leaning) return std::nullopt;
+    return Trial{load, -leaning->excess, limitOf(model, *row, *leaning)};
+}
+
+/// Narrows [stands, fails] by false position with halved ends (Illinois; Dowell and Jarratt 1971). Trials
 /// keep half a tolerance off both ends: one close to an end says nothing about the other.
-std::optional<LimitEquilibrium> narrowed(const Groups& groups, Trial stands, Trial slides, double tolerance) {
-    double of_stands = stands.reserve, of_slides = slides.reserve;
-    while (slides.load - stands.load > tolerance) {
-        const double share = of_stands / (of_stands - of_slides);
-        auto trial =
-            tryLoad(groups, std::clamp(std::lerp(stands.load, slides.load, share),
-                                       stands.load + 0.5 * tolerance, slides.load - 0.5 * tolerance));
+std::optional<LimitEquilibrium> narrowed(const TryLoad& tryLoad, Trial stands, Trial fails,
+                                         double tolerance) {
+    double of_stands = stands.reserve, of_fails = fails.reserve;
+    while (fails.load - stands.load > tolerance) {
+        const double share = of_stands / (of_stands - of_fails);
+        auto trial = tryLoad(std::clamp(std::lerp(stands.load, fails.load, share),
+                                        stands.load + 0.5 * tolerance, fails.load - 0.5 * tolerance));
         if (!trial) return std::nullopt;
         if (trial->reserve > 0) {
-            of_slides *= 0.5;
+            of_fails *= 0.5;
             of_stands = trial->reserve;
             stands = std::move(*trial);
         } else {
             of_stands *= 0.5;
-            of_slides = trial->reserve;
-            slides = std::move(*trial);
+            of_fails = trial->reserve;
+            fails = std::move(*trial);
         }
     }
-    const double share = stands.reserve / (stands.reserve - slides.reserve);
-    return limitOf(std::lerp(stands.load, slides.load, share), *std::move(slides.group));
+    const double share = stands.reserve / (stands.reserve - fails.reserve);
+    LimitEquilibrium limit = *std::move(fails.limit);
+    limit.value = std::lerp(stands.load, fails.load, share);
+    return limit;
+}
+
+/// From a load where the slope is stable up to one where it fails, and between them.
+std::optional<LimitEquilibrium> limitAbove(const TryLoad& tryLoad, const LoadAxis& axis, double first,
+                                           double answer) {
+    auto stands = tryLoad(first);
+    if (!stands || !(stands->reserve > 0)) return std::nullopt;
+    auto fails = tryLoad(answer);
+    while (fails && fails->reserve > 0) {
+        if (!(fails->load < axis.stop)) return std::nullopt;
+        const double next = std::min(axis.stop, fails->load + (fails->load - first));
+        stands = std::move(fails);
+        fails = tryLoad(next);
+    }
+    if (!fails) return std::nullopt;
+    return narrowed(tryLoad, std::move(*stands), std::move(*fails), kOfTolerance * axis.loading.cell);
 }
 
 std::optional<LimitEquilibrium> leastFactor(const Groups& groups) {
@@ -100,23 +162,34 @@ std::optional<LimitEquilibrium> leastFactor(const Groups& groups) {
     return limitOf(factor, std::move(*group));
 }
 
+std::optional<LimitEquilibrium> limitOfGroups(const LimitQuestion& question, const LoadAxis& axis,
+                                              double answer) {
+    const Groups groups(question);
+    if (question.varied == Varied::factor) return leastFactor(groups);
+    return limitAbove([&](double load) { return tryGroups(groups, load); }, axis, axis.start, answer);
+}
+
+std::optional<LimitEquilibrium> limitOfColumns(const LimitQuestion& question, const LoadAxis& axis,
+                                               double answer) {
+    const Model& model = question.model;
+    if (question.varied == Varied::factor) {
+        const auto row = rowAt(question, 1);
+        return limitAbove([&](double factor) { return tryColumns(model, row, factor, factor); }, axis,
+                          kLeastFactor, answer);
+    }
+    // On a level base no side is downhill.
+    const double first = axis.start + axis.loading.cell;
+    return limitAbove([&](double load) { return tryColumns(model, rowAt(question, load), load, 1); }, axis,
+                      first, answer);
+}
+
 }  // namespace
 
 std::optional<LimitEquilibrium> limitEquilibriumOf(const LimitQuestion& question, const LoadAxis& axis,
                                                    double answer) {
-    const Groups groups(question);
-    if (question.varied == Varied::factor) return leastFactor(groups);
-    auto stands = tryLoad(groups, axis.start);
-    if (!stands || !(stands->reserve > 0)) return std::nullopt;
-    auto slides = tryLoad(groups, answer);
-    while (slides && slides->reserve > 0) {
-        if (!(slides->load < axis.stop)) return std::nullopt;
-        const double next = std::min(axis.stop, slides->load + (slides->load - axis.start));
-        stands = std::move(slides);
-        slides = tryLoad(groups, next);
-    }
-    if (!slides) return std::nullopt;
-    return narrowed(groups, std::move(*stands), std::move(*slides), kOfTolerance * axis.loading.cell);
+    auto groups = limitOfGroups(question, axis, answer), columns = limitOfColumns(question, axis, answer);
+    if (!groups || (columns && columns->value < groups->value)) return columns;
+    return groups;
 }
 
 std::optional<std::string> nothingCanSlide(const LimitQuestion& question, double load) {

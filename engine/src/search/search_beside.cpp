@@ -266,8 +266,9 @@ void Search::addInterval(const Course& course) {
     if (result_.status != SearchStatus::found) return;
     result_.answer_interval = std::pair(result_.answer, result_.answer);
     addBounds();
-    if (result_.limit_equilibrium)
-        lowerInterval(result_.limit_equilibrium->value, "limit equilibrium, translation only");
+    if (const auto& limit = result_.limit_equilibrium)
+        lowerInterval(limit->value,
+                      "limit equilibrium, " + (limit->translation_only ? "translation only" : limit->kind));
     if (!control_.interval || isStopped(control_)) return;
     addUnloadedJoints(course);
     addElasticity(course);

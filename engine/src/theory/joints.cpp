@@ -16,13 +16,4 @@ std::optional<WetFace> faceTowards(const Model& model, std::int32_t block, const
     return std::nullopt;
 }
 
-bool isPlainCoulomb(const Joint& joint) {
-    return joint.law == StrengthLaw::coulomb && joint.tensile_strength == 0 && joint.dilation == 0 &&
-           joint.residual_cohesion >= joint.cohesion && joint.residual_friction >= joint.friction;
-}
-
-bool partsFreely(const Joint& joint) {
-    return joint.tensile_strength == 0 && joint.cohesion == 0 && joint.dilation == 0;
-}
-
 }  // namespace talus::theory

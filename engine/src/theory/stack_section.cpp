@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/plain_joint.h"
 #include "theory/joints.h"
 #include "theory/section.h"
 #include "theory/wall_water.h"

@@ -155,6 +155,27 @@ TEST_SUITE("search") {
                         .has_value());
     }
 
+    TEST_CASE("limitEquilibriumOf: a row of columns topples sooner than blocks slide") {
+        // Two columns side by side: the upper one pushes at the top of their contact.
+        Model model = floorModel(45);
+        addBox(model, "toe", {0, 0, 0}, {1, 1, 1});
+        addBox(model, "tall", {1, 0, 0}, {0.5, 1, 4});
+        model.gravity.tilt = 0;
+        model.analysis.start = 0;
+        // By moments about each pivot, weights W and 2 W. Friction f drags the toe column down at x = 1 and
+        // acts through the tall column's pivot: P = 2 W (2 s - 0.25 c), P (1 - f) + W (0.5 s - 0.5 c) = 0.
+        // With f = 1 the toe column does not topple. It slides with P (1 - f f) + W (s - f c) = 0.
+        for (const double friction : {20.0, 30.0, 45.0}) {
+            CAPTURE(friction);
+            for (Joint& each : model.joints) each.friction = each.residual_friction = radians(friction);
+            const double f = std::tan(radians(friction));
+            const double topples = std::atan((0.5 + 0.5 * (1 - f)) / (0.5 + 4 * (1 - f)));
+            const double slides = std::atan((f + 0.5 * (1 - f * f)) / (1 + 4 * (1 - f * f)));
+            const double limit = std::max(std::atan(0.125), std::min(topples, slides));
+            CHECK(limitOf(model, Varied::tilt, limit) == doctest::Approx(limit).epsilon(1e-6));
+        }
+    }
+
     TEST_CASE("nothingCanSlide: a block that is held in, one that nothing pushes, and one that slides") {
         CHECK(whyOf(pitModel()).find("no block can leave") != std::string::npos);
         Model level = cohesiveSlope(0);
