@@ -120,6 +120,7 @@ void Search::describe(Course& course, bool has_begun) {
             result_.failing_volume += last.blocks.mass[b] / rest_->blocks[b].density;
         }
         result_.lost_cohesion = lostCohesion(last);
+        result_.lost_strength = lostStrength(last);
     }
     result_.supports = supportReports(last);
     result_.state_hash = stateHash(last);

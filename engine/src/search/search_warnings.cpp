@@ -43,32 +43,32 @@ constexpr const char* kPointByPoint =
     "Tensile strength is lost one contact point after the other: the answer is on the unsafe side, and is "
     "lower with more contact points. ";
 
+std::string percent(double share) { return formatted("%.0f", 100 * share); }
+
 /// Limit equilibrium keeps cohesion to the end; eq 9 does not.
-std::optional<std::string> ofLostCohesion(double lost, double torn) {
-    if (lost == 0) return std::nullopt;
-    return kDependsOnCohesion + std::string(" where a joint first slips or opens (") +
-           formatted("%.0f", 100 * lost) +
+std::string ofLostCohesion(const LostStrength& lost) {
+    return "the answer depends on cohesion that is lost where a joint first slips or opens (" +
+           percent(lost.share) +
            " % of the area of such joints at failure). With residual_cohesion = cohesion, as in limit "
            "equilibrium, the answer may be higher. " +
-           (torn > 0 ? kPointByPoint : "") +
+           (lost.is_torn ? kPointByPoint : "") +
            "The upper bound of limit analysis assumes that cohesion is kept";
 }
 
 /// A brittle bond tears at its edge first.
-std::optional<std::string> ofLostTension(double lost) {
-    if (lost == 0) return std::nullopt;
-    return kDependsOnTension + std::string(" at once where a joint first opens or slips (") +
-           formatted("%.0f", 100 * lost) +
+std::string ofLostTension(const LostStrength& lost) {
+    return "the answer depends on tensile strength that is lost at once where a joint first opens or slips "
+           "(" +
+           percent(lost.share) +
            " % of the area of such joints at failure). With softening_displacement, over which rock tears, "
            "the answer may be higher. " +
            kPointByPoint + "The upper bound of limit analysis assumes that tensile strength is kept";
 }
 
 /// Limit equilibrium counts the peak everywhere at once; a real joint slips progressively.
-std::optional<std::string> ofLostFriction(double lost) {
-    if (lost == 0) return std::nullopt;
-    return kDependsOnFriction + std::string(" where a joint first slips or opens (") +
-           formatted("%.0f", 100 * lost) +
+std::string ofLostFriction(const LostStrength& lost) {
+    return "the answer depends on peak friction that is lost where a joint first slips or opens (" +
+           percent(lost.share) +
            " % of the area of such joints at failure), one contact point after the other. The answer may be "
            "higher with residual_friction_deg = friction_deg, and lower with more contact points. The upper "
            "bound of limit analysis assumes peak friction";
@@ -103,19 +103,49 @@ double lostCohesion(const State& state) {
                      [](const contact::JointLaw& law) { return law.cohesion > law.residual_cohesion; });
 }
 
+std::optional<LostStrength> lostStrength(const State& failing) {
+    const double torn = lostTension(failing);
+    if (const double share = lostCohesion(failing); share > 0)
+        return LostStrength{LostStrength::Kind::cohesion, share, torn > 0};
+    if (torn > 0) return LostStrength{LostStrength::Kind::tension, torn, true};
+    if (const double share = lostFriction(failing); share > 0)
+        return LostStrength{LostStrength::Kind::friction, share, false};
+    return std::nullopt;
+}
+
+const char* nameOf(LostStrength::Kind kind) {
+    switch (kind) {
+        case LostStrength::Kind::cohesion:
+            return "cohesion";
+        case LostStrength::Kind::tension:
+            return "tensile strength";
+        case LostStrength::Kind::friction:
+            break;
+    }
+    return "peak friction";
+}
+
+std::string warningOf(const LostStrength& lost, const std::string& kept) {
+    std::string text;
+    switch (lost.kind) {
+        case LostStrength::Kind::cohesion:
+            text = ofLostCohesion(lost);
+            break;
+        case LostStrength::Kind::tension:
+            text = ofLostTension(lost);
+            break;
+        case LostStrength::Kind::friction:
+            text = ofLostFriction(lost);
+            break;
+    }
+    if (!kept.empty()) text += std::string("; the answer with ") + nameOf(lost.kind) + " kept: " + kept;
+    return text;
+}
+
 std::vector<std::string> searchWarnings(const State& built, const State& last, bool fails, bool at_start) {
     std::vector<std::string> warnings = built.warnings;
-    if (!fails) return warnings;
-    if (at_start)
+    if (fails && at_start)
         if (auto pressed = ofJointsPressedIn(last)) warnings.push_back(std::move(*pressed));
-    const double torn = lostTension(last);
-    if (auto lost = ofLostCohesion(lostCohesion(last), torn)) {
-        warnings.push_back(std::move(*lost));
-    } else if (auto tension = ofLostTension(torn)) {
-        warnings.push_back(std::move(*tension));
-    } else if (auto slipped = ofLostFriction(lostFriction(last))) {
-        warnings.push_back(std::move(*slipped));
-    }
     return warnings;
 }
 

@@ -1,21 +1,26 @@
 #pragma once
 // Warnings of an answer.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "state/arrays.h"
+#include "talus/analysis.h"
 
 namespace talus::search {
 
-/// Beginning of the warning that an answer depends on cohesion lost at the first slip.
-inline constexpr const char* kDependsOnCohesion = "the answer depends on cohesion that is lost";
-/// Likewise, on tensile strength.
-inline constexpr const char* kDependsOnTension = "the answer depends on tensile strength that is lost";
+/// What joints have lost in a failing state: cohesion, else tensile strength, else peak friction.
+std::optional<LostStrength> lostStrength(const State& failing);
 
-/// Likewise, on friction beyond the residual one.
-inline constexpr const char* kDependsOnFriction = "the answer depends on peak friction that is lost";
+/// The warning that an answer depends on it.
+/// \param kept  the answer with that strength kept, with its unit; "": unknown
+std::string warningOf(const LostStrength& lost, const std::string& kept);
 
+/// "cohesion", ...
+const char* nameOf(LostStrength::Kind kind);
+
+/// But for that of lost strength.
 /// \param built  the state before the search
 /// \param last the final one: the failing state, if it `fails`
 /// \param at_start  it fails before the search begins
