@@ -64,8 +64,10 @@ class Loader {
             path_.vary(tilting.loading, level);
             if (!weigh()) return begun_;
         }
-        if (start_.weighted && start_.weighted(path_) && !bringOn(weightAxis(start_.imbalance), "weight"))
-            return begun_;
+        if (start_.weighted && start_.weighted(path_)) {
+            watered_.reset();
+            if (!bringOn(weightAxis(start_.imbalance), "weight")) return begun_;
+        }
         const bool may_be_later = std::abs(start_.tilt - level) > kNoLoad;
         if (!model_.hasWater()) {
             if (weaken() && tilt(tilting, level)) push();
@@ -74,7 +76,7 @@ class Loader {
         // An assembly under water that pushes uphill may need the tilt to be stable.
         const auto dry = path_.place();
         const double dry_factor = begun_.factor;
-        bool stands = bringOn(waterAxis(start_.imbalance), "water");
+        bool stands = water();
         const bool parts = parted_ > start_.displacements[start_.counts];
         stands = stands && weaken();
         if ((!stands || parts) && may_be_later && !path_.stopped()) {
@@ -99,6 +101,7 @@ class Loader {
     /// can come on after it. Blocks that part as much with more strength had joints to close.
     bool weigh() {
         const auto bare = path_.place();
+        watered_.reset();
         std::optional<EquilibriumPath::Place> best;
         bool bears_water = false;
         for (int k = 0; k < kWeightAttempts; ++k) {
@@ -119,6 +122,8 @@ class Loader {
                                    (bears == bears_water && parted < kPartsLess * begun_.parted);
             if (!is_better) continue;
             best.emplace(weighted);
+            watered_.reset();
+            if (bears && model_.hasWater()) watered_.emplace(path_.place(), parted_);
             bears_water = bears;
             begun_.parted = parted;
             begun_.factor = factor;
@@ -127,6 +132,15 @@ class Loader {
         if (!best) return false;
         path_.goBack(*best);
         begun_.result = PathResult::reached;
+        return true;
+    }
+
+    /// Puts the water on. `weigh` has found its equilibrium already, unless the weight was applied anew.
+    bool water() {
+        if (!watered_) return bringOn(waterAxis(start_.imbalance), "water");
+        begun_.stage = "water";
+        path_.goBack(watered_->first);
+        parted_ = watered_->second;
         return true;
     }
 
@@ -212,6 +226,7 @@ class Loader {
     const Start& start_;
     Begun begun_{};
     double parted_ = 0;
+    std::optional<std::pair<EquilibriumPath::Place, double>> watered_{};  ///< the end of `weigh`, and parted_
 };
 
 }  // namespace
