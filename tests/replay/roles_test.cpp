@@ -18,11 +18,11 @@ using nlohmann::json;
 namespace {
 
 /// Blocks of which some stand, some slide behind others, some turn.
-std::vector<BlockWay> someWays(unsigned seed) {
+std::vector<BlockDisplacement> someDisplacements(unsigned seed) {
     std::mt19937 random(seed);
     const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
-    std::vector<BlockWay> ways(40);
-    for (BlockWay& block : ways) {
+    std::vector<BlockDisplacement> displacements(40);
+    for (BlockDisplacement& block : displacements) {
         block.free = uniform() < 0.9;
         block.position = Vec3(10 * uniform(), 3 * uniform(), 2 * uniform());
         block.radius = 0.2 + uniform();
@@ -32,7 +32,7 @@ std::vector<BlockWay> someWays(unsigned seed) {
         block.translation = scale * uniform();
         block.rotation = uniform() < 0.5 ? 0 : scale * uniform();
     }
-    return ways;
+    return displacements;
 }
 
 json ruleOfPage() {
@@ -44,10 +44,10 @@ json ruleOfPage() {
 }
 
 /// What the page knows: positions at the start and displacements, here along y.
-json inputOf(const std::vector<BlockWay>& ways, double smallest) {
+json inputOf(const std::vector<BlockDisplacement>& displacements, double smallest) {
     json header{{"failure", nullptr}}, frame, radius = json::array();
-    for (std::size_t b = 0; b < ways.size(); ++b) {
-        const BlockWay& block = ways[b];
+    for (std::size_t b = 0; b < displacements.size(); ++b) {
+        const BlockDisplacement& block = displacements[b];
         header["names"].push_back("b" + std::to_string(b));
         header["motion"].push_back(block.free ? 0 : 1);
         header["size"].push_back(smallest);
@@ -71,20 +71,20 @@ TEST_CASE("the page's roles are those of the one rule") {
     const TemporaryFolder folder;
     for (const unsigned seed : {1U, 2U, 3U}) {
         CAPTURE(seed);
-        const auto ways = someWays(seed);
+        const auto displacements = someDisplacements(seed);
         const double smallest = 0.3;
-        const std::string input = folder.write("input.json", inputOf(ways, smallest).dump());
+        const std::string input = folder.write("input.json", inputOf(displacements, smallest).dump());
         const std::string output = folder / "output.json";
         const std::string source = TALUS_SOURCE_DIR;
         REQUIRE(std::system(("node '" + source + "/tests/replay/roles.mjs' '" + source + "' '" + input +
                              "' > '" + output + "'")
                                 .c_str()) == 0);
         const json found = json::parse(contentOf(output));
-        const auto roles = motionRoles(ways, MotionRule::kDeflectionOfSize * smallest);
+        const auto roles = motionRoles(displacements, MotionRule::kDeflectionOfSize * smallest);
         int moving = 0, standing = 0;
-        for (std::size_t b = 0; b < ways.size(); ++b) {
+        for (std::size_t b = 0; b < displacements.size(); ++b) {
             CAPTURE(b);
-            const int expected = !ways[b].free                      ? 0
+            const int expected = !displacements[b].free             ? 0
                                  : roles[b] == FailureMode::none    ? 2
                                  : roles[b] == FailureMode::sliding ? 3
                                                                     : 4;
@@ -93,6 +93,6 @@ TEST_CASE("the page's roles are those of the one rule") {
         }
         CHECK(moving > 5);
         CHECK(standing > 5);
-        CHECK(found.at("mode") == toString(overallMode(ways, roles)));
+        CHECK(found.at("mode") == toString(overallMode(displacements, roles)));
     }
 }

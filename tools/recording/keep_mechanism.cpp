@@ -16,9 +16,10 @@ namespace talus::tools {
 
 namespace {
 
-constexpr int kFrames = 48;         // behind the first
-constexpr double kSeconds = 2.0;    // they last
-constexpr double kWayOfSize = 0.3;  // of the moving blocks' median size: displacement of the fastest corner
+constexpr int kFrames = 48;       // behind the first
+constexpr double kSeconds = 2.0;  // they last
+constexpr double kDisplacementOfSize =
+    0.3;  // of the moving blocks' median size: displacement of the fastest corner
 constexpr const char* kSource = "limit-analysis --for ";
 
 /// The first frame of a run of the model.
@@ -83,25 +84,26 @@ double radiusOf(const RunGeometry& geometry, std::size_t block) {
 
 /// By the rule of searches, from the final positions.
 formats::SnapshotFailure failureOf(const Start& start, const Model& model,
-                                   const std::vector<Velocity>& velocities, double way) {
-    std::vector<BlockWay> ways;
+                                   const std::vector<Velocity>& velocities, double displacement) {
+    std::vector<BlockDisplacement> displacements;
     for (std::size_t b = 0; b < velocities.size(); ++b) {
-        const Vec3 moved = way * velocities[b].velocity;
-        ways.push_back({.free = model.blocks[b].motion == Motion::free,
-                        .position = at(start.geometry.centroid, b) + moved,
-                        .radius = radiusOf(start.geometry, b),
-                        .translation = moved.norm(),
-                        .rotation = way * velocities[b].spin.norm(),
-                        .mass = start.geometry.mass[b]});
+        const Vec3 moved = displacement * velocities[b].velocity;
+        displacements.push_back({.free = model.blocks[b].motion == Motion::free,
+                                 .position = at(start.geometry.centroid, b) + moved,
+                                 .radius = radiusOf(start.geometry, b),
+                                 .translation = moved.norm(),
+                                 .rotation = displacement * velocities[b].spin.norm(),
+                                 .mass = start.geometry.mass[b]});
     }
     formats::SnapshotFailure failure;
-    failure.roles = motionRoles(ways, 0);
-    failure.mode = overallMode(ways, failure.roles);
+    failure.roles = motionRoles(displacements, 0);
+    failure.mode = overallMode(displacements, failure.roles);
     return failure;
 }
 
 /// The blocks at a share of their path.
-LightFrame frameAt(const LightFrame& start, const std::vector<Velocity>& velocities, double way, int k) {
+LightFrame frameAt(const LightFrame& start, const std::vector<Velocity>& velocities, double displacement,
+                   int k) {
     const double share = static_cast<double>(k) / kFrames;
     LightFrame frame = start;
     frame.step = k;
@@ -109,9 +111,9 @@ LightFrame frameAt(const LightFrame& start, const std::vector<Velocity>& velocit
     frame.kinetic_energy = frame.elastic_energy = frame.gravity_energy = frame.out_of_balance = 0;
     frame.displacement = frame.rotation = frame.velocity = {};
     for (const Velocity& block : velocities) {
-        frame.displacement.push_back(share * way * block.velocity);
-        frame.rotation.push_back(share * way * block.spin);
-        frame.velocity.push_back(way / kSeconds * block.velocity);
+        frame.displacement.push_back(share * displacement * block.velocity);
+        frame.rotation.push_back(share * displacement * block.spin);
+        frame.velocity.push_back(displacement / kSeconds * block.velocity);
     }
     return frame;
 }
@@ -160,15 +162,15 @@ void MechanismKeeper::write(const LimitResult& result, const VariedQuantity& loa
     at_limit_ = valueOf(formats::failingScenario(scenario_, failing, remarkOn(scenario_, load)));
     const Start start = startOf(at_limit_.model);
     const std::vector<Velocity> velocities = velocitiesOf(result, at_limit_.model);
-    kept.way = kWayOfSize * medianSize(start, velocities);
-    formats::SnapshotFailure failure = failureOf(start, at_limit_.model, velocities, kept.way);
+    kept.displacement = kDisplacementOfSize * medianSize(start, velocities);
+    formats::SnapshotFailure failure = failureOf(start, at_limit_.model, velocities, kept.displacement);
     failure.analysis = mechanismSource(load);
     failure.load = limit;
     kept.mode = failure.mode;
 
     const RunOutput output = recorder_->output(std::move(failure));
     output.begin(start.geometry);
-    for (int k = 0; k <= kFrames; ++k) output.light(frameAt(start.frame, velocities, kept.way, k));
+    for (int k = 0; k <= kFrames; ++k) output.light(frameAt(start.frame, velocities, kept.displacement, k));
     kept.frames = kFrames + 1;
     RunResult end;
     end.steps = kFrames;
@@ -201,8 +203,8 @@ Json keptMechanismJson(const KeptMechanism& kept) {
     return {{"file", kept.file},
             {"reason", nullptr},
             {"mode", toString(kept.mode)},
-            {"farthest_way_m", number(kept.way)},
-            {"farthest_displacement_m", number(kept.way)},
+            {"farthest_way_m", number(kept.displacement)},
+            {"farthest_displacement_m", number(kept.displacement)},
             {"frames", kept.frames},
             {"bytes", kept.bytes}};
 }
@@ -210,7 +212,7 @@ Json keptMechanismJson(const KeptMechanism& kept) {
 std::string keptMechanismText(const KeptMechanism& kept) {
     if (kept.file.empty()) return "none: " + kept.reason;
     return kept.file + ": " + toString(kept.mode) + ", " + std::to_string(kept.frames) +
-           " frames up to a displacement of " + text(kept.way, 3) + " m";
+           " frames up to a displacement of " + text(kept.displacement, 3) + " m";
 }
 
 }  // namespace talus::tools

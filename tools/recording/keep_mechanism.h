@@ -34,7 +34,7 @@ struct KeptMechanism {
     std::string reason;  ///< why nothing was kept
     int exit_code = kDone;
     FailureMode mode = FailureMode::none;
-    double way = 0;  ///< of the fastest block's farthest corner at the end [m]
+    double displacement = 0;  ///< of the fastest block's farthest corner at the end [m]
     std::size_t frames = 0;
     std::uint64_t bytes = 0;
 };

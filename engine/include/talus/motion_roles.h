@@ -27,7 +27,7 @@ struct MotionRule {
 };
 
 /// A block's displacement since the start of the motion.
-struct BlockWay {
+struct BlockDisplacement {
     bool free = true;
     Vec3 position = Vec3::Zero();  ///< of the centroid now [m]
     double radius = 0;             ///< to its farthest corner [m]
@@ -39,7 +39,8 @@ struct BlockWay {
     /// where that is not known.
     double least_against_others = 0;
 
-    double way() const { return translation + rotation * radius; }  ///< of its farthest corner, at most [m]
+    /// At most [m].
+    double ofFarthestCorner() const { return translation + rotation * radius; }
     /// A turn about the normal opens no joint: the block slides.
     double tipping() const;
 };
@@ -47,9 +48,9 @@ struct BlockWay {
 /// Per block: `none` when it does not move (or is not free), `toppling` when it turns about a pivot within
 /// reach of the moving group, else `sliding`. A block that turns in the plane of its joint, or has no pivot
 /// on a neighbour, slides. \param deflection elastic displacement of the assembly in equilibrium [m]
-std::vector<FailureMode> motionRoles(const std::vector<BlockWay>& blocks, double deflection);
+std::vector<FailureMode> motionRoles(const std::vector<BlockDisplacement>& blocks, double deflection);
 
 /// Of the whole, by moving mass.
-FailureMode overallMode(const std::vector<BlockWay>& blocks, const std::vector<FailureMode>& roles);
+FailureMode overallMode(const std::vector<BlockDisplacement>& blocks, const std::vector<FailureMode>& roles);
 
 }  // namespace talus

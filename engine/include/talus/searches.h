@@ -2,6 +2,9 @@
 // The searches for the load at which an assembly fails, each described once. Commands, sweeps, batches, kept
 // runs and inspection read this list. A new search is an entry in engine/src/search/searches.cpp and a file
 // with its function.
+//
+// Names, units and help texts stand beside the function that they describe. Commands, batches, pages and
+// Python all show them, and an answer whose unit or key differed between two of these would be wrong.
 
 #include <atomic>
 #include <cstdint>

@@ -188,7 +188,7 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     const auto part_1 = static_cast<std::size_t>(pair.first), part_2 = static_cast<std::size_t>(pair.second);
     const std::size_t first = placed.blockOf(part_1), second = placed.blockOf(part_2);
     if (first == second || !range.has(first, second)) return finding;
-    if (state.blocks.isGone(first) || state.blocks.isGone(second)) return finding;
+    if (state.blocks.isRemoved(first) || state.blocks.isRemoved(second)) return finding;
     if (state.blocks.motion[first] != Motion::free && state.blocks.motion[second] != Motion::free)
         return finding;
     const bool first_is_a = firstIsReference(state, first, second);

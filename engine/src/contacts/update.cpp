@@ -153,14 +153,14 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
 }
 
 bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop,
-                       const std::vector<double>& gone, bool may_wait) {
+                       const std::vector<double>& moved, bool may_wait) {
     double margin = searchMargin(state, ahead);
     std::vector<char> around;
     PlaceChanges changes;
     if (state.searches_around && searchedAgain(state) && margin <= kWider * state.search_margin) {
         margin = state.search_margin;
         around = farMovers(state);
-        changes = updateVertexEdges(state, ahead, parallel, gone, may_wait, &around);
+        changes = updateVertexEdges(state, ahead, parallel, moved, may_wait, &around);
         const auto count = std::count(around.begin(), around.end(), 1);
         changes.search = count > 0;
         if (static_cast<double>(count) > kFewBlocks * static_cast<double>(around.size())) around.clear();
@@ -168,7 +168,7 @@ bool refreshInterfaces(State& state, bool parallel, double ahead, const std::ato
         if (state.searches_around) margin *= kFartherThan;
         changes.search = true;
     } else {
-        changes = updateVertexEdges(state, ahead, parallel, gone, may_wait);
+        changes = updateVertexEdges(state, ahead, parallel, moved, may_wait);
     }
     if (!changes.search) {
         const bool recovered = recoverGaps(state);
@@ -222,11 +222,11 @@ void searchAround(State& state, std::vector<char> around, bool parallel) {
 
 void takeOut(State& state, const std::vector<std::size_t>& blocks, bool parallel) {
     Blocks& all = state.blocks;
-    all.gone.resize(all.size(), 0);
+    all.removed.resize(all.size(), 0);
     std::vector<char> around(all.size(), 0);
     for (const std::size_t b : blocks) {
         fix(all, b);
-        all.gone[b] = 1;
+        all.removed[b] = 1;
         around[b] = 1;
     }
     searchAround(state, std::move(around), parallel);

@@ -37,16 +37,16 @@ std::vector<Error> findInterfaces(State& state, bool initial, bool parallel, con
 /// With Springs::keep_energy step 1 adds no energy (contacts/energy_balance.h), and the forces on blocks are
 /// updated.
 /// \return whether interfaces were found again: then time step and inertia may have to follow
-/// \param gone how far each block has moved since the last call [m], where that does not follow from its
+/// \param moved how far each block has moved since the last call [m], where that does not follow from its
 /// velocity
 /// \param may_wait a search wanted by one pair of blocks in 2 may wait for a later call (updateVertexEdges)
 bool refreshInterfaces(State& state, bool parallel, double ahead, const std::atomic<bool>* stop = nullptr,
-                       const std::vector<double>& gone = {}, bool may_wait = false);
+                       const std::vector<double>& moved = {}, bool may_wait = false);
 
 /// Removes free blocks from a state in equilibrium: they stay where they are, fixed, and touch nothing.
 /// Contacts of other blocks are unchanged to the bit.
 /// Reads:  as findInterfaces
-/// Writes: the blocks' motion, inertia, velocities and `gone`; as findInterfaces, forces of contacts and
+/// Writes: the blocks' motion, inertia, velocities and `removed`; as findInterfaces, forces of contacts and
 ///         water
 /// \pre no bolt ties them
 void takeOut(State& state, const std::vector<std::size_t>& blocks, bool parallel);

@@ -368,11 +368,11 @@ void updatePairs(Interfaces& f, bool parallel, const Each& each) {
 
 }  // namespace
 
-PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const std::vector<double>& gone,
+PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel, const std::vector<double>& moved,
                                bool may_wait, std::vector<char>* wanting) {
-    assert(ahead >= 0 && (gone.empty() || gone.size() == state.blocks.size()));
-    std::vector<double> ways = gone;
-    if (gone.empty()) {
+    assert(ahead >= 0 && (moved.empty() || moved.size() == state.blocks.size()));
+    std::vector<double> ways = moved;
+    if (moved.empty()) {
         ways.resize(state.blocks.size());
         for (std::size_t b = 0; b < ways.size(); ++b) ways[b] = kFaster * speedBound(state, b) * ahead;
     }

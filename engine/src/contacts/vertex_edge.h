@@ -43,7 +43,7 @@ struct PlaceChanges {
 /// take over the shear force of the contact before them, and no more energy than it had. A contact found late
 /// is not moved into overlap: its gap counts from where it is until it opens.
 /// \param ahead   time until the next look, not negative [s]
-/// \param gone displacement of each block since the last look [m]; empty: its velocity times `ahead`
+/// \param moved displacement of each block since the last look [m]; empty: its velocity times `ahead`
 /// \param may_wait  wants no search: vertices carry faces without an interface, patches stay, and the pair is
 ///                  looked at again after the same displacement
 /// \pre incidence is that of the interfaces
@@ -51,7 +51,7 @@ struct PlaceChanges {
 /// Writes: places, their contact points, incidence
 /// \param wanting marks the blocks, not fixed, of pairs that need a search; may be null
 PlaceChanges updateVertexEdges(State& state, double ahead, bool parallel,
-                               const std::vector<double>& gone = {}, bool may_wait = false,
+                               const std::vector<double>& moved = {}, bool may_wait = false,
                                std::vector<char>* wanting = nullptr);
 
 /// The same just after a search. \param carried vanished contact points beside those of the places

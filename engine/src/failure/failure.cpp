@@ -56,7 +56,7 @@ double leastAgainstOthers(const Places& from, const State& to, std::size_t b) {
     return least < kInfinity ? least : 0;
 }
 
-BlockWay wayOf(const Places& from, const State& to, std::size_t b) {
+BlockDisplacement displacementOf(const Places& from, const State& to, std::size_t b) {
     return {.free = to.blocks.motion[b] == Motion::free,
             .position = to.blocks.position.get(b),
             .radius = to.geometry->radius[b],
@@ -90,16 +90,17 @@ void addContactEvidence(const State& state, std::size_t block, BlockMotion& moti
     motion.mobilised_friction = strength > 0 ? std::min(1.0, shear / strength) : 0.0;
 }
 
-BlockMotion describeBlock(const Places& from, const State& to, std::size_t b, const BlockWay& way,
+BlockMotion describeBlock(const Places& from, const State& to, std::size_t b, const BlockDisplacement& moved,
                           FailureMode role) {
     BlockMotion motion;
     motion.block = to.geometry->model.blocks[b].name;
     motion.mode = role;
     motion.moving = role != FailureMode::none;
     motion.translation = to.blocks.position.get(b) - from.position.get(b);
-    motion.rotation = way.rotation;
+    motion.rotation = moved.rotation;
     motion.turn = rotationVector(from.orientation[b], to.blocks.orientation[b]);
-    motion.rotation_share = way.way() > 0 ? way.rotation * way.radius / way.way() : 0.0;
+    motion.rotation_share =
+        moved.ofFarthestCorner() > 0 ? moved.rotation * moved.radius / moved.ofFarthestCorner() : 0.0;
     addContactEvidence(to, b, motion);
     return motion;
 }
@@ -134,16 +135,16 @@ Failure describeFailure(const PositionArray& position, const QuaternionArray& or
                         double deflection) {
     const Places from{position, orientation};
     Failure failure;
-    std::vector<BlockWay> ways;
-    for (std::size_t b = 0; b < to.blocks.size(); ++b) ways.push_back(wayOf(from, to, b));
-    const std::vector<FailureMode> roles = motionRoles(ways, deflection);
-    for (std::size_t b = 0; b < ways.size(); ++b) {
-        if (!ways[b].free) continue;
-        failure.motions.push_back(describeBlock(from, to, b, ways[b], roles[b]));
+    std::vector<BlockDisplacement> displacements;
+    for (std::size_t b = 0; b < to.blocks.size(); ++b) displacements.push_back(displacementOf(from, to, b));
+    const std::vector<FailureMode> roles = motionRoles(displacements, deflection);
+    for (std::size_t b = 0; b < displacements.size(); ++b) {
+        if (!displacements[b].free) continue;
+        failure.motions.push_back(describeBlock(from, to, b, displacements[b], roles[b]));
         if (failure.motions.back().moving) failure.moving_blocks.push_back(failure.motions.back().block);
     }
     sortNaturally(failure.moving_blocks);
-    failure.mode = overallMode(ways, roles);
+    failure.mode = overallMode(displacements, roles);
     return failure;
 }
 

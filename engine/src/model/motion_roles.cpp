@@ -9,7 +9,7 @@ namespace {
 
 /// Diagonal of the box around the moving blocks: it makes a rotation comparable with a translation. A block
 /// that turns about a pivot within reach of the moving group topples; one whose pivot is far away slides.
-double movingExtent(const std::vector<BlockWay>& blocks, const std::vector<char>& moving) {
+double movingExtent(const std::vector<BlockDisplacement>& blocks, const std::vector<char>& moving) {
     constexpr double kUnbounded = std::numeric_limits<double>::infinity();
     Vec3 low = Vec3::Constant(kUnbounded), high = Vec3::Constant(-kUnbounded);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -23,28 +23,32 @@ double movingExtent(const std::vector<BlockWay>& blocks, const std::vector<char>
 
 }  // namespace
 
-double BlockWay::tipping() const { return std::sqrt(std::max(rotation * rotation - spin * spin, 0.0)); }
+double BlockDisplacement::tipping() const {
+    return std::sqrt(std::max(rotation * rotation - spin * spin, 0.0));
+}
 
-std::vector<FailureMode> motionRoles(const std::vector<BlockWay>& blocks, double deflection) {
+std::vector<FailureMode> motionRoles(const std::vector<BlockDisplacement>& blocks, double deflection) {
     double farthest = 0;
-    for (const BlockWay& block : blocks)
-        if (block.free) farthest = std::max(farthest, block.way());
+    for (const BlockDisplacement& block : blocks)
+        if (block.free) farthest = std::max(farthest, block.ofFarthestCorner());
     const double least = std::max(MotionRule::kDeflections * deflection, MotionRule::kShare * farthest);
     std::vector<char> moving(blocks.size(), 0);
-    for (std::size_t b = 0; b < blocks.size(); ++b) moving[b] = blocks[b].free && blocks[b].way() > least;
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+        moving[b] = blocks[b].free && blocks[b].ofFarthestCorner() > least;
     const double extent = movingExtent(blocks, moving);
     std::vector<FailureMode> roles(blocks.size(), FailureMode::none);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (!moving[b]) continue;
-        const bool has_pivot = blocks[b].least_against_others < MotionRule::kNoPivot * blocks[b].way();
+        const bool has_pivot =
+            blocks[b].least_against_others < MotionRule::kNoPivot * blocks[b].ofFarthestCorner();
         const bool topples =
-            has_pivot && blocks[b].tipping() * extent > MotionRule::kToppling * blocks[b].way();
+            has_pivot && blocks[b].tipping() * extent > MotionRule::kToppling * blocks[b].ofFarthestCorner();
         roles[b] = topples ? FailureMode::toppling : FailureMode::sliding;
     }
     return roles;
 }
 
-FailureMode overallMode(const std::vector<BlockWay>& blocks, const std::vector<FailureMode>& roles) {
+FailureMode overallMode(const std::vector<BlockDisplacement>& blocks, const std::vector<FailureMode>& roles) {
     double sliding = 0, toppling = 0;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (roles[b] == FailureMode::sliding) sliding += blocks[b].mass;

@@ -47,7 +47,7 @@ Result<SearchResult> Search::run() {
         const Stopwatch loading;
         Course course = begin();
         result_.time.loading += loading.seconds();
-        if (letFall(course)) continue;
+        if (removeFallen(course)) continue;
         const Stopwatch path;
         follow(course);
         result_.time.path += path.seconds();
@@ -173,7 +173,7 @@ Course Search::begin() {
     return beginAt(1);
 }
 
-bool Search::letFall(const Course& course) {
+bool Search::removeFallen(const Course& course) {
     if (course.begun.result != PathResult::failed || isStopped(control_)) return false;
     if (std::string(course.begun.stage) != "weight") return false;
     const State& state = course.path->state();

@@ -68,7 +68,7 @@ class Search {
     Course begin();
 
     /// Blocks that fall under their weight whatever the strength are removed if they are few.
-    bool letFall(const Course& course);
+    bool removeFallen(const Course& course);
 
     /// \param blocks of the remaining model \param count of those taken out so
     bool takeOutOfModel(const std::vector<std::size_t>& blocks, std::size_t* count);

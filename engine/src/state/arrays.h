@@ -72,11 +72,12 @@ struct Blocks {
     std::vector<double> inverse_mass;  ///< of the inertia used in the motion; 0: fixed or driven [1/kg]
     VectorArray inverse_inertia;       ///< likewise [1/(kg m^2)]
     std::vector<Motion> motion;
-    std::vector<std::uint8_t> free;    ///< 1 where motion is free, for the kernels
-    std::vector<std::uint8_t> gone{};  ///< 1: removed (takeOut), fixed and touching nothing; empty: none is
+    std::vector<std::uint8_t> free;  ///< 1 where motion is free, for the kernels
+    /// 1: removed (takeOut), fixed and touching nothing; empty: none is.
+    std::vector<std::uint8_t> removed{};
 
     std::size_t size() const { return mass.size(); }
-    bool isGone(std::size_t b) const { return !gone.empty() && gone[b] != 0; }
+    bool isRemoved(std::size_t b) const { return !removed.empty() && removed[b] != 0; }
 };
 
 /// Kind of an interface.

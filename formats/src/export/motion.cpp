@@ -26,18 +26,18 @@ double radiusOf(const RunGeometry& geometry, std::size_t b) {
 std::vector<FailureMode> failureRoles(const SnapshotHeader& header, const LightFrame& frame) {
     if (header.failure) return header.failure->roles;
     const RunGeometry& g = header.geometry;
-    std::vector<BlockWay> ways(header.names.size());
+    std::vector<BlockDisplacement> displacements(header.names.size());
     double smallest = kInfinity;
-    for (std::size_t b = 0; b < ways.size(); ++b) {
-        ways[b].free = header.motions[b] == Motion::free;
-        if (!ways[b].free) continue;
-        ways[b].position = at(g.centroid, b) + at(frame.displacement, b);
-        ways[b].radius = radiusOf(g, b);
-        ways[b].translation = at(frame.displacement, b).norm();
-        ways[b].rotation = at(frame.rotation, b).norm();
+    for (std::size_t b = 0; b < displacements.size(); ++b) {
+        displacements[b].free = header.motions[b] == Motion::free;
+        if (!displacements[b].free) continue;
+        displacements[b].position = at(g.centroid, b) + at(frame.displacement, b);
+        displacements[b].radius = radiusOf(g, b);
+        displacements[b].translation = at(frame.displacement, b).norm();
+        displacements[b].rotation = at(frame.rotation, b).norm();
         smallest = std::min(smallest, g.size[b]);
     }
-    return motionRoles(ways, MotionRule::kDeflectionOfSize * smallest);
+    return motionRoles(displacements, MotionRule::kDeflectionOfSize * smallest);
 }
 
 std::vector<Vec3> placedVertices(const SnapshotHeader& header, const LightFrame& frame) {

@@ -390,7 +390,7 @@ TEST_SUITE("contacts") {
                 pressed += after.interfaces.wrench(i).force.norm();
             }
             CHECK(pressed > 0);
-            for (const std::size_t b : out) CHECK(after.blocks.isGone(b));
+            for (const std::size_t b : out) CHECK(after.blocks.isRemoved(b));
             State anew = after;  // nor do later searches find them
             REQUIRE(findInterfaces(anew, false, false).empty());
             for (std::size_t i = 0; i < anew.interfaces.size(); ++i)

@@ -9,7 +9,7 @@ using namespace talus;
 namespace {
 
 /// A block that turns about one of its lower edges.
-BlockWay aboutItsEdge(double rotation) {
+BlockDisplacement aboutItsEdge(double rotation) {
     return {.position = Vec3::Zero(), .radius = 1, .translation = rotation, .rotation = rotation, .mass = 1};
 }
 
@@ -17,14 +17,14 @@ BlockWay aboutItsEdge(double rotation) {
 
 TEST_SUITE("model") {
     TEST_CASE("motion roles: a block that turns about an edge topples, unless no point of it is a pivot") {
-        BlockWay block = aboutItsEdge(0.1);
+        BlockDisplacement block = aboutItsEdge(0.1);
         CHECK((motionRoles({block}, 1e-5)[0] == FailureMode::toppling));
-        block.least_against_others = 0.6 * block.way();
+        block.least_against_others = 0.6 * block.ofFarthestCorner();
         CHECK((motionRoles({block}, 1e-5)[0] == FailureMode::sliding));
     }
 
     TEST_CASE("motion roles: a turn about the normal of its joint opens nothing") {
-        BlockWay block = aboutItsEdge(0.1);
+        BlockDisplacement block = aboutItsEdge(0.1);
         block.spin = block.rotation;
         CHECK((motionRoles({block}, 1e-5)[0] == FailureMode::sliding));
     }
