@@ -6,12 +6,13 @@
 #include <cmath>
 #include <string>
 
+#include "talus/angles.h"
 #include "talus/model.h"
 
 namespace talus::test {
 
-inline double radians(double degrees) { return degrees * M_PI / 180.0; }
-inline double degrees(double radians) { return radians * 180.0 / M_PI; }
+using talus::degrees;
+using talus::radians;
 
 inline Joint joint(double friction_deg, double stiffness = 1e10) {
     Joint j;

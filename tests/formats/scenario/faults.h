@@ -28,4 +28,13 @@ inline void checkFault(const Fault& fault) {
                   fault.fragment);
 }
 
+/// The first error, with its field; "accepted" where there is none.
+inline std::string refusalOf(const std::string& text) {
+    const auto scenario = parseScenario(text, "slope.toml");
+    if (scenario.ok()) return "accepted";
+    const Error& error = scenario.errors().front();
+    CHECK(error.line > 0);
+    return error.field + ": " + error.message;
+}
+
 }  // namespace talus::formats

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "faults.h"
 #include "talus/formats/overrides.h"
 #include "talus/formats/scenario.h"
 
@@ -27,14 +28,7 @@ std::string flow(const std::string& keys, const std::string& tables = kHeads) {
     return "[flow]\n" + keys + tables;
 }
 
-/// The first error.
-std::string refused(const std::string& section) {
-    const auto scenario = parseScenario(kBlocks + section, "slope.toml");
-    if (scenario.ok()) return "accepted";
-    const Error& error = scenario.errors().front();
-    CHECK(error.line > 0);
-    return error.field + ": " + error.message;
-}
+std::string refused(const std::string& section) { return refusalOf(kBlocks + section); }
 
 void checkStart(const std::string& text, const std::string& with) {
     CAPTURE(text);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "faults.h"
 #include "support/files.h"
 #include "talus/formats/scenario.h"
 
@@ -34,14 +35,7 @@ std::string pattern(const std::string& more) {
            kBar + kGrout + more;
 }
 
-/// The first error; its line is counted from the section.
-std::string refused(const std::string& section) {
-    const auto scenario = parseScenario(kBlocks + section, "slope.toml");
-    if (scenario.ok()) return "accepted";
-    const Error& error = scenario.errors().front();
-    CHECK(error.line > 0);
-    return error.field + ": " + error.message;
-}
+std::string refused(const std::string& section) { return refusalOf(kBlocks + section); }
 
 bool starts(const std::string& text, const std::string& with) {
     CAPTURE(text);
