@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "talus/level_point.h"
+
 namespace talus {
 
 /// How the shear strength tau of a joint follows from the normal stress sigma_n on it.
@@ -72,6 +74,10 @@ struct Joint {
     double residual_factor = 1;    ///< of that strength, after the first slip; of a law that is not Coulomb's
     bool tension_reduced = false;  ///< strength reduction divides the tensile strength, too
     std::vector<EnvelopePoint> shear_strength;  ///< from zero normal stress upwards; the last slope goes on
+    /// Factor of all its strengths over time, within kStrengthOverTime; empty: 1. Ice in joints loses
+    /// strength as it warms (P. Mamot, S. Weber, T. Schroeder and M. Krautblatter, The Cryosphere 12, 3333,
+    /// 2018).
+    std::vector<LevelPoint> strength_over_time{};
 };
 
 /// Shear strength of an intact joint at a normal stress, compression positive [Pa].

@@ -19,6 +19,7 @@
 #include "history/given_step.h"
 #include "history/history_record.h"
 #include "history/initial_state.h"
+#include "law/joint_laws.h"
 #include "measure/measure.h"
 #include "measure/words.h"
 #include "state/block_motion.h"
@@ -62,7 +63,9 @@ class TimeHistory {
           output_(output),
           parallel_(parallel),
           settings_(state_.geometry->model.run),
-          watched_(history::watchedBlocks(state_.geometry->model)) {
+          watched_(history::watchedBlocks(state_.geometry->model)),
+          changes_strength_(std::any_of(state_.geometry->model.joints.begin(),
+                                        state_.geometry->model.joints.end(), changesStrength)) {
         if (output_.begin) geometry_ = geometryOf(state_);
     }
 
@@ -279,6 +282,9 @@ class TimeHistory {
         advance(state_, {dt, parallel_}, steps, [&](int) {
             state_.time += dt;
             state_.load.time = state_.time;
+            // Before the forces of the first step of a look, so that each frame's forces are of its laws.
+            if (changes_strength_ && state_.step % kStepsPerLook == 0)
+                followStrengths(state_.geometry->model.joints, state_.time, state_.laws);
         });
         if (kept) takeBack(state_, totalEnergy(state_, parallel_) - energy, steps * dt, parallel_);
         if (state_.step % kStepsPerLook == 0) {
@@ -342,6 +348,7 @@ class TimeHistory {
     bool parallel_;
     const RunSettings& settings_;
     std::vector<std::size_t> watched_;
+    bool changes_strength_;                  // of some joint
     std::optional<RunGeometry> geometry_{};  // until it is handed out
     RunProgress progress_;
     InitialState start_ = InitialState::unstressed;

@@ -10,6 +10,7 @@
 #include "checks/closed_volumes.h"
 #include "checks/loose_blocks.h"
 #include "checks/plausible.h"
+#include "checks/strength_held.h"
 #include "equilibrium/release.h"
 #include "measure/stopwatch.h"
 #include "search/search_run.h"
@@ -90,7 +91,8 @@ std::vector<Error> Search::build() {
     if (takeOutOfModel(slivers, &slivers_)) return build();
     if (auto errors = checks::implausibleSearch(*built_, imbalance, bounds); !errors.empty()) return errors;
     for (std::string& doubt : checks::doubts(*built_)) built_->warnings.push_back(std::move(doubt));
-    for (std::string& held : checks::levelsHeld(*rest_)) built_->warnings.push_back(std::move(held));
+    for (auto held : {checks::levelsHeld, checks::strengthsHeld})
+        for (std::string& line : held(*rest_)) built_->warnings.push_back(std::move(line));
     warnOfLooseBlocks();
     stopDrivenBlocks();
     built_->searches_around = true;
