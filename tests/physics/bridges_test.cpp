@@ -128,7 +128,7 @@ TEST_CASE("bridges: what a bridge is mixed of follows a change of either by read
     CHECK_FALSE(formats::canOverride(*scenario, "joint.intact.cohesion"));
 }
 
-TEST_CASE("bridges: joint and rock are mixed only if their strengths change alike over time") {
+TEST_CASE("bridges: joint and rock are mixed only if their strengths change alike") {
     const std::string table = "strength_over_time = [[0, 0.8], [10, 0.5]]\n";
     std::string text = bench(40, 5, 5e3, 60e3, "bridge = \"intact\"\n");
     text.insert(text.find("[joint.intact]"), table);
@@ -138,6 +138,11 @@ TEST_CASE("bridges: joint and rock are mixed only if their strengths change alik
     CHECK(refused.errors()[0].message.find("\"default\" with another strength_over_time than \"intact\"") !=
           std::string::npos);
     text.insert(text.find("[rock_mass]"), table);
+    std::string wet = text;
+    wet.insert(wet.find("[joint.intact]"), "wet_strength_factor = 0.5\n");
+    const auto refused_too = formats::parseScenario(wet, "bench.toml");
+    REQUIRE_FALSE(refused_too.ok());
+    CHECK(refused_too.errors()[0].message.find("with a wet_strength_factor of 0.5") != std::string::npos);
     const auto scenario = formats::parseScenario(text, "bench.toml");
     REQUIRE(scenario.ok());
     CHECK(scenario->model.joints.back().strength_over_time.size() == 2);

@@ -47,10 +47,15 @@ std::string overTimeText(const Joint& joint) {
     return "; times " + figureText(strengthFactor(joint, 0)) + " at time 0" + range;
 }
 
+std::string wetText(const Joint& joint) {
+    return joint.wet_strength_factor == 1 ? ""
+                                          : "; times " + figureText(joint.wet_strength_factor) + " where wet";
+}
+
 void addJoints(const Model& model, HtmlPage& page) {
     std::vector<std::vector<std::string>> rows;
     for (const Joint& joint : model.joints) {
-        rows.push_back({joint.name, strengthText(joint) + overTimeText(joint),
+        rows.push_back({joint.name, strengthText(joint) + overTimeText(joint) + wetText(joint),
                         figureText(joint.normal_stiffness / kGiga),
                         figureText(joint.shear_stiffness / kGiga)});
     }

@@ -195,6 +195,12 @@ inline constexpr std::array kJointProperties{
                   .laws = kCurvedLaws,
                   .in_law = "",
                   .what = "share of the law's shear strength that is left after the first slip"},
+    JointProperty{.key = "wet_strength_factor",
+                  .value = &Joint::wet_strength_factor,
+                  .unit = "",
+                  .allowed = {1e-3, 1},
+                  .in_law = "",
+                  .what = "times all strengths where water presses in the joint, in searches"},
 };
 inline constexpr std::size_t kJointPropertyCount = kJointProperties.size();
 
@@ -255,6 +261,9 @@ double strengthFactor(const Joint& joint, double time);
 
 /// Whether that factor is not the same at all times.
 bool changesStrength(const Joint& joint);
+
+/// A joint with `factor` times the strengths.
+Joint strengthened(Joint joint, double factor);
 
 /// A joint whose strength is at all times what it is at this one [s]. Searches take time 0.
 Joint strengthAt(Joint joint, double time);

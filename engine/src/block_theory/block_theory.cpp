@@ -9,6 +9,7 @@
 #include "block_theory/groups.h"
 #include "block_theory/warnings.h"
 #include "build/build.h"
+#include "build/wet_joints.h"
 #include "checks/plausible.h"
 #include "measure/natural_order.h"
 #include "model/over_time.h"
@@ -124,7 +125,8 @@ Result<KeyBlockResult> keyBlocks(const Model& model, const Control& control,
     const auto begin = std::chrono::steady_clock::now();
     return inArena(control.threads, [&]() -> Result<KeyBlockResult> {
         const bool parallel = control.threads != 1;
-        Result<State> state = buildState(keptByCaller(model), parallel, control);
+        std::shared_ptr<const Model> kept = keptByCaller(model);
+        Result<State> state = buildWithWetJoints(kept, parallel, control);
         KeyBlockResult result;
         result.interrupted = isStopped(control);
         if (result.interrupted) return result;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "build/build.h"
+#include "build/wet_joints.h"
 #include "checks/loose_blocks.h"
 #include "checks/passing.h"
 #include "checks/plausible.h"
@@ -362,6 +363,8 @@ class TimeHistory {
     bool open_ended_ = false;  // steps are asked for, whatever the duration
 };
 
+constexpr const char* kAHistory = "a time history";
+
 /// Faults of the model; its doubts go among the state's warnings.
 std::vector<Error> look(State& built, bool parallel) {
     std::vector<Error> errors = checks::implausible(built);
@@ -391,6 +394,7 @@ RunResult notBegun(const Model& model, const FullFrame* resume) {
 template <class Begin>
 Result<RunResult> playHistory(const Model& model, const Control& control, const RunOutput& output,
                               const Begin& begin, const FullFrame* resume = nullptr) {
+    if (auto refused = refusedWetJoints(model, kAHistory)) return *refused;
     return inArena(control.threads, [&]() -> Result<RunResult> {
         const auto started = std::chrono::steady_clock::now();
         Result<RunResult> result = [&]() -> Result<RunResult> {
@@ -448,6 +452,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
 Result<Simulation> Simulation::begin(std::shared_ptr<const Model> model, const Control& control) {
+    if (auto refused = refusedWetJoints(*model, kAHistory)) return *refused;
     auto history = std::make_unique<History>(std::move(model), control);
     const std::vector<Error> errors = inArena(control.threads, [&]() -> std::vector<Error> {
         Result<State> built = buildState(keptByCaller(*history->model), control.threads != 1, control);

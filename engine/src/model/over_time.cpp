@@ -48,9 +48,7 @@ bool changesStrength(const Joint& joint) {
                        [&](const LevelPoint& point) { return point.value != table.front().value; });
 }
 
-Joint strengthAt(Joint joint, double time) {
-    const double factor = strengthFactor(joint, time);
-    joint.strength_over_time.clear();
+Joint strengthened(Joint joint, double factor) {
     if (factor == 1) return joint;  // to the bit: an angle's tangent and back rounds
     for (const JointProperty& property : kJointProperties) {
         if (!isStrength(joint, property)) continue;
@@ -58,6 +56,12 @@ Joint strengthAt(Joint joint, double time) {
         joint.*property.value = property.isAngle() ? std::atan(value) : value;
     }
     return joint;
+}
+
+Joint strengthAt(Joint joint, double time) {
+    const double factor = strengthFactor(joint, time);
+    joint.strength_over_time.clear();
+    return strengthened(std::move(joint), factor);
 }
 
 std::vector<Joint> strengthsAt(std::vector<Joint> joints, double time) {

@@ -172,6 +172,10 @@ class RockMassReader {
         if (one.law != StrengthLaw::coulomb)
             return quoted(one.name) + " of law " + quoted(toString(one.law)) +
                    ", allowed with bridges: finite joints and rock of law \"coulomb\"";
+        if (one.wet_strength_factor != 1)
+            return quoted(one.name) + " with a wet_strength_factor of " +
+                   numberText(one.wet_strength_factor) +
+                   ", allowed with bridges: 1 for finite joints and rock";
         if (one.strength_over_time != of_rock.strength_over_time)
             return quoted(one.name) + " with another strength_over_time than " + quoted(of_rock.name) +
                    ", allowed with bridges: the same for finite joints and rock, or none";

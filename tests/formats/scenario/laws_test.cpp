@@ -67,6 +67,24 @@ TEST_CASE("strength over time: read for every law, and taken over by joints of b
               .strength_over_time.empty());
 }
 
+TEST_CASE("scenario errors: strength of wet joints") {
+    const auto fault = [](const std::string& value, const std::string& fragment) {
+        checkFault(
+            {material() + joint("default", "friction_deg = 30\nwet_strength_factor = " + value) + stack(), 7,
+             "joint.default.wet_strength_factor", fragment});
+    };
+    fault("0", "found 0, allowed: at least 0.001 and at most 1");
+    fault("1.2", "found 1.2, allowed: at least 0.001 and at most 1");
+    fault("-0.5", "found -0.5, allowed: at least 0.001 and at most 1");
+    fault("nan", "nan");
+    fault("\"weak\"", "a string");
+    for (const char* keys : {"friction_deg = 30\n", "law = \"power\"\na = 1.2\nb = 0.9\n"})
+        CHECK(
+            readGood(material() + joint("default", std::string(keys) + "wet_strength_factor = 0.7") + stack())
+                .model.joints[0]
+                .wet_strength_factor == 0.7);
+}
+
 TEST_CASE("scenario errors: strength over time") {
     const auto fault = [](const std::string& value, const std::string& place, const std::string& fragment) {
         checkFault(
