@@ -276,6 +276,13 @@ class TimeHistory {
         if (!fault_ && state_.time >= progress_.next_frame - 0.5 * progress_.time_step) frameIsDue();
     }
 
+    /// For the steps up to the next look the strength at the middle of them. It changes before the forces of
+    /// the first of them, so that each frame's forces are of its laws.
+    void followStrengthsForALook() {
+        const double middle = state_.time + 0.5 * (kStepsPerLook - 1) * progress_.time_step;
+        followStrengths(state_.geometry->model.joints, middle, state_.laws);
+    }
+
     void computeSteps(int steps) {
         const double dt = progress_.time_step;
         const bool kept = keepsEnergy();
@@ -283,9 +290,7 @@ class TimeHistory {
         advance(state_, {dt, parallel_}, steps, [&](int) {
             state_.time += dt;
             state_.load.time = state_.time;
-            // Before the forces of the first step of a look, so that each frame's forces are of its laws.
-            if (changes_strength_ && state_.step % kStepsPerLook == 0)
-                followStrengths(state_.geometry->model.joints, state_.time, state_.laws);
+            if (changes_strength_ && state_.step % kStepsPerLook == 0) followStrengthsForALook();
         });
         if (kept) takeBack(state_, totalEnergy(state_, parallel_) - energy, steps * dt, parallel_);
         if (state_.step % kStepsPerLook == 0) {
@@ -363,10 +368,9 @@ class TimeHistory {
     bool open_ended_ = false;  // steps are asked for, whatever the duration
 };
 
-constexpr const char* kAHistory = "a time history";
-
 /// Faults of the model; its doubts go among the state's warnings.
 std::vector<Error> look(State& built, bool parallel) {
+    if (auto refused = refusedWetJoints(built.geometry->model, "a time history")) return {*refused};
     std::vector<Error> errors = checks::implausible(built);
     if (!errors.empty()) return errors;
     for (std::string& doubt : checks::doubtsOfHistory(built, parallel))
@@ -394,7 +398,6 @@ RunResult notBegun(const Model& model, const FullFrame* resume) {
 template <class Begin>
 Result<RunResult> playHistory(const Model& model, const Control& control, const RunOutput& output,
                               const Begin& begin, const FullFrame* resume = nullptr) {
-    if (auto refused = refusedWetJoints(model, kAHistory)) return *refused;
     return inArena(control.threads, [&]() -> Result<RunResult> {
         const auto started = std::chrono::steady_clock::now();
         Result<RunResult> result = [&]() -> Result<RunResult> {
@@ -452,7 +455,6 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
 Result<Simulation> Simulation::begin(std::shared_ptr<const Model> model, const Control& control) {
-    if (auto refused = refusedWetJoints(*model, kAHistory)) return *refused;
     auto history = std::make_unique<History>(std::move(model), control);
     const std::vector<Error> errors = inArena(control.threads, [&]() -> std::vector<Error> {
         Result<State> built = buildState(keptByCaller(*history->model), control.threads != 1, control);
