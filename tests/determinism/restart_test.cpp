@@ -108,6 +108,19 @@ TEST_SUITE("determinism") {
         checkRestarts(model, 12);
     }
 
+    TEST_CASE("restart: joints that lose and regain strength with time, bonded and curved ones") {
+        const Model model = scenarioModel(
+            "[gravity]\ntilt_deg = 32.0\n[run]\nduration_s = 0.04\nframe_interval_s = 0.001\n"
+            "[damping]\ncontact = 1e-5\n[material.rock]\ndensity = 2700.0\n"
+            "[joint.default]\nnormal_stiffness = 1e8\nshear_stiffness = 1e8\nfriction_deg = 40.0\n"
+            "cohesion = 2e3\ntensile_strength = 1e3\nresidual_friction_deg = 25.0\n"
+            "strength_over_time = [[0.0, 1.2], [0.02, 0.2], [0.03, 0.2], [0.04, 0.7]]\n"
+            "[joint.power]\nnormal_stiffness = 1e8\nshear_stiffness = 1e8\nlaw = \"power\"\na = 1.1\nb = "
+            "0.9\nstrength_over_time = [[0.01, 1.0], [0.02, 0.3]]\n"
+            "[[stack]]\ncolumns = 3\nrows = 3\nslices = 2\nblock = [0.2, 0.1, 0.1]\nbed_joint = \"power\"\n");
+        checkRestarts(model, 8);
+    }
+
     TEST_CASE("restart: joints of every law, their strength reduced") {
         Model model = scenarioModel(
             "[gravity]\ntilt_deg = 32.0\n[run]\nduration_s = 0.04\nframe_interval_s = 0.001\n"

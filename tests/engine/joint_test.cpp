@@ -34,6 +34,7 @@ TEST_CASE("the table has every number of a joint once, under keys of their own")
         std::array<double, kJointPropertyCount> values;
         bool tension_reduced;
         std::vector<EnvelopePoint> shear_strength;
+        std::vector<LevelPoint> strength_over_time;
     };
     static_assert(sizeof(Joint) == sizeof(Numbers), "a number of Joint is not in kJointProperties");
     const Joint joint = numbered();

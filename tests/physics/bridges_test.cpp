@@ -128,6 +128,28 @@ TEST_CASE("bridges: what a bridge is mixed of follows a change of either by read
     CHECK_FALSE(formats::canOverride(*scenario, "joint.intact.cohesion"));
 }
 
+TEST_CASE("bridges: joint and rock are mixed only if their strengths change alike") {
+    const std::string table = "strength_over_time = [[0, 0.8], [10, 0.5]]\n";
+    std::string text = bench(40, 5, 5e3, 60e3, "bridge = \"intact\"\n");
+    text.insert(text.find("[joint.intact]"), table);
+    const auto refused = formats::parseScenario(text, "bench.toml");
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.errors()[0].field == "rock_mass.bridge");
+    CHECK(refused.errors()[0].message.find("\"default\" with another strength_over_time than \"intact\"") !=
+          std::string::npos);
+    text.insert(text.find("[rock_mass]"), table);
+    std::string wet = text;
+    wet.insert(wet.find("[joint.intact]"), "wet_strength_factor = 0.5\n");
+    const auto refused_too = formats::parseScenario(wet, "bench.toml");
+    REQUIRE_FALSE(refused_too.ok());
+    CHECK(refused_too.errors()[0].message.find("with a wet_strength_factor of 0.5") != std::string::npos);
+    const auto scenario = formats::parseScenario(text, "bench.toml");
+    REQUIRE(scenario.ok());
+    CHECK(scenario->model.joints.back().strength_over_time.size() == 2);
+    CHECK(safetyFactor(scenario->model)->answer ==
+          doctest::Approx(0.8 * factorOf(40, 5, 5e3, 60e3)).epsilon(3e-3));
+}
+
 TEST_CASE("bridges: water in a joint does not stand in the rock beyond it") {
     // A cross joint parts the block above: the hinder of the two has nothing but rock below it.
     const std::string cross =

@@ -39,7 +39,7 @@ Json limitJson(const VariedQuantity& load, const LimitResult& result, const Comm
             {"iterations", result.iterations},
             {"wall_seconds", number(result.wall_seconds)},
             {"interrupted", result.status == SearchStatus::interrupted},
-            {"warnings", warningsJson(scenario)},
+            {"warnings", warningsJson(scenario, result.warnings)},
             {"provenance", provenance(common, scenario.path)}};
 }
 

@@ -34,16 +34,18 @@ Json factorJson(const StormPoint& point) {
 
 Json pointJson(const StormPoint& point) {
     const bool found = point.status == SearchStatus::found;
-    Json levels = Json::array();
+    Json levels = Json::array(), strengths = Json::array();
     for (const double level : point.levels) levels.push_back(number(level));
+    for (const double strength : point.strengths) strengths.push_back(number(strength));
     return {{"time_s", number(point.time)},
-            {"level_m", number(point.levels.front())},
+            {"level_m", point.levels.empty() ? Json(nullptr) : number(point.levels.front())},
             {"safety_factor", factorJson(point)},
             {"status", toString(point.status)},
             {"bracket", found ? Json{number(point.low), number(point.high)} : Json(nullptr)},
             {"failure_mode", toString(point.mode)},
             {"interpolated", point.interpolated},
-            {"levels_m", levels}};
+            {"levels_m", levels},
+            {"strengths", strengths}};
 }
 
 Json waterJson(const WaterReport& water) {
@@ -70,8 +72,10 @@ Json originJson(const StormPoint& point) {
 std::string leastText(const StormResult& result) {
     if (!result.least) return result.interrupted ? "interrupted" : "undecided";
     const StormPoint& point = result.points[*result.least];
-    const std::string when =
-        " after " + hours(point.time) + ", at a level of " + text(point.levels.front(), 3) + " m";
+    std::string when = " after " + hours(point.time);
+    if (!point.levels.empty()) when += ", at a level of " + text(point.levels.front(), 3) + " m";
+    if (!point.strengths.empty())
+        when += ", with " + text(point.strengths.front(), 3) + " times the strength";
     if (point.status == SearchStatus::unstable_at_start) return "unstable whatever the strength" + when;
     if (point.status == SearchStatus::stable_to_stop) return "stable at any factor that was tried";
     return text(point.factor, 4) + when + " (" + toString(point.mode) + ")";
@@ -90,12 +94,14 @@ std::string balanceText(const WaterReport& water) {
 Table tableOf(const StormResult& result) {
     Table table{{"time_s"}, {}};
     for (const std::string& water : result.waters) table.columns.push_back(water + ".level_m");
+    for (const std::string& joints : result.joints) table.columns.push_back("strength of " + joints);
     for (const char* column : {"safety_factor", "low", "high", "status", "failure_mode", "from"})
         table.columns.emplace_back(column);
     for (const StormPoint& point : result.points) {
         const bool found = point.status == SearchStatus::found;
         std::vector<Json> cells{number(point.time)};
         for (const double level : point.levels) cells.push_back(number(level));
+        for (const double strength : point.strengths) cells.push_back(number(strength));
         for (const double value : {point.factor, point.low, point.high})
             cells.push_back(found ? number(value) : Json(nullptr));
         for (const char* word : {toString(point.status), toString(point.mode)}) cells.emplace_back(word);
@@ -133,6 +139,7 @@ Json stormJson(const StormResult& result, const formats::Scenario& scenario, con
             {"failure_time_s", result.failure_time ? number(*result.failure_time) : Json(nullptr)},
             {"moving_blocks", result.moving_blocks},
             {"waters", result.waters},
+            {"joints", result.joints},
             {"times", times},
             {"at_end", waters},
             {"searches", result.searches},

@@ -1,4 +1,5 @@
-// Factor of safety and level over a rain, one curve above the other axis each.
+// Factor of safety and level over a rain, one curve above the other axis each. Without water that changes,
+// strength has the other axis.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr int kSteps = 8;                                       // ticks of an axis
 constexpr double kRoom = 0.05;                                  // of the range, above and below a curve
-constexpr std::array kRoles{"water-line", "theory", "answer"};  // of levels, in turn
+constexpr std::array kRoles{"water-line", "theory", "answer"};  // of levels or strengths, in turn
 
 struct TimeUnit {
     const char* name;
@@ -38,10 +39,11 @@ class StormPlot {
 
     Plot plot(const std::string& scenario) const {
         const std::string name = std::filesystem::path(scenario).filename().string();
-        Plot plot{"storm", name + title(), "The factor of safety and the water level over time.", xAxis(),
+        Plot plot{"storm", name + title(), "The factor of safety and the " + what() + " over time.", xAxis(),
                   factorAxis()};
-        plot.right = levelAxis();
-        for (std::size_t w = 0; w < result_.waters.size(); ++w) addLevel(plot, w);
+        plot.right = rightAxis();
+        const auto& names = hasLevels() ? result_.waters : result_.joints;
+        for (std::size_t k = 0; k < names.size(); ++k) addCause(plot, names, k);
         addFactor(plot);
         plot.references.push_back({'y', 1, {}, "rule", "", "factor 1"});
         if (result_.failure_time)
@@ -72,19 +74,28 @@ class StormPlot {
         return axisOver("factor of safety", std::max(0.0, low - room), high + room, kSteps);
     }
 
-    PlotAxis levelAxis() const {
-        double low = kInfinity, high = -kInfinity;
-        for (const StormPoint& point : result_.points)
-            for (const double level : point.levels) low = std::min(low, level), high = std::max(high, level);
-        if (!(low <= high)) low = high = 0;
-        return axisOver("water level (m)", low, high + kRoom * (high - low), kSteps);
+    bool hasLevels() const { return !result_.waters.empty(); }
+    std::string what() const { return hasLevels() ? "water level" : "strength"; }
+    const std::vector<double>& causes(const StormPoint& point) const {
+        return hasLevels() ? point.levels : point.strengths;
     }
 
-    void addLevel(Plot& plot, std::size_t w) const {
-        const std::string name = result_.waters.size() > 1 ? "level of " + result_.waters[w] : "level";
-        Series line{"line", kRoles[w % kRoles.size()], name, {}};
+    PlotAxis rightAxis() const {
+        double low = kInfinity, high = -kInfinity;
+        for (const StormPoint& point : result_.points)
+            for (const double value : causes(point)) low = std::min(low, value), high = std::max(high, value);
+        if (!(low <= high)) low = high = 0;
+        return axisOver(hasLevels() ? "water level (m)" : "factor of strength", low,
+                        high + kRoom * (high - low), kSteps);
+    }
+
+    /// The level of one water, or the strength of joints that change alike.
+    void addCause(Plot& plot, const std::vector<std::string>& names, std::size_t k) const {
+        const std::string word = hasLevels() ? "level" : "strength";
+        Series line{
+            "line", kRoles[k % kRoles.size()], names.size() > 1 ? word + " of " + names[k] : word, {}};
         line.right = true;
-        for (const StormPoint& point : result_.points) line.add({time(point.time), point.levels[w]});
+        for (const StormPoint& point : result_.points) line.add({time(point.time), causes(point)[k]});
         plot.series.push_back(std::move(line));
     }
 

@@ -66,8 +66,10 @@ std::string movingText(const LimitResult& result) {
 
 std::string toText(const LimitOptions& options, const LimitResult& result) {
     const std::string kind = result.plane_section ? "plane section" : "in space";
+    std::string warnings;
+    for (const std::string& warning : result.warnings) warnings += row("warning", warning);
     return row("scenario", options.scenario.name()) + row(options.load->limit, answerText(options, result)) +
-           (result.moving_blocks.empty() ? "" : row("moving blocks", movingText(result))) +
+           (result.moving_blocks.empty() ? "" : row("moving blocks", movingText(result))) + warnings +
            row("programme", kind + ", " + std::to_string(result.contact_points) + " contact points, " +
                                 std::to_string(result.rows) + " equations, " +
                                 std::to_string(result.columns) + " columns") +

@@ -44,10 +44,12 @@ Command addStorm(CLI::App& root) {
     app->add_option("--step-s", request.settings.step, "Time between two factors of safety [s]")
         ->check(CLI::Range(1e-3, kLongest))
         ->capture_default_str();
-    app->add_option("--duration-s", request.settings.duration,
-                    "End of the storm [s] (default: the end of the tables of rain, inflow and levels)")
+    app->add_option(
+           "--duration-s", request.settings.duration,
+           "End of the storm [s] (default: the end of the tables of rain, inflow, levels and strength)")
         ->check(CLI::Range(1e-3, kLongest));
-    app->add_option("--plot", request.plot, "FILE.svg: factor of safety and water level over time")
+    app->add_option("--plot", request.plot,
+                    "FILE.svg: factor of safety and water level, or strength, over time")
         ->type_name("FILE");
     app->add_option("--csv", request.csv, "FILE.csv: a row for each time")->type_name("FILE");
     addCommon(*app, options->common);
@@ -55,9 +57,12 @@ Command addStorm(CLI::App& root) {
         "Example:\n  talus storm slope.toml --step-s 600\n  talus storm slope.toml --plot storm.svg --csv "
         "storm.csv\n  talus storm slope.toml --json | jq .least.safety_factor\n\nLevels follow from rain, "
         "inflow, leak and overflow of closed volumes, and from tables of levels, with the walls\nfixed as "
-        "built. For each level the factor of safety is searched, with that level held constant. If a single "
-        "level\nchanges, factors between searches are interpolated where the error is below "
-        "analysis.factor_tolerance.\n\nA factor below 1 is a result (exit code 0). An undecided one is not "
+        "built; strengths follow from strength_over_time of joints. For each level and strength the factor "
+        "of\n"
+        "safety is searched, with both held constant. If a single level or strength changes, factors "
+        "between\n"
+        "searches are interpolated where the error is below analysis.factor_tolerance.\n\nA factor below 1 "
+        "is a result (exit code 0). An undecided one is not "
         "(exit code 3).");
     return {app, [options] { return compute(*options); }};
 }

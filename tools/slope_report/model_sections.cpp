@@ -36,10 +36,27 @@ std::string strengthText(const Joint& joint) {
     return "power law: a " + figureText(joint.a) + ", b " + figureText(joint.b);
 }
 
+/// The factors between which strength changes.
+std::string overTimeText(const Joint& joint) {
+    if (joint.strength_over_time.empty()) return "";
+    double low = joint.strength_over_time.front().value, high = low;
+    for (const LevelPoint& point : joint.strength_over_time)
+        low = std::min(low, point.value), high = std::max(high, point.value);
+    const std::string range =
+        low == high ? "" : ", from " + figureText(low) + " to " + figureText(high) + " over time";
+    return "; times " + figureText(strengthFactor(joint, 0)) + " at time 0" + range;
+}
+
+std::string wetText(const Joint& joint) {
+    return joint.wet_strength_factor == 1 ? ""
+                                          : "; times " + figureText(joint.wet_strength_factor) + " where wet";
+}
+
 void addJoints(const Model& model, HtmlPage& page) {
     std::vector<std::vector<std::string>> rows;
     for (const Joint& joint : model.joints) {
-        rows.push_back({joint.name, strengthText(joint), figureText(joint.normal_stiffness / kGiga),
+        rows.push_back({joint.name, strengthText(joint) + overTimeText(joint) + wetText(joint),
+                        figureText(joint.normal_stiffness / kGiga),
                         figureText(joint.shear_stiffness / kGiga)});
     }
     page.table("Joints: friction angle and cohesion, stiffness in GPa/m",

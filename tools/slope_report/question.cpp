@@ -86,12 +86,13 @@ std::optional<Chosen<kinematics::Face>> netFace(const formats::Scenario& scenari
 }
 
 Chosen<double> netFriction(const Model& model) {
-    const Joint* least = nullptr;
-    for (const Joint& joint : model.joints) {
-        if (frictionAngle(joint) > 0 && (least == nullptr || frictionAngle(joint) < frictionAngle(*least)))
-            least = &joint;
+    std::optional<Joint> least;
+    for (const Joint& given : model.joints) {
+        const Joint joint = strengthAt(given, 0);
+        if (frictionAngle(joint) > 0 && (!least || frictionAngle(joint) < frictionAngle(*least)))
+            least = joint;
     }
-    if (least == nullptr) return {0, "no joint has friction"};
+    if (!least) return {0, "no joint has friction"};
     return {frictionAngle(*least), "the least of the joints that have friction, that of " + least->name};
 }
 

@@ -195,6 +195,12 @@ inline constexpr std::array kJointProperties{
                   .laws = kCurvedLaws,
                   .in_law = "",
                   .what = "share of the law's shear strength that is left after the first slip"},
+    JointProperty{.key = "wet_strength_factor",
+                  .value = &Joint::wet_strength_factor,
+                  .unit = "",
+                  .allowed = {1e-3, 1},
+                  .in_law = "",
+                  .what = "times all strengths where water presses in the joint, in searches"},
 };
 inline constexpr std::size_t kJointPropertyCount = kJointProperties.size();
 
@@ -216,17 +222,29 @@ constexpr const JointProperty& propertyOf(double Joint::*value) {
     return kJointProperties[jointProperty(value)];
 }
 
+/// Allowed factors of strength over time. A joint keeps a thousandth of its strength, so that the kinds of
+/// strength that it has do not change with time. A factor of 10 and more is a percentage.
+inline constexpr Interval kStrengthOverTime{1e-3, 10, false, true};
+
+/// Whether it is a strength: what a factor of strength over time multiplies. All strengths of a joint change
+/// together, the tensile one too: ice and clay carry tension as they carry shear.
+inline bool isStrength(const Joint& joint, const JointProperty& property) {
+    return property.reduced_in.has(joint.law) || property.value == &Joint::tensile_strength;
+}
+
 /// Whether strength reduction divides it.
 inline bool isReduced(const Joint& joint, const JointProperty& property) {
     return property.reduced_in.has(joint.law) ||
            (joint.tension_reduced && property.value == &Joint::tensile_strength);
 }
 
-/// The contact law's parameter from a property: the tangent of an angle, else the value itself; over `factor`
-/// where strength reduction divides it.
-inline double lawValue(const Joint& joint, const JointProperty& property, double factor = 1) {
+/// The contact law's parameter from a property: the tangent of an angle, else the value itself; times
+/// `strength` where it is a strength, and over `factor` where strength reduction divides it.
+inline double lawValue(const Joint& joint, const JointProperty& property, double factor = 1,
+                       double strength = 1) {
     const double value = joint.*property.value;
-    return (property.isAngle() ? std::tan(value) : value) / (isReduced(joint, property) ? factor : 1.0);
+    return (property.isAngle() ? std::tan(value) : value) * (isStrength(joint, property) ? strength : 1.0) /
+           (isReduced(joint, property) ? factor : 1.0);
 }
 
 /// A joint with its strengths over `factor`.
@@ -237,6 +255,18 @@ inline Joint reduced(Joint joint, double factor) {
                                                        : lawValue(joint, property, factor);
     return joint;
 }
+
+/// The factor of its strengths at a time [s]: linear between the entries of its table, constant beyond.
+double strengthFactor(const Joint& joint, double time);
+
+/// Whether that factor is not the same at all times.
+bool changesStrength(const Joint& joint);
+
+/// A joint with `factor` times the strengths.
+Joint strengthened(Joint joint, double factor);
+
+/// A joint whose strength is at all times what it is at this one [s]. Searches take time 0.
+Joint strengthAt(Joint joint, double time);
 
 /// A joint with `factor` times the stiffness.
 inline Joint stiffened(Joint joint, double factor) {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "talus/level_point.h"
+
 namespace talus {
 
 /// How the shear strength tau of a joint follows from the normal stress sigma_n on it.
@@ -66,12 +68,17 @@ struct Joint {
     double jrc = 0;                     ///< JRC, roughness [deg per decade of stress, as it is defined]
     double jcs = 0;                     ///< JCS, strength of the wall [Pa]
     double max_friction = 70 * (3.14159265358979323846 / 180);  ///< greatest angle of tau over sigma_n [rad]
-    double a = 0;                  ///< strength at a normal stress of 1 Pa [Pa^(1 - b)]
-    double b = 0;                  ///< exponent of the normal stress
-    double strength_factor = 1;    ///< times the strength of a law that is not Coulomb's
-    double residual_factor = 1;    ///< of that strength, after the first slip; of a law that is not Coulomb's
-    bool tension_reduced = false;  ///< strength reduction divides the tensile strength, too
+    double a = 0;                ///< strength at a normal stress of 1 Pa [Pa^(1 - b)]
+    double b = 0;                ///< exponent of the normal stress
+    double strength_factor = 1;  ///< times the strength of a law that is not Coulomb's
+    double residual_factor = 1;  ///< of that strength, after the first slip; of a law that is not Coulomb's
+    double wet_strength_factor = 1;             ///< times all its strengths where water presses in it
+    bool tension_reduced = false;               ///< strength reduction divides the tensile strength, too
     std::vector<EnvelopePoint> shear_strength;  ///< from zero normal stress upwards; the last slope goes on
+    /// Factor of all its strengths over time, within kStrengthOverTime; empty: 1. Ice in joints loses
+    /// strength as it warms (P. Mamot, S. Weber, T. Schroeder and M. Krautblatter, The Cryosphere 12, 3333,
+    /// 2018).
+    std::vector<LevelPoint> strength_over_time{};
 };
 
 /// Shear strength of an intact joint at a normal stress, compression positive [Pa].

@@ -12,6 +12,7 @@
 
 #include "talus/flow_data.h"
 #include "talus/joint.h"
+#include "talus/level_point.h"
 #include "talus/polyhedron.h"
 #include "talus/result.h"
 #include "talus/surface.h"
@@ -50,12 +51,6 @@ struct PairJoint {
 struct WetFace {
     std::int32_t block = 0;
     std::int32_t face = 0;
-};
-
-/// An entry of a table over time.
-struct LevelPoint {
-    double time = 0;   ///< [s]
-    double value = 0;  ///< depth or elevation [m], or a load's factor
 };
 
 /// Water in one fissure. Hydrostatic below a horizontal table: p = rho_w g * (depth below the table along

@@ -9,8 +9,10 @@
 #include "block_theory/groups.h"
 #include "block_theory/warnings.h"
 #include "build/build.h"
+#include "build/wet_joints.h"
 #include "checks/plausible.h"
 #include "measure/natural_order.h"
+#include "model/over_time.h"
 #include "state/caller.h"
 #include "state/range.h"
 #include "state/threads.h"
@@ -20,27 +22,31 @@ namespace {
 
 using namespace keyblocks;
 
-KeyBlock keyBlockOf(const Slope& slope, const Model& model, std::size_t block) {
+/// \param joints  of the model, as strong as they are now
+KeyBlock keyBlockOf(const Slope& slope, const Model& model, const std::vector<Joint>& joints,
+                    std::size_t block) {
     KeyBlock key;
     key.name = model.blocks[block].name;
     key.volume = slope.volume[block];
     key.mass = slope.mass[block];
     const Body body{slope.force[block], slope.contactsOf(block)};
-    key.sliding = judge(body, model.joints);
+    key.sliding = judge(body, joints);
     key.free_direction =
         key.sliding.mode != SlidingMode::none ? key.sliding.direction : freeDirection(body.contacts);
     key.removable = key.free_direction.norm() > 0;
     return key;
 }
 
-std::vector<KeyBlock> keyBlocksOf(const Slope& slope, const Model& model, bool parallel) {
+std::vector<KeyBlock> keyBlocksOf(const Slope& slope, const Model& model, const std::vector<Joint>& joints,
+                                  bool parallel) {
     constexpr std::size_t kGrain = 512;  // blocks
     std::vector<std::size_t> free;
     for (std::size_t b = 0; b < slope.size(); ++b)
         if (slope.free[b]) free.push_back(b);
     std::vector<KeyBlock> blocks(free.size());
     forRange(free.size(), kGrain, parallel, [&](Range range) {
-        for (std::size_t k = range.begin; k < range.end; ++k) blocks[k] = keyBlockOf(slope, model, free[k]);
+        for (std::size_t k = range.begin; k < range.end; ++k)
+            blocks[k] = keyBlockOf(slope, model, joints, free[k]);
     });
     return blocks;
 }
@@ -53,8 +59,8 @@ std::vector<std::string> namesOf(const Model& model, const std::vector<std::size
 }
 
 std::vector<MovingGroup> movingGroups(const Slope& slope, const Model& model,
-                                      const std::vector<Group>& groups) {
-    BodyMaker maker(slope, model.joints);
+                                      const std::vector<Joint>& joints, const std::vector<Group>& groups) {
+    BodyMaker maker(slope, joints);
     std::vector<MovingGroup> moving;
     for (const Group& group : groups) {
         moving.push_back({.blocks = namesOf(model, group.members),
@@ -69,13 +75,14 @@ std::vector<MovingGroup> movingGroups(const Slope& slope, const Model& model,
 KeyBlockResult analyse(State& state, bool parallel, const Control& control,
                        const KeyBlockSettings& settings) {
     const Model& model = state.geometry->model;
+    const std::vector<Joint> joints = strengthsAt(model.joints, state.load.time);
     const Slope slope = slopeOf(state);
     KeyBlockResult result;
-    result.blocks = keyBlocksOf(slope, model, parallel);
+    result.blocks = keyBlocksOf(slope, model, joints, parallel);
     const GroupSearch search =
-        leastGroups(slope, model.joints, settings.most_groups, settings.factor_volume, parallel, control);
-    result.groups = movingGroups(slope, model, search.groups);
-    result.factor_volume = movingGroups(slope, model, search.curve);
+        leastGroups(slope, joints, settings.most_groups, settings.factor_volume, parallel, control);
+    result.groups = movingGroups(slope, model, joints, search.groups);
+    result.factor_volume = movingGroups(slope, model, joints, search.curve);
     result.directions = search.directions;
     result.groups_judged = search.judged;
     result.interrupted = search.interrupted;
@@ -118,7 +125,8 @@ Result<KeyBlockResult> keyBlocks(const Model& model, const Control& control,
     const auto begin = std::chrono::steady_clock::now();
     return inArena(control.threads, [&]() -> Result<KeyBlockResult> {
         const bool parallel = control.threads != 1;
-        Result<State> state = buildState(keptByCaller(model), parallel, control);
+        std::shared_ptr<const Model> kept = keptByCaller(model);
+        Result<State> state = buildWithWetJoints(kept, parallel, control);
         KeyBlockResult result;
         result.interrupted = isStopped(control);
         if (result.interrupted) return result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "checks/strength_held.h"
 #include "forces/bolt_law.h"
 
 namespace talus::keyblocks {
@@ -53,6 +54,7 @@ std::size_t pointContacts(const Slope& slope) {
 
 std::vector<std::string> warningsOf(const State& state, const Slope& slope, const GroupSearch& search) {
     std::vector<std::string> told = state.warnings;
+    for (std::string& held : checks::strengthsHeld(state.geometry->model)) told.push_back(std::move(held));
     const auto tell = [&](const std::set<std::string>& names, const std::string& what) {
         if (!names.empty()) told.push_back(what + ": " + listed(names));
     };

@@ -86,17 +86,25 @@ double largestFactor(const AppliedLoad& load) {
     return most;
 }
 
+double leastFriction(const Joint& joint) {
+    double least = joint.strength_over_time.empty() ? joint.friction : kInfinity;
+    for (const LevelPoint& point : joint.strength_over_time)
+        least = std::min(least, strengthAt(joint, point.time).friction);
+    return least;
+}
+
 /// A joint that dilates by more per slip than its friction resists gains work as it slides: it drives itself
 /// downhill. (J. Vermeer and R. de Borst, Heron 29(3), 1984: the angle of dilation is well below that of
-/// friction.)
+/// friction.) Where strength changes over time, the least friction counts.
 std::vector<Error> dilatesTooMuch(const Model& model) {
     std::vector<Error> errors;
     for (const Joint& joint : model.joints) {
-        if (joint.law == StrengthLaw::coulomb && joint.dilation > joint.friction) {
+        const double friction = leastFriction(joint);
+        if (joint.law == StrengthLaw::coulomb && joint.dilation > friction) {
             errors.push_back(
                 {fieldOf(joint, "dilation_deg"),
                  "found " + formatted("%g", degrees(joint.dilation)) + " with a friction angle of " +
-                     formatted("%g", degrees(joint.friction)) +
+                     formatted("%g", degrees(friction)) +
                      ": the joint would create energy as it slides, allowed: at most the friction angle"});
         }
     }

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "forces/contact_forces.h"
+#include "forces/phreatic_folds.h"
 #include "forces/water.h"
 #include "forces/wet_walls.h"
 #include "geometry/box_clip.h"
@@ -15,9 +15,6 @@
 
 namespace talus::phreatic {
 namespace {
-
-/// Across gravity and y: along it the line's points have to follow each other.
-Vec3 acrossOf(const Vec3& down) { return down.cross(Vec3::UnitY()).normalized(); }
 
 Vec3 placeOf(const PhreaticSurface::Point& point, const Vec3& origin) {
     return Vec3(point.x, 0, point.z) - origin;
@@ -61,34 +58,48 @@ Lies liesTo(double reach, double height) {
     return height > farthest ? Lies::inside : height < -farthest ? Lies::outside : Lies::across;
 }
 
+LinearPressure pressureIn(const Cell& cell, const FaceFrame& face) {
+    return {cell.p0 + cell.gradient.dot(face.origin),
+            {cell.gradient.dot(face.e1), cell.gradient.dot(face.e2)}};
+}
+
+/// The part of a polygon between a cell's sides; null where there is none, or all of it is dry.
+///
 /// Most polygons lie wholly on one side of each plane and need no clipping: that halved a run's time. Most
 /// lie far from it, so that their corners need no test: that halved the remaining time.
 /// \param reach  of the farthest corner from the face's origin [m]
-Thrust thrustOn(const Cell& cell, const Polygon& whole, double reach, const FaceFrame& face) {
+/// \param clipped  holds the part where it is not the whole
+const Polygon* partIn(const Cell& cell, const Polygon& whole, double reach, const FaceFrame& face,
+                      Polygon& clipped) {
     const double pressure = cell.p0 + cell.gradient.dot(face.origin);
-    if (liesTo(cell.steepest * reach, pressure) == Lies::outside) return {};  // dry
-    Polygon clipped;
+    if (liesTo(cell.steepest * reach, pressure) == Lies::outside) return nullptr;  // dry
     const Polygon* polygon = &whole;
     for (int k = 0; k < cell.side_count; ++k) {
         const Side& side = cell.sides[static_cast<std::size_t>(k)];
-        if (polygon->empty()) return {};
+        if (polygon->empty()) return nullptr;
         const double beyond = side.normal.dot(face.origin) - side.offset, most = -side.sign * beyond;
         Lies lies = liesTo(reach, most);
-        if (lies == Lies::outside) return {};
+        if (lies == Lies::outside) return nullptr;
         if (lies == Lies::inside) continue;
         const Vec2 across = side.sign * Vec2(side.normal.dot(face.e1), side.normal.dot(face.e2));
         if (across.norm() <= 1e-12) {
             if (most < 0 || (most == 0 && side.sign > 0))  // a face along the side belongs to one of two
-                return {};
+                return nullptr;
             continue;
         }
         lies = liesTo(*polygon, across, most);
-        if (lies == Lies::outside) return {};
+        if (lies == Lies::outside) return nullptr;
         if (lies == Lies::inside) continue;
         clipped = clipHalfPlane(*polygon, across, most);
         polygon = &clipped;
     }
-    return talus::thrustOn(*polygon, {pressure, {cell.gradient.dot(face.e1), cell.gradient.dot(face.e2)}});
+    return polygon;
+}
+
+Thrust thrustOn(const Cell& cell, const Polygon& whole, double reach, const FaceFrame& face) {
+    Polygon clipped;
+    const Polygon* part = partIn(cell, whole, reach, face, clipped);
+    return part == nullptr ? Thrust{} : talus::thrustOn(*part, pressureIn(cell, face));
 }
 
 // --- a line
@@ -315,32 +326,6 @@ void leaveToOthers(State& state) {
 // --- what is refused
 // -----------------------------------------------------------------------------------------------------
 
-std::optional<Error> foldedLine(const PhreaticSurface& surface, const Vec3& down) {
-    const Vec3 across = acrossOf(down);
-    for (std::size_t k = 0; k + 1 < surface.line.size(); ++k)
-        if (across.dot(placeOf(surface.line[k + 1], placeOf(surface.line[k], Vec3::Zero()))) <= 0)
-            return Error{surface.field + ".surface",
-                         "seen along gravity the line folds back behind its point " + std::to_string(k + 1) +
-                             "; allowed: points in order across the direction of gravity"};
-    return std::nullopt;
-}
-
-std::string placeText(const Vec3& p) {
-    char text[80];
-    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x(), p.y(), p.z());
-    return text;
-}
-
-std::optional<Error> foldedMesh(const PhreaticSurface& surface, const Vec3& down) {
-    const auto at = [&](std::int32_t v) { return surface.mesh.vertices[static_cast<std::size_t>(v)]; };
-    for (const auto& [a, b, c] : surface.mesh.triangles)
-        if ((at(b) - at(a)).cross(at(c) - at(a)).dot(down) >= 0)
-            return Error{surface.field + ".obj", "seen along gravity the surface folds back at " +
-                                                     placeText(at(a)) +
-                                                     "; allowed: triangles that all face up"};
-    return std::nullopt;
-}
-
 bool isBelowSome(const Cells& cells, const Vec3& point) {
     bool found = false;
     const FaceFrame there{point, Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
@@ -370,8 +355,8 @@ std::optional<Error> tooSmallMesh(const State& state) {
 std::optional<Error> faultOf(State& state) {
     const PhreaticSurface& surface = *state.geometry->model.phreatic;
     const Vec3 down = downward(state.geometry->model.gravity, state.load.tilt);
-    if (surface.mesh.triangles.empty()) return foldedLine(surface, down);
-    if (auto folded = foldedMesh(surface, down)) return folded;
+    if (auto folded = foldedSurface(surface, down)) return folded;
+    if (surface.mesh.triangles.empty()) return std::nullopt;
     makeCells(state);
     return tooSmallMesh(state);
 }
@@ -400,6 +385,19 @@ Outline outlineIn(const Polyhedron& shape, std::size_t face) {
     Outline outline{faceFrame(shape, face), talus::outlineOf(shape, face)};
     outline.reach = reachOf(outline.corners);
     return outline;
+}
+
+double wetArea(const Cells& cells, const Polygon& polygon, const FaceFrame& face) {
+    double sum = 0;
+    const double reach = reachOf(polygon);
+    eachCellNear(cells, polygon, face, [&](const Cell& cell) {
+        Polygon clipped;
+        const Polygon* part = partIn(cell, polygon, reach, face, clipped);
+        if (part == nullptr || part->empty()) return;
+        const Polygon wet = wetPart(*part, pressureIn(cell, face));
+        if (!wet.empty()) sum += area(wet);
+    });
+    return sum;
 }
 
 Wrench pressureOn(const Cells& cells, const Outline& face, const Vec3& position, const Mat3& turn) {

@@ -68,6 +68,9 @@ Cells cellsOf(const PhreaticSurface& surface, const Vec3& down, double unit_weig
 /// On a block's face, about the block's centroid, model frame [N, N m]. \param position, turn  of the block
 Wrench pressureOn(const Cells& cells, const Outline& face, const Vec3& position, const Mat3& turn);
 
+/// Of a face's polygon below the surface, where its pressure is more than nothing [m^2].
+double wetArea(const Cells& cells, const Polygon& polygon, const FaceFrame& face);
+
 /// Errors: a surface that folds back when it is seen along gravity, a mesh that does not reach over a free
 /// block.
 std::vector<Error> build(State& state, ForceParts& parts);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "build/build.h"
+#include "build/wet_joints.h"
 #include "checks/loose_blocks.h"
 #include "checks/passing.h"
 #include "checks/plausible.h"
@@ -19,6 +20,7 @@
 #include "history/given_step.h"
 #include "history/history_record.h"
 #include "history/initial_state.h"
+#include "law/joint_laws.h"
 #include "measure/measure.h"
 #include "measure/words.h"
 #include "state/block_motion.h"
@@ -62,7 +64,9 @@ class TimeHistory {
           output_(output),
           parallel_(parallel),
           settings_(state_.geometry->model.run),
-          watched_(history::watchedBlocks(state_.geometry->model)) {
+          watched_(history::watchedBlocks(state_.geometry->model)),
+          changes_strength_(std::any_of(state_.geometry->model.joints.begin(),
+                                        state_.geometry->model.joints.end(), changesStrength)) {
         if (output_.begin) geometry_ = geometryOf(state_);
     }
 
@@ -272,6 +276,13 @@ class TimeHistory {
         if (!fault_ && state_.time >= progress_.next_frame - 0.5 * progress_.time_step) frameIsDue();
     }
 
+    /// For the steps up to the next look the strength at the middle of them. It changes before the forces of
+    /// the first of them, so that each frame's forces are of its laws.
+    void followStrengthsForALook() {
+        const double middle = state_.time + 0.5 * (kStepsPerLook - 1) * progress_.time_step;
+        followStrengths(state_.geometry->model.joints, middle, state_.laws);
+    }
+
     void computeSteps(int steps) {
         const double dt = progress_.time_step;
         const bool kept = keepsEnergy();
@@ -279,6 +290,7 @@ class TimeHistory {
         advance(state_, {dt, parallel_}, steps, [&](int) {
             state_.time += dt;
             state_.load.time = state_.time;
+            if (changes_strength_ && state_.step % kStepsPerLook == 0) followStrengthsForALook();
         });
         if (kept) takeBack(state_, totalEnergy(state_, parallel_) - energy, steps * dt, parallel_);
         if (state_.step % kStepsPerLook == 0) {
@@ -342,6 +354,7 @@ class TimeHistory {
     bool parallel_;
     const RunSettings& settings_;
     std::vector<std::size_t> watched_;
+    bool changes_strength_;                  // of some joint
     std::optional<RunGeometry> geometry_{};  // until it is handed out
     RunProgress progress_;
     InitialState start_ = InitialState::unstressed;
@@ -357,6 +370,7 @@ class TimeHistory {
 
 /// Faults of the model; its doubts go among the state's warnings.
 std::vector<Error> look(State& built, bool parallel) {
+    if (auto refused = refusedWetJoints(built.geometry->model, "a time history")) return {*refused};
     std::vector<Error> errors = checks::implausible(built);
     if (!errors.empty()) return errors;
     for (std::string& doubt : checks::doubtsOfHistory(built, parallel))

@@ -13,7 +13,12 @@ namespace talus {
 /// law's strength_factor.
 void setRest(const Joint& joint, contact::JointLaw& law);
 
-/// The joints' laws with their strengths over `factor`.
-std::vector<contact::JointLaw> jointLaws(const std::vector<Joint>& joints, double factor = 1.0);
+/// The joints' laws at a time [s], with their strengths over `factor`. Searches use those of time 0. What
+/// contact points remember is the same at all times, because no strength falls to zero (kStrengthOverTime).
+std::vector<contact::JointLaw> jointLaws(const std::vector<Joint>& joints, double factor = 1.0,
+                                         double time = 0.0);
+
+/// Brings the laws of joints whose strength changes to a time of a history [s].
+void followStrengths(const std::vector<Joint>& joints, double time, std::vector<contact::JointLaw>& laws);
 
 }  // namespace talus

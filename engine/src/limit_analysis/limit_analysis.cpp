@@ -6,7 +6,9 @@
 #include <cstdio>
 
 #include "build/build.h"
+#include "build/wet_joints.h"
 #include "checks/plausible.h"
+#include "checks/strength_held.h"
 #include "forces/sum.h"
 #include "law/joint_laws.h"
 #include "limit_analysis/assemble.h"
@@ -370,7 +372,8 @@ template <class T, class Body>
 Result<T> withAssembly(const Model& model, const Control& control, const LimitSettings& settings,
                        const T& interrupted, const Body& body) {
     return inArena(control.threads, [&]() -> Result<T> {
-        Result<State> built = buildState(keptByCaller(model), control.threads != 1, control);
+        std::shared_ptr<const Model> kept = keptByCaller(model);
+        Result<State> built = buildWithWetJoints(kept, control.threads != 1, control);
         if (isStopped(control)) return interrupted;
         if (!built) return built.errors();
         built->load.gravity_share = built->load.water_share = 1;
@@ -382,6 +385,11 @@ std::string tooManyPoints(std::size_t points, std::size_t most, bool section) {
     return "the model has " + std::to_string(points) + " contact points" +
            (section ? " in its section" : "") + "; by default limit analysis is computed up to " +
            std::to_string(most);
+}
+
+std::optional<Error> refusedOverTilt(const Model& model, Varied load) {
+    if (load != Varied::tilt) return std::nullopt;
+    return refusedWetJoints(model, "limit analysis over the tilt");
 }
 
 constexpr const char* kInterrupted = "limit analysis was interrupted";
@@ -399,6 +407,7 @@ Ceiling upperEnd(const LimitResult& result) {
 Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control& control,
                                   const LimitSettings& settings) {
     const auto begin = std::chrono::steady_clock::now();
+    if (auto refused = refusedOverTilt(model, load)) return *refused;
     LimitResult interrupted;
     interrupted.status = SearchStatus::interrupted;
     return withAssembly<LimitResult>(
@@ -412,6 +421,7 @@ Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control
                 return tooLarge(assembly.points.size(), settings.max_contact_points);
             if (const std::string why = whyNot(state, assembly); !why.empty()) return Error{"", why};
             LimitResult result = analyse(state, assembly, load, control, settings);
+            result.warnings = checks::strengthsHeld(model);
             result.wall_seconds =
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             return result;
@@ -437,8 +447,10 @@ Ceiling ceilingOf(State& state, Varied load, bool always, const Control& control
 
 Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const Control& control,
                              const LimitSettings& settings) {
+    if (auto refused = refusedOverTilt(model, load)) return *refused;
     return inArena(control.threads, [&]() -> Result<Ceiling> {
-        Result<State> built = buildState(keptByCaller(model), control.threads != 1, control);
+        std::shared_ptr<const Model> kept = keptByCaller(model);
+        Result<State> built = buildWithWetJoints(kept, control.threads != 1, control);
         if (isStopped(control)) return Ceiling{std::nullopt, kInterrupted};
         if (!built) return built.errors();
         return limit::ceilingOf(*built, load, always, control, settings);

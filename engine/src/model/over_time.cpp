@@ -1,5 +1,9 @@
 #include "model/over_time.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace talus {
 
 double valueAt(const std::vector<LevelPoint>& table, double time) {
@@ -32,6 +36,37 @@ double levelAt(const Water& water, double time) {
 
 double factorAt(const AppliedLoad& load, double time) {
     return load.factor.empty() ? 1.0 : valueAt(load.factor, time);
+}
+
+double strengthFactor(const Joint& joint, double time) {
+    return joint.strength_over_time.empty() ? 1.0 : valueAt(joint.strength_over_time, time);
+}
+
+bool changesStrength(const Joint& joint) {
+    const std::vector<LevelPoint>& table = joint.strength_over_time;
+    return std::any_of(table.begin(), table.end(),
+                       [&](const LevelPoint& point) { return point.value != table.front().value; });
+}
+
+Joint strengthened(Joint joint, double factor) {
+    if (factor == 1) return joint;  // to the bit: an angle's tangent and back rounds
+    for (const JointProperty& property : kJointProperties) {
+        if (!isStrength(joint, property)) continue;
+        const double value = lawValue(joint, property, 1, factor);
+        joint.*property.value = property.isAngle() ? std::atan(value) : value;
+    }
+    return joint;
+}
+
+Joint strengthAt(Joint joint, double time) {
+    const double factor = strengthFactor(joint, time);
+    joint.strength_over_time.clear();
+    return strengthened(std::move(joint), factor);
+}
+
+std::vector<Joint> strengthsAt(std::vector<Joint> joints, double time) {
+    for (Joint& joint : joints) joint = strengthAt(std::move(joint), time);
+    return joints;
 }
 
 }  // namespace talus

@@ -19,4 +19,7 @@ double levelAt(const Water& water, double time);
 /// Factor of a load's force or pressure; 1 by default.
 double factorAt(const AppliedLoad& load, double time);
 
+/// strengthAt of each joint.
+std::vector<Joint> strengthsAt(std::vector<Joint> joints, double time);
+
 }  // namespace talus

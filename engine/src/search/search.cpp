@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "build/build.h"
+#include "build/wet_joints.h"
 #include "checks/closed_volumes.h"
 #include "checks/loose_blocks.h"
 #include "checks/plausible.h"
+#include "checks/strength_held.h"
 #include "equilibrium/release.h"
 #include "measure/stopwatch.h"
 #include "search/search_run.h"
@@ -77,9 +79,9 @@ LoadAxis Search::axisOf(const Model& model) const {
 std::vector<Error> Search::build() {
     const bool all = std::find(gone_.begin(), gone_.end(), 1) == gone_.end();
     rest_ = all ? keptByCaller(model_) : std::make_shared<const Model>(withoutBlocks(model_, gone_));
+    Result<State> built = buildWithWetJoints(rest_, control_.threads != 1, control_);
     axis_ = axisOf(*rest_);
     strength_ = strengthAxis(*rest_, rules_);
-    Result<State> built = buildState(rest_, control_.threads != 1, control_);
     if (isStopped(control_)) return {};
     if (!built) return built.errors();
     built_ = std::move(*built);
@@ -90,7 +92,8 @@ std::vector<Error> Search::build() {
     if (takeOutOfModel(slivers, &slivers_)) return build();
     if (auto errors = checks::implausibleSearch(*built_, imbalance, bounds); !errors.empty()) return errors;
     for (std::string& doubt : checks::doubts(*built_)) built_->warnings.push_back(std::move(doubt));
-    for (std::string& held : checks::levelsHeld(*rest_)) built_->warnings.push_back(std::move(held));
+    for (auto held : {checks::levelsHeld, checks::strengthsHeld})
+        for (std::string& line : held(*rest_)) built_->warnings.push_back(std::move(line));
     warnOfLooseBlocks();
     stopDrivenBlocks();
     built_->searches_around = true;
@@ -313,6 +316,10 @@ bool Search::letSmallGo(EquilibriumPath& path, const Followed& found, bool is_an
 }
 Result<SearchResult> searchFor(Varied varied, const Model& model, const Control& control,
                                const SearchRules& rules) {
+    if (varied == Varied::tilt)
+        if (auto refused = refusedWetJoints(model, "a search over the tilt")) return *refused;
+    if (control.keep_failing_state)
+        if (auto refused = refusedWetJoints(model, "the history of a failure")) return *refused;
     return inArena(control.threads, [&]() -> Result<SearchResult> {
         const Stopwatch all;
         Result<SearchResult> result = Search(varied, model, control, rules).run();

@@ -16,16 +16,42 @@
 namespace talus {
 namespace {
 
-// Halvings of the range of levels before a straight line is accepted: nine searches if there are as many
-// levels. A kink between two neighbours of them is missed.
+// Halvings of the range of levels, or strengths, before a straight line is accepted: nine searches if there
+// are as many levels. A kink between two neighbours of them is missed.
 constexpr int kHalvings = 2;
 // Of the tolerance of factors, by which the search between two others may lie off their straight line. Lines
 // to it are drawn from both. A parabola through the three is off these lines by a quarter of that at most.
 constexpr double kOffLine = 4;
 
-/// Levels that occur, and the factor of safety with them.
+/// Joints whose strengths change alike.
+struct ChangingJoints {
+    std::string names;
+    std::vector<std::size_t> joints{};  ///< of the model
+};
+
+std::vector<ChangingJoints> changingJoints(const std::vector<Joint>& joints) {
+    std::vector<ChangingJoints> all;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        if (!changesStrength(joints[j])) continue;
+        const auto& table = joints[j].strength_over_time;
+        const auto alike = std::find_if(all.begin(), all.end(), [&](const ChangingJoints& each) {
+            return joints[each.joints.front()].strength_over_time == table;
+        });
+        if (alike == all.end()) {
+            all.push_back({joints[j].name, {j}});
+            continue;
+        }
+        // One derived from another ("default@18.5deg") has no name in the scenario.
+        if (joints[j].name.find('@') == std::string::npos) alike->names += ", " + joints[j].name;
+        alike->joints.push_back(j);
+    }
+    return all;
+}
+
+/// Levels and strengths that occur, and the factor of safety with them.
 struct Stand {
-    std::vector<double> levels;  ///< of the waters that change
+    /// levels of the waters that change, then factors of the strengths that change
+    std::vector<double> values;
     bool known = false;
     StormPoint found{};
     std::vector<std::string> moving_blocks{}, warnings{};
@@ -53,6 +79,7 @@ class StormSearch {
     StormSearch(const Model& model, const Control& control) : model_(model), control_(control) {
         for (std::size_t water = 0; water < model.waters.size(); ++water)
             if (search::changes(model.waters[water])) changing_.push_back(water);
+        joints_ = changingJoints(model.joints);
     }
 
     std::vector<Error> fill(const std::vector<double>& times) {
@@ -67,19 +94,22 @@ class StormSearch {
             StormPoint& point = result_.points.emplace_back();
             point.time = times[k];
             for (const std::size_t water : changing_) point.levels.push_back(levels[k][water]);
-            distinct.emplace(point.levels, 0);
+            for (const ChangingJoints& joints : joints_)
+                point.strengths.push_back(strengthFactor(model_.joints[joints.joints.front()], point.time));
+            distinct.emplace(valuesAt(point), 0);
         }
         for (auto& [of, index] : distinct) {
             index = stands_.size();
             stands_.push_back({of});
         }
-        for (const StormPoint& point : result_.points) stand_at_.push_back(distinct.at(point.levels));
+        for (const StormPoint& point : result_.points) stand_at_.push_back(distinct.at(valuesAt(point)));
         return {};
     }
 
     std::vector<Error> search() {
         if (stands_.empty()) return {};  // interrupted
         for (const std::size_t water : changing_) result_.waters.push_back(model_.waters[water].field);
+        for (const ChangingJoints& joints : joints_) result_.joints.push_back(joints.names);
         if (const auto one = theOnlyOneThatVaries())
             refine(0, stands_.size() - 1, *one, kHalvings);
         else
@@ -104,15 +134,21 @@ class StormSearch {
  private:
     bool goesOn() const { return errors_.empty() && !isStopped(control_); }
 
-    /// Index among the waters that change; nothing where the levels of several take different values.
+    static std::vector<double> valuesAt(const StormPoint& point) {
+        std::vector<double> values = point.levels;
+        values.insert(values.end(), point.strengths.begin(), point.strengths.end());
+        return values;
+    }
+
+    /// Index among the values of stands; nothing where several take different values.
     std::optional<std::size_t> theOnlyOneThatVaries() const {
         std::optional<std::size_t> only;
-        for (std::size_t w = 0; w < changing_.size(); ++w) {
+        for (std::size_t v = 0; v < changing_.size() + joints_.size(); ++v) {
             const bool varies = std::any_of(stands_.begin(), stands_.end(), [&](const Stand& stand) {
-                return stand.levels[w] != stands_.front().levels[w];
+                return stand.values[v] != stands_.front().values[v];
             });
             if (varies && only) return std::nullopt;
-            if (varies) only = w;
+            if (varies) only = v;
         }
         return only;
     }
@@ -121,9 +157,12 @@ class StormSearch {
         Model model = model_;
         for (std::size_t w = 0; w < changing_.size(); ++w) {
             Water& water = model.waters[changing_[w]];
-            water.level = {{0, stand.levels[w]}};
+            water.level = {{0, stand.values[w]}};
             water.closed = false;
         }
+        for (std::size_t k = 0; k < joints_.size(); ++k)
+            for (const std::size_t joint : joints_[k].joints)
+                model.joints[joint].strength_over_time = {{0, stand.values[changing_.size() + k]}};
         return model;
     }
 
@@ -137,7 +176,8 @@ class StormSearch {
         const auto known =
             std::count_if(stands_.begin(), stands_.end(), [](const Stand& each) { return each.known; });
         const double done = static_cast<double>(known) / static_cast<double>(stands_.size());
-        const std::string at = formatted("level %.4g m: ", stand.levels.front());
+        const char* what = changing_.empty() ? "%.4g times the strength: " : "level %.4g m: ";
+        const std::string at = formatted(what, stand.values.front());
         control.progress = [this, done, at](const Progress& progress) {
             control_.progress({"storm", done, at + progress.detail});
         };
@@ -156,69 +196,67 @@ class StormSearch {
         if (found->status == SearchStatus::interrupted) return;
         ++result_.searches;
         stand.known = true;
-        stand.found = {.time = 0,
-                       .levels = stand.levels,
-                       .status = found->status,
-                       .factor = found->answer,
-                       .low = found->low,
-                       .high = found->high,
-                       .mode = found->mode,
-                       .interpolated = false};
+        stand.found.status = found->status;
+        stand.found.factor = found->answer;
+        stand.found.low = found->low;
+        stand.found.high = found->high;
+        stand.found.mode = found->mode;
+        stand.found.interpolated = false;
         stand.moving_blocks = std::move(found->moving_blocks);
         stand.warnings = std::move(found->warnings);
     }
 
-    /// Searches at both ends and, where the factor between them is no straight line over the level, between.
-    void refine(std::size_t low, std::size_t high, std::size_t water, int halvings) {
+    /// Searches at both ends and, where the factor between them is no straight line over the value that
+    /// varies, between.
+    void refine(std::size_t low, std::size_t high, std::size_t varying, int halvings) {
         find(low);
         find(high);
         if (high - low < 2 || !goesOn()) return;
-        const std::size_t middle = nearestToMiddle(low, high, water);
+        const std::size_t middle = nearestToMiddle(low, high, varying);
         find(middle);
-        if (halvings <= 0 && isStraight(low, middle, high, water)) {
-            interpolate(low, middle, water);
-            interpolate(middle, high, water);
+        if (halvings <= 0 && isStraight(low, middle, high, varying)) {
+            interpolate(low, middle, varying);
+            interpolate(middle, high, varying);
             return;
         }
-        refine(low, middle, water, halvings - 1);
-        refine(middle, high, water, halvings - 1);
+        refine(low, middle, varying, halvings - 1);
+        refine(middle, high, varying, halvings - 1);
     }
 
-    std::size_t nearestToMiddle(std::size_t low, std::size_t high, std::size_t water) const {
-        const auto level = [&](std::size_t k) { return stands_[k].levels[water]; };
-        const double middle = 0.5 * (level(low) + level(high));
+    std::size_t nearestToMiddle(std::size_t low, std::size_t high, std::size_t varying) const {
+        const auto value = [&](std::size_t k) { return stands_[k].values[varying]; };
+        const double middle = 0.5 * (value(low) + value(high));
         std::size_t nearest = low + 1;
         for (std::size_t k = low + 2; k < high; ++k)
-            if (std::abs(level(k) - middle) < std::abs(level(nearest) - middle)) nearest = k;
+            if (std::abs(value(k) - middle) < std::abs(value(nearest) - middle)) nearest = k;
         return nearest;
     }
 
-    double shareOf(std::size_t k, std::size_t low, std::size_t high, std::size_t water) const {
-        const double from = stands_[low].levels[water], to = stands_[high].levels[water];
-        return (stands_[k].levels[water] - from) / (to - from);
+    double shareOf(std::size_t k, std::size_t low, std::size_t high, std::size_t varying) const {
+        const double from = stands_[low].values[varying], to = stands_[high].values[varying];
+        return (stands_[k].values[varying] - from) / (to - from);
     }
 
-    bool isStraight(std::size_t low, std::size_t middle, std::size_t high, std::size_t water) const {
+    bool isStraight(std::size_t low, std::size_t middle, std::size_t high, std::size_t varying) const {
         for (const std::size_t k : {low, middle, high})
             if (!stands_[k].known || stands_[k].found.status != SearchStatus::found) return false;
         const StormPoint &a = stands_[low].found, &m = stands_[middle].found, &b = stands_[high].found;
-        const double line = std::lerp(a.factor, b.factor, shareOf(middle, low, high, water));
+        const double line = std::lerp(a.factor, b.factor, shareOf(middle, low, high, varying));
         return std::abs(m.factor - line) <= kOffLine * model_.analysis.factor_tolerance;
     }
 
-    void interpolate(std::size_t low, std::size_t high, std::size_t water) {
+    void interpolate(std::size_t low, std::size_t high, std::size_t varying) {
         const StormPoint &a = stands_[low].found, &b = stands_[high].found;
         for (std::size_t k = low + 1; k < high; ++k) {
-            const double share = shareOf(k, low, high, water);
+            const double share = shareOf(k, low, high, varying);
             stands_[k].known = true;
-            stands_[k].found = {.time = 0,
-                                .levels = stands_[k].levels,
-                                .status = SearchStatus::found,
-                                .factor = std::lerp(a.factor, b.factor, share),
-                                .low = std::lerp(a.low, b.low, share),
-                                .high = std::lerp(a.high, b.high, share),
-                                .mode = (share < 0.5 ? a : b).mode,
-                                .interpolated = true};
+            StormPoint& found = stands_[k].found;
+            found.status = SearchStatus::found;
+            found.factor = std::lerp(a.factor, b.factor, share);
+            found.low = std::lerp(a.low, b.low, share);
+            found.high = std::lerp(a.high, b.high, share);
+            found.mode = (share < 0.5 ? a : b).mode;
+            found.interpolated = true;
         }
     }
 
@@ -261,15 +299,19 @@ class StormSearch {
     void take(std::size_t k) {
         const Stand& stand = stands_[stand_at_[k]];
         if (!stand.known) return;
-        const double time = result_.points[k].time;
-        result_.points[k] = stand.found;
-        result_.points[k].time = time;
+        StormPoint& point = result_.points[k];
+        StormPoint found = stand.found;
+        found.time = point.time;
+        found.levels = std::move(point.levels);
+        found.strengths = std::move(point.strengths);
+        point = std::move(found);
     }
 
     const Model& model_;
     const Control& control_;
     std::vector<std::size_t> changing_;  ///< waters of the model
-    std::vector<Stand> stands_;          ///< ascending by their levels
+    std::vector<ChangingJoints> joints_;
+    std::vector<Stand> stands_;          ///< ascending by their values
     std::vector<std::size_t> stand_at_;  ///< per point
     StormResult result_;
     std::vector<Error> errors_;
@@ -318,15 +360,19 @@ std::optional<double> stormDuration(const Model& model) {
         take(water.rain);
         take(water.inflow);
     }
+    for (const Joint& joint : model.joints)
+        if (changesStrength(joint)) take(joint.strength_over_time);
     return end > 0 ? std::optional(end) : std::nullopt;
 }
 
 Result<StormResult> storm(const Model& model, const StormSettings& settings, const Control& control) {
     const auto begin = std::chrono::steady_clock::now();
-    if (std::none_of(model.waters.begin(), model.waters.end(), search::changes))
-        return Error{"water",
-                     "found no water whose level changes, allowed: volume = \"closed\" with rain, "
-                     "inflow or a leak, or levels over time"};
+    if (std::none_of(model.waters.begin(), model.waters.end(), search::changes) &&
+        std::none_of(model.joints.begin(), model.joints.end(), changesStrength))
+        return Error{
+            "water",
+            "found no water whose level changes, nor a joint whose strength changes, allowed: volume "
+            "= \"closed\" with rain, inflow or a leak, levels over time, or strength_over_time"};
     const auto duration = durationOf(model, settings);
     if (!duration) return duration.errors();
     StormSearch search(model, control);

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "build/wet_joints.h"
 #include "measure/natural_order.h"
 #include "talus/angles.h"
 #include "talus/theory.h"
@@ -94,7 +95,7 @@ std::string reasons(const Section& section) {
 
 std::optional<Prediction> predict(const Model& model) {
     const bool weight_only = !model.gravity.direction && model.seismic.horizontal == 0 &&
-                             model.seismic.vertical == 0 && !model.hasOtherForces();
+                             model.seismic.vertical == 0 && !model.hasOtherForces() && !hasWetJoints(model);
     if (!(model.gravity.magnitude > 0) || !weight_only) return std::nullopt;
     const auto section = model.stack ? stackSection(model) : singleSection(model);
     if (!section) return std::nullopt;

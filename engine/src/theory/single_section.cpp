@@ -99,7 +99,7 @@ std::optional<Section> singleSection(const Model& model) {
     const auto base = faceTowards(model, free, -Vec3::UnitZ()),
                bed = faceTowards(model, fixed, Vec3::UnitZ());
     if (!box || !base || !bed || !carries(model.blocks[fixed].shape, bed->face, *box)) return std::nullopt;
-    const Joint& joint = jointBetween(model, JointChoice(model), *base, *bed);
+    const Joint joint = strengthAt(jointBetween(model, JointChoice(model), *base, *bed), 0);
     if (!isPlainCoulomb(joint)) return std::nullopt;
     Body body = bodyOf(model.blocks[free], *box, joint, model.gravity.magnitude);
     body.blocks = {free};

@@ -136,8 +136,9 @@ bool setBedJoint(const Stack& stack, int column, int row, int slice, Body& body)
     const std::int32_t block = stack.grid.at(column, row, slice);
     const Joint* joint = stack.jointTowards(block, stack.below(column, row, slice), -Vec3::UnitZ());
     if (!joint || !isPlainCoulomb(*joint)) return false;
-    body.tan_friction = std::tan(joint->friction);
-    body.cohesion_force = joint->cohesion * stack.shape.block.x() * stack.shape.block.y();
+    const Joint now = strengthAt(*joint, 0);
+    body.tan_friction = std::tan(now.friction);
+    body.cohesion_force = now.cohesion * stack.shape.block.x() * stack.shape.block.y();
     return true;
 }
 

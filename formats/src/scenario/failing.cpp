@@ -48,6 +48,7 @@ class Editor {
         stop(
             "load", "factor", [](const AppliedLoad& load) { return load.factor.front().value; },
             scenario_.model.loads);
+        stopStrengths();
     }
 
     std::optional<Error> takeFault() { return std::move(fault_); }
@@ -153,7 +154,21 @@ class Editor {
         for (const auto& [place, value] : values) set(place, value);
     }
 
-    /// In a search waters stand and loads push as at time 0.
+    void stopStrengths() {
+        constexpr const char* kKey = "strength_over_time";
+        const auto joints = document_.root().find("joint");
+        if (!joints) return;
+        std::vector<std::pair<Path, double>> values;  // writing replaces the nodes that are read here
+        for (const Entry& joint : joints->entries()) {
+            const auto table = joint.value.find(kKey);
+            for (std::size_t k = 0; table && k < table->size(); ++k)
+                values.emplace_back(Path{"joint", joint.key, kKey, k, std::size_t{1}},
+                                    table->at(0).at(1).number());
+        }
+        for (const auto& [place, value] : values) set(place, value);
+    }
+
+    /// In a search waters stand, loads push and joints hold as at time 0.
     template <class First, class Owners>
     void stop(const char* section, const char* key, const First& first, const Owners& owners) {
         eachTable(document_.root(), section, [&](const Node& table, const Path& path) {
@@ -198,6 +213,9 @@ Model failingModel(Model model, const FailingLoad& load) {
         for (LevelPoint& point : water.level) point.value = water.level.front().value;
     for (AppliedLoad& load : model.loads)
         for (LevelPoint& point : load.factor) point.value = load.factor.front().value;
+    for (Joint& joint : model.joints)
+        for (LevelPoint& point : joint.strength_over_time)
+            point.value = joint.strength_over_time.front().value;
     return model;
 }
 

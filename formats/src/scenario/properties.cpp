@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scenario/fields.h"
+#include "scenario/places.h"
 
 namespace talus::formats::scenario {
 
@@ -10,7 +11,7 @@ namespace {
 
 // Distinct shares of intact rock: a network of 10,000 discs then makes a thousand joints, not 50,000.
 constexpr long kBridgeSteps = 1000;
-constexpr const char *kLaw = "law", *kShearStrength = "shear_strength";
+constexpr const char *kLaw = "law", *kShearStrength = "shear_strength", *kOverTime = "strength_over_time";
 
 std::vector<std::string> keysOfLaw(StrengthLaw law) {
     std::vector<std::string> keys;
@@ -92,6 +93,8 @@ JointProperties readStrength(Report& report, TableReader& table, Joint& joint) {
     } else if (table.has(kShearStrength)) {
         reportOfAnotherLaw(table, kShearStrength, joint.law);
     }
+    if (table.has(kOverTime))
+        joint.strength_over_time = readTable(report, table, kOverTime, kStrengthOverTime, "factor");
     return readGiven(table, joint);
 }
 
@@ -152,6 +155,7 @@ std::int32_t Joints::derive(std::int32_t base, JointOrigin::Kind kind, JointProp
     const auto index = static_cast<std::size_t>(base);
     joint.law = joints_[index].law;
     joint.shear_strength = joints_[index].shear_strength;
+    joint.strength_over_time = joints_[index].strength_over_time;
     inherit(joint, given, joints_[index], origins_[index].given);
     joints_.push_back(std::move(joint));
     origins_.push_back({kind, base, given});
@@ -226,7 +230,7 @@ Materials readMaterials(Report& report, TableReader& root) {
 Joints readJoints(Report& report, TableReader& root) {
     Joints joints;
     std::vector<std::string> keys = jointKeys();
-    keys.insert(keys.end(), {kLaw, kShearStrength});
+    keys.insert(keys.end(), {kLaw, kShearStrength, kOverTime});
     for (const FieldNode& entry : root.namedTables("joint")) {
         TableReader table(report, entry.node, entry.field, keys);
         Joint joint;

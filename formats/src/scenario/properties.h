@@ -59,7 +59,7 @@ class Joints {
 
     /// The joint between two faces of which a share, to a thousandth, is intact rock: friction (by its
     /// tangent), cohesion, tensile strength and stiffness in proportion to the areas (J. E. Jennings, 1970).
-    /// \pre both follow Coulomb's law
+    /// \pre both follow Coulomb's law, and their strengths change alike over time
     std::int32_t withBridge(std::int32_t base, std::int32_t rock, double share);
 
     /// The joint like `base` but for the properties given in `table`, for one interface; `base` itself when

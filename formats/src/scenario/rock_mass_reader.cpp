@@ -165,8 +165,25 @@ class RockMassReader {
         return corners;
     }
 
+    std::optional<std::string> whyNotMixed(std::int32_t joint, std::int32_t rock) const {
+        const auto index = static_cast<std::size_t>(joint), other = static_cast<std::size_t>(rock);
+        if (std::max(index, other) >= joints_.all().size()) return std::nullopt;
+        const Joint &one = joints_.all()[index], &of_rock = joints_.all()[other];
+        if (one.law != StrengthLaw::coulomb)
+            return quoted(one.name) + " of law " + quoted(toString(one.law)) +
+                   ", allowed with bridges: finite joints and rock of law \"coulomb\"";
+        if (one.wet_strength_factor != 1)
+            return quoted(one.name) + " with a wet_strength_factor of " +
+                   numberText(one.wet_strength_factor) +
+                   ", allowed with bridges: 1 for finite joints and rock";
+        if (one.strength_over_time != of_rock.strength_over_time)
+            return quoted(one.name) + " with another strength_over_time than " + quoted(of_rock.name) +
+                   ", allowed with bridges: the same for finite joints and rock, or none";
+        return std::nullopt;
+    }
+
     /// Where a joint ends within a face, rock and joint are mixed by their areas: only Coulomb's law is in
-    /// proportion to them.
+    /// proportion to them, and the mixture has one factor over time.
     void readBridge(TableReader& table) {
         if (!table.has("bridge")) return;
         input_.bridge = readJoint(report_, table, "bridge", joints_);
@@ -176,12 +193,8 @@ class RockMassReader {
             if (joint.radius || !joint.polygon.empty()) mixed.push_back(joint.joint);
         for (const FractureSetInput& set : input_.fracture_sets) mixed.push_back(set.drawn.joint);
         for (const std::int32_t joint : mixed) {
-            const auto index = static_cast<std::size_t>(joint);
-            if (index >= joints_.all().size() || joints_.all()[index].law == StrengthLaw::coulomb) continue;
-            return table.error("bridge",
-                               "found the joint " + quoted(joints_.all()[index].name) + " of law " +
-                                   quoted(toString(joints_.all()[index].law)) +
-                                   ", allowed with bridges: finite joints and rock of law \"coulomb\"");
+            if (const auto why = whyNotMixed(joint, *input_.bridge))
+                return table.error("bridge", "found the joint " + *why);
         }
     }
 

@@ -56,6 +56,9 @@ constexpr Description kScenario[] = {
     {"joint.NAME.shear_strength",
      "law \"envelope\": points [normal stress, strength] in Pa; normal stress begins at 0 and increases, "
      "strength does not decrease"},
+    {"joint.NAME.strength_over_time",
+     "factor of all strengths over time, [time s, factor], for `talus run` and `talus storm`; searches use "
+     "the factor at time 0; default 1"},
 
     {"stack", "a regular stack of blocks on a fixed floor"},
     {"stack[].name", "prefix of its blocks' names, needed when there are several stacks"},

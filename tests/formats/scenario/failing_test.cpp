@@ -103,6 +103,24 @@ TEST_CASE("elevations over time are held at the first, as levels are") {
     for (const LevelPoint& point : read->model.waters[0].level) CHECK(point.value == 0.05);
 }
 
+TEST_CASE("strengths over time are held at the first, and divided") {
+    std::string text = kText;
+    text.insert(text.find("[joint.clay]"), "strength_over_time = [[0.0, 0.8], [1.0, 0.3]]\n");
+    FailingLoad load;
+    load.varied = Varied::factor;
+    load.value = 1.25;
+    load.frame_interval = 0.01;
+    const auto after = failingScenario(*parseScenario(text, "slope.toml"), load, "");
+    REQUIRE(after.ok());
+    const auto read = parseScenario(after->text, "again.toml");
+    REQUIRE(read.ok());
+    for (const Model& model : {after->model, read->model}) {
+        CHECK(model.joints[0].strength_over_time == std::vector<LevelPoint>{{0, 0.8}, {1, 0.8}});
+        CHECK(model.joints[0].cohesion == doctest::Approx(100 / 1.25).epsilon(1e-12));
+        CHECK(model.joints[1].strength_over_time.empty());
+    }
+}
+
 TEST_CASE("strength of every law is divided, also where the file gives no strength_factor") {
     const Scenario before = readGood(
         joint("default", "law = \"barton-bandis\"\njrc = 8\njcs = 5e7\nresidual_friction_deg = 28") +

@@ -48,4 +48,64 @@ TEST_CASE("scenario errors: laws of strength") {
          19, "interface[0].friction_deg", "found in a joint of law"});
 }
 
+TEST_CASE("strength over time: read for every law, and taken over by joints of bed levels and interfaces") {
+    const std::string table = "strength_over_time = [[0, 1.5], [10, 0.25]]\n";
+    const std::vector<LevelPoint> expected{{0, 1.5}, {10, 0.25}};
+    for (const char* keys : {"friction_deg = 30\n", "law = \"power\"\na = 1.2\nb = 0.9\n"}) {
+        const Scenario scenario = readGood(material() + joint("default", keys + table) + stack() +
+                                           "[[interface]]\nbetween = [\"c1r1s1\", \"c2r1s1\"]\njoint = "
+                                           "\"default\"\nshear_stiffness = 1e9\n");
+        REQUIRE(scenario.model.joints.size() == 2);
+        for (const Joint& each : scenario.model.joints) CHECK(each.strength_over_time == expected);
+    }
+    const Scenario beds = readGood(material() + joint("default", "friction_deg = 30\n" + table) +
+                                   stack("bed_friction_deg = [20, 25]\n"));
+    REQUIRE(beds.model.joints.size() == 3);
+    for (const Joint& each : beds.model.joints) CHECK(each.strength_over_time == expected);
+    CHECK(readGood(material() + joint("default", "friction_deg = 30") + stack())
+              .model.joints[0]
+              .strength_over_time.empty());
+}
+
+TEST_CASE("scenario errors: strength of wet joints") {
+    const auto fault = [](const std::string& value, const std::string& fragment) {
+        checkFault(
+            {material() + joint("default", "friction_deg = 30\nwet_strength_factor = " + value) + stack(), 7,
+             "joint.default.wet_strength_factor", fragment});
+    };
+    fault("0", "found 0, allowed: at least 0.001 and at most 1");
+    fault("1.2", "found 1.2, allowed: at least 0.001 and at most 1");
+    fault("-0.5", "found -0.5, allowed: at least 0.001 and at most 1");
+    fault("nan", "nan");
+    fault("\"weak\"", "a string");
+    for (const char* keys : {"friction_deg = 30\n", "law = \"power\"\na = 1.2\nb = 0.9\n"})
+        CHECK(
+            readGood(material() + joint("default", std::string(keys) + "wet_strength_factor = 0.7") + stack())
+                .model.joints[0]
+                .wet_strength_factor == 0.7);
+}
+
+TEST_CASE("scenario errors: strength over time") {
+    const auto fault = [](const std::string& value, const std::string& place, const std::string& fragment) {
+        checkFault(
+            {material() + joint("default", "friction_deg = 30\nstrength_over_time = " + value) + stack(), 7,
+             "joint.default.strength_over_time" + place, fragment});
+    };
+    fault("[]", "", "found an empty array, allowed: [[time s, factor], ...]");
+    fault("0.5", "", "allowed: an array");
+    fault("[3]", "[0]", "allowed: an array of 2 numbers");
+    fault("[[0, 1], [1]]", "[1]", "array of 2 numbers");
+    fault("[[0, 1], [5, 0.5], [5, 0.4]]", "[2]", "found the time 5, allowed: greater than the one before, 5");
+    fault("[[-1, 1]]", "[0][0]", "at least 0");
+    fault("[[0, 1], [5, 0]]", "[1][1]", "found 0, allowed: at least 0.001 and less than 10");
+    fault("[[0, -0.5]]", "[0][1]", "found -0.5, allowed: at least 0.001 and less than 10");
+    fault("[[0, 80]]", "[0][1]", "found 80, allowed: at least 0.001 and less than 10");
+    fault("[[0, nan]]", "[0][1]", "found nan, allowed: a finite number");
+    fault("[[0, \"half\"]]", "[0][1]", "half");
+    checkFault({material() + joint("default", "friction_deg = 30") + stack() +
+                    "[[interface]]\nbetween = [\"c1r1s1\", \"c2r1s1\"]\njoint = "
+                    "\"default\"\nstrength_over_time = [[0, 1]]\n",
+                15, "interface[0].strength_over_time", "unknown"});
+}
+
 }  // namespace talus::formats

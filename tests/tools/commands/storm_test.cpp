@@ -69,6 +69,33 @@ TEST_CASE("storm: for people") {
     }
 }
 
+TEST_CASE("storm: joints that lose strength over time, without water") {
+    const TemporaryFolder folder;
+    const std::string slope =
+        folder.write("thaw.toml",
+                     "[gravity]\ntilt_deg = 12.0\n[material.rock]\ndensity = 2700.0\n[joint.default]\n"
+                     "normal_stiffness = 1e10\nshear_stiffness = 1e10\nfriction_deg = 30.0\n"
+                     "strength_over_time = [[0, 1], [3600, 0.25]]\n"
+                     "[[stack]]\ncolumns = 2\nrows = 2\nslices = 1\nblock = [0.2, 0.1, 0.1]\n");
+    const std::string plot = folder.path() + "/storm.svg", csv = folder.path() + "/storm.csv";
+    const Outcome outcome = runTalus({"storm", slope, "--json", "--plot", plot, "--csv", csv});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const nlohmann::json json = outcome.json();
+    CHECK(json.at("waters").empty());
+    CHECK(json.at("joints") == nlohmann::json::array({"default"}));
+    REQUIRE(json.at("times").size() == 7);
+    CHECK(json.at("times")[6].at("strengths") == nlohmann::json::array({0.25}));
+    CHECK(json.at("times")[6].at("level_m").is_null());
+    CHECK(json.at("least").at("time_s") == 3600);
+    CHECK(json.at("failure_time_s").is_number());
+    CHECK(contentOf(csv).find("\ntime_s,strength of default,safety_factor,low") != std::string::npos);
+    CHECK(contentOf(plot).find("factor of strength") != std::string::npos);
+    const Outcome people = runTalus({"storm", slope, "--quiet"});
+    CHECK(people.exit_code == 0);
+    CHECK(people.out.find("after 1.00 h, with 0.25 times the strength (") != std::string::npos);
+}
+
 TEST_CASE("storm: what it does not take") {
     const TemporaryFolder folder;
     const auto refused = [&](const std::string& text, std::vector<std::string> options, const char* message) {

@@ -207,8 +207,8 @@ def report(model, output, *, figures=None, analysis=None, slope=None, groups=1, 
 def storm(model, *, step_s=600.0, duration_s=None, plot=None, csv=None, threads=0, progress=None):
     """The factor of safety over a rain: ``times`` (``time_s``, ``level_m``, ``safety_factor``), ``least``, ``failure_time_s``.
 
-    step_s: between two times [s]. duration_s: the end, by default that of the tables of rain, inflow and levels. plot, csv: an .svg
-    file of factor and level over time, and a .csv file with a row for each time.
+    step_s: between two times [s]. duration_s: the end, by default that of the tables of rain, inflow, levels and strength. plot,
+    csv: an .svg file of factor and level over time, and a .csv file with a row for each time.
     """
     return Result.of_json(
         _core.storm(

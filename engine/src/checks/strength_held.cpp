@@ -1,0 +1,22 @@
+#include "checks/strength_held.h"
+
+#include <set>
+
+#include "measure/words.h"
+
+namespace talus::checks {
+
+std::vector<std::string> strengthsHeld(const Model& model) {
+    std::vector<std::string> lines;
+    std::set<std::string> told;
+    for (const Joint& joint : model.joints) {
+        const std::string name = joint.name.substr(0, joint.name.find('@'));
+        if (!changesStrength(joint) || !told.insert(name).second) continue;
+        lines.push_back("joint." + name + ".strength_over_time: this answer is for time 0, with " +
+                        formatted("%.4g", strengthFactor(joint, 0)) +
+                        " times the strength; talus storm gives the factor of safety over time");
+    }
+    return lines;
+}
+
+}  // namespace talus::checks
