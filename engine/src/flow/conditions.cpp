@@ -107,9 +107,9 @@ void leaveOutUnreached(const Network& network, Conditions& conditions) {
 }  // namespace
 
 Result<Conditions> conditionsOf(const Network& network, const Flow& flow, const Model& model,
-                                const Vec3& origin) {
+                                const Vec3& origin, double tilt) {
     const std::size_t count = network.nodes.size();
-    const Vec3 down = downward(model.gravity, model.gravity.tilt);
+    const Vec3 down = downward(model.gravity, tilt);
     Conditions conditions{std::vector(count, Condition::none), std::vector<std::int32_t>(count, -1),
                           std::vector<double>(count), std::vector<double>(count, 0.0)};
     for (std::size_t n = 0; n < count; ++n) conditions.elevation[n] = -down.dot(network.nodes[n] + origin);

@@ -15,6 +15,20 @@ inline double transmissivity(double unit_weight, double aperture, double viscosi
     return unit_weight * aperture * aperture * aperture / (12 * viscosity);
 }
 
+// Of the stated aperture. A joint that has opened further conducts a thousand times as much: the head along
+// it is level, and hardly changes any more.
+inline constexpr double kMostOpened = 10;
+
+/// Hydraulic aperture of a joint that has opened or closed: b = b0 + u, and no less than the residual
+/// aperture (Witherspoon and others 1980 found the cubic law down to it; so do UDEC and 3DEC: Lemos and Lorig
+/// 1990, Hydromechanical modelling of jointed rock masses using the Distinct Element Method).
+/// \param stated          b0, while the joint has not opened [m]
+/// \param opened          u, less than zero where it has closed [m]
+/// \param residual_share  of b0: the residual aperture
+inline double hydraulicAperture(double stated, double opened, double residual_share) {
+    return std::clamp(stated + opened, residual_share * stated, kMostOpened * stated);
+}
+
 /// Mean over a triangle of max(0, f), f linear with these values at the corners. With one corner of a sign,
 /// f^3 / (3 (f - g) (f - h)) is the mean over that corner's side of the zero line.
 inline double meanPositive(std::array<double, 3> f) {

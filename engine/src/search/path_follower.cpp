@@ -175,8 +175,9 @@ class Follower {
         const int iterations = step.iterations;
         before_ = path_.place();
         path_.commit(std::move(step));
-        // After new contacts, or bonds overloaded by the step, equilibrium is needed again at its load.
-        if ((path_.bondsGive() || !path_.isBalanced()) && !settle()) {
+        // After new contacts, bonds overloaded by the step, or with new pressure of coupled flow, equilibrium
+        // is needed again at its load.
+        if ((path_.bondsGive() || !path_.isBalanced() || path_.renewPressure()) && !settle()) {
             if (gain <= rules_.peak_accuracy * cell_) return false;
             path_.goBack(*before_);
             arc_.displacement = rules_.shorter_at_peak * length;
