@@ -55,7 +55,6 @@ bool CoupledFlow::renew(State& state, int pass) {
     CoupledPressure& acting = state.coupled_pressure;
     if (!(state.load.water_share > 0) || acting.stated_opening.empty()) return false;
     ++flows_;
-    passes_ = std::max(passes_, pass + 1);
     Result<SteadyFlow> found = flowIn(state);
     if (!found) {
         if (!not_found_) not_found_ = found.errors().front();
@@ -72,6 +71,7 @@ bool CoupledFlow::renew(State& state, int pass) {
     else if (acting.change >= last_change_)
         weight_ *= kLess;
     last_change_ = acting.change;
+    passes_ = std::max(passes_, pass + 1);
     putIn(state, std::move(*found));
     return true;
 }
@@ -92,7 +92,7 @@ FlowCoupling CoupledFlow::coupling(const State& state) const {
             .flows = flows_,
             .last_change = state.coupled_pressure.change,
             .largest_change = not_converged_,
-            .converged = not_converged_ == 0 && !not_found_};
+            .converged = flows_ > 0 && not_converged_ == 0 && !not_found_};
 }
 
 }  // namespace talus::flow_water

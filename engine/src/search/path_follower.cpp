@@ -178,8 +178,11 @@ class Follower {
         // After new contacts, bonds overloaded by the step, or with new pressure of coupled flow, equilibrium
         // is needed again at its load.
         if ((path_.bondsGive() || !path_.isBalanced() || path_.renewPressure()) && !settle()) {
-            if (gain <= rules_.peak_accuracy * cell_) return false;
-            path_.goBack(*before_);
+            const bool is_known = gain <= rules_.peak_accuracy * cell_;
+            // On the way to an equilibrium, coupled flow and opening of the joints do not agree.
+            const bool is_coupled = !path_.state().coupled_pressure.push.empty();
+            if (!is_known || is_coupled) path_.goBack(*before_);
+            if (is_known) return false;
             arc_.displacement = rules_.shorter_at_peak * length;
             arc_.load = rules_.shorter_at_peak * gain;
             return true;
