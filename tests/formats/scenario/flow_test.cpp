@@ -195,7 +195,7 @@ TEST_CASE("flow: what coupling cannot be") {
     checkStart(with("coupled = true\ncoupling_tolerance = 0.0\n"), "flow.coupling_tolerance: found 0");
     checkStart(with("coupled = true\ncoupling_tolerance = -1e-3\n"), "flow.coupling_tolerance: found -0.001");
     checkStart(with("coupled = true\ncoupling_passes = 0\n"), "flow.coupling_passes: found 0");
-    checkStart(with("coupled = true\ncoupling_passes = 2.5\n"), "flow.coupling_passes: found 2.5");
+    checkStart(with("coupled = true\ncoupling_passes = 2.5\n"), "flow.coupling_passes: found a number 2.5");
     checkStart(with("coupled = true\nresidual_aperture_share = 1.5\n"),
                "flow.residual_aperture_share: found 1.5");
     for (const char* key :
