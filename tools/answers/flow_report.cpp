@@ -83,7 +83,29 @@ Json surfaceJson(const SteadyFlow& flow) {
             {"points_m", std::move(points)}};
 }
 
+std::string aperturesText(const std::vector<double>& apertures) {
+    if (apertures.empty()) return "none";
+    const auto [least, most] = std::minmax_element(apertures.begin(), apertures.end());
+    return figure("%.3g", *least) + " to " + figure("%.3g", *most) + " m";
+}
+
 }  // namespace
+
+Json couplingJson(const std::optional<FlowCoupling>& coupling) {
+    if (!coupling) return nullptr;
+    return {{"passes", coupling->passes},
+            {"flows", coupling->flows},
+            {"last_change", number(coupling->last_change)},
+            {"largest_change", number(coupling->largest_change)},
+            {"converged", coupling->converged}};
+}
+
+std::string couplingText(const FlowCoupling& coupling) {
+    return std::to_string(coupling.flows) + " flows computed, at most " + std::to_string(coupling.passes) +
+           " at one equilibrium; the last one changed the pressure by " +
+           figure("%.1g", coupling.last_change) + " of its largest value" +
+           (coupling.converged ? "" : "; not converged");
+}
 
 std::string flowText(const SteadyFlow& flow, const std::string& scenario) {
     std::string text =
@@ -98,6 +120,9 @@ std::string flowText(const SteadyFlow& flow, const std::string& scenario) {
         text += row("largest pressure",
                     figure("%.4g", flow.pressure[most]) + " Pa at " + place(flow.nodes[most]));
     }
+    if (flow.coupling)
+        text +=
+            row("apertures", aperturesText(flow.aperture)) + row("coupling", couplingText(*flow.coupling));
     return text + row("free surface", surfaceText(flow)) +
            row("iterations", std::to_string(flow.iterations) + ", joints run dry over " +
                                  figure("%.2g", flow.ramp) + " m of pressure head");
@@ -120,6 +145,7 @@ Json flowJson(const SteadyFlow& flow, const Common& common, const formats::Scena
             {"iterations", flow.iterations},
             {"residual", number(flow.residual)},
             {"ramp_m", number(flow.ramp)},
+            {"coupling", couplingJson(flow.coupling)},
             {"warnings", warningsJson(scenario, flow.warnings)},
             {"provenance", provenance(common, scenario.path)}};
 }
@@ -137,7 +163,7 @@ std::string flowCsv(const SteadyFlow& flow, const Model& model, const std::strin
                         block(flow.block_b[t]), model.joints[static_cast<std::size_t>(flow.joint[t])].name,
                         csvNumber(meanAt(flow.head, flow.triangles[t])),
                         csvNumber(meanAt(flow.pressure, flow.triangles[t])), csvNumber(flow.wet_share[t]),
-                        csvNumber(q.x()), csvNumber(q.y()), csvNumber(q.z())});
+                        csvNumber(q.x()), csvNumber(q.y()), csvNumber(q.z()), csvNumber(flow.aperture[t])});
     }
     return out;
 }

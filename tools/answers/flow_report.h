@@ -1,6 +1,7 @@
 #pragma once
 // Steady flow in the joints as text, JSON, table and picture.
 
+#include <optional>
 #include <string>
 
 #include "cli/common.h"
@@ -11,6 +12,10 @@
 namespace talus::tools {
 
 std::string flowText(const SteadyFlow& flow, const std::string& scenario);
+
+/// How well flow and opening of the joints agree; null where they are not coupled.
+Json couplingJson(const std::optional<FlowCoupling>& coupling);
+std::string couplingText(const FlowCoupling& coupling);
 
 /// Sums, boundaries, the free surface, and of each joint's polygon the largest pressure.
 Json flowJson(const SteadyFlow& flow, const Common& common, const formats::Scenario& scenario);

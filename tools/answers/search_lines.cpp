@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "answers/flow_report.h"
 #include "answers/support_report.h"
 #include "cli/block_names.h"
 #include "cli/signals.h"
@@ -82,7 +83,10 @@ ResultLines theoryText(const SearchReport& report) {
                                              (limit.translation_only ? ", translation only: " : ": ") +
                                              compactNames(limit.blocks) + ")");
     }
-    if (!report.theory && report.search.load->varied == Varied::tilt && report.scenario.model.flow)
+    const std::optional<Flow>& flow = report.scenario.model.flow;
+    if (!report.theory && flow && flow->coupled)
+        return line("limit equilibrium", "left out: it opens no joints, and [flow] is coupled to them");
+    if (!report.theory && report.search.load->varied == Varied::tilt && flow)
         return line("limit equilibrium", "left out: it would compute [flow] anew at each tilt");
     if (!report.theory) {
         return line("theory",
@@ -143,6 +147,11 @@ ResultLines cohesionText(const SearchReport& report) {
     return line("cohesion kept",
                 figureOf(report, *kept) + unitOf(report) +
                     "  (the answer if joints kept it as they slip, as in limit equilibrium)");
+}
+
+ResultLines couplingLine(const SearchResult& result) {
+    if (!result.flow_coupling) return {};
+    return line("coupled flow", couplingText(*result.flow_coupling));
 }
 
 std::string movingText(const SearchResult& result) {
@@ -245,7 +254,7 @@ std::string amountText(double volume, double mass) {
 ResultLines answerLines(const SearchReport& report) { return line(report.search.answer, answerText(report)); }
 
 ResultLines besideLines(const SearchReport& report) {
-    return theoryText(report) + upperBoundText(report) + cohesionText(report);
+    return theoryText(report) + upperBoundText(report) + cohesionText(report) + couplingLine(report.result);
 }
 
 ResultLines intervalLines(const SearchReport& report) {

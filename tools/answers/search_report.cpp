@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answers/flow_report.h"
 #include "answers/search_lines.h"
 #include "answers/search_plot.h"
 #include "answers/support_report.h"
@@ -245,6 +246,7 @@ Json searchJson(const SearchReport& report) {
                     {"mass_kg", number(group.mass)}};
     });
     json["removed_blocks"] = json["let_go"];
+    json["flow_coupling"] = couplingJson(result.flow_coupling);
     addSupports(result.supports, json);
     if (search.follows_groups) json["groups"] = list(result.groups, groupJson);
     json["theory"] = theoryJson(report);

@@ -41,6 +41,11 @@ void writeFiles(const FlowOptions& options, const SteadyFlow& flow, const Model&
     if (!options.picture.empty()) writeFile(options.picture, flowSvg(flow, name));
 }
 
+Result<SteadyFlow> solve(const Model& model, const FlowOptions& options) {
+    if (!model.flow->coupled) return steadyFlow(model);
+    return coupledFlow(model, {.threads = options.common.threads});
+}
+
 int analyse(const FlowOptions& options) {
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
     if (!scenario.model.flow)
@@ -50,7 +55,7 @@ int analyse(const FlowOptions& options) {
     refuse("--csv", options.csv, ".csv");
     refuse("--picture", options.picture, ".svg");
     const EndsAtOnce solving = endsWhile("the flow was computed", options.common);
-    const SteadyFlow flow = valueOf(steadyFlow(scenario.model), scenario);
+    const SteadyFlow flow = valueOf(solve(scenario.model, options), scenario);
     for (const std::string& warning : flow.warnings) note(options.common, "warning: " + warning);
     writeFiles(options, flow, scenario.model);
     if (options.common.json)
@@ -79,8 +84,8 @@ Command addFlow(CLI::App& root) {
         "Example:\n  talus flow slope.toml\n  talus flow slope.toml --json | jq '.boundaries[0]'\n  talus "
         "flow slope.toml -o flow.vtp --csv flow.csv --picture flow.svg\n\nThe scenario has a [flow] with the "
         "joints' hydraulic aperture and the heads. Laminar flow between parallel\nwalls (the cubic law) in "
-        "every joint that bounds a free block, as the blocks lie at the start. The other\ncommands put the "
-        "pressure of this flow on the walls of the joints.");
+        "every joint that bounds a free block, as the blocks lie at the start; with coupled =\ntrue, as they "
+        "lie in equilibrium. The other commands put the pressure of this flow on the walls of the\njoints.");
     return {app, [options] { return analyse(*options); }};
 }
 

@@ -159,6 +159,8 @@ struct SearchResult {
     std::vector<BlockGroup> groups;  ///< of `safetyFactor`: successive failure groups and their factors; the
                                      ///< first is the answer
     bool groups_undecided = false;   ///< the search for the next group ended so
+    /// Of flow whose apertures follow the joints: at the last stable load.
+    std::optional<FlowCoupling> flow_coupling{};
     std::vector<Supports> supports;  ///< at failure, or at the last stable load
     std::vector<Probe> probes;       ///< the path, step by step
     std::int64_t steps = 0;          ///< along paths

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "talus/control.h"
 #include "talus/model.h"
 #include "talus/result.h"
 
@@ -33,6 +35,7 @@ struct SteadyFlow {
     std::vector<std::array<std::int32_t, 3>> triangles;
     std::vector<std::int32_t> joint, block_a, block_b;  ///< of each triangle
     std::vector<Vec3> normal;                           ///< of each triangle, from a to b
+    std::vector<double> aperture;                       ///< hydraulic, of each triangle [m]
     std::vector<Vec3> discharge;                        ///< per width of the joint [m^2/s]
     std::vector<double> wet_share;                      ///< of each triangle, 1 where it is full
 
@@ -48,6 +51,7 @@ struct SteadyFlow {
     double residual = 0;  ///< largest imbalance of a node after the last one, over the inflow
     /// pressure head below zero over which joints run dry: how sharp the free surface is [m]
     double ramp = 0;
+    std::optional<FlowCoupling> coupling{};  ///< of coupledFlow
     std::vector<std::string> warnings;
 
     bool isWet(std::size_t triangle) const;  ///< whether pressure acts at any of its corners
@@ -56,5 +60,10 @@ struct SteadyFlow {
 /// \pre model.flow. Errors: those of the model; a boundary at which no joint lies; a network without a head;
 /// a free surface that was not found.
 Result<SteadyFlow> steadyFlow(const Model& model);
+
+/// The same with apertures that follow the joints, at the equilibrium under the model's own loads. Without
+/// equilibrium, an error.
+/// \pre model.flow->coupled
+Result<SteadyFlow> coupledFlow(const Model& model, const Control& control = {});
 
 }  // namespace talus

@@ -37,8 +37,23 @@ struct Flow {
     double density = 1000;        ///< [kg/m^3]
     bool free_surface = true;     ///< false: all joints are full
     int refinements = 0;          ///< how often each triangle of the mesh is divided into four
+    /// Apertures follow what joints open and close, equilibrium by equilibrium (coupledFlow).
+    bool coupled = false;
+    double residual_share = 0.1;  ///< coupled: of its stated aperture, what a joint keeps at least
+    /// Coupled: change of pressure between two passes over the largest pressure; below it they agree.
+    double coupling_tolerance = 1e-3;
+    int coupling_passes = 30;  ///< coupled: most passes at one equilibrium
     std::vector<FlowBoundary> boundaries{};
     std::string field{};  ///< "flow", for messages
+};
+
+/// How well the opening of joints and the pressure in them agree.
+struct FlowCoupling {
+    int passes = 0;             ///< largest number that one equilibrium took
+    int flows = 0;              ///< computed in all
+    double last_change = 0;     ///< of pressure, at the equilibrium of the result, over the largest pressure
+    double largest_change = 0;  ///< the same where it stayed above the tolerance, of any equilibrium
+    bool converged = false;     ///< whether every equilibrium was within the tolerance
 };
 
 }  // namespace talus

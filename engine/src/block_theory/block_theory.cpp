@@ -11,6 +11,7 @@
 #include "build/build.h"
 #include "build/wet_joints.h"
 #include "checks/plausible.h"
+#include "checks/water_warnings.h"
 #include "measure/natural_order.h"
 #include "model/over_time.h"
 #include "state/caller.h"
@@ -135,6 +136,7 @@ Result<KeyBlockResult> keyBlocks(const Model& model, const Control& control,
         if (auto falls = checks::nothingHolds(model)) errors.push_back(std::move(*falls));
         if (!errors.empty()) return errors;
         result = analyse(*state, parallel, control, settings);
+        if (auto stated = checks::flowAsStated(model)) result.warnings.push_back(std::move(*stated));
         result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
     });

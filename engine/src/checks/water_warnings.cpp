@@ -198,4 +198,28 @@ std::optional<std::string> pushedAway(const State& state) {
     return std::nullopt;
 }
 
+std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, const FlowCoupling& coupling,
+                                    const Flow& flow) {
+    std::vector<std::string> warnings;
+    if (coupling.largest_change > 0)
+        warnings.push_back(flow.field + ".coupling_passes: after " + std::to_string(flow.coupling_passes) +
+                           " passes at an equilibrium the pressure of the flow still changes by " +
+                           formatted("%.2g", coupling.largest_change) +
+                           " of its largest value, and coupling_tolerance allows " +
+                           formatted("%.2g", flow.coupling_tolerance) +
+                           ": flow and opening of the joints do not agree there; allowed: more passes");
+    if (const auto& why = coupled.notFound())
+        warnings.push_back(why->field +
+                           ": at an equilibrium the flow in the joints as open as they are was "
+                           "not found, and the pressure before was kept: " +
+                           why->message);
+    return warnings;
+}
+
+std::optional<std::string> flowAsStated(const Model& model) {
+    if (!model.flow || !model.flow->coupled) return std::nullopt;
+    return model.flow->field +
+           ".coupled: joints do not open here; the pressure is that of the flow with the stated apertures";
+}
+
 }  // namespace talus::checks

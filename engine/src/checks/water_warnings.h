@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "forces/coupled_flow.h"
 #include "state/arrays.h"
 #include "talus/result.h"
 
@@ -24,5 +25,12 @@ std::optional<std::string> pushedByWater(const State& built, const std::vector<s
 /// Water that never drains from opening joints keeps pushing, and ejects blocks. \param state at the end of a
 /// run
 std::optional<std::string> pushedAway(const State& state);
+
+/// Of coupled flow: equilibria at which it did not converge, or was not found.
+std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, const FlowCoupling& coupling,
+                                    const Flow& flow);
+
+/// For an analysis without displacements, where flow is coupled.
+std::optional<std::string> flowAsStated(const Model& model);
 
 }  // namespace talus::checks

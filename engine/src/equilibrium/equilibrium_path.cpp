@@ -60,11 +60,13 @@ EquilibriumPath::EquilibriumPath(State state, const SearchRules& rules, bool par
 
 void EquilibriumPath::vary(const Loading& loading, double load) {
     equations_.setLoading(loading, load);
+    passes_ = 0;
     last_ = {};
     takeContacts();
 }
 
 void EquilibriumPath::putUnder(double load) {
+    if (load != this->load()) passes_ = 0;
     equations_.setLoad(load);
     updateBlockForces(state_);
     last_ = {};
@@ -74,6 +76,20 @@ void EquilibriumPath::putUnder(double load) {
 void EquilibriumPath::mark(std::function<void(State&)> marked) {
     mark_ = std::move(marked);
     if (mark_) mark_(state_);
+}
+
+void EquilibriumPath::takeAsStated() {
+    if (coupled_ != nullptr) coupled_->takeAsStated(state_);
+}
+
+bool EquilibriumPath::renewPressure() {
+    if (coupled_ == nullptr) return false;
+    const bool renewed = coupled_->renew(state_, passes_);
+    passes_ = renewed ? passes_ + 1 : 0;
+    if (!renewed) return false;
+    last_ = {};
+    takeContacts();
+    return true;
 }
 
 void EquilibriumPath::setGaps() { gaps_.set(state_, state_.blocks.position, state_.blocks.orientation); }
@@ -221,6 +237,7 @@ void EquilibriumPath::commit(PathStep step) {
     Poses poses = equations_.moved(step.x);
     setPoses(poses, state_);
     setGaps();
+    if (step.unknown == Unknown::load) passes_ = 0;
     equations_.setLoad(step.unknown == Unknown::load ? load() + step.value : load());
     updateForces(state_, parallel_);
     motion_since_search_ += motion;
@@ -298,6 +315,7 @@ void EquilibriumPath::takeOut(const std::vector<std::size_t>& blocks) {
     gaps_ = FirstOrderGaps(state_);
     setGaps();
     if (mark_) mark_(state_);
+    passes_ = 0;
     last_ = {};
     takeContacts();
 }
@@ -313,6 +331,7 @@ void EquilibriumPath::goBack(const Place& place) {
     motion_ = place.motion;
     motion_since_search_ = place.motion_since_search;
     equations_.setLoading(place.loading, place.load);
+    passes_ = 0;
     takeContacts();
 }
 

@@ -7,6 +7,7 @@
 #include "equilibrium/first_order_gaps.h"
 #include "equilibrium/parting.h"
 #include "equilibrium/path_equations.h"
+#include "forces/coupled_flow.h"
 #include "state/arrays.h"
 #include "talus/search_rules.h"
 
@@ -36,6 +37,13 @@ class EquilibriumPath {
     void putUnder(double load);
     /// Another law for the contacts of some pairs: called with the state after each search for contacts.
     void mark(std::function<void(State&)> marked);
+
+    /// From now on the pressure of flow follows the joints; the path does not own it.
+    void couple(flow_water::CoupledFlow* flow) { coupled_ = flow; }
+    /// Coupled: apertures are as stated while joints are as open as now.
+    void takeAsStated();
+    /// Coupled, in equilibrium: see CoupledFlow::renew.
+    bool renewPressure();
 
     /// A step along the path from its end, of the arc's length, or shorter where that does not converge.
     PathStep along(const Arc& arc);
@@ -99,6 +107,8 @@ class EquilibriumPath {
     PathEquations equations_;
     PathStep last_{};
     std::function<void(State&)> mark_{};
+    flow_water::CoupledFlow* coupled_ = nullptr;
+    int passes_ = 0;                  ///< of coupled flow, on the way to an equilibrium at the present load
     std::vector<double> motion_{};    ///< of each block since contacts were looked for [m]
     double motion_since_search_ = 0;  ///< the largest, over the block's size
 };

@@ -24,7 +24,7 @@ Released release(EquilibriumPath& path, double load, const Parting& since, doubl
             if (!step) return Released::lost;
             path.commit(std::move(step));
         }
-        if (path.isBalanced() && !path.bondsGive()) return Released::rests;
+        if (path.isBalanced() && !path.bondsGive() && !path.renewPressure()) return Released::rests;
         if (path.partedSince(since) > leaves) return Released::left;
     }
     return Released::lost;

@@ -107,14 +107,16 @@ void leaveOutUnreached(const Network& network, Conditions& conditions) {
 }  // namespace
 
 Result<Conditions> conditionsOf(const Network& network, const Flow& flow, const Model& model,
-                                const Vec3& origin) {
+                                const Vec3& origin, double tilt) {
     const std::size_t count = network.nodes.size();
-    const Vec3 down = downward(model.gravity, model.gravity.tilt);
+    const Vec3 down = downward(model.gravity, tilt);
     Conditions conditions{std::vector(count, Condition::none), std::vector<std::int32_t>(count, -1),
                           std::vector<double>(count), std::vector<double>(count, 0.0)};
     for (std::size_t n = 0; n < count; ++n) conditions.elevation[n] = -down.dot(network.nodes[n] + origin);
     std::vector<Error> errors, drained;
     const Places places(network, origin);
+    // A tilt that is searched for may raise a boundary above its head, which drains it.
+    const bool is_own = tilt == model.gravity.tilt;
     for (std::size_t k = 0; k < flow.boundaries.size(); ++k) {
         Extent reached;
         places.each(flow.boundaries[k], [&](std::int32_t node) {
@@ -124,7 +126,8 @@ Result<Conditions> conditionsOf(const Network& network, const Flow& flow, const 
         if (model.is_remainder) continue;
         if (reached.high < reached.low)
             errors.push_back(takesNothing(flow.boundaries[k], network, origin));
-        else if (auto fault = drains(flow.boundaries[k], flow, reached, kNear * network.size))
+        else if (auto fault = drains(flow.boundaries[k], flow, reached, kNear * network.size);
+                 fault && is_own)
             drained.push_back(std::move(*fault));
     }
     const auto& of = conditions.of;

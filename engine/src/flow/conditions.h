@@ -23,9 +23,9 @@ struct Conditions {
     std::vector<double> head;            ///< of nodes with a head [m]
 };
 
-/// Where several boundaries take the same node, the first of them counts.
+/// Where several boundaries take the same node, the first of them counts. Gravity is tilted so [rad].
 /// Errors: a boundary without nodes, or wholly above its head; no head at all.
 Result<Conditions> conditionsOf(const Network& network, const Flow& flow, const Model& model,
-                                const Vec3& origin);
+                                const Vec3& origin, double tilt);
 
 }  // namespace talus::flow

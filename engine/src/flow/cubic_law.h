@@ -15,6 +15,20 @@ inline double transmissivity(double unit_weight, double aperture, double viscosi
     return unit_weight * aperture * aperture * aperture / (12 * viscosity);
 }
 
+// Of the stated aperture. A joint that has opened so far conducts a thousand times as much. The head along it
+// is level, and hardly changes any more.
+inline constexpr double kMostOpened = 10;
+
+/// Hydraulic aperture of a joint that has opened or closed: b = b0 + u, but no less than the residual one.
+/// Fractures keep that under stress, and the cubic law holds down to it (Witherspoon and others 1980). UDEC
+/// has the same rule (Lemos and Lorig 1990, in Mechanics of Jointed and Faulted Rock, Balkema).
+/// \param stated          b0, while the joint has not opened [m]
+/// \param opened          u, less than zero where it has closed [m]
+/// \param residual_share  of b0: the residual aperture
+inline double hydraulicAperture(double stated, double opened, double residual_share) {
+    return std::clamp(stated + opened, residual_share * stated, kMostOpened * stated);
+}
+
 /// Mean over a triangle of max(0, f), f linear with these values at the corners. With one corner of a sign,
 /// f^3 / (3 (f - g) (f - h)) is the mean over that corner's side of the zero line.
 inline double meanPositive(std::array<double, 3> f) {

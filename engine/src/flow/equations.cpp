@@ -35,7 +35,7 @@ Equations::Equations(const Network& network, const Conditions& conditions,
         const Gradients g = gradientsOf(network, t);
         std::array<double, 3> between{};
         for (std::size_t k = 0; k < 3; ++k)
-            between[k] = -transmissivity[at(network.patch_of[t])] * g.area * g.of[k].dot(g.of[(k + 1) % 3]);
+            between[k] = -transmissivity[t] * g.area * g.of[k].dot(g.of[(k + 1) % 3]);
         stiffness_.push_back(between);
     }
     for (const Condition condition : conditions.of) held_.push_back(condition != Condition::none ? 1 : 0);

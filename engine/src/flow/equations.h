@@ -23,6 +23,7 @@ using Vector = Eigen::VectorXd;
 /// Heads count from a datum, the lowest given head: little is lost to rounding far above sea level.
 class Equations {
  public:
+    /// \param transmissivity  of each triangle [m^2/s]
     Equations(const Network& network, const Conditions& conditions,
               const std::vector<double>& transmissivity);
 

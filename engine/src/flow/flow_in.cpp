@@ -63,16 +63,17 @@ std::optional<Error> doubtOf(const std::vector<std::int32_t>& unreached, const N
 /// Makes the result out of the heads.
 class Answer {
  public:
-    Answer(const State& state, const Flow& flow, const Network& network, const Conditions& conditions)
+    Answer(const State& state, const Flow& flow, const Network& network, const Conditions& conditions,
+           const std::vector<double>& aperture)
         : model_(state.geometry->model),
           origin_(state.geometry->origin),
           flow_(flow),
           network_(network),
           conditions_(conditions),
           unit_weight_(flow.density * model_.gravity.magnitude) {
-        for (const Patch& patch : network.patches)
-            transmissivity_.push_back(
-                transmissivity(unit_weight_, apertureOf(flow, patch.joint), flow.viscosity));
+        for (const double b : aperture)
+            transmissivity_.push_back(transmissivity(unit_weight_, b, flow.viscosity));
+        into_.aperture = aperture;
     }
 
     Result<SteadyFlow> solve() {
@@ -144,8 +145,7 @@ class Answer {
             return into_.head[static_cast<std::size_t>(network_.triangles[t][k])];
         };
         for (std::size_t k = 1; k < 3; ++k) gradient += (head(k) - head(0)) * g.of[k];
-        return -transmissivity_[static_cast<std::size_t>(network_.patch_of[t])] * into_.wet_share[t] *
-               gradient;
+        return -transmissivity_[t] * into_.wet_share[t] * gradient;
     }
 
     /// Inflow at the nodes of a boundary that are of one condition.
@@ -231,11 +231,18 @@ class Answer {
     const Network& network_;
     const Conditions& conditions_;
     double unit_weight_;                  ///< of water [N/m^3]
-    std::vector<double> transmissivity_;  ///< of each patch [m^2/s]
+    std::vector<double> transmissivity_;  ///< of each triangle [m^2/s]
     SteadyFlow into_;
 };
 
 }  // namespace
+
+std::vector<double> statedApertures(const Network& network, const Flow& flow) {
+    std::vector<double> apertures;
+    for (std::size_t t = 0; t < network.triangles.size(); ++t)
+        apertures.push_back(apertureOf(flow, network.patch(t).joint));
+    return apertures;
+}
 
 Result<SteadyFlow> flowIn(const State& state, const Flow& flow) {
     const Model& model = state.geometry->model;
@@ -244,15 +251,20 @@ Result<SteadyFlow> flowIn(const State& state, const Flow& flow) {
         return Error{flow.field,
                      "found no joint between two blocks that touch, one of them free; allowed: "
                      "flow in a model with joints"};
-    const auto conditions = conditionsOf(network, flow, model, state.geometry->origin);
+    return flowThrough({network, statedApertures(network, flow), model.gravity.tilt}, state, flow);
+}
+
+Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const Flow& flow) {
+    const Geometry& geometry = *state.geometry;
+    const auto conditions = conditionsOf(joints.network, flow, geometry.model, geometry.origin, joints.tilt);
     if (!conditions) return conditions.errors();
-    return Answer(state, flow, network, *conditions).solve();
+    return Answer(state, flow, joints.network, *conditions, joints.aperture).solve();
 }
 
 std::optional<Error> unreachedParts(const State& state, const Flow& flow) {
     const Model& model = state.geometry->model;
     const Network network = networkOf(state, 0);
-    const auto conditions = conditionsOf(network, flow, model, state.geometry->origin);
+    const auto conditions = conditionsOf(network, flow, model, state.geometry->origin, model.gravity.tilt);
     if (!conditions) return std::nullopt;
     return doubtOf(unreachedPatches(network, *conditions), network, flow, model);
 }

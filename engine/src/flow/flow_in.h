@@ -1,6 +1,9 @@
 #pragma once
-// The steady flow in the joints of a state as it was built.
+// The steady flow in the joints of a state as it was built, and with apertures of its own.
 
+#include <vector>
+
+#include "flow/network.h"
 #include "state/arrays.h"
 #include "talus/flow.h"
 
@@ -8,6 +11,18 @@ namespace talus::flow {
 
 /// Errors: as of steadyFlow (talus/flow.h).
 Result<SteadyFlow> flowIn(const State& state, const Flow& flow);
+
+/// The joints of a model as it was built, with an aperture for each triangle.
+struct Joints {
+    const Network& network;
+    std::vector<double> aperture;  ///< hydraulic [m]
+    double tilt = 0;               ///< of gravity [rad]
+};
+/// Errors: likewise.
+Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const Flow& flow);
+
+/// Of each triangle, as the model gives them [m].
+std::vector<double> statedApertures(const Network& network, const Flow& flow);
 
 /// What users should know of parts that no head reaches; nothing where there are none.
 std::optional<Error> unreachedParts(const State& state, const Flow& flow);

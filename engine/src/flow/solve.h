@@ -25,7 +25,7 @@ struct Heads {
     bool found = false;
 };
 
-/// \param transmissivity  of each patch [m^2/s]
+/// \param transmissivity  of each triangle [m^2/s]
 Heads solveHeads(const Network& network, const Conditions& conditions,
                  const std::vector<double>& transmissivity, bool free_surface);
 

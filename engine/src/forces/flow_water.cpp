@@ -44,18 +44,27 @@ std::vector<Wrench> pushesOf(const State& state, const SteadyFlow& flow) {
     return sums;
 }
 
-void store(const State& state, const std::vector<Wrench>& sums, ForceParts& parts) {
-    for (std::size_t b = 0; b < sums.size(); ++b) {
-        if (sums[b].force.isZero(0) && sums[b].torque.isZero(0)) continue;
-        const Mat3 back = state.geometry->initial_orientation.matrix(b).transpose();
-        const Vec3 force = back * sums[b].force, moment = back * sums[b].torque;
+/// A part for each block that the flow pushes; of coupled flow, for each that it may push.
+void store(const std::vector<double>& pushes, const std::vector<char>& may_push, ForceParts& parts) {
+    for (std::size_t b = 0; b < may_push.size(); ++b) {
+        const auto first = pushes.begin() + static_cast<std::ptrdiff_t>(kNumbers * b);
+        const auto end = first + static_cast<std::ptrdiff_t>(kNumbers);
+        if (may_push[b] == 0 && std::all_of(first, end, [](double x) { return x == 0; })) continue;
         parts.block.push_back(static_cast<std::int32_t>(b));
         parts.begin.push_back(parts.source.size());
         parts.source.push_back(0);
-        parts.numbers.insert(parts.numbers.end(), force.begin(), force.end());
-        parts.numbers.insert(parts.numbers.end(), moment.begin(), moment.end());
+        parts.numbers.insert(parts.numbers.end(), first, end);
     }
     parts.begin.push_back(parts.source.size());
+}
+
+/// Blocks at the network.
+std::vector<char> wetted(const State& state, const SteadyFlow& flow) {
+    std::vector<char> wet(state.blocks.size(), 0);
+    for (std::size_t t = 0; t < flow.triangles.size(); ++t)
+        for (const std::int32_t block : {flow.block_a[t], flow.block_b[t]})
+            wet[static_cast<std::size_t>(block)] = 1;
+    return wet;
 }
 
 bool bounds(const Interfaces& f, std::size_t i, const WetFace& wall) {
@@ -96,13 +105,33 @@ std::vector<Error> conflicts(const State& state, const Flow& flow) {
     return errors;
 }
 
+std::vector<double> ownPushes(const State& state, const SteadyFlow& flow) {
+    const std::vector<Wrench> sums = pushesOf(state, flow);
+    std::vector<double> pushes;
+    pushes.reserve(kNumbers * sums.size());
+    for (std::size_t b = 0; b < sums.size(); ++b) {
+        const Mat3 back = state.geometry->initial_orientation.matrix(b).transpose();
+        const Vec3 force = back * sums[b].force, moment = back * sums[b].torque;
+        pushes.insert(pushes.end(), force.begin(), force.end());
+        pushes.insert(pushes.end(), moment.begin(), moment.end());
+    }
+    return pushes;
+}
+
 std::vector<Error> build(State& state, ForceParts& parts) {
     const std::optional<Flow>& flow = state.geometry->model.flow;
     if (!flow) return {};
     if (std::vector<Error> errors = conflicts(state, *flow); !errors.empty()) return errors;
     const auto solved = flow::flowIn(state, *flow);
     if (!solved) return solved.errors();
-    store(state, pushesOf(state, *solved), parts);
+    const std::vector<double> pushes = ownPushes(state, *solved);
+    if (!flow->coupled) {
+        store(pushes, std::vector<char>(state.blocks.size(), 0), parts);
+        return {};
+    }
+    store(pushes, wetted(state, *solved), parts);
+    state.coupled_pressure.pressure_head = solved->pressure_head;
+    state.coupled_pressure.push = pushes;
     return {};
 }
 
@@ -110,9 +139,20 @@ Wrench on(const State& state, const ForceParts& parts, std::size_t block) {
     const auto found =
         std::lower_bound(parts.block.begin(), parts.block.end(), static_cast<std::int32_t>(block));
     if (found == parts.block.end() || *found != static_cast<std::int32_t>(block)) return {};
-    const double* n = parts.numbers.data() + kNumbers * static_cast<std::size_t>(found - parts.block.begin());
+    const std::vector<double>& coupled = state.coupled_pressure.push;
+    const auto part = static_cast<std::size_t>(found - parts.block.begin());
+    const double* n = coupled.empty() ? &parts.numbers[kNumbers * part] : &coupled[kNumbers * block];
     const Mat3 turn = state.load.water_share * state.blocks.orientation.matrix(block);
     return {turn * Vec3(n[0], n[1], n[2]), turn * Vec3(n[3], n[4], n[5])};
+}
+
+std::vector<ForceArray> memory(const State& state) {
+    if (state.coupled_pressure.push.empty()) return {};
+    return {{"push", state.coupled_pressure.push}};
+}
+
+void remember(State& state, std::span<const ForceArray> arrays) {
+    if (!arrays.empty()) state.coupled_pressure.push = arrays.front().values;
 }
 
 }  // namespace talus::flow_water

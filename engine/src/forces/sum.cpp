@@ -25,6 +25,7 @@ Wrench waterOnBlock(const State& state, const ForceParts&, std::size_t block) {
 }
 
 constexpr ForceMemory kWaterMemory{closedWaterMemory, rememberClosedWater};
+constexpr ForceMemory kFlowMemory{flow_water::memory, flow_water::remember};
 constexpr ForceMemory kPhreaticMemory{phreatic::memory, phreatic::remember};
 
 constexpr TyingForce kBoltTies{bolts::ties,         bolts::between, bolts::springsOn,
@@ -47,7 +48,11 @@ constexpr BlockForce kBlockForces[] = {
      .update = phreatic::update,
      .look = phreatic::drain,
      .memory = &kPhreaticMemory},
-    {.name = "flow", .build = flow_water::build, .blocks = flow_water::blocks, .on = flow_water::on},
+    {.name = "flow",
+     .build = flow_water::build,
+     .blocks = flow_water::blocks,
+     .on = flow_water::on,
+     .memory = &kFlowMemory},
     {.name = "loads", .build = loads::build, .blocks = loads::blocks, .on = loads::on, .dead = loads::dead},
     {.name = "bolts",
      .build = bolts::build,

@@ -8,8 +8,10 @@
 
 #include "build/build.h"
 #include "checks/loose_blocks.h"
+#include "checks/water_warnings.h"
 #include "contacts/update.h"
 #include "forces/contact_forces.h"
+#include "forces/coupled_flow.h"
 #include "history/quasi_static.h"
 #include "state/block_motion.h"
 #include "state/caller.h"
@@ -21,14 +23,45 @@ constexpr double kLoadTolerance =
     1e-4;  // in equilibrium when the out-of-balance force is below 1 % of this share of the weight
 constexpr double kHeldStrength = 1e15;  // [Pa], of unbreakable joints
 
+/// Coupled flow: its pressure follows the joints from equilibrium to equilibrium, until both agree.
+bool settlesWithFlow(State& state, QuasiStaticWork& work, flow_water::CoupledFlow& coupled) {
+    const Ramp none = [](State&, double) {};
+    for (int pass = 0; coupled.renew(state, pass); ++pass)
+        if (bringOn(state, work, none).verdict != Verdict::stable) return false;
+    return true;
+}
+
+/// Of coupled flow: the weight on level ground, where joints have their stated apertures, and then the tilt;
+/// as in a search. A given direction of gravity is that of a site.
+bool bearsWeight(State& state, QuasiStaticWork& work, const Ramp& gravity, flow_water::CoupledFlow& coupled) {
+    const double own = state.load.tilt;
+    const bool has_level = !state.geometry->model.gravity.direction;
+    if (has_level) state.load.tilt = 0;
+    if (bringOn(state, work, gravity).verdict != Verdict::stable) return false;
+    coupled.takeAsStated(state);
+    if (!has_level || own == 0) return true;
+    return bringOn(state, work, [own](State& s, double share) { s.load.tilt = share * own; }).verdict ==
+           Verdict::stable;
+}
+
 /// Applies weight, then water; true when the assembly reaches equilibrium.
-bool comesToRest(State& state, const Control& control, bool parallel) {
+/// \param coupled  the flow, where it is; else nullptr
+bool comesToRest(State& state, const Control& control, bool parallel, flow_water::CoupledFlow* coupled) {
     QuasiStaticWork work = prepare(state, QuasiStatic{}, control, kLoadTolerance, parallel);
     state.load.gravity_share = state.load.water_share = 0;
     const Ramp gravity = [](State& s, double share) { s.load.gravity_share = share; };
     const Ramp water = [](State& s, double share) { s.load.water_share = share; };
-    if (bringOn(state, work, gravity).verdict != Verdict::stable) return false;
-    return !state.geometry->model.hasWater() || bringOn(state, work, water).verdict == Verdict::stable;
+    const bool bears = coupled != nullptr ? bearsWeight(state, work, gravity, *coupled)
+                                          : bringOn(state, work, gravity).verdict == Verdict::stable;
+    if (!bears || !state.geometry->model.hasWater()) return bears;
+    if (bringOn(state, work, water).verdict != Verdict::stable) return false;
+    return coupled == nullptr || settlesWithFlow(state, work, *coupled);
+}
+
+std::optional<flow_water::CoupledFlow> coupledFlowOf(const State& built) {
+    const std::optional<Flow>& flow = built.geometry->model.flow;
+    if (!flow || !flow->coupled) return std::nullopt;
+    return std::optional<flow_water::CoupledFlow>(std::in_place, built);
 }
 
 /// Settings of the history itself, whatever loads brought the state to its start.
@@ -72,7 +105,7 @@ struct Poses {
 std::optional<Poses> findHeld(Model model, const Control& control, bool parallel) {
     for (Joint& joint : model.joints) joint = holding(std::move(joint), kHeldStrength);
     Result<State> held = buildState(std::move(model), parallel, control);
-    if (!held || !comesToRest(*held, control, parallel)) return std::nullopt;
+    if (!held || !comesToRest(*held, control, parallel, nullptr)) return std::nullopt;
     return Poses{std::move(held->blocks.position), std::move(held->blocks.orientation)};
 }
 
@@ -86,8 +119,12 @@ InitialState bringToStart(State& state, const Control& control, bool parallel) {
         if (state.blocks.motion[b] == Motion::free && !checks::touchesSomething(state, b))
             return InitialState::unstressed;
     AsBuilt built = asBuilt(state);
-    if (comesToRest(state, control, parallel)) {
+    auto coupled = coupledFlowOf(state);
+    if (comesToRest(state, control, parallel, coupled ? &*coupled : nullptr)) {
         giveBack(std::move(built), state);
+        if (coupled)
+            for (std::string& doubt : checks::ofCoupling(*coupled, coupled->coupling(state), *model->flow))
+                state.warnings.push_back(std::move(doubt));
         return InitialState::equilibrium;
     }
     // Built again rather than copied, and one state at a time: with a million blocks each takes two
@@ -99,6 +136,7 @@ InitialState bringToStart(State& state, const Control& control, bool parallel) {
     Result<State> anew = buildState(model, parallel, control);
     if (!anew) return InitialState::unstressed;
     state = *std::move(anew);
+    if (auto stated = checks::flowAsStated(*model)) state.warnings.push_back(std::move(*stated));
     if (!held) return InitialState::unstressed;
     state.blocks.position = std::move(held->position);
     state.blocks.orientation = std::move(held->orientation);

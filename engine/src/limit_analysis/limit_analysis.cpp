@@ -9,6 +9,7 @@
 #include "build/wet_joints.h"
 #include "checks/plausible.h"
 #include "checks/strength_held.h"
+#include "checks/water_warnings.h"
 #include "forces/sum.h"
 #include "law/joint_laws.h"
 #include "limit_analysis/assemble.h"
@@ -422,6 +423,7 @@ Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control
             if (const std::string why = whyNot(state, assembly); !why.empty()) return Error{"", why};
             LimitResult result = analyse(state, assembly, load, control, settings);
             result.warnings = checks::strengthsHeld(model);
+            if (auto stated = checks::flowAsStated(model)) result.warnings.push_back(std::move(*stated));
             result.wall_seconds =
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             return result;

@@ -114,6 +114,7 @@ class Loader {
                 k = std::max(k, kWeightAttempts - 2);
                 continue;
             }
+            path_.takeAsStated();
             const double parted = parted_;
             const auto weighted = path_.place();
             const bool bears = !model_.hasWater() || bringOn(waterAxis(start_.imbalance), "water");

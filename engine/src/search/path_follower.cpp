@@ -175,10 +175,14 @@ class Follower {
         const int iterations = step.iterations;
         before_ = path_.place();
         path_.commit(std::move(step));
-        // After new contacts, or bonds overloaded by the step, equilibrium is needed again at its load.
-        if ((path_.bondsGive() || !path_.isBalanced()) && !settle()) {
-            if (gain <= rules_.peak_accuracy * cell_) return false;
-            path_.goBack(*before_);
+        // After new contacts, bonds overloaded by the step, or with new pressure of coupled flow, equilibrium
+        // is needed again at its load.
+        if ((path_.bondsGive() || !path_.isBalanced() || path_.renewPressure()) && !settle()) {
+            const bool is_known = gain <= rules_.peak_accuracy * cell_;
+            // On the way to an equilibrium, coupled flow and opening of the joints do not agree.
+            const bool is_coupled = !path_.state().coupled_pressure.push.empty();
+            if (!is_known || is_coupled) path_.goBack(*before_);
+            if (is_known) return false;
             arc_.displacement = rules_.shorter_at_peak * length;
             arc_.load = rules_.shorter_at_peak * gain;
             return true;

@@ -85,6 +85,11 @@ std::vector<Error> Search::build() {
     if (isStopped(control_)) return {};
     if (!built) return built.errors();
     built_ = std::move(*built);
+    coupled_.reset();
+    if (rest_->flow && rest_->flow->coupled) {
+        coupled_.emplace(*built_);
+        if (varied_ == Varied::tilt) coupled_->followTilt(axis().start);
+    }
     parallel_ = worthThreads(*built_, control_.threads);
     const std::vector<double> bounds = frequencyBounds(*built_, parallel_);
     const double imbalance = axis().loading.imbalance;
@@ -130,6 +135,7 @@ void Search::report(const std::string& stage, double fraction, const std::string
 
 Course Search::beginAt(double factor, bool weakens) {
     Course course{.path = std::make_unique<EquilibriumPath>(*built_, rules_, parallel_, control_.stop)};
+    if (coupled_) course.path->couple(&*coupled_);
     counted_ = {};
     path_now_ = course.path.get();
     const auto weighted = [&](EquilibriumPath& path) {

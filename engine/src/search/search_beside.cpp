@@ -98,6 +98,7 @@ Ceiling Search::boundOf(const Course& course) {
     const bool has_settled = settled_ && course.begun.parted > kClosedGap;
     State state = has_settled ? *settled_ : *built_;
     state.laws = jointLaws(rest_->joints, 1);
+    if (course.followed.stood) state.coupled_pressure = course.followed.stood->state.coupled_pressure;
     LimitSettings settings;
     for (const BlockGroup& group : result_.removed_groups)
         settings.left_out.insert(settings.left_out.end(), group.blocks.begin(), group.blocks.end());
@@ -122,8 +123,8 @@ void Search::addLimitEquilibrium() {
     if (control_.upper_bound == Beside::never || isStopped(control_)) return;
     // A factor takes one look at the groups, other loads several.
     if (has_answer && varied_ != Varied::factor && !control_.interval) return;
-    // Block theory would compute the flow anew at each tilt. The search keeps that of the scenario's tilt.
-    if (varied_ == Varied::tilt && rest_->flow) return;
+    // Block theory would compute the flow anew at each tilt, and in joints that have not opened.
+    if (rest_->flow && (varied_ == Varied::tilt || rest_->flow->coupled)) return;
     report("limit equilibrium", kPath, "blocks that slide as one body");
     std::vector<std::string> gone;
     for (const BlockGroup& group : result_.removed_groups)

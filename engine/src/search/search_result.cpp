@@ -79,7 +79,16 @@ void Search::finish(Course& course) {
     result_.path = std::move(course.followed.points);
     result_.probes = std::move(course.followed.probes);
     addDisplacements(course.followed);
+    addCoupling(course);
     describe(course, has_begun);
+}
+
+void Search::addCoupling(const Course& course) {
+    if (!coupled_) return;
+    const Followed& followed = course.followed;
+    result_.flow_coupling = coupled_->coupling(followed.stood ? followed.stood->state : course.path->state());
+    for (std::string& warning : checks::ofCoupling(*coupled_, *result_.flow_coupling, *rest_->flow))
+        result_.warnings.push_back(std::move(warning));
 }
 
 void Search::addDisplacements(const Followed& followed) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "equilibrium/equilibrium_path.h"
+#include "forces/coupled_flow.h"
 #include "search/beginning.h"
 #include "search/load_axis.h"
 #include "search/path_follower.h"
@@ -41,6 +42,8 @@ class Search {
     }
 
     Result<SearchResult> run();
+    /// Of coupled flow, where the search begins.
+    Result<SteadyFlow> flowAtBeginning();
 
  private:
     const LoadAxis& axis() const { return *axis_; }
@@ -96,6 +99,7 @@ class Search {
     /// From the ends of the paths.
     void finish(Course& course);
     void addDisplacements(const Followed& followed);
+    void addCoupling(const Course& course);
 
     /// How it fails, and the state the search ended in.
     void describe(Course& course, bool has_begun);
@@ -164,6 +168,7 @@ class Search {
     std::shared_ptr<const Model> rest_{};
     std::optional<LoadAxis> axis_{}, strength_{};
     std::optional<State> built_{};
+    std::optional<flow_water::CoupledFlow> coupled_{};  ///< where the flow is
     bool parallel_ = false;
     std::optional<State> settled_{};  ///< when the weight was first in equilibrium
     UnloadedJoints unloaded_{};       ///< where the search begins, with more strength

@@ -225,6 +225,14 @@ struct ClosedWaters {
     std::size_t size() const { return begun.size(); }
 };
 
+/// Pressure of flow whose apertures follow the joints (forces/coupled_flow.h); empty where none does.
+struct CoupledPressure {
+    std::vector<double> stated_opening;  ///< of each triangle of the mesh: at which its aperture is as stated
+    std::vector<double> pressure_head;   ///< at each node of the mesh, as it acts [m]
+    std::vector<double> push;            ///< six for each block, as in flow_water::ownPushes
+    double change = 0;                   ///< of the pressure, as last computed, over the largest
+};
+
 /// Which interfaces and wet patches push on each block, in a fixed order (compressed rows).
 struct Incidence {
     std::vector<std::int64_t> interface_begin;
@@ -317,6 +325,7 @@ struct State {
     std::vector<PressureField> pressure;  ///< per water, for `water_load`
     std::vector<WaterLoad> water_load;    ///< per water: what its wrenches were computed for
     ClosedWaters closed{};
+    CoupledPressure coupled_pressure{};
     PositionArray search_position;  ///< poses at the last neighbour search
     QuaternionArray search_orientation;
     double search_margin = 0;  ///< gap up to which that search made interfaces [m]

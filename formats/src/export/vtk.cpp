@@ -203,6 +203,7 @@ std::string vtpFlow(const SteadyFlow& flow) {
     poly.open("CellData");
     poly.array("discharge", discharge, 3);
     poly.array("wet_share", flow.wet_share);
+    poly.array("aperture", flow.aperture);
     poly.array("joint", flow.joint);
     poly.array("block_a", flow.block_a);
     poly.array("block_b", flow.block_b);

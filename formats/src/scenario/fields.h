@@ -90,7 +90,9 @@ inline constexpr UnitMixUp kViscosityMixUp{0.2, 10, "mPa s"};
 inline constexpr std::array kFlowFields{
     NumberField<Flow>{"aperture", &Flow::aperture, "m", kHydraulicAperture, kApertureMixUp},
     NumberField<Flow>{"viscosity", &Flow::viscosity, "Pa s", kViscosity, kViscosityMixUp},
-    NumberField<Flow>{"density", &Flow::density, "kg/m^3", kFluidDensity, kFluidDensityMixUp}};
+    NumberField<Flow>{"density", &Flow::density, "kg/m^3", kFluidDensity, kFluidDensityMixUp},
+    NumberField<Flow>{"residual_aperture_share", &Flow::residual_share, "", Interval::positive(1)},
+    NumberField<Flow>{"coupling_tolerance", &Flow::coupling_tolerance, "", Interval::positive(1)}};
 
 /// Sections that hold nothing but such numbers, each with what holds them in the model: calls with its name,
 /// its fields and that. The reader, overrides and units iterate over them.

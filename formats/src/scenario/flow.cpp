@@ -10,6 +10,10 @@ namespace talus::formats::scenario {
 
 namespace {
 
+constexpr Bounds kPasses{1, 1000};
+/// Keys that need `coupled = true`.
+const std::vector<std::string> kCouplingKeys{"residual_aperture_share", "coupling_tolerance",
+                                             "coupling_passes"};
 constexpr Bounds kRefinements{0, 5};  // each makes four times the triangles: 5 are a thousand for each
 
 void readJointApertures(const ForceReader& from, TableReader& flow_table, Flow& flow) {
@@ -60,11 +64,21 @@ void readBoundaries(const ForceReader& from, TableReader& flow_table, Flow& flow
         flow_table.error("boundary", "found no [[flow.boundary]] with a head, allowed: at least one");
 }
 
+void readCoupling(TableReader& table, Flow& flow) {
+    flow.coupled = table.boolean("coupled").value_or(false);
+    if (const auto passes = table.integer("coupling_passes", kPasses))
+        flow.coupling_passes = static_cast<int>(*passes);
+    if (flow.coupled || table.isMeant("coupled")) return;
+    for (const std::string& key : table.present(kCouplingKeys))
+        table.error(key, "found without coupled = true, allowed: only with it");
+}
+
 }  // namespace
 
 void readFlow(const ForceReader& from, Model& model) {
     std::vector<std::string> keys = keysOf(kFlowFields);
-    keys.insert(keys.end(), {"free_surface", "refinements", "joint", "boundary"});
+    keys.insert(keys.end(),
+                {"free_surface", "refinements", "coupled", "coupling_passes", "joint", "boundary"});
     auto table = from.root.table("flow", keys);
     if (!table) return;
     Flow flow;
@@ -73,6 +87,7 @@ void readFlow(const ForceReader& from, Model& model) {
     readNumbers(*table, kFlowFields, flow);
     flow.free_surface = table->boolean("free_surface").value_or(true);
     flow.refinements = static_cast<int>(table->integer("refinements", kRefinements).value_or(0));
+    readCoupling(*table, flow);
     readJointApertures(from, *table, flow);
     readBoundaries(from, *table, flow);
     model.flow = std::move(flow);

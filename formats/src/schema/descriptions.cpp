@@ -270,6 +270,16 @@ constexpr Description kScenario[] = {
     {"flow.free_surface",
      "whether joints are dry above a free surface, which is found (default); false: all joints are full"},
     {"flow.refinements", "how often each triangle of the mesh is divided into four; default 0"},
+    {"flow.coupled",
+     "true: hydraulic apertures follow what joints open and close from equilibrium to equilibrium; default "
+     "false"},
+    {"flow.residual_aperture_share",
+     "coupled: residual aperture of a joint that closes, as a share of its aperture; default 0.1"},
+    {"flow.coupling_tolerance",
+     "coupled: change of pressure between two passes, over the largest pressure, at which flow and opening "
+     "agree; default 0.001"},
+    {"flow.coupling_passes",
+     "coupled: most passes at one equilibrium, beyond which the result has a warning; default 30"},
     {"flow.joint", "joints with an aperture of their own, by the name of their [joint.NAME]"},
     {"flow.joint.NAME.aperture", "hydraulic aperture of this joint"},
     {"flow.boundary", "where water enters or leaves; elsewhere the network is closed"},

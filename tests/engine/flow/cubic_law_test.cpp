@@ -11,6 +11,14 @@ TEST_CASE("cubic law: a tenth of a millimetre of water") {
     CHECK(transmissivity(9810, 2e-4, 1e-3) == doctest::Approx(8 * 8.175e-7).epsilon(1e-12));
 }
 
+TEST_CASE("hydraulic aperture: it follows the opening, between the residual one and ten times the stated") {
+    CHECK(hydraulicAperture(1e-4, 0, 0.1) == 1e-4);
+    CHECK(hydraulicAperture(1e-4, 5e-5, 0.1) == doctest::Approx(1.5e-4).epsilon(1e-12));
+    CHECK(hydraulicAperture(1e-4, -5e-5, 0.1) == doctest::Approx(5e-5).epsilon(1e-12));
+    CHECK(hydraulicAperture(1e-4, -1, 0.1) == doctest::Approx(1e-5).epsilon(1e-12));
+    CHECK(hydraulicAperture(1e-4, 1, 0.1) == doctest::Approx(1e-3).epsilon(1e-12));
+}
+
 TEST_CASE("mean of the positive part over a triangle: against sums over a fine grid") {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> between(-1, 1);

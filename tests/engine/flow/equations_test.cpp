@@ -23,8 +23,8 @@ struct Dam {
         return *buildState(std::move(dry), false);
     }();
     flow::Network network = flow::networkOf(state, 0);
-    flow::Conditions conditions = *flow::conditionsOf(network, water, model, Vec3::Zero());
-    std::vector<double> transmissivity = std::vector(network.patches.size(), 1.0);
+    flow::Conditions conditions = *flow::conditionsOf(network, water, model, Vec3::Zero(), 0);
+    std::vector<double> transmissivity = std::vector(network.triangles.size(), 1.0);
     flow::Equations equations{network, conditions, transmissivity};
 
     flow::Vector anyHeads(unsigned seed) const {

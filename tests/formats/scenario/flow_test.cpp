@@ -166,3 +166,33 @@ TEST_CASE("flow: faces of boundaries turn with the profile, as those of fixed bl
     CHECK((*boundaryOf("slope_azimuth_deg = 180, ").face + Vec3::UnitY()).norm() < 1e-12);
     CHECK(boundaryOf("slope_azimuth_deg = 180, ").box_min == Vec3(0, 1, 2));
 }
+
+TEST_CASE("flow: whether it is coupled, and how well") {
+    const auto plain = parseScenario(kBlocks + flow("aperture = 1e-4\n"), "slope.toml");
+    REQUIRE(plain.ok());
+    CHECK_FALSE(plain->model.flow->coupled);
+    const auto scenario =
+        parseScenario(kBlocks + flow("aperture = 1e-4\ncoupled = true\nresidual_aperture_share = 0.2\n"
+                                     "coupling_tolerance = 1e-4\ncoupling_passes = 5\n"),
+                      "slope.toml");
+    REQUIRE(scenario.ok());
+    const Flow& read = *scenario->model.flow;
+    CHECK(read.coupled);
+    CHECK(read.residual_share == 0.2);
+    CHECK(read.coupling_tolerance == 1e-4);
+    CHECK(read.coupling_passes == 5);
+}
+
+TEST_CASE("flow: what coupling cannot be") {
+    const auto with = [](const std::string& keys) { return refused(flow("aperture = 1e-4\n" + keys)); };
+    checkStart(with("coupled = 1\n"), "flow.coupled: ");
+    checkStart(with("coupled = true\ncoupling_tolerance = 0.0\n"), "flow.coupling_tolerance: found 0");
+    checkStart(with("coupled = true\ncoupling_tolerance = -1e-3\n"), "flow.coupling_tolerance: found -0.001");
+    checkStart(with("coupled = true\ncoupling_passes = 0\n"), "flow.coupling_passes: found 0");
+    checkStart(with("coupled = true\ncoupling_passes = 2.5\n"), "flow.coupling_passes: found a number 2.5");
+    checkStart(with("coupled = true\nresidual_aperture_share = 1.5\n"),
+               "flow.residual_aperture_share: found 1.5");
+    for (const char* key :
+         {"coupling_tolerance = 1e-3", "coupling_passes = 3", "residual_aperture_share = 0.1"})
+        CHECK(with(std::string(key) + "\n").ends_with("found without coupled = true, allowed: only with it"));
+}

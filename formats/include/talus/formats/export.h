@@ -30,7 +30,7 @@ std::string vtpBlocks(const SnapshotHeader& header, const LightFrame& frame);
 std::string vtpContacts(const FullFrame& full);
 
 /// Joints with their water as triangles (.vtp). Point data: head (nan where no head reaches), pressure,
-/// inflow. Cell data: discharge (per width of the joint), wet_share, joint, block_a, block_b.
+/// inflow. Cell data: discharge (per width of the joint), wet_share, aperture, joint, block_a, block_b.
 std::string vtpFlow(const SteadyFlow& flow);
 
 /// Times and files of a series (.pvd).

@@ -1,0 +1,98 @@
+#include "forces/coupled_flow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "flow/cubic_law.h"
+#include "flow/flow_in.h"
+#include "flow/opening.h"
+#include "forces/flow_water.h"
+
+namespace talus::flow_water {
+namespace {
+
+constexpr double kLess = 0.5;  // of the share that is put in, where changes do not become smaller
+
+}  // namespace
+
+double pressureChange(const std::vector<double>& before, const std::vector<double>& after) {
+    double most = 0, change = 0;
+    for (std::size_t n = 0; n < before.size(); ++n) {
+        const double a = std::max(0.0, before[n]), b = std::max(0.0, after[n]);
+        most = std::max({most, a, b});
+        change = std::max(change, std::abs(b - a));
+    }
+    return most > 0 ? change / most : 0;
+}
+
+CoupledFlow::CoupledFlow(const State& built)
+    : flow_(*built.geometry->model.flow),
+      network_(flow::networkOf(built, flow_.refinements)),
+      stated_(flow::statedApertures(network_, flow_)) {}
+
+void CoupledFlow::takeAsStated(State& state) const {
+    state.coupled_pressure.stated_opening = flow::openings(state, network_);
+}
+
+double CoupledFlow::tiltOf(const State& state) const {
+    return tilt_from_ ? std::max(*tilt_from_, state.load.tilt) : state.geometry->model.gravity.tilt;
+}
+
+std::vector<double> CoupledFlow::apertures(const State& state) const {
+    const std::vector<double>& before = state.coupled_pressure.stated_opening;
+    std::vector<double> apertures = flow::openings(state, network_);
+    for (std::size_t t = 0; t < apertures.size(); ++t)
+        apertures[t] = flow::hydraulicAperture(stated_[t], apertures[t] - before[t], flow_.residual_share);
+    return apertures;
+}
+
+Result<SteadyFlow> CoupledFlow::flowIn(const State& state) const {
+    return flow::flowThrough({network_, apertures(state), tiltOf(state)}, state, flow_);
+}
+
+bool CoupledFlow::renew(State& state, int pass) {
+    CoupledPressure& acting = state.coupled_pressure;
+    if (!(state.load.water_share > 0) || acting.stated_opening.empty()) return false;
+    ++flows_;
+    Result<SteadyFlow> found = flowIn(state);
+    if (!found) {
+        if (!not_found_) not_found_ = found.errors().front();
+        return false;
+    }
+    acting.change = pressureChange(acting.pressure_head, found->pressure_head);
+    if (acting.change <= flow_.coupling_tolerance) return false;
+    if (pass >= flow_.coupling_passes) {
+        not_converged_ = std::max(not_converged_, acting.change);
+        return false;
+    }
+    if (pass == 0)
+        weight_ = 1;
+    else if (acting.change >= last_change_)
+        weight_ *= kLess;
+    last_change_ = acting.change;
+    passes_ = std::max(passes_, pass + 1);
+    putIn(state, std::move(*found));
+    return true;
+}
+
+void CoupledFlow::putIn(State& state, SteadyFlow flow) const {
+    std::vector<double>& acting = state.coupled_pressure.pressure_head;
+    const double unit_weight = flow_.density * state.geometry->model.gravity.magnitude;
+    for (std::size_t n = 0; n < acting.size(); ++n) {
+        acting[n] += weight_ * (flow.pressure_head[n] - acting[n]);
+        flow.pressure[n] = unit_weight * std::max(0.0, acting[n]);
+    }
+    flow.pressure_head = acting;
+    state.coupled_pressure.push = ownPushes(state, flow);
+}
+
+FlowCoupling CoupledFlow::coupling(const State& state) const {
+    return {.passes = passes_,
+            .flows = flows_,
+            .last_change = state.coupled_pressure.change,
+            .largest_change = not_converged_,
+            .converged = flows_ > 0 && not_converged_ == 0 && !not_found_};
+}
+
+}  // namespace talus::flow_water

@@ -1,0 +1,58 @@
+// The flow whose apertures follow the joints, at the equilibrium where searches begin.
+
+#include <algorithm>
+#include <utility>
+
+#include "checks/water_warnings.h"
+#include "search/search_run.h"
+#include "state/caller.h"
+#include "state/threads.h"
+#include "talus/flow.h"
+
+namespace talus::search {
+namespace {
+
+/// Numbers of blocks in the model, for those of the model without the removed ones.
+std::vector<std::int32_t> remaining(const std::vector<char>& gone) {
+    std::vector<std::int32_t> numbers;
+    for (std::size_t b = 0; b < gone.size(); ++b)
+        if (gone[b] == 0) numbers.push_back(static_cast<std::int32_t>(b));
+    return numbers;
+}
+
+}  // namespace
+
+Result<SteadyFlow> Search::flowAtBeginning() {
+    if (auto errors = build(); !errors.empty()) return errors;
+    const std::string field = model_.flow->field + ".coupled";
+    const Course course = isStopped(control_) ? Course{} : begin();
+    if (isStopped(control_)) return Error{field, "interrupted before the equilibrium was found"};
+    if (course.begun.result != PathResult::reached)
+        return Error{field, std::string("found no equilibrium while the ") + course.begun.stage +
+                                " is applied, and coupled flow is that of an equilibrium; allowed: a slope "
+                                "that is stable under its own loads, or coupled = false"};
+    const State& state = course.path->state();
+    Result<SteadyFlow> flow = coupled_->flowIn(state);
+    if (!flow) return flow;
+    const std::vector<std::int32_t> number = remaining(gone_);
+    for (auto* blocks : {&flow->block_a, &flow->block_b})
+        for (std::int32_t& block : *blocks) block = number[static_cast<std::size_t>(block)];
+    flow->coupling = coupled_->coupling(state);
+    for (std::string& warning : checks::ofCoupling(*coupled_, *flow->coupling, *rest_->flow))
+        flow->warnings.push_back(std::move(warning));
+    return flow;
+}
+
+}  // namespace talus::search
+
+namespace talus {
+
+Result<SteadyFlow> coupledFlow(const Model& model, const Control& control) {
+    return inArena(control.threads, [&]() -> Result<SteadyFlow> {
+        const SearchRules rules;
+        // The search for an acceleration begins under the model's own loads.
+        return search::Search(Varied::horizontal, model, control, rules).flowAtBeginning();
+    });
+}
+
+}  // namespace talus

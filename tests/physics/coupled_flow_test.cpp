@@ -1,0 +1,313 @@
+// Flow whose apertures follow the joints, against closed formulas and the flow of rigid joints.
+
+#include <doctest/doctest.h>
+
+#include "support/flows.h"
+#include "support/models.h"
+#include "talus/analysis.h"
+#include "talus/simulation.h"
+
+using namespace talus;
+using namespace talus::test;
+
+namespace {
+
+constexpr double kUnitWeight = 9810, kRock = 2700 * 9.81;  // [N/m^3]
+constexpr double kAperture = 1e-4;                         // [m]
+constexpr double kLength = 4;                              // of the joint [m]
+
+SteadyFlow coupledSolved(const Model& model) {
+    auto flow = coupledFlow(model);
+    for (const Error& error : flow.errors()) FAIL_CHECK(error.field, ": ", error.message);
+    REQUIRE(flow.ok());
+    return *flow;
+}
+
+/// A block of 4 m x 1 m x 1 m on a joint of this stiffness. The head falls from the +x end to the -x end,
+/// where the pressure is zero.
+Model blockOnJoint(double stiffness, double tilt, double pressure_head, double friction = 30) {
+    Model model = floorModel(friction, stiffness);
+    addBox(model, "box", {0, 0, 0}, {kLength, 1, 1});
+    model.gravity.tilt = tilt;
+    model.flow = flowAlongX(kAperture, 0, kLength * std::sin(tilt) + pressure_head);
+    model.flow->refinements = 4;
+    model.flow->coupled = true;
+    return model;
+}
+
+/// The same in closed form. The block is rigid and the joint's stiffness uniform, so the opening is linear
+/// along the joint: b(x) = b0 + (b1 - b0) x / L. Then b^3 dh/dx = const has h(x) = h0 + (h1 - h0) (1 / b0^2 -
+/// 1 / b(x)^2) / (1 / b0^2 - 1 / b1^2). Its pressure takes U_0 and U_1 off the reactions of the ends, by the
+/// lever rule. Where reactions fall by D_0 and D_1, a uniform stiffness k opens the ends by (4 D_0 - 2 D_1) /
+/// k A and (4 D_1 - 2 D_0) / k A. Repeated until the apertures stay.
+struct Wedge {
+    double stiffness, tilt, pressure_head;
+    std::array<double, 2> aperture{kAperture, kAperture}, uplift{};
+
+    double pressureAt(double x) const {
+        const double b = aperture[0] + (aperture[1] - aperture[0]) * x / kLength;
+        const auto inverse = [](double width) { return 1 / (width * width); };
+        const double fall = inverse(aperture[0]) - inverse(aperture[1]);
+        const double share = std::abs(aperture[1] / aperture[0] - 1) < 1e-9
+                                 ? x / kLength
+                                 : (inverse(aperture[0]) - inverse(b)) / fall;
+        const double top = kLength * std::sin(tilt) + pressure_head;
+        return kUnitWeight * (share * top - x * std::sin(tilt));
+    }
+    void findUplift() {
+        constexpr int kParts = 2000;
+        uplift = {};
+        for (int k = 0; k < kParts; ++k) {
+            const double x = (k + 0.5) * kLength / kParts,
+                         push = std::max(0.0, pressureAt(x)) * kLength / kParts;
+            uplift[0] += push * (1 - x / kLength);
+            uplift[1] += push * x / kLength;
+        }
+    }
+    void solve() {
+        const double weight = kRock * kLength, level = weight / 2, mean = weight * std::cos(tilt) / 2;
+        const double tips = weight * std::sin(tilt) * 0.5 / kLength;  // towards the lower end
+        for (int pass = 0; pass < 200; ++pass) {
+            findUplift();
+            const double less_0 = level - (mean + tips - uplift[0]),
+                         less_1 = level - (mean - tips - uplift[1]);
+            aperture[0] = kAperture + (4 * less_0 - 2 * less_1) / (stiffness * kLength);
+            aperture[1] = kAperture + (4 * less_1 - 2 * less_0) / (stiffness * kLength);
+        }
+    }
+    double factor(double friction) const {
+        const double weight = kRock * kLength;
+        return (weight * std::cos(tilt) - uplift[0] - uplift[1]) * std::tan(radians(friction)) /
+               (weight * std::sin(tilt));
+    }
+};
+
+double factorOf(const Model& model) {
+    const auto result = safetyFactor(model);
+    for (const Error& error : result.errors()) FAIL_CHECK(error.field, ": ", error.message);
+    REQUIRE(result.ok());
+    const bool is_found = result->status == SearchStatus::found;
+    REQUIRE(is_found);
+    if (model.flow->coupled) {
+        REQUIRE(result->flow_coupling);
+        CHECK(result->flow_coupling->converged);
+        CHECK(result->flow_coupling->last_change <= model.flow->coupling_tolerance);
+    }
+    return result->answer;
+}
+
+/// Of 30 blocks on soft joints, 5 m high, with 1.8 m and 0.3 m of water.
+Model softDam() {
+    Model model = gridDam(6, 5, 1, {1, 1, 1}, 1.8, 0.3);
+    for (Joint& joint : model.joints) joint.normal_stiffness = joint.shear_stiffness = 1e9;
+    model.flow->coupled = true;
+    return model;
+}
+
+bool says(const std::vector<std::string>& warnings, const char* part) {
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
+}
+
+}  // namespace
+
+TEST_CASE("coupled flow: under a block that turns, the heads of a wedge-shaped joint") {
+    Model model = blockOnJoint(1e8, 0, 1.8);
+    model.flow->coupling_tolerance = 1e-6;
+    Wedge wedge{1e8, 0, 1.8};
+    wedge.solve();
+    REQUIRE(wedge.aperture[1] > 1.3 * wedge.aperture[0]);
+    double last = kInfinity;
+    for (const int refinements : {2, 3, 4}) {
+        CAPTURE(refinements);
+        model.flow->refinements = refinements;
+        const SteadyFlow found = coupledSolved(model);
+        REQUIRE(found.coupling);
+        CHECK(found.coupling->converged);
+        double error = 0;
+        for (std::size_t n = 0; n < found.nodes.size(); ++n)
+            error =
+                std::max(error, std::abs(kUnitWeight * found.head[n] - wedge.pressureAt(found.nodes[n].x())));
+        CHECK(error < 0.6 * last);
+        last = error;
+    }
+    CHECK(last < 0.02 * kUnitWeight * 1.8);
+}
+
+TEST_CASE(
+    "coupled flow: under many plates aperture follows the pressure, and b^4 is linear along the joint") {
+    // q = T(b) dh/dx with b = b0 + rho g h / k: the integral of b^3 dh is k / (4 rho g) b^4. The plates are
+    // thin, so that the water between them hardly turns them.
+    constexpr double kStiffness = 1.5e8, kHead = 1.5;
+    const auto apertureAt = [&](double h) { return kAperture + kUnitWeight * h / kStiffness; };
+    const double high = std::pow(apertureAt(kHead), 4), low = std::pow(apertureAt(0), 4);
+    double last = kInfinity;
+    for (const int plates : {2, 4, 8}) {
+        CAPTURE(plates);
+        Model model = floorModel(30, kStiffness);
+        const double width = kLength / plates;
+        model.joints.push_back(joint(0.1, kStiffness));
+        for (int k = 0; k < plates; ++k) {
+            addBox(model, "plate" + std::to_string(k), {k * width, 0, 0}, {width, 1, 0.005}, 540e3);
+            for (const double side : {-1.0, 1.0})  // plates lift one by one
+                model.blocks.back().face_joint[static_cast<std::size_t>(
+                    faceTowards(model, model.blocks.size() - 1, side * Vec3::UnitX()))] = 1;
+        }
+        for (const double x : {-1.0, kLength})
+            model.blocks.push_back(
+                box("wall" + std::to_string(x), {x, 0, 0}, {x + 1, 1, 1}, 2700, Motion::fixed));
+        model.flow = flowAlongX(kAperture, kHead, 0);
+        for (std::size_t end = 0; end < 2; ++end) {
+            FlowBoundary& boundary = model.flow->boundaries[end];
+            const double x = end == 0 ? 0 : kLength;
+            boundary.face.reset();
+            boundary.box_min = Vec3(x - 1e-3, -1, -1e-3);
+            boundary.box_max = Vec3(x + 1e-3, 2, 1);
+        }
+        model.flow->coupled = true;
+        model.flow->coupling_tolerance = 1e-6;
+        const SteadyFlow found = coupledSolved(model);
+        CHECK(found.coupling->converged);
+        double error = 0;
+        for (std::size_t n = 0; n < found.nodes.size(); ++n) {
+            if (found.nodes[n].z() > 1e-6) continue;
+            const double fourth = std::lerp(high, low, found.nodes[n].x() / kLength);
+            const double head = (std::pow(fourth, 0.25) - kAperture) * kStiffness / kUnitWeight;
+            error = std::max(error, std::abs(found.head[n] - head));
+        }
+        CHECK(error < 0.6 * last);
+        last = error;
+    }
+    CHECK(last < 0.01 * kHead);
+}
+
+TEST_CASE("coupled flow: stiff joints have the answer of flow that is not coupled") {
+    Model model = blockOnJoint(1e13, radians(20), 1.5);
+    const double coupled = factorOf(model);
+    model.flow->coupled = false;
+    CHECK(coupled == doctest::Approx(factorOf(model)).epsilon(1e-3));
+}
+
+TEST_CASE("coupled flow: opening at the upper end raises the pressure and lowers the factor of safety") {
+    const double tilt = radians(20);
+    Model model = blockOnJoint(4e8, tilt, 1.0);
+    const double coupled = factorOf(model);
+    Wedge wedge{4e8, tilt, 1.0};
+    wedge.solve();
+    CHECK(coupled == doctest::Approx(wedge.factor(30)).epsilon(5e-3));
+    model.flow->coupled = false;
+    const double plain = factorOf(model);
+    CHECK(coupled < plain - 0.15);
+}
+
+TEST_CASE("coupled flow: at the critical angle the factor of safety is 1") {
+    Model model = blockOnJoint(4e8, radians(20), 1.5, 35);
+    model.flow->refinements = 2;
+    const auto angle = criticalAngle(model);
+    REQUIRE(angle.ok());
+    const bool is_found = angle->status == SearchStatus::found;
+    REQUIRE(is_found);
+    CHECK(angle->flow_coupling->converged);
+    REQUIRE(angle->answer > radians(21));
+    model.gravity.tilt = angle->answer;
+    CHECK(factorOf(model) == doctest::Approx(1).epsilon(3e-3));
+}
+
+TEST_CASE("coupled flow: a history begins with the pressure of its equilibrium, as a search does") {
+    Model model = blockOnJoint(4e8, radians(10), 1.2, 40);
+    model.flow->refinements = 2;
+    const SteadyFlow found = coupledSolved(model);
+    CHECK(found.coupling->converged);
+    model.run.duration = 1e-3;
+    model.run.frame_interval = 1e-3;
+    std::optional<FullFrame> last;
+    RunOutput output;
+    output.full = [&](FullFrame&& frame) { last = std::move(frame); };
+    const auto result = run(model, {}, output);
+    REQUIRE(result.ok());
+    const bool begins_at_rest = result->start == InitialState::equilibrium;
+    CHECK(begins_at_rest);
+    REQUIRE(last);
+    REQUIRE(last->memory.size() == 1);
+    CHECK(last->memory[0].name == "flow.push");
+    double uplift = 0;
+    for (std::size_t t = 0; t < found.triangles.size(); ++t) {
+        double mean = 0;
+        for (const std::int32_t n : found.triangles[t])
+            mean += found.pressure[static_cast<std::size_t>(n)] / 3;
+        const Vec3 &a = found.nodes[static_cast<std::size_t>(found.triangles[t][0])],
+                   &b = found.nodes[static_cast<std::size_t>(found.triangles[t][1])],
+                   &c = found.nodes[static_cast<std::size_t>(found.triangles[t][2])];
+        uplift += mean * 0.5 * (b - a).cross(c - a).norm();
+    }
+    const std::vector<double>& push = last->memory[0].values;
+    const double pushed = Vec3(push[6], push[7], push[8]).norm();  // of the box, the second block
+    CHECK(pushed == doctest::Approx(uplift).epsilon(2e-3));
+}
+
+TEST_CASE("coupled flow: what does not converge within its passes says so") {
+    Model model = blockOnJoint(2e8, radians(10), 1.5, 40);
+    model.flow->refinements = 2;
+    model.flow->coupling_passes = 1;
+    const auto result = safetyFactor(model);
+    REQUIRE(result.ok());
+    REQUIRE(result->flow_coupling);
+    CHECK_FALSE(result->flow_coupling->converged);
+    CHECK(result->flow_coupling->largest_change > model.flow->coupling_tolerance);
+    CHECK(says(result->warnings, "flow.coupling_passes: after 1 passes"));
+    const SteadyFlow found = coupledSolved(model);
+    CHECK_FALSE(found.coupling->converged);
+    CHECK(says(found.warnings, "flow.coupling_passes"));
+}
+
+TEST_CASE("coupled flow: a dam of many blocks, with any number of threads") {
+    Model model = softDam();
+    const auto first = safetyFactor(model, {.threads = 1, .interval = false});
+    REQUIRE(first.ok());
+    const bool is_found = first->status == SearchStatus::found;
+    REQUIRE(is_found);
+    CHECK(first->flow_coupling->converged);
+    CHECK(first->flow_coupling->passes > 0);
+    for (const int threads : {2, 3}) {
+        const auto again = safetyFactor(model, {.threads = threads, .interval = false});
+        REQUIRE(again.ok());
+        CHECK(again->state_hash == first->state_hash);
+        CHECK(again->answer == first->answer);
+        CHECK(again->flow_coupling->last_change == first->flow_coupling->last_change);
+    }
+    model.flow->coupled = false;
+    CHECK(first->answer < factorOf(model) - 0.02);
+}
+
+TEST_CASE("coupled flow: a dam that is tilted drains where it rises above the lower head, and slides") {
+    Model model = gridDam(6, 5, 1, {1, 1, 1}, 1, 0.3);
+    for (Joint& joint : model.joints) {
+        joint.normal_stiffness = joint.shear_stiffness = 1e10;
+        joint.friction = joint.residual_friction = radians(8);
+    }
+    model.flow->coupled = true;
+    const auto angle = criticalAngle(model, {.interval = false});
+    REQUIRE(angle.ok());
+    CHECK(angle->flow_coupling->converged);
+    REQUIRE(angle->answer > radians(5));
+    model.gravity.tilt = angle->answer;
+    model.flow->boundaries[1].kind = FlowBoundary::Kind::outlet;  // such a low head would be refused now
+    CHECK(factorOf(model) == doctest::Approx(1).epsilon(2e-3));
+}
+
+TEST_CASE("coupled flow: without an equilibrium it is refused, and so is other water in its joint") {
+    const auto refused = coupledFlow(blockOnJoint(1e9, radians(40), 1, 20));
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.errors().front().field == "flow.coupled");
+    CHECK(refused.errors().front().message.starts_with("found no equilibrium while the "));
+    Model model = blockOnJoint(1e9, 0, 1);
+    Water water;
+    water.kind = Water::Level::head;
+    water.head = {1, 0};
+    water.pair = {1, 0};
+    water.field = "water[0]";
+    model.waters.push_back(water);
+    const auto beside = safetyFactor(model);
+    REQUIRE_FALSE(beside.ok());
+    CHECK(beside.errors().front().field == "water[0]");
+}
