@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <vector>
 
-#include "batch/map_words.h"
 #include "cli/text.h"
 #include "report/csv.h"
 #include "report/svg.h"
@@ -144,6 +143,11 @@ std::array<std::uint8_t, 3> mapColour(double share) {
         colour[k] = static_cast<std::uint8_t>(
             std::lround((1 - part) * kScale[below][k] + part * kScale[below + 1][k]));
     return colour;
+}
+
+std::string scaleTitle(MapQuantity quantity) {
+    return quantity == MapQuantity::probability ? "Probability of failure"
+                                                : "Expected failing volume, m\u00b3 per m\u00b2";
 }
 
 std::string hexColour(const std::array<std::uint8_t, 3>& colour) {

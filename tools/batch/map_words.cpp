@@ -36,6 +36,8 @@ std::string leadText(const FailureMap& map, const BatchInfo& info) {
 
 std::string uncountedText(const FailureMap& map, const BatchInfo& info) {
     if (map.runs >= info.runs) return "";
+    if (info.runs - map.runs == 1)
+        return "1 sample is not counted: it is not computed, or did not tell whether it fails.";
     return std::to_string(info.runs - map.runs) +
            " samples are not counted: they are not computed, or did not tell whether they fail.";
 }
@@ -58,11 +60,6 @@ std::string readingText(const BatchInfo& info) {
            (info.latin_hypercube
                 ? " The intervals are those of independent samples; a Latin hypercube has less scatter."
                 : "");
-}
-
-std::string scaleTitle(MapQuantity quantity) {
-    return quantity == MapQuantity::probability ? "Probability of failure"
-                                                : "Expected failing volume, m\u00b3 per m\u00b2";
 }
 
 Facts mapProvenance(const BatchInfo& info, const Common& common) {

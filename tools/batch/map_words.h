@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "batch/failure_map.h"
-#include "batch/map_picture.h"
 #include "cli/common.h"
 
 namespace talus::tools::batch {
@@ -24,7 +23,6 @@ std::string uncountedText(const FailureMap& map, const BatchInfo& info);
 Facts mapFacts(const FailureMap& map);
 /// What a cell counts.
 std::string readingText(const BatchInfo& info);
-std::string scaleTitle(MapQuantity quantity);
 Facts mapProvenance(const BatchInfo& info, const Common& common);
 
 }  // namespace talus::tools::batch
