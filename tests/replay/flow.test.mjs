@@ -68,6 +68,24 @@ await test("the pressure under the pointer is that of the file at this place", a
   await page.context().close();
 });
 
+await test("with the flow's pushes the forces on a block are those that the file says move it", async () => {
+  const page = await open("#joints=pressure&t=0", { width: 1000, height: 700 });
+  const found = await page.evaluate(() => {
+    const { replay } = window, { header, full, now } = replay, free = replay.freeBlocks();
+    const off = free.map((b) => {
+      const arrows = replay.arrows.onBlock(full, now.a, b, [0, 0, 0]), told = ["x", "y", "z"].map((k) => full.force[k][b]);
+      const sum = arrows.reduce((all, { force }) => all.map((v, k) => v + force[k]), [0, 0, 0]);
+      return Math.hypot(...sum.map((v, k) => v - told[k])) / (header.mass[b] * header.gravity);
+    });
+    replay.select(free[0]);
+    return { worst: Math.max(...off), name: header.names[free[0]] };
+  });
+  ok(found.worst < 1e-4, JSON.stringify(found));
+  await drawn(page);
+  if (found.name === "box") equal((await text(page, "#selection")).includes("Water pushes it with 39.24 kN"), has_flow); // rho g 1 m 4 m2
+  await page.context().close();
+});
+
 await test("it fits a narrow window", async () => {
   const page = await open("#joints=pressure", { width: 390, height: 844 });
   if (shots) await page.screenshot({ path: `${shots}/flow-390.png` });

@@ -114,8 +114,8 @@ TEST_SUITE("slow: replay page") {
     }
 
     TEST_CASE("the page colours joints by the pressure of flow, where a scenario has it") {
-        SUBCASE("flow") { look("replay/flow.test.mjs", seepageText(true), "flow", 3); }
-        SUBCASE("none") { look("replay/flow.test.mjs", seepageText(false), "none", 3); }
+        SUBCASE("flow") { look("replay/flow.test.mjs", seepageText(true), "flow", 4); }
+        SUBCASE("none") { look("replay/flow.test.mjs", seepageText(false), "none", 4); }
     }
 
     TEST_CASE("the map of a batch stands on the slope, and its cells tell their numbers") {

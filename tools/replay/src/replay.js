@@ -223,7 +223,7 @@ export class Replay {
     const chosen = this.selected.interface, by_friction = this.look.joints && !this.showsFlow();
     this.flow.object.visible = this.showsFlow();
     this.joints.object.visible = by_friction || chosen >= 0;
-    this.joints.show(this.joints.object.visible ? this.full : null, this.full?.sums, by_friction, chosen);
+    this.joints.show(this.joints.object.visible ? this.full : null, this.full?.sums, by_friction, chosen, this.showsFlow());
     const body = this.selected.block;
     const wanted = !this.map && (this.look.forces || body >= 0);
     this.arrows.show(wanted ? this.full : null, frame, body, this.look.arrowSize, this.controls.dark());
