@@ -51,6 +51,36 @@ std::string unequalText() {
            "[[interface]]\nbetween = [\"floor\", \"high\"]\njoint = \"rough\"\n";
 }
 
+/// A box on the floor, with flow in the joint below it from 2 m of head to the level of the joint.
+std::string seepageText(bool flows) {
+    const std::string flow =
+        "[flow]\naperture = 1e-4\nfree_surface = false\n[[flow.boundary]]\nface = \"-x\"\nhead = 0.0\n"
+        "[[flow.boundary]]\nface = \"+x\"\nhead = 2.0\n";
+    return "[run]\nduration_s = 0.02\nframe_interval_s = 0.005\n[material.rock]\ndensity = 2600.0\n"
+           "[joint.default]\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\nfriction_deg = 30.0\n"
+           "[[block]]\nname = \"floor\"\nfixed = true\nbox = { min = [-3, -2, -1], max = [5, 4, 0] }\n"
+           "[[block]]\nname = \"box\"\nbox = { min = [0, 0, 0], max = [2, 2, 1] }\n" +
+           (flows ? flow : "");
+}
+
+/// A block that slides on a plane of 40 degrees where its friction is less.
+std::string mappedText() {
+    return "[material.rock]\ndensity = 2600.0\n[joint.default]\nnormal_stiffness = 1e10\n"
+           "shear_stiffness = 1e10\nfriction_deg = 43.0\n[rock_mass]\nregion = { profile = [[-2, -1], [12, "
+           "-1], [12, 10], [5, 10], [0, 0], [-2, 0]], y = [0, 4] }\nfixed = [{ boundary = \"-z\" }]\n"
+           "[[single_joint]]\npoint = [2.0, 0.0, 4.0]\ndip_deg = 40.0\ndip_direction_deg = 270.0\n";
+}
+
+/// What a script finds in a page.
+void lookIn(const std::string& script, const std::string& page, const std::string& word, int tests) {
+    const ScriptOutcome seen = runScript(script, "'" + page + "' \"$CHROMIUM\" " + word);
+    if (seen.is_skipped)
+        return talus::test::skip("node, npm, chromium or playwright-core are not to be had here");
+    INFO(seen.said);
+    CHECK(seen.status == 0);
+    CHECK(seen.said.find(std::to_string(tests) + " passed, 0 failed") != std::string::npos);
+}
+
 /// What a script finds in the page of what a command writes.
 void lookAt(const std::string& script, const std::string& scenario, const std::vector<std::string>& command,
             const std::string& option, const std::string& word, int tests) {
@@ -61,12 +91,7 @@ void lookAt(const std::string& script, const std::string& scenario, const std::v
     arguments.insert(arguments.end(), {option, run, "--quiet"});
     REQUIRE(runTalus(arguments).exit_code == 0);
     REQUIRE(runTalus({"replay", run, "-o", page}).exit_code == 0);
-    const ScriptOutcome seen = runScript(script, "'" + page + "' \"$CHROMIUM\" " + word);
-    if (seen.is_skipped)
-        return talus::test::skip("node, npm, chromium or playwright-core are not to be had here");
-    INFO(seen.said);
-    CHECK(seen.status == 0);
-    CHECK(seen.said.find(std::to_string(tests) + " passed, 0 failed") != std::string::npos);
+    lookIn(script, page, word, tests);
 }
 
 /// In that of a scenario's run.
@@ -86,6 +111,24 @@ TEST_SUITE("slow: replay page") {
             lookAt("replay/kept.test.mjs", unequalText(), {"limit-analysis", "--for", "factor"},
                    "--keep-mechanism", "mechanism", 4);
         }
+    }
+
+    TEST_CASE("the page colours joints by the pressure of flow, where a scenario has it") {
+        SUBCASE("flow") { look("replay/flow.test.mjs", seepageText(true), "flow", 4); }
+        SUBCASE("none") { look("replay/flow.test.mjs", seepageText(false), "none", 4); }
+    }
+
+    TEST_CASE("the map of a batch stands on the slope, and its cells tell their numbers") {
+        const TemporaryFolder folder;
+        folder.write("slope.toml", mappedText());
+        const std::string page = folder / "map.html",
+                          sweep = folder.write("sweep.toml",
+                                               "scenario = \"slope.toml\"\nanalysis = \"safety-factor\"\n"
+                                               "samples = 12\n[[random]]\nfield = "
+                                               "\"joint.default.friction_deg\"\ndistribution = \"uniform\"\n"
+                                               "min = 30.0\nmax = 50.0\n");
+        REQUIRE(runTalus({"batch", sweep, "-o", folder / "out", "--map-3d", page, "--quiet"}).exit_code == 0);
+        lookIn("replay/map.test.mjs", page, "", 4);
     }
 
     TEST_CASE("the page plays, seeks, picks and tells why in headless Chromium") {

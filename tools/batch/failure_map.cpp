@@ -119,8 +119,9 @@ class Failures {
     }
 
     [[noreturn]] void refuse(std::uint64_t run, const std::string& why) const {
-        throw BadInput(Error{"--map", "the row of run " + std::to_string(run) + " does not fit its sample: " +
-                                          why + "; allowed: rows of this version and these files"});
+        throw BadInput(Error{"results.csv", "the row of run " + std::to_string(run) +
+                                                " does not fit its sample: " + why +
+                                                "; allowed: rows of this version and these files"});
     }
 
     const formats::Sweep& sweep_;
@@ -168,16 +169,24 @@ void finish(FailureMap& map) {
     map.hidden_volume /= runs;
 }
 
-[[noreturn]] void refuseMap(const std::string& found, const std::string& allowed) {
-    throw BadInput(Error{"--map", "found " + found + ", allowed: " + allowed});
-}
+/// Refuses a map that a sweep cannot have.
+class Refusal {
+ public:
+    explicit Refusal(const char* name) : name_(name) {}
+    [[noreturn]] void operator()(const std::string& found, const std::string& allowed) const {
+        throw BadInput(Error{name_, "found " + found + ", allowed: " + allowed});
+    }
 
-void refuseVariedRegion(const formats::Sweep& sweep) {
+ private:
+    const char* name_;
+};
+
+void refuseVariedRegion(const formats::Sweep& sweep, const Refusal& refuse) {
     for (const formats::SweepColumn& column : sweep.columns)
         for (const std::string& target : column.targets)
             if (target.starts_with("rock_mass.region"))
-                refuseMap("a sweep that varies " + target,
-                          "one region for all samples, since the map is of one face");
+                refuse("a sweep that varies " + target,
+                       "one region for all samples, since the map is of one face");
 }
 
 }  // namespace
@@ -198,24 +207,26 @@ double FailureMap::largestVolumePerArea() const {
 
 Interval FailureMap::interval(std::size_t cell) const { return shareInterval(hits[cell], runs, confidence); }
 
-Face faceOf(const formats::Sweep& sweep, const BatchInfo& info, std::optional<double> cell_size) {
+Face faceOf(const formats::Sweep& sweep, const BatchInfo& info, std::optional<double> cell_size,
+            const MapNames& names) {
+    const Refusal refuse(names.map);
     if (sweep.search == nullptr)
-        refuseMap("analysis = \"run\"", "an analysis that searches for a failure, such as \"safety-factor\"");
+        refuse("analysis = \"run\"", "an analysis that searches for a failure, such as \"safety-factor\"");
     if (info.thresholds.empty())
-        refuseMap("no load for the probability of failure",
-                  "[report] with " + std::string(sweep.search->load->key));
+        refuse("no load for the probability of failure",
+               "[report] with " + std::string(sweep.search->load->key));
     if (info.cases > 1)
-        refuseMap("a sweep of " + std::to_string(info.cases) + " cases",
-                  "one case, that is random variables without grids or tables of several rows");
-    refuseVariedRegion(sweep);
+        refuse("a sweep of " + std::to_string(info.cases) + " cases",
+               "one case, that is random variables without grids or tables of several rows");
+    refuseVariedRegion(sweep, refuse);
     auto region = formats::rockRegion(sweep.scenario_text, sweep.scenario_path);
     if (!region) throw BadInput(region.errors());
-    if (!*region) refuseMap("a scenario without [rock_mass]", "one with a region that joints cut");
+    if (!*region) refuse("a scenario without [rock_mass]", "one with a region that joints cut");
     auto face = divideFace(**region, cell_size);
     if (!face)
-        throw BadInput(Error{"--map-cell", "found " + csvNumber(cell_size.value_or(0)) +
-                                               " m, which makes more than " + std::to_string(kMostCells) +
-                                               " cells, allowed: larger cells"});
+        Refusal(names.cell_size)(csvNumber(cell_size.value_or(0)) + " m, which makes more than " +
+                                     std::to_string(kMostCells) + " cells",
+                                 "larger cells");
     return *std::move(face);
 }
 

@@ -33,9 +33,15 @@ struct FailureMap {
     double largestVolumePerArea() const;  ///< [m]
 };
 
+/// What messages call a map and the size of its cells.
+struct MapNames {
+    const char *map = "--map", *cell_size = "--map-cell";
+};
+
 /// The face of a sweep, for its map. Throws BadInput where there is none: an analysis without a failure, no
 /// threshold, several cases, no rock mass, a region that varies, too many cells.
-Face faceOf(const formats::Sweep& sweep, const BatchInfo& info, std::optional<double> cell_size);
+Face faceOf(const formats::Sweep& sweep, const BatchInfo& info, std::optional<double> cell_size,
+            const MapNames& names = {});
 
 /// \param face  of the same sweep. The same for any number of threads. Nothing when it was stopped. Throws
 /// BadInput for a row that is not of this sweep.

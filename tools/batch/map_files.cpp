@@ -1,19 +1,16 @@
 #include "batch/map_files.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "batch/map_picture.h"
-#include "batch/plots.h"
+#include "batch/map_words.h"
 #include "cli/failures.h"
 #include "cli/files.h"
 #include "cli/json.h"
 #include "cli/outputs.h"
-#include "cli/provenance.h"
 #include "cli/text.h"
 #include "report/csv.h"
 #include "report/html.h"
-#include "report/page.h"
 #include "talus/formats/export.h"
 
 namespace talus::tools::batch {
@@ -22,12 +19,6 @@ namespace {
 
 /// Probabilities whose area the page lists.
 constexpr double kLevels[] = {0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001};
-
-std::string percent(double share) {
-    return text(100 * share, share < 0.001 ? 3 : share < 0.01 ? 2 : share < 0.995 ? 1 : 0) + "\u00a0%";
-}
-
-std::string cubicMetres(double volume) { return text(volume, volume < 10 ? 3 : 1) + " m\u00b3"; }
 
 formats::PolygonMap polygonsOf(const FailureMap& map) {
     formats::PolygonMap out;
@@ -72,28 +63,12 @@ std::vector<std::vector<std::string>> levelRows(const FailureMap& map) {
     return rows;
 }
 
-std::string leadText(const FailureMap& map, const BatchInfo& info) {
-    const Interval interval = shareInterval(map.failed, map.runs, map.confidence);
-    const double share = map.runs > 0 ? static_cast<double>(map.failed) / static_cast<double>(map.runs) : 0;
-    return std::to_string(map.failed) + " of " + std::to_string(map.runs) +
-           " samples fail: " + thresholdText(info, map.threshold) + " with a probability of " +
-           percent(share) + " (" + percent(interval.low) + " to " + percent(interval.high) + " with " +
-           text(100 * map.confidence, 0) + " % confidence).";
-}
-
 std::string mapPage(const FailureMap& map, const BatchInfo& info, const Common& common) {
     HtmlPage page;
     page.paragraph(leadText(map, info), "lead");
-    if (map.runs < info.runs)
-        page.paragraph(std::to_string(info.runs - map.runs) +
-                           " samples are not counted: they are not computed, or did not tell whether they "
-                           "fail.",
-                       "alert");
-    page.facts({{"face", text(map.face.area, 1) + " m\u00b2 in " + std::to_string(map.face.cells.size()) +
-                             " cells of " + csvNumber(map.face.cell_size) + " m"},
-                {"expected failing volume", cubicMetres(map.volume) + ", mean of all samples"},
-                {"without a free face",
-                 cubicMetres(map.hidden_volume) + " of it, in failures that reach no cell of the face"}});
+    if (const std::string warning = uncountedText(map, info); !warning.empty())
+        page.paragraph(warning, "alert");
+    page.facts(mapFacts(map));
     page.section("probability", "Probability");
     page.figure("map-probability", mapSvg(map, MapQuantity::probability),
                 "Share of the samples in which a cell lies on a block that fails. " + viewText(map));
@@ -105,27 +80,20 @@ std::string mapPage(const FailureMap& map, const BatchInfo& info, const Common& 
                 "the expected failing volume. " +
                     viewText(map));
     page.section("reading", "How to read it");
-    page.paragraph(
-        std::string(info.find(kGroupBlocks)
-                        ? "Each sample counts the groups of blocks that fail in it. "
-                        : "Each sample counts the first group of blocks that fails in it. ") +
-        "A cell counts when its centre lies on a free face of such a block, at its place before it moves. A "
-        "block\u2019s volume is shared over its own free face; blocks behind others share theirs over the "
-        "face "
-        "of their group.");
-    if (info.latin_hypercube)
-        page.paragraph("The intervals are those of independent samples; a Latin hypercube has less scatter.",
-                       "muted");
+    page.paragraph(readingText(info));
     page.section("provenance", "Provenance");
-    Json facts = provenance(common, info.scenario);
-    facts.erase("threads");
-    auto items = provenanceFacts(facts);
-    items.emplace_back("identity of the sweep", info.identity);
-    items.emplace_back("seed", std::to_string(info.seed));
-    page.facts(items);
+    page.facts(mapProvenance(info, common));
     page.textFile("Sweep " + info.sweep, info.sweep_text);
     page.textFile("Scenario " + info.scenario, info.scenario_text);
-    return page.html("Probability of failure of " + std::filesystem::path(info.scenario).filename().string());
+    return page.html(mapTitle(info));
+}
+
+void refuseManyCells(const char* option, const std::string& remedy, const Face& face) {
+    if (face.cells.size() > kMostDrawnCells)
+        throw BadInput(Error{option, "found a face of " + std::to_string(face.cells.size()) +
+                                         " cells, allowed in a page: at most " +
+                                         std::to_string(kMostDrawnCells) + "; choose a larger --map-cell" +
+                                         remedy});
 }
 
 }  // namespace
@@ -134,11 +102,14 @@ void refuseMapFile(const std::string& path, const Face& face) {
     requireEnding("--map", path, {".html", ".vtp", ".ply"});
     refuseInput("--map", path);
     refuseUnwritable(path);
-    if (path.ends_with(".html") && face.cells.size() > kMostDrawnCells)
-        throw BadInput(
-            Error{"--map", "found a face of " + std::to_string(face.cells.size()) +
-                               " cells, allowed in a page: at most " + std::to_string(kMostDrawnCells) +
-                               "; choose a larger --map-cell, or a file that ends in .vtp or .ply"});
+    if (path.ends_with(".html")) refuseManyCells("--map", ", or a file that ends in .vtp or .ply", face);
+}
+
+void refuseSlopePage(const std::string& path, const Face& face) {
+    requireEnding("--map-3d", path, {".html"});
+    refuseInput("--map-3d", path);
+    refuseUnwritable(path);
+    refuseManyCells("--map-3d", "", face);
 }
 
 std::string mapFile(const std::string& path, const FailureMap& map, const BatchInfo& info,

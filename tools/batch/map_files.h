@@ -13,6 +13,9 @@ namespace talus::tools::batch {
 /// Throws BadInput where a map cannot have this name, FileRefused where it cannot be written.
 void refuseMapFile(const std::string& path, const Face& face);
 
+/// The same of a page with the map on the slope.
+void refuseSlopePage(const std::string& path, const Face& face);
+
 /// By the ending of its name: .html, .vtp or .ply.
 std::string mapFile(const std::string& path, const FailureMap& map, const BatchInfo& info,
                     const Common& common);

@@ -40,12 +40,6 @@ constexpr std::array<std::array<double, 3>, 7> kScale{{{255, 237, 160},
                                                        {150, 0, 38}}};
 constexpr std::array<std::uint8_t, 3> kNever{222, 222, 218};  ///< lies on no failure
 
-std::string hex(const std::array<std::uint8_t, 3>& colour) {
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", colour[0], colour[1], colour[2]);
-    return text;
-}
-
 /// Three digits that count.
 std::string figure(double value) {
     if (value == 0) return "0";
@@ -123,14 +117,11 @@ void drawColourBar(const FailureMap& map, MapQuantity quantity, double top, SvgW
     const auto box = [&](double left, double right, const char* role,
                          const std::array<std::uint8_t, 3>& colour) {
         const double high = top + 20, low = high + kBarHigh;
-        svg.shape({{left, high}, {right, high}, {right, low}, {left, low}}, false, role, "", hex(colour),
-                  true);
+        svg.shape({{left, high}, {right, high}, {right, low}, {left, low}}, false, role, "",
+                  hexColour(colour), true);
     };
     const double from = kMargin + 110;
-    svg.label({kMargin, top + 10},
-              quantity == MapQuantity::probability ? "Probability of failure"
-                                                   : "Expected failing volume, m\u00b3 per m\u00b2",
-              "start", "caption");
+    svg.label({kMargin, top + 10}, scaleTitle(quantity), "start", "caption");
     box(kMargin, kMargin + kBarHigh, "swatch", kNever);
     svg.label({kMargin + kBarHigh + 6, top + 32}, "none");
     for (int k = 0; k < kBarSteps; ++k)
@@ -154,6 +145,17 @@ std::array<std::uint8_t, 3> mapColour(double share) {
     return colour;
 }
 
+std::string scaleTitle(MapQuantity quantity) {
+    return quantity == MapQuantity::probability ? "Probability of failure"
+                                                : "Expected failing volume, m\u00b3 per m\u00b2";
+}
+
+std::string hexColour(const std::array<std::uint8_t, 3>& colour) {
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", colour[0], colour[1], colour[2]);
+    return text;
+}
+
 double scaleEnd(const FailureMap& map, MapQuantity quantity) {
     const double most =
         quantity == MapQuantity::probability ? map.largestProbability() : map.largestVolumePerArea();
@@ -174,7 +176,7 @@ std::string mapSvg(const FailureMap& map, MapQuantity quantity) {
         std::vector<Spot> spots;
         for (const Vec3& corner : polygon.corners) spots.push_back(sheet.spot(corner));
         svg.shape(spots, false, "cell", tipOf(map, polygon.source),
-                  hex(mapColour(valueOf(map, quantity, polygon.source) / end)));
+                  hexColour(mapColour(valueOf(map, quantity, polygon.source) / end)));
     }
     drawColourBar(map, quantity, sheet.foot, svg);
     drawScale(sheet, svg);

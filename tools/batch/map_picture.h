@@ -17,6 +17,10 @@ enum class MapQuantity : std::uint8_t {
 /// Pale yellow to dark red; grey for 0. \param share of the scale, 0..1
 std::array<std::uint8_t, 3> mapColour(double share);
 
+std::string hexColour(const std::array<std::uint8_t, 3>& colour);  ///< "#ffeda0"
+
+std::string scaleTitle(MapQuantity quantity);
+
 /// The scale's upper end: the largest value, rounded up to 1, 2 or 5 times a power of ten.
 double scaleEnd(const FailureMap& map, MapQuantity quantity);
 

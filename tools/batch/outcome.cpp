@@ -1,9 +1,11 @@
 #include "batch/outcome.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
 #include "batch/map_files.h"
+#include "batch/map_on_slope.h"
 #include "batch/report.h"
 #include "cli/failures.h"
 #include "cli/files.h"
@@ -36,36 +38,50 @@ std::uint64_t shardRuns(const Store& store, const Shard& shard) {
 }
 
 /// A page in place of the batch's own report would be lost, or take its place.
-void refuseOwnPage(const std::string& folder, const std::string& path) {
+void refuseOwnPage(const char* option, const std::string& folder, const std::string& path) {
     namespace fs = std::filesystem;
     std::error_code none;
     if (fs::weakly_canonical(path, none) == fs::weakly_canonical(folder + "/" + kPageName, none))
-        throw BadInput(Error{"--map", "is the batch's own report; choose another file", path});
+        throw BadInput(Error{option, "is the batch's own report; choose another file", path});
 }
 
-/// The face, and files that can be written: before a long computation.
-std::optional<Face> faceForMap(const formats::Sweep& sweep, const BatchRequest& request) {
-    if (request.maps.empty()) return std::nullopt;
+/// What a map is drawn on.
+struct Ground {
+    Face face;
+    std::optional<Slope> slope;
+};
+
+/// And files that can be written: before a long computation.
+std::optional<Ground> groundForMap(const formats::Sweep& sweep, const BatchRequest& request) {
+    if (!request.wantsMap()) return std::nullopt;
+    const char* option = request.maps.empty() ? "--map-3d" : "--map";
     if (!request.shard.whole())
-        throw BadInput(Error{"--map",
+        throw BadInput(Error{option,
                              "found together with --shard, allowed: after talus merge, by the same command "
                              "without --shard"});
-    Face face = faceOf(sweep, describe(sweep), request.map_cell);
+    Ground ground{faceOf(sweep, describe(sweep), request.map_cell, {option}), {}};
     for (const std::string& path : request.maps) {
-        refuseOwnPage(request.folder, path);
-        refuseMapFile(path, face);
+        refuseOwnPage("--map", request.folder, path);
+        refuseMapFile(path, ground.face);
     }
-    return face;
+    if (request.map_3d.empty()) return ground;
+    refuseOwnPage("--map-3d", request.folder, request.map_3d);
+    refuseSlopePage(request.map_3d, ground.face);
+    if (std::find(request.maps.begin(), request.maps.end(), request.map_3d) != request.maps.end())
+        throw BadInput(Error{"--map-3d", "is a file of --map, too; choose another file", request.map_3d});
+    ground.slope = slopeOf(sweep);
+    return ground;
 }
 
 /// Nothing when it was stopped.
-std::optional<FailureMap> writeMaps(const formats::Sweep& sweep, const StoredBatch& stored, Face face,
+std::optional<FailureMap> writeMaps(const formats::Sweep& sweep, const StoredBatch& stored, Ground ground,
                                     const BatchRequest& request, const std::atomic<bool>& stop) {
-    auto map =
-        failureMap(sweep, stored, std::move(face), threadsUsed(request.common), stop, request.progress);
+    auto map = failureMap(sweep, stored, std::move(ground.face), threadsUsed(request.common), stop,
+                          request.progress);
     if (!map) return std::nullopt;
     for (const std::string& path : request.maps)
         writeFile(path, mapFile(path, *map, stored.info, request.common));
+    if (ground.slope) writeFile(request.map_3d, mapOnSlope(*map, stored.info, *ground.slope, request.common));
     return map;
 }
 
@@ -74,7 +90,7 @@ std::optional<FailureMap> writeMaps(const formats::Sweep& sweep, const StoredBat
 BatchOutcome computeBatch(const formats::Sweep& sweep, const BatchRequest& request,
                           const std::atomic<bool>& stop) {
     const auto begin = std::chrono::steady_clock::now();
-    std::optional<Face> face = faceForMap(sweep, request);
+    std::optional<Ground> ground = groundForMap(sweep, request);
     Store store(request.folder, describe(sweep), request.shard);
     const BatchWork batch{sweep,
                           store,
@@ -103,8 +119,14 @@ BatchOutcome computeBatch(const formats::Sweep& sweep, const BatchRequest& reque
     if (!request.shard.whole()) return outcome;
     const StoredBatch stored = readStored(request.folder);
     writeReport(request.folder, stored, request.common);
-    if (face && !stop) outcome.map = writeMaps(sweep, stored, *std::move(face), request, stop);
+    if (ground && !stop) outcome.map = writeMaps(sweep, stored, *std::move(ground), request, stop);
     return outcome;
+}
+
+std::vector<std::string> BatchRequest::mapFiles() const {
+    std::vector<std::string> files = maps;
+    if (!map_3d.empty()) files.push_back(map_3d);
+    return files;
 }
 
 Json batchJson(const BatchOutcome& outcome, const BatchRequest& request) {
@@ -120,7 +142,7 @@ Json batchJson(const BatchOutcome& outcome, const BatchRequest& request) {
             {"results", outcome.results},
             {"summary", whole ? Json(request.folder + "/summary.json") : Json(nullptr)},
             {"page", whole ? Json(request.folder + "/report.html") : Json(nullptr)},
-            {"map", outcome.map ? toJson(*outcome.map, request.maps) : Json(nullptr)},
+            {"map", outcome.map ? toJson(*outcome.map, request.mapFiles()) : Json(nullptr)},
             {"provenance", provenance(request.common, request.sweep)}};
 }
 

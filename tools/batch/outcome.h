@@ -20,10 +20,14 @@ struct BatchRequest {
     Shard shard{};
     bool retry = false;                ///< compute failed runs again
     std::vector<std::string> maps{};   ///< files for the map of failure
+    std::string map_3d{};              ///< page with the map on the slope; empty: none
     std::optional<double> map_cell{};  ///< [m]
     std::function<void()> abandon{};   ///< called once the results cannot be written
     std::function<void(const Progress&)> progress{};
     std::function<BatchProgress(const BatchWork&)> work = batch::work;  ///< who computes
+
+    bool wantsMap() const { return !maps.empty() || !map_3d.empty(); }
+    std::vector<std::string> mapFiles() const;  ///< of all kinds
 };
 
 struct BatchOutcome {

@@ -25,6 +25,7 @@ struct BatchOptions {
     Common common;
     std::string sweep, folder, shard;
     std::vector<std::string> maps;
+    std::string map_3d;
     std::optional<double> map_cell;
     bool retry = false, plan = false;
 };
@@ -43,7 +44,8 @@ Shard shardOf(const std::string& text) {
     throw BadInput(Error{"--shard", "found \"" + text + "\", allowed: I/N with I from 1 to N, like 2/8"});
 }
 
-std::string toText(const BatchOptions& options, const BatchOutcome& tally) {
+std::string toText(const BatchOptions& options, const std::vector<std::string>& maps,
+                   const BatchOutcome& tally) {
     std::string lines = std::to_string(tally.done) + " of " + std::to_string(tally.runs) + " runs done" +
                         (tally.failed ? ", " + std::to_string(tally.failed) + " of them failed" : "") + "; " +
                         std::to_string(tally.computed) + " computed now in " + text(tally.wall_seconds, 1) +
@@ -59,7 +61,7 @@ std::string toText(const BatchOptions& options, const BatchOutcome& tally) {
     if (!tally.map) return lines;
     lines += "probability of failure: at most " + text(100 * tally.map->largestProbability(), 1) +
              " % at a place of the face; expected failing volume " + text(tally.map->volume, 3) + " m3\n";
-    for (const std::string& map : options.maps) lines += "map in " + map + "\n";
+    for (const std::string& map : maps) lines += "map in " + map + "\n";
     return lines;
 }
 
@@ -120,6 +122,7 @@ int runBatch(const BatchOptions& options) {
         .shard = shard,
         .retry = options.retry,
         .maps = options.maps,
+        .map_3d = options.map_3d,
         .map_cell = options.map_cell,
         .abandon = requestStop,
         .progress = printer.callback(),
@@ -129,7 +132,7 @@ int runBatch(const BatchOptions& options) {
     if (options.common.json)
         printJson(batchJson(outcome, request));
     else
-        printResult(toText(options, outcome));
+        printResult(toText(options, request.mapFiles(), outcome));
     return exitCode(outcome);
 }
 
@@ -153,6 +156,9 @@ Command addBatch(CLI::App& root) {
            "or .ply; may be given several times")
         ->type_name("FILE")
         ->allow_extra_args(false);
+    app->add_option("--map-3d", options->map_3d,
+                    "Write the same map on the blocks of the scenario, as a page to turn and zoom")
+        ->type_name("FILE.html");
     app->add_option("--map-cell", options->map_cell, "Size of the map's cells in m (default: 2,000 cells)")
         ->check(CLI::PositiveNumber);
     addCommon(*app, options->common);

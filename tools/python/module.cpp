@@ -50,6 +50,7 @@ PYBIND11_MODULE(_core, module) {
     py::register_exception_translator(translate);
     addScenarios(module);
     addAnalyses(module);
+    addFailureMap(module);
     addKinematics(module);
     addReport(module);
     addSimulation(module);

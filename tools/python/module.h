@@ -8,6 +8,7 @@ namespace talus::python {
 
 void addScenarios(pybind11::module_& module);   ///< Scenario, read, parse
 void addAnalyses(pybind11::module_& module);    ///< search, limit_analysis, run, batch
+void addFailureMap(pybind11::module_& module);  ///< failure_map
 void addKinematics(pybind11::module_& module);  ///< kinematics
 void addReport(pybind11::module_& module);      ///< report
 void addSimulation(pybind11::module_& module);  ///< Simulation

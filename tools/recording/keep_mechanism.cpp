@@ -2,12 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "cli/failures.h"
 #include "cli/json.h"
 #include "cli/text.h"
+#include "recording/start_frame.h"
 #include "report/numbers.h"
 #include "talus/formats/failing.h"
 #include "talus/motion_roles.h"
@@ -18,31 +18,9 @@ namespace {
 
 constexpr int kFrames = 48;       // behind the first
 constexpr double kSeconds = 2.0;  // they last
-constexpr double kDisplacementOfSize =
-    0.3;  // of the moving blocks' median size: displacement of the fastest corner
+// Of the moving blocks' median size: displacement of the fastest corner.
+constexpr double kDisplacementOfSize = 0.3;
 constexpr const char* kSource = "limit-analysis --for ";
-
-/// The first frame of a run of the model.
-struct Start {
-    RunGeometry geometry;
-    LightFrame frame;
-};
-
-Start startOf(Model model) {
-    model.run.start = RunSettings::Start::unstressed;  // nothing is to be found before the first frame
-    std::atomic<bool> stop{false};
-    Control control;
-    control.stop = &stop;
-    Start start;
-    RunOutput output;
-    output.begin = [&](const RunGeometry& geometry) { start.geometry = geometry; };
-    output.light = [&](LightFrame&& frame) {
-        if (frame.time == 0) start.frame = std::move(frame);
-        stop = true;
-    };
-    valueOf(run(model, control, output));
-    return start;
-}
 
 /// Of each of the model's blocks; those that are not free stay.
 struct Velocity {
@@ -62,7 +40,7 @@ std::vector<Velocity> velocitiesOf(const LimitResult& result, const Model& model
     return velocities;
 }
 
-double medianSize(const Start& start, const std::vector<Velocity>& velocities) {
+double medianSize(const StartFrame& start, const std::vector<Velocity>& velocities) {
     std::vector<double> sizes;
     for (std::size_t b = 0; b < velocities.size(); ++b)
         if (velocities[b].moving) sizes.push_back(start.geometry.size[b]);
@@ -83,7 +61,7 @@ double radiusOf(const RunGeometry& geometry, std::size_t block) {
 }
 
 /// By the rule of searches, from the final positions.
-formats::SnapshotFailure failureOf(const Start& start, const Model& model,
+formats::SnapshotFailure failureOf(const StartFrame& start, const Model& model,
                                    const std::vector<Velocity>& velocities, double displacement) {
     std::vector<BlockDisplacement> displacements;
     for (std::size_t b = 0; b < velocities.size(); ++b) {
@@ -160,7 +138,7 @@ void MechanismKeeper::write(const LimitResult& result, const VariedQuantity& loa
     failing.duration = kSeconds;
     failing.frame_interval = kSeconds / kFrames;
     at_limit_ = valueOf(formats::failingScenario(scenario_, failing, remarkOn(scenario_, load)));
-    const Start start = startOf(at_limit_.model);
+    const StartFrame start = startFrame(at_limit_.model);
     const std::vector<Velocity> velocities = velocitiesOf(result, at_limit_.model);
     kept.displacement = kDisplacementOfSize * medianSize(start, velocities);
     formats::SnapshotFailure failure = failureOf(start, at_limit_.model, velocities, kept.displacement);

@@ -13,6 +13,7 @@
 #include "cli/provenance.h"
 #include "cli/text.h"
 #include "talus/build_info.h"
+#include "talus/flow.h"
 
 namespace talus::tools {
 
@@ -98,6 +99,13 @@ formats::SnapshotWriter continued(formats::OutputFile file, std::size_t full) {
     auto writer = formats::SnapshotWriter::continueFile(std::move(file), full);
     throwIfRefused(writer.errors());
     return std::move(*writer);
+}
+
+/// Nothing where there is none: the run has reported that already.
+std::optional<formats::SnapshotFlow> pressureOfFlow(const Model& model) {
+    const auto flow = steadyFlow(model);
+    if (!flow) return std::nullopt;
+    return formats::flowOf(*flow, model);
 }
 
 }  // namespace
@@ -203,6 +211,7 @@ RunOutput RunRecorder::output(std::optional<formats::SnapshotFailure> failure) {
         output.begin = [this, failure = std::move(failure)](const RunGeometry& geometry) {
             auto header = formats::headerOf(scenario_, geometry, commandLine(), frames_per_full_);
             header.failure = failure;
+            if (scenario_.model.flow) header.flow = pressureOfFlow(scenario_.model);
             snapshots_->write(std::move(header));
         };
     const auto write = [this](auto&& frame, std::size_t& count) {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 
 #include "cli/failures.h"
@@ -73,22 +74,38 @@ void throwIfRefused(const std::vector<Error>& errors) {
     if (!errors.empty()) throw FileRefused(formats::format(errors.front()));
 }
 
+/// Bytes of a new file.
+std::string written(const std::function<void(formats::SnapshotWriter&)>& frames,
+                    const formats::SnapshotEnd& end) {
+    const TemporaryFile file;
+    auto writer = formats::SnapshotWriter::open(file.path());
+    throwIfRefused(writer.errors());
+    frames(*writer);
+    throwIfRefused(writer->finish(end));
+    return contentOf(file.path());
+}
+
 std::string repacked(formats::SnapshotReader& reader, const std::string& path, const FrameChoice& choice) {
     const std::vector<std::size_t> frames = chosenFrames(reader, choice);
     if (frames.empty())
         throw BadInput(
             Error{"--from", "there is no frame in this time interval; talus inspect lists the frames", path});
-    const TemporaryFile file;
-    auto writer = formats::SnapshotWriter::open(file.path());
-    throwIfRefused(writer.errors());
-    writer->write(reader.header());
-    for (const std::size_t k : frames) {
-        writer->write(valueOf(reader.frame(k)));
-        const auto full = reader.frames()[k].full;
-        if (full && choice.contacts) writer->write(valueOf(reader.full(*full)));
-    }
-    throwIfRefused(writer->finish(endOf(reader)));
-    return contentOf(file.path());
+    const auto write = [&](formats::SnapshotWriter& writer) {
+        writer.write(reader.header());
+        for (const std::size_t k : frames) {
+            writer.write(valueOf(reader.frame(k)));
+            const auto full = reader.frames()[k].full;
+            if (full && choice.contacts) writer.write(valueOf(reader.full(*full)));
+        }
+    };
+    return written(write, endOf(reader));
+}
+
+/// Data for the page's script. No text in it can end the element.
+std::string jsonElement(const std::string& id, const Json& json) {
+    std::string data;
+    for (const char c : jsonText(json)) c == '<' ? void(data += "\\u003c") : void(data += c);
+    return "<script id=\"" + id + "\" type=\"application/json\">" + data + "</script>\n";
 }
 
 /// The page's rule for the motion of a block.
@@ -98,7 +115,7 @@ std::string motionRule() {
                     {"toppling", MotionRule::kToppling},
                     {"pure", MotionRule::kPure},
                     {"deflectionOfSize", MotionRule::kDeflectionOfSize}};
-    return "<script id=\"motion-rule\" type=\"application/json\">" + jsonText(rule) + "</script>\n";
+    return jsonElement("motion-rule", rule);
 }
 
 /// The page's words for the load of a kept failure, by the names of searches and of limit analyses.
@@ -110,7 +127,7 @@ std::string searchWords() {
     };
     for (const LoadSearch& search : loadSearches()) add(search.name, *search.load);
     for (const VariedQuantity& load : variedQuantities()) add(mechanismSource(load), load);
-    return "<script id=\"searches\" type=\"application/json\">" + jsonText(words) + "</script>\n";
+    return jsonElement("searches", words);
 }
 
 void appendBase64(std::string_view bytes, std::string& out) {
@@ -142,11 +159,22 @@ std::string snapshotBytes(formats::SnapshotReader& reader, const std::string& pa
     return repacked(reader, path, choice);
 }
 
-std::string replayPage(std::string_view snapshot) {
+std::string snapshotBytes(const formats::SnapshotHeader& header, const LightFrame& frame) {
+    formats::SnapshotEnd end;
+    end.ended = "finished";
+    const auto write = [&](formats::SnapshotWriter& writer) {
+        writer.write(header);
+        writer.write(frame);
+    };
+    return written(write, end);
+}
+
+std::string replayPage(std::string_view snapshot, const Json* map) {
     const std::size_t place = kReplayPage.find(kPlace);
     std::string page(kReplayPage.substr(0, place));
     page.reserve(kReplayPage.size() + snapshot.size() / 3 * 4 + snapshot.size() / kPieceBytes * 100 + 1000);
     page += motionRule() + searchWords();
+    if (map != nullptr) page += jsonElement("failure-map", *map);
     for (std::size_t k = 0; k < snapshot.size(); k += kPieceBytes) {
         page += "<script class=\"snapshot\" type=\"text/plain\">";
         appendBase64(snapshot.substr(k, kPieceBytes), page);

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/json_fwd.h"
 #include "talus/formats/snapshot.h"
 
 namespace talus::tools {
@@ -26,8 +27,12 @@ struct FrameChoice {
 std::string snapshotBytes(formats::SnapshotReader& reader, const std::string& path,
                           const FrameChoice& choice);
 
+/// Bytes of a finished file of one frame.
+std::string snapshotBytes(const formats::SnapshotHeader& header, const LightFrame& frame);
+
 /// The page with these bytes inside, as base64 in pieces of a size that browsers accept.
-std::string replayPage(std::string_view snapshot);
+/// \param map  of failure, to be drawn on the blocks (src/data/map.js reads it); nullptr: none
+std::string replayPage(std::string_view snapshot, const Json* map = nullptr);
 
 /// The page of a whole snapshot file. Throws BadInput and FileRefused.
 void writeReplay(const std::string& file, const std::string& page);

@@ -235,6 +235,7 @@ mcap::Bytes encode(SnapshotHeader header) {
     eachField(header, message, IntoMessage{});
     if (!header.geometry.supports.name.empty())
         eachField(header.geometry.supports, made(message.supports), IntoMessage{});
+    if (header.flow) eachField(*header.flow, made(message.flow), IntoMessage{});
     return pack<fb::Header>(message);
 }
 
@@ -290,6 +291,7 @@ bool decode(const mcap::Bytes& bytes, SnapshotHeader& header, std::string& why) 
     if (message.failure && !fromMessage(*message.failure, header.failure.emplace())) return false;
     eachField(header, message, FromMessage{});
     if (message.supports) eachField(header.geometry.supports, *message.supports, FromMessage{});
+    if (message.flow) eachField(header.flow.emplace(), *message.flow, FromMessage{});
     return true;
 }
 
@@ -305,6 +307,21 @@ bool decode(const mcap::Bytes& bytes, FullFrame& frame) {
     const fb::Full* message = verified<fb::Full>(bytes);
     if (message != nullptr) unpackFull(*message, frame);
     return message != nullptr;
+}
+
+SnapshotFlow flowOf(const SteadyFlow& flow, const Model& model) {
+    const double unit_weight = model.flow->density * model.gravity.magnitude;
+    SnapshotFlow out;
+    for (std::size_t n = 0; n < flow.nodes.size(); ++n) {
+        out.node.push_back(flow.nodes[n]);
+        out.pressure.push_back(unit_weight * flow.pressure_head[n]);
+    }
+    for (const auto& triangle : flow.triangles)
+        out.triangle.insert(out.triangle.end(), triangle.begin(), triangle.end());
+    out.joint = flow.joint;
+    out.block_a = flow.block_a;
+    out.block_b = flow.block_b;
+    return out;
 }
 
 SnapshotHeader headerOf(const Scenario& scenario, RunGeometry geometry, std::string command_line,

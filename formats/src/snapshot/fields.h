@@ -44,6 +44,16 @@ void eachField(SupportLines& f, fb::SupportLinesT& m, const Move& move) {
 }
 
 template <class Move>
+void eachField(SnapshotFlow& f, fb::FlowPressureT& m, const Move& move) {
+    move(f.node, m.node);
+    move(f.pressure, m.pressure);
+    move(f.triangle, m.triangle);
+    move(f.joint, m.joint);
+    move(f.block_a, m.block_a);
+    move(f.block_b, m.block_b);
+}
+
+template <class Move>
 void eachField(SupportForces& f, fb::SupportForcesT& m, const Move& move) {
     move(f.force, m.force);
     move(f.utilisation, m.utilisation);

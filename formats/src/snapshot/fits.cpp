@@ -43,6 +43,14 @@ bool supportsFit(const SupportLines& lines, std::size_t blocks) {
            within(lines.block, 0, blocks);
 }
 
+bool flowFits(const SnapshotFlow& flow, std::size_t blocks, std::size_t joints) {
+    const std::size_t nodes = flow.pressure.size(), triangles = flow.joint.size();
+    return sized(flow.node, nodes) && allSized(3 * triangles, flow.triangle) &&
+           allSized(triangles, flow.block_a, flow.block_b) && within(flow.triangle, 0, nodes) &&
+           within(flow.joint, 0, joints) && within(flow.block_a, 0, blocks) &&
+           within(flow.block_b, 0, blocks);
+}
+
 }  // namespace
 
 bool fits(const SnapshotHeader& header) {
@@ -57,6 +65,7 @@ bool fits(const SnapshotHeader& header) {
     if ((!g.face_part.empty() || !g.face_inner.empty()) && !allSized(faces, g.face_part, g.face_inner))
         return false;
     if (!supportsFit(g.supports, n)) return false;
+    if (header.flow && !flowFits(*header.flow, n, header.joints.size())) return false;
     if (header.failure && header.failure->roles.size() != n) return false;
     if (header.failure && !header.failure->factors.empty() && header.failure->factors.size() != n)
         return false;

@@ -85,6 +85,40 @@ TEST_CASE("a header tells the parts of blocks, and which faces are inside; of co
     CHECK_FALSE(fits(header));
 }
 
+TEST_CASE("a header without flow has no table of it; one with flow gives it back, and indices are checked") {
+    SnapshotHeader header = headerOf(sample().scenario, sample().run.geometry, "talus run", 10);
+    const mcap::Bytes dry = encode(header);
+    header.flow.emplace();
+    for (const double x : {0.0, 1.0, 2.0, 3.0}) header.flow->node.push_back(Vec3(x, 2 * x, 0.1));
+    header.flow->pressure = {9810, 0, -4905, 1};
+    header.flow->triangle = {0, 1, 2, 2, 1, 3};
+    header.flow->joint = {0, 0};
+    header.flow->block_a = {0, 1};
+    header.flow->block_b = {1, 2};
+    CHECK(fits(header));
+    const mcap::Bytes wet = encode(header);
+    CHECK(wet.size() > dry.size());
+    SnapshotHeader read;
+    std::string why;
+    REQUIRE(decode(wet, read, why));
+    REQUIRE(read.flow.has_value());
+    CHECK(encode(read) == wet);
+    CHECK(read.flow->pressure == header.flow->pressure);
+    read.flow.reset();
+    CHECK(encode(read) == dry);
+    const auto misfits = [&](const auto& change) {
+        SnapshotHeader damaged = header;
+        change(*damaged.flow);
+        return !fits(damaged);
+    };
+    CHECK(misfits([](SnapshotFlow& flow) { flow.triangle[3] = 4; }));
+    CHECK(misfits([](SnapshotFlow& flow) { flow.triangle.pop_back(); }));
+    CHECK(misfits([](SnapshotFlow& flow) { flow.pressure.pop_back(); }));
+    CHECK(misfits([](SnapshotFlow& flow) { flow.block_b[0] = -1; }));
+    CHECK(misfits([](SnapshotFlow& flow) { flow.block_a[1] = 1000; }));
+    CHECK(misfits([](SnapshotFlow& flow) { flow.joint[0] = 1000; }));
+}
+
 TEST_CASE("an unfinished file gives its frames and says that it has no end") {
     const TemporaryFolder folder;
     const Sample& s = sample();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "batch/map_files.h"
+#include "batch/map_picture.h"
 #include "batch/summary.h"
 #include "cli/text.h"
 #include "talus/rock_mass.h"
@@ -223,6 +224,36 @@ TEST_CASE("the same map for any number of threads, and of a batch that went on")
     CHECK(contentOf(later) == contentOf(vtp));
 }
 
+TEST_CASE("the map on the slope: one page with the blocks of the scenario and the values of the map") {
+    const BatchFolder wedge(randomDips(24), "safety-factor", kWedge);
+    const std::string page = wedge.folder / "slope.html";
+    const Outcome outcome = wedge.run({"--map-3d", page, "--map-cell", "1"});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.json()["map"]["files"] == nlohmann::json::array({page}));
+    const std::string text = contentOf(page), open = "<script id=\"failure-map\" type=\"application/json\">";
+    CHECK(text.find("<title>Talus replay</title>") != std::string::npos);
+    const std::size_t begin = text.find(open);
+    REQUIRE(begin != std::string::npos);
+    const std::string data =
+        text.substr(begin + open.size(), text.find('<', begin + 1) - begin - open.size());
+    const auto json = nlohmann::json::parse(data);
+    const FailureMap map = mapOf(wedge, 1, 1);
+    const auto& cells = json["cells"];
+    REQUIRE(cells["hits"].size() == map.face.cells.size());
+    for (std::size_t c = 0; c < map.face.cells.size(); ++c) {
+        CHECK(cells["hits"][c] == map.hits[c]);
+        CHECK(cells["volume"][c] == map.volume_per_area[c]);
+        CHECK(cells["low"][c] == map.interval(c).low);
+        CHECK(cells["high"][c] == map.interval(c).high);
+        CHECK(cells["centre"][3 * c + 1] == map.face.cells[c].centre.y());
+    }
+    CHECK(json["runs"] == 24);
+    CHECK(json["pieceBegin"].size() == json["pieceCell"].size() + 1);
+    CHECK(json["pieceBegin"].back() == json["corner"].size() / 3);
+    CHECK(json["scales"]["probability"]["most"] == scaleEnd(map, MapQuantity::probability));
+}
+
 TEST_CASE("maps that cannot be made are refused before anything is computed") {
     const auto refused = [](const BatchFolder& folder, std::vector<std::string> more,
                             const std::string& words) {
@@ -238,6 +269,12 @@ TEST_CASE("maps that cannot be made are refused before anything is computed") {
     refused(wedge, {"--map", wedge.folder / "map.vtp", "--shard", "1/2"}, "found together with --shard");
     refused(wedge, {"--map", wedge.folder / "map.vtp", "--map-cell", "0.001"}, "more than 1000000 cells");
     refused(wedge, {"--map", wedge.folder / "map.html", "--map-cell", "0.1"}, "allowed in a page: at most");
+    const std::string slope = wedge.folder / "slope.html";
+    refused(wedge, {"--map-3d", "slope.vtp"}, "--map-3d: found");
+    refused(wedge, {"--map-3d", slope, "--shard", "1/2"}, "--map-3d: found together with --shard");
+    refused(wedge, {"--map-3d", slope, "--map-cell", "0.1"}, "--map-3d: found a face of");
+    refused(wedge, {"--map-3d", slope, "--map", slope}, "is a file of --map, too");
+    refused(wedge, {"--map-3d", wedge.out() + "/report.html"}, "is the batch's own report");
     const BatchFolder stack(draws(3), "safety-factor", blockScenario(11, 12));
     refused(stack, {"--map", stack.folder / "map.vtp"}, "a scenario without [rock_mass]");
     const BatchFolder grid(randomDips(2) + kGrid, "safety-factor", kWedge);

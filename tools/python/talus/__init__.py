@@ -16,6 +16,7 @@ for a file that cannot be written, or that exists and may not be replaced; ``Key
 from . import _core
 from ._errors import ScenarioError
 from ._errors import path_of as _path_of
+from ._map import FailureMap
 from ._model import Model
 from ._result import Result, SearchResult
 from ._run import Contacts, Run, Simulation, open
@@ -23,6 +24,7 @@ from ._run import Contacts, Run, Simulation, open
 __version__ = _core.version
 __all__ = [
     "Contacts",
+    "FailureMap",
     "Model",
     "Result",
     "Run",
@@ -32,6 +34,7 @@ __all__ = [
     "batch",
     "critical_acceleration",
     "critical_angle",
+    "failure_map",
     "keyblocks",
     "kinematics",
     "limit_analysis",
@@ -258,4 +261,17 @@ def batch(sweep, folder, *, retry=False, threads=0, progress=None):
     """
     return Result.of_json(
         _core.batch(_path_of(sweep), _path_of(folder), retry=retry, threads=threads, progress=progress)
+    )
+
+
+def failure_map(sweep, folder, *, cell_size=None, threads=0, progress=None):
+    """The probability of failure over the face of a rock mass, from a finished batch, as a FailureMap.
+
+    The same map as ``talus batch SWEEP -o FOLDER --map FILE``. No run is computed.
+
+    sweep: the sweep file (TOML). folder: of its results, as given to ``talus.batch``.
+    cell_size: of the cells [m]; None: some 2,000 cells.
+    """
+    return FailureMap(
+        *_core.failure_map(_path_of(sweep), _path_of(folder), cell_size=cell_size, threads=threads, progress=progress)
     )

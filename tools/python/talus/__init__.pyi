@@ -98,6 +98,34 @@ class Contacts:
     def __init__(self, arrays: Mapping[str, Any]) -> None: ...
     def __len__(self) -> int: ...
 
+class FailureMap:
+    centres: NDArray[float64]
+    normals: NDArray[float64]
+    areas: NDArray[float64]
+    hits: NDArray[int64]
+    probability: NDArray[float64]
+    probability_low: NDArray[float64]
+    probability_high: NDArray[float64]
+    volume_per_area: NDArray[float64]
+    corners: NDArray[float64]
+    polygon_begin: NDArray[int64]
+    polygon_cell: NDArray[int64]
+    threshold: float
+    runs: int
+    failed: int
+    interval: list[float]
+    confidence: float
+    cells: int
+    cell_size_m: float
+    face_area_m2: float
+    largest_probability: float
+    expected_failing_volume_m3: float
+    volume_without_face_m3: float
+    def __init__(self, arrays: Mapping[str, Any], facts: str) -> None: ...
+    @property
+    def polygons(self) -> list[NDArray[float64]]: ...
+    def __len__(self) -> int: ...
+
 class Simulation:
     blocks: list[str]
     def __init__(self, model: Model | _Path, *, threads: int = 0, progress: _Progress | None = None) -> None: ...
@@ -276,3 +304,11 @@ def batch(
     threads: int = 0,
     progress: _Progress | None = None,
 ) -> Result: ...
+def failure_map(
+    sweep: _Path,
+    folder: _Path,
+    *,
+    cell_size: float | None = None,
+    threads: int = 0,
+    progress: _Progress | None = None,
+) -> FailureMap: ...

@@ -1,6 +1,7 @@
 // Starts the page: reads the run that stands in it, then wires player, scene and controls.
 
 import { embeddedBytes, openSnapshots } from "./data/container.js";
+import { embeddedMap } from "./data/map.js";
 import { Replay } from "./replay.js";
 
 const message = document.getElementById("message");
@@ -12,7 +13,7 @@ async function start() {
     message.textContent = `Reading the run … ${Math.round(share * 100)} %`;
   });
   message.hidden = true;
-  const replay = new Replay(file);
+  const replay = new Replay(file, embeddedMap());
   await replay.ready;
   /** For scripts and links: window.replay.player.seek(0.1), .select("c1r1s1"), .screenOf("c1r1s1"). */
   window.replay = replay;

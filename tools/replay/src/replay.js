@@ -13,6 +13,8 @@ import { MotionTextures } from "./view/motion.js";
 import { PathsView } from "./view/paths.js";
 import { pickBlock, pickInterface } from "./view/pick.js";
 import { isCut, planeOf } from "./view/section.js";
+import { FlowView } from "./view/flow.js";
+import { MapView } from "./view/map.js";
 import { JointsView, WaterView } from "./view/sheets.js";
 import { SupportsView, PhreaticView } from "./view/supports.js";
 import { Stage } from "./view/stage.js";
@@ -21,16 +23,20 @@ import { Controls } from "./ui/controls.js";
 const magnitudes = (list) => Float32Array.from(list.x, (_, b) => Math.hypot(list.x[b], list.y[b], list.z[b]));
 const median = (values) => values.slice().sort((a, b) => a - b)[Math.floor(values.length / 2)];
 
+const kSameDepth = 1e-3; // of a block: a cell no farther behind a block's face lies on it
+
 export class Replay {
-  constructor(file) {
+  /** A run, or the blocks of a slope with a map of failure on it. */
+  constructor(file, map = null) {
     this.file = file;
     this.header = file.header;
     this.frames = file.frames;
     this.radius = radiiOf(this.header);
-    this.look = { colouring: "displacement", ownScale: false, water: true, forces: false, joints: false, edges: true,
-      fixed: true, paths: false, section: { axis: "", share: 0.5, flipped: false }, exaggeration: 1, opacity: 1, arrowSize: 1 };
-    this.selected = { block: -1, interface: -1 };
+    this.look = { colouring: map ? "probability" : "displacement", ownScale: false, water: true, forces: false, joints: false, edges: true,
+      jointColouring: "friction", fixed: true, paths: false, section: { axis: "", share: 0.5, flipped: false }, exaggeration: 1, opacity: 1, arrowSize: 1 };
+    this.selected = { block: -1, interface: -1, cell: -1 };
     this.hovered = -1;
+    this.map = map;
     this.fullIndex = -1, (this.full = null);
     this.valuesOf = { frame: [], values: [] };
     const roles = rolesAt(this.header, this.frames.at(-1), this.radius);
@@ -59,9 +65,12 @@ export class Replay {
     this.arrows = new ArrowsView(this.header, this.motion, this.blockSize);
     this.supports = new SupportsView(this.header, this.motion, this.blockSize);
     this.phreatic = new PhreaticView(this.header, this.motion);
+    this.flow = new FlowView(this.header, this.motion);
+    this.cells = this.map && new MapView(this.map, this.header, this.motion);
     this.paths = new PathsView(this.header, this.frames, this.motion, this.moving.length ? this.moving : free);
     this.stage.model.add(this.blocks.object, this.joints.object, this.water.object, this.supports.object, this.phreatic.object,
-      this.paths.object);
+      this.paths.object, this.flow.object);
+    if (this.cells) this.stage.model.add(this.cells.object);
     this.stage.over.add(this.arrows.object);
     this.ranges = this.wholeRanges();
   }
@@ -101,7 +110,7 @@ export class Replay {
     if (!this.framed) return;
     this.stage.setTilt((this.moment ?? this.frames[0]).tilt);
     this.stage.look(this.view, this.framed, this.controls?.overlays() ?? [],
-      headingOf(this.header, this.frames.at(-1), this.moving) ?? undefined);
+      this.map?.heading ?? headingOf(this.header, this.frames.at(-1), this.moving) ?? undefined);
     if (this.now) this.stage.setTilt(this.tiltNow());
   }
 
@@ -182,6 +191,11 @@ export class Replay {
     return this.rolesFound;
   }
 
+  /** Whether joints are shown, coloured by the pressure of their water. */
+  showsFlow() {
+    return this.look.joints && this.look.jointColouring === "pressure" && Boolean(this.header.flow);
+  }
+
   /** Joints lie between opaque blocks: they need ghosts to be seen. */
   rockOpacity() {
     if (this.look.joints) return Math.min(this.look.opacity, 0.12);
@@ -190,9 +204,11 @@ export class Replay {
 
   uploadFrames(a, b) {
     const colouring = this.look.colouring;
-    const values = (frame) => (colouring === "role" ? this.roles : colouring === "factor" ? this.heatOfGroups : magnitudes(frame[colouring]));
+    const values = (frame) => (colouring === "role" ? this.roles : colouring === "factor" ? this.heatOfGroups
+      : this.map ? new Float32Array(this.radius.length) : magnitudes(frame[colouring]));
     this.motion.set(a, b, values(a), values(b));
-    const most = colouring === "role" || colouring === "factor" ? 1 : this.look.ownScale ? this.largest(a, colouring) : this.ranges[colouring];
+    const most = colouring === "role" || colouring === "factor" || this.map ? 1
+      : this.look.ownScale ? this.largest(a, colouring) : this.ranges[colouring];
     this.range = [0, most > 0 ? most : 1e-12];
     this.blocks.uniforms.range.value.set(...this.range);
     this.blocks.uniforms.categories.value = colouring === "role";
@@ -203,11 +219,13 @@ export class Replay {
     this.water.show(this.look.water ? this.full : null, frame);
     this.phreatic.object.visible = this.look.water;
     this.supports.show(frame);
-    const chosen = this.selected.interface;
-    this.joints.object.visible = this.look.joints || chosen >= 0;
-    this.joints.show(this.joints.object.visible ? this.full : null, this.full?.sums, this.look.joints, chosen);
+    this.cells?.show(this.look.colouring, this.selected.cell);
+    const chosen = this.selected.interface, by_friction = this.look.joints && !this.showsFlow();
+    this.flow.object.visible = this.showsFlow();
+    this.joints.object.visible = by_friction || chosen >= 0;
+    this.joints.show(this.joints.object.visible ? this.full : null, this.full?.sums, by_friction, chosen, this.showsFlow());
     const body = this.selected.block;
-    const wanted = this.look.forces || body >= 0;
+    const wanted = !this.map && (this.look.forces || body >= 0);
     this.arrows.show(wanted ? this.full : null, frame, body, this.look.arrowSize, this.controls.dark());
   }
 
@@ -239,12 +257,12 @@ export class Replay {
   /** Selects a block by name or index, or nothing (-1). */
   select(block) {
     const index = typeof block === "string" ? this.header.names.indexOf(block) : block;
-    this.selected = { block: index, interface: -1 };
+    this.selected = { block: index, interface: -1, cell: -1 };
     this.invalidate("selection");
   }
 
   selectInterface(i) {
-    this.selected = { block: -1, interface: i };
+    this.selected = { block: -1, interface: i, cell: -1 };
     this.invalidate("selection");
   }
 
@@ -256,7 +274,34 @@ export class Replay {
       const i = pickInterface(this.header, this.full, this.now, times, origin, direction, this.selected.interface);
       if (i >= 0) return this.selectInterface(i);
     }
-    this.select(this.blockAlong(origin, direction));
+    this.select(this.blockAlong(origin, direction).block);
+    this.selected.cell = this.cellAlong(origin, direction);
+  }
+
+  /** Number of the map's cell that a ray meets first, or -1. */
+  cellAlong(origin, direction) {
+    if (!this.cells) return -1;
+    const least = kSameDepth * this.blockSize;
+    return this.cells.cellAlong(origin, direction, this.blockAlong(origin, direction).t + least, (point) => isCut(this.plane, point));
+  }
+
+  /** Numbers of the map's cells whose centre lies on a block of the scenario. */
+  cellsOn(block) {
+    const { cells } = this.map, centroid = get(this.header.centroid, block), least = kSameDepth * this.blockSize;
+    const onBlock = (cell) => {
+      const [centre, normal] = [cells.centre, cells.normal].map((list) => list.slice(3 * cell, 3 * cell + 3));
+      if (norm(sub(centre, centroid)) > this.radius[block] + least) return false;
+      const from = add(centre, normal.map((x) => x * least));
+      return pickBlock(this.header, this.radius, this.now, 1, from, normal.map((x) => -x), (b) => b === block).t < 2 * least;
+    };
+    return cells.area.map((_, cell) => cell).filter(onBlock);
+  }
+
+  /** Where a ray meets the flow in joints first, as it is drawn: { triangle, value }, or null. */
+  flowAlong(origin, direction) {
+    if (!this.showsFlow()) return null;
+    return this.flow.pick((b) => poseOf(this.header, this.now, b, this.look.exaggeration), origin, direction,
+      (point) => isCut(this.plane, point));
   }
 
   blockAlong(origin, direction) {
@@ -266,7 +311,8 @@ export class Replay {
 
   hover(x, y) {
     const { origin, direction } = this.stage.rayAt(x, y);
-    this.hovered = this.blockAlong(origin, direction);
+    this.hovered = this.blockAlong(origin, direction).block;
+    this.under = { cell: this.cellAlong(origin, direction), flow: this.flowAlong(origin, direction) };
     this.blocks.uniforms.hovered.value = this.hovered;
     this.invalidate("camera");
     return this.hovered;

@@ -16,6 +16,7 @@
 
 #include "talus/analysis.h"
 #include "talus/build_info.h"
+#include "talus/flow.h"
 #include "talus/formats/output_file.h"
 #include "talus/formats/scenario.h"
 #include "talus/frame.h"
@@ -41,6 +42,16 @@ struct SnapshotFailure {
     std::vector<PathPoint> path{};             ///< the search's curve of load against displacement
 };
 
+/// Pressure of steady flow in the joints, computed before the run. It goes with block a.
+struct SnapshotFlow {
+    VectorList<double> node;             ///< as the blocks lie at the start, model frame [m]
+    std::vector<double> pressure;        ///< per node: negative above the free surface [Pa]
+    std::vector<std::int32_t> triangle;  ///< three nodes each; pressure acts where it is positive
+    std::vector<std::int32_t> joint, block_a, block_b;  ///< per triangle
+};
+
+SnapshotFlow flowOf(const SteadyFlow& flow, const Model& model);
+
 /// Header of a file, before the first frame.
 struct SnapshotHeader {
     int format = kFirstFormat;
@@ -59,6 +70,7 @@ struct SnapshotHeader {
     std::vector<Water> waters;
     std::vector<PhreaticSurface::Point> phreatic;  ///< the line of a phreatic surface, if there is one
     TriangleSurface phreatic_mesh;                 ///< or its triangles
+    std::optional<SnapshotFlow> flow;              ///< of a model with [flow]
     /// of a run kept by a search, which begins in a state of that search
     std::optional<SnapshotFailure> failure;
 };

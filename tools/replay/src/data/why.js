@@ -1,6 +1,7 @@
 // Sentences on why a block or a joint fails or is stable, each with numbers of the file.
 
-import { dot, get, norm, poseOf, sub, upOf } from "./poses.js";
+import { add, dot, get, norm, poseOf, scale, sub, turn, upOf } from "./poses.js";
+import { flowPushes } from "./flow.js";
 import { neighboursOf, waterForce } from "./contacts.js";
 import { motionAt, Role, rule } from "./roles.js";
 import { angle, percent, quantity } from "../units.js";
@@ -63,7 +64,8 @@ function contactSentences(header, full, block, up) {
 function waterSentence(header, full, block, pose) {
   const weight = header.mass[block] * header.gravity;
   const walls = full.walls.get(block) ?? [];
-  const thrust = walls.map((k) => waterForce(header, full, k, pose.turn)).reduce((a, b) => a.map((v, k) => v + b[k]), [0, 0, 0]);
+  const thrust = [...walls.map((k) => waterForce(header, full, k, pose.turn)),
+    ...flowPushes(header, block).map(({ force }) => turn(pose.turn, scale(force, full.loads.waterShare)))].reduce(add, [0, 0, 0]);
   if (norm(thrust) < 1e-9 * weight) return null;
   return `Water pushes it with ${quantity(norm(thrust), "N")}, ${percent(norm(thrust) / weight)} of its weight.`;
 }

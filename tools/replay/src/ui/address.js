@@ -4,9 +4,12 @@ export function readAddress(replay, hash) {
   const asked = new URLSearchParams(hash.slice(1));
   const { look, player } = replay;
   const colour = asked.get("colour");
-  if (["displacement", "velocity", "rotation", "role", "factor"].includes(colour) && (colour !== "factor" || replay.groups.length > 0)) look.colouring = colour;
+  if (replay.map) {
+    if (replay.map.quantities[colour]) look.colouring = colour;
+  } else if (["displacement", "velocity", "rotation", "role", "factor"].includes(colour) && (colour !== "factor" || replay.groups.length > 0)) look.colouring = colour;
   for (const layer of ["water", "forces", "joints", "edges", "fixed", "paths"])
     if (asked.has(layer)) look[layer] = !["0", "no"].includes(asked.get(layer));
+  if (asked.get("joints") === "pressure") look.jointColouring = "pressure";
   const times = Number(asked.get("exaggerate"));
   if (times >= 1) look.exaggeration = Math.min(times, 1e4);
   const [axis, share] = (asked.get("section") ?? "").split(":"); // section=y:0.5

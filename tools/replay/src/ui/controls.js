@@ -8,12 +8,15 @@ import { Recorder } from "./recorder.js";
 import { compassSvg, scaleBar, scaleSvg, viewText } from "./scale.js";
 import { planeText } from "../view/section.js";
 import { legendHtml } from "./legend.js";
+import { blockCells, cellText, cellTip, mapText } from "./map.js";
 import { pathHtml } from "./path.js";
-import { blockText, interfaceText, runText } from "./selection.js";
+import { blockText, flowTip, interfaceText, runText } from "./selection.js";
 import { readAddress } from "./address.js";
+import { close, escape } from "./words.js";
 
 const element = (id) => document.getElementById(id);
 const colourKeys = { 1: "displacement", 2: "velocity", 3: "rotation", 4: "role", 5: "factor" };
+const mapKeys = { 1: "probability", 2: "volume" };
 const layerKeys = { w: "water", f: "forces", j: "joints", e: "edges", b: "fixed", y: "paths" };
 const viewKeys = { o: "iso", s: "front", t: "toe", p: "top" };
 const kClickPixels = 5; // farther is a drag
@@ -24,7 +27,7 @@ export class Controls {
     this.replay = replay;
     this.canvas = element("scene");
     this.darkQuery = matchMedia("(prefers-color-scheme: dark)");
-    this.describeRun();
+    replay.map ? this.describeMap() : this.describeRun();
     for (const place of document.querySelectorAll("[data-rule]")) place.textContent = percent(rule[place.dataset.rule]);
     this.connectTransport();
     this.connectPanel();
@@ -61,6 +64,18 @@ export class Controls {
     element("search").innerHTML = pathHtml(header.failure);
     element("run").innerHTML = runText(file, motion);
     element("water").disabled = header.waters.length === 0 && !header.phreaticX?.length;
+    element("joint-colours").hidden = !header.flow;
+  }
+
+  /** A map has no time and no forces: what shows them is not there. */
+  describeMap() {
+    const { header, map } = this.replay;
+    document.body.classList.add("map");
+    document.title = map.title;
+    element("title").textContent = map.title;
+    element("facts").textContent = map.lead;
+    element("run").innerHTML = mapText(map, header);
+    for (const id of ["water", "forces", "joints", "paths"]) element(id).disabled = true;
   }
 
   connectTransport() {
@@ -87,6 +102,8 @@ export class Controls {
     const { look } = this.replay;
     const change = (id, act) => element(id).addEventListener("input", (event) => (act(event.target), this.replay.invalidate("look")));
     change("colours", (target) => (look.colouring = target.value));
+    change("map-colours", (target) => (look.colouring = target.value));
+    change("joint-colours", (target) => (look.jointColouring = target.value));
     change("own-scale", (target) => (look.ownScale = target.checked));
     for (const layer of Object.values(layerKeys)) change(layer, (target) => (look[layer] = target.checked));
     change("exaggeration", (target) => (look.exaggeration = 10 ** Number(target.value)));
@@ -128,7 +145,7 @@ export class Controls {
       const [x, y] = place(event);
       if (event.button !== 0 || !down || Math.hypot(x - down[0], y - down[1]) > kClickPixels) return;
       this.replay.pick(x, y);
-      if (this.replay.selected.block >= 0 || this.replay.selected.interface >= 0) this.showPanel(true);
+      if (Object.values(this.replay.selected).some((number) => number >= 0)) this.showPanel(true);
     });
     this.canvas.addEventListener("pointermove", (event) => {
       if (event.buttons || event.pointerType === "touch" || this.hovering) return;
@@ -140,10 +157,20 @@ export class Controls {
   showTip(x, y) {
     const block = x < 0 || !this.replay.now ? -1 : this.replay.hover(x, y);
     const tip = element("tip");
-    tip.hidden = block < 0;
-    if (block < 0) return;
-    tip.textContent = this.replay.header.names[block];
-    tip.style.left = `${x + 14}px`, (tip.style.top = `${y + 10}px`);
+    const text = x < 0 || !this.replay.now ? "" : this.tipText(block);
+    tip.hidden = !text;
+    if (!text) return;
+    tip.textContent = text;
+    const room = element("stage").clientWidth - tip.offsetWidth - 4; // it does not leave the scene
+    tip.style.left = `${Math.max(0, Math.min(x + 14, room))}px`, (tip.style.top = `${y + 10}px`);
+  }
+
+  /** What is under the pointer; "" for nothing. */
+  tipText(block) {
+    const { header, map, under } = this.replay;
+    if (under.flow) return flowTip(header, under.flow);
+    if (under.cell >= 0) return cellTip(map, under.cell);
+    return block >= 0 ? header.names[block] : "";
   }
 
   makeCurves() {
@@ -230,14 +257,25 @@ export class Controls {
       "=": () => this.exaggerate(look.exaggeration * 10 ** 0.25),
       "-": () => this.exaggerate(look.exaggeration / 10 ** 0.25),
       0: () => this.exaggerate(1),
+      u: () => this.toggleFlow(),
     };
     const action = actions[key] ?? actions[letter];
     if (action) return action(), true;
+    if (replay.map && colourKeys[key]) return (look.colouring = mapKeys[key] ?? look.colouring), replay.invalidate("look"), true;
     if (colourKeys[key] === "factor" && replay.groups.length === 0) return false;
     if (colourKeys[key]) return (look.colouring = colourKeys[key]), replay.invalidate("look"), true;
     if (layerKeys[letter]) return element(layerKeys[letter]).disabled || press(layerKeys[letter]);
     if (viewKeys[letter]) return replay.home(viewKeys[letter]), true;
     return false;
+  }
+
+  /** Joints by water pressure, or no joints. */
+  toggleFlow() {
+    const { look, header } = this.replay;
+    if (!header.flow || this.replay.map) return;
+    look.joints = !this.replay.showsFlow();
+    look.jointColouring = "pressure";
+    this.replay.invalidate("look");
   }
 
   nextSection() {
@@ -287,6 +325,7 @@ export class Controls {
   updateLook(dirty) {
     const { replay } = this, { look } = replay;
     document.querySelector(`[value=${look.colouring}]`).checked = true;
+    document.querySelector(`[value=${look.jointColouring}]`).checked = true;
     for (const layer of Object.values(layerKeys)) element(layer).checked = look[layer];
     element("own-scale").checked = look.ownScale;
     element("scale-row").hidden = look.colouring === "role" || look.colouring === "factor";
@@ -301,11 +340,12 @@ export class Controls {
     element("section-flip").checked = look.section.flipped;
     element("section-share").disabled = element("section-flip").disabled = !replay.plane;
     element("section-value").textContent = replay.plane ? planeText(replay.plane, look.section.axis, (at) => quantity(at, "m", 3)) : "none";
-    const arrows = look.forces || replay.selected.block >= 0;
+    const arrows = !replay.map && (look.forces || replay.selected.block >= 0);
     element("arrow-row").hidden = !arrows;
     element("arrow-size-value").textContent = `× ${Number(look.arrowSize.toPrecision(2))}`;
-    const html = legendHtml({
-      colouring: look.colouring, range: replay.range, ownScale: look.ownScale, roles: look.colouring === "role" ? replay.roles : [], groups: replay.groups, joints: look.joints,
+    const flow = replay.showsFlow() ? { most: replay.flow.most, acts: replay.full?.loads.waterShare !== 0 } : null;
+    const html = legendHtml({ map: replay.map, flow,
+      colouring: look.colouring, range: replay.range, ownScale: look.ownScale, roles: look.colouring === "role" ? replay.roles : [], groups: replay.groups, joints: look.joints && !flow,
       forces: arrows, reference: replay.arrows.reference, arrowPixels: this.arrowPixels(), fullTime: replay.full?.time ?? null, time: replay.player.time,
       exaggeration: look.exaggeration, selected: replay.selected.block >= 0,
       supports: replay.supports.supports.length > 0,
@@ -330,10 +370,18 @@ export class Controls {
     if (replay.player.playing && !dirty.has("selection") && since < 1000 / kPanelPerSecond) return;
     this.selectionAt = performance.now();
     const context = { header: replay.header, full: replay.full, frames: replay.now };
-    const html = selected.block >= 0 ? blockText({ ...context, radius: replay.radius, roles: replay.roles, block: selected.block, ...replay.historyOf(selected.block) })
+    const html = replay.map ? this.mapSelection() : selected.block >= 0 ? blockText({ ...context, radius: replay.radius, roles: replay.roles, block: selected.block, ...replay.historyOf(selected.block) })
       : selected.interface >= 0 && replay.full ? interfaceText({ ...context, i: selected.interface })
       : `<p class="note">Click a block, or with <em>Joints</em> shown a joint, to see its numbers and why it fails or is stable.</p>`;
     if (html !== this.selectionShown) element("selection").innerHTML = this.selectionShown = html;
+  }
+
+  mapSelection() {
+    const { map, selected, header } = this.replay;
+    const name = header.names[selected.block], of_block = () => this.replay.cellsOn(selected.block);
+    if (selected.cell >= 0) return cellText(map, selected.cell) + (selected.block >= 0 ? `<h3>Block ${escape(name)}</h3>` + blockCells(map, of_block()) : "");
+    if (selected.block >= 0) return `<h2><span>Block ${escape(name)}</span>${close}</h2>` + blockCells(map, of_block());
+    return `<p class="note">Click a cell to see its numbers.</p>`;
   }
 
   updateLabels(shown) {

@@ -1,7 +1,8 @@
 // The legend over the scene: what colours and arrows mean, with units.
 
 import { degrees, quantity } from "../units.js";
-import { forceColours, gradientOf, heatText, openJoint, roleColours } from "../view/colours.js";
+import { mapLegend } from "./map.js";
+import { dryJoint, forceColours, gradientOf, heatText, openJoint, roleColours } from "../view/colours.js";
 import { roleNames } from "../data/roles.js";
 
 const titles = { displacement: "Displacement", velocity: "Velocity", rotation: "Rotation" };
@@ -23,9 +24,17 @@ export function groupItems(groups) {
 export const colourCaption = ({ colouring }, range, groups) =>
   colouring === "factor" ? { items: groupItems(groups), scale: null } : colouring === "role" ? { items: [], scale: null } : { title: titles[colouring], most: unitOf(colouring)(range[1]), scale: "heat" };
 
-export function legendHtml({ colouring, range, ownScale, roles, groups, joints, forces, reference, arrowPixels, fullTime, time, exaggeration, selected, supports }) {
+/** A joint under most pressure, and dry ones. `acts`: whether the run has this pressure. */
+const flowLegend = ({ most, acts }) =>
+  `Water pressure in joints, before the run${acts ? "" : " (does not act in it)"}<div class="bar" style="background:${gradientOf("pressure")}"></div>` +
+  `<div class="ends"><span>0</span><span>${quantity(most / 2, "Pa", 3)}</span><span>${quantity(most, "Pa", 3)}</span></div>` +
+  `<ul>${item(`${dryJoint}55`, "dry")}</ul>`;
+
+export function legendHtml({ map, flow, colouring, range, ownScale, roles, groups, joints, forces, reference, arrowPixels, fullTime, time, exaggeration, selected, supports }) {
   const parts = [];
-  if (colouring === "role") {
+  if (map) {
+    parts.push(mapLegend(map, colouring));
+  } else if (colouring === "role") {
     const present = [...new Set(roles)].sort();
     parts.push(`Failure role<ul>${present.map((role) => item(roleColours[role], roleNames[role])).join("")}</ul>`);
   } else if (colouring === "factor") {
@@ -41,6 +50,7 @@ export function legendHtml({ colouring, range, ownScale, roles, groups, joints, 
   if (joints)
     parts.push(`Joints${at}: friction used<div class="bar" style="background:${gradientOf("used")}"></div>` +
       `<div class="ends"><span>0</span><span>½</span><span>all: slips</span></div><ul>${item(openJoint + "55", "open")}</ul>`);
+  if (flow) parts.push(flowLegend(flow));
   if (forces && reference > 0)
     parts.push(`${selected ? "Forces on the block" : "Contact forces"}${at}<br>` +
       `<svg width="${arrowPixels + 2}" height="10" style="vertical-align:-1px"><path d="M1 5H${arrowPixels - 7}m0-4 8 4-8 4z" stroke="currentColor" stroke-width="2" fill="currentColor"/></svg>` +

@@ -5,6 +5,7 @@ import { roleNames } from "../data/roles.js";
 import { roleColours } from "../view/colours.js";
 import { canFilm, compose, Film, savePicture } from "./film.js";
 import { colourCaption } from "./legend.js";
+import { mapCaption } from "./map.js";
 import { scaleBar, viewText } from "./scale.js";
 
 export class Recorder {
@@ -29,10 +30,11 @@ export class Recorder {
     const present = roles ? [...new Set(replay.roles)].sort() : [];
     compose(this.canvas, stage.renderer.domElement, {
       dark: replay.controls.dark(), ratio: stage.renderer.getPixelRatio(), title: this.name(),
-      lines: [`t = ${quantity(player.time, "s")}, tilt ${angle(replay.now.a.tilt, 4)}, ${replay.motionText}`,
-        ...(look.joints && replay.full ? [`joints at t = ${quantity(replay.full.time, "s")}: friction mobilised little (green), half (yellow), fully (red); open (grey)`] : []),
+      lines: replay.map ? [`${replay.map.runs} samples`] : [`t = ${quantity(player.time, "s")}, tilt ${angle(replay.now.a.tilt, 4)}, ${replay.motionText}`,
+        ...(replay.showsFlow() ? [`water pressure in joints: 0 (pale blue) to ${quantity(replay.flow.most, "Pa", 3)} (dark blue); dry (brown)`]
+          : look.joints && replay.full ? [`joints at t = ${quantity(replay.full.time, "s")}: friction mobilised little (green), half (yellow), fully (red); open (grey)`] : []),
         ...(look.exaggeration !== 1 ? [`displacement drawn × ${Number(look.exaggeration.toPrecision(3))}`] : [])],
-      colours: roles ? { ...colourCaption(look, replay.range), items: present.map((role) => [roleColours[role], roleNames[role]]) }
+      colours: replay.map ? mapCaption(replay.map, look.colouring) : roles ? { ...colourCaption(look, replay.range), items: present.map((role) => [roleColours[role], roleNames[role]]) }
         : colourCaption(look, replay.range, replay.groups),
       scale: scaleBar(stage.metresPerPixel()),
       compass: { svg: document.getElementById("axes"), text: viewText(stage.direction()) },
@@ -42,7 +44,8 @@ export class Recorder {
   async picture() {
     this.replay.stage.render(); // what is on the screen may be read only right after it was drawn
     this.compose();
-    return savePicture(this.canvas, `${this.name()}-${this.replay.player.time.toPrecision(4)}s`);
+    const moment = this.replay.map ? this.replay.look.colouring : `${this.replay.player.time.toPrecision(4)}s`;
+    return savePicture(this.canvas, `${this.name()}-${moment}`);
   }
 
   toggle() {

@@ -1,7 +1,8 @@
 // The panel's text for a selected block or interface: its numbers and why it fails or is stable.
 
-import { escape, loadFigure, wordsOf } from "./words.js";
+import { close, escape, facts, loadFigure, wordsOf } from "./words.js";
 import { add, cross, dot, get, norm, poseOf, sub, turn, upOf } from "../data/poses.js";
+import { pressureBetween } from "../data/flow.js";
 import { neighboursOf, stateNames } from "../data/contacts.js";
 import { roleNames } from "../data/roles.js";
 import { whyBlock, whyInterface } from "../data/why.js";
@@ -9,10 +10,8 @@ import { patchPoint } from "../view/sheets.js";
 import { roleColours } from "../view/colours.js";
 import { angle, area, degrees, percent, quantity, ratio } from "../units.js";
 
-const facts = (rows) => `<dl>${rows.map(([name, value]) => `<dt>${name}</dt><dd>${value}</dd>`).join("")}</dl>`;
 const why = (sentences) => `<h3>Why</h3><ul class="why">${sentences.map((s) => `<li>${escape(s)}</li>`).join("")}</ul>`;
 const metres = (v) => `(${v.map((value) => value.toFixed(4).replace("-", "−")).join(", ")}) m`;
-const close = `<button class="quiet" data-close aria-label="Select nothing">✕</button>`;
 const inked = new Set(["#dedad0"]);
 
 export function blockText({ header, full, frames, block, radius, roles, setOff, falls }) {
@@ -55,6 +54,20 @@ function strengthText(joint) {
   return `φ = ${angle(joint?.friction ?? NaN)}, C = ${quantity(joint?.cohesion ?? NaN, "Pa", 3)}`;
 }
 
+/** Of water that stands in the joint, or that flows in it. */
+function waterRows({ flow }, sums, a, b) {
+  if (!flow) return [["Water thrust", quantity(sums.water, "N")]];
+  const range = pressureBetween(flow, a, b);
+  return [["Water pressure", range ? `${quantity(range[0], "Pa", 3)} to ${quantity(range[1], "Pa", 3)}` : "none"]];
+}
+
+/** One line for the pointer: the pressure at a point of the flow. */
+export function flowTip({ flow, joints, names }, { triangle, value }) {
+  const pressure = value > 0 ? quantity(value, "Pa", 3) : "dry";
+  const blocks = [flow.blockA[triangle], flow.blockB[triangle]].map((block) => names[block]);
+  return `${pressure}, joint ${joints[flow.joint[triangle]].name} between ${blocks.join(" and ")}`;
+}
+
 export function interfaceText({ header, full, frames, i }) {
   const f = full.interfaces, p = full.points, s = full.sums[i];
   const joint = header.joints[f.joint[i]];
@@ -71,7 +84,7 @@ export function interfaceText({ header, full, frames, i }) {
     ["Area, open", `${area(f.area[i])}, ${percent(s.openShare)}`],
     ["Normal force", quantity(s.normal, "N")],
     ["Shear force", quantity(Math.hypot(s.shear1, s.shear2), "N")],
-    ["Water thrust", quantity(s.water, "N")],
+    ...waterRows(header, s, a, b),
     ["Friction used", percent(s.mobilised)],
     ["Normal force acts", `${percent(s.edge)} of the distance to the rim`],
     ["Middle", metres(at)],

@@ -10,3 +10,8 @@ export function loadFigure(words, load, decimals = words.decimals) {
   const figure = (load / words.scale).toFixed(decimals).replace("-", "−");
   return figure + (words.unit === "deg" ? "°" : words.unit && ` ${words.unit}`);
 }
+
+/** A table of names and values in the panel. */
+export const facts = (rows) => `<dl>${rows.map(([name, value]) => `<dt>${name}</dt><dd>${value}</dd>`).join("")}</dl>`;
+
+export const close = `<button class="quiet" data-close aria-label="Select nothing">✕</button>`;

@@ -2,8 +2,9 @@
 // block selected: all that acts on it, contacts, water and weight.
 
 import * as THREE from "three";
-import { dot, get, norm, poseOf, restOffset, scale, upOf } from "../data/poses.js";
+import { dot, get, norm, poseOf, restOffset, scale, turn, upOf } from "../data/poses.js";
 import { neighboursOf, pointOfAction, waterForce } from "../data/contacts.js";
+import { flowPushes } from "../data/flow.js";
 import { forceColours, rgb } from "./colours.js";
 import { arrowFragment, arrowVertex } from "./shaders.js";
 import { roundDown } from "../units.js";
@@ -77,6 +78,8 @@ export class ArrowsView {
     for (const k of full.walls.get(block) ?? [])
       arrows.push({ block, offset: restOffset(this.header, block, wallMiddle(full.wet, k)),
         force: waterForce(this.header, full, k, pose.turn), tint: rgb(forceColours.water), pushing: 1 });
+    for (const { offset, force } of flowPushes(this.header, block))
+      arrows.push({ block, offset, force: turn(pose.turn, scale(force, full.loads.waterShare)), tint: rgb(forceColours.water), pushing: 1 });
     if (this.header.motion[block] === 0) {
       const weight = scale(upOf(frame.tilt), -this.header.mass[block] * this.header.gravity);
       arrows.push({ block, offset: [0, 0, 0], force: weight, tint: rgb(forceColours.weight), pushing: 0 });

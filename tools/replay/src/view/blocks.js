@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import { cross, get, norm, scale, sub } from "../data/poses.js";
-import { accent, heatTexture, held, rgb, roleColours } from "./colours.js";
+import { accent, scaleTexture, held, rgb, roleColours } from "./colours.js";
 import { blockFragment, blockVertex, edgeFragment, edgeVertex } from "./shaders.js";
 
 const attribute = (values, size) => new THREE.BufferAttribute(Float32Array.from(values), size);
@@ -70,7 +70,7 @@ export class BlocksView {
   constructor(header, motion) {
     this.uniforms = {
       ...motion.uniforms,
-      colours: { value: heatTexture() },
+      colours: { value: scaleTexture("heat") },
       range: { value: new THREE.Vector2(0, 1) },
       categories: { value: false },
       categoryColours: { value: roleColours.map((text) => new THREE.Vector3(...rgb(text))) },
@@ -84,7 +84,7 @@ export class BlocksView {
     };
     this.faceMaterial = new THREE.ShaderMaterial({
       glslVersion: THREE.GLSL3, uniforms: this.uniforms, vertexShader: blockVertex, fragmentShader: blockFragment,
-      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+      polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 4, // behind value sheets
     });
     const edgeMaterial = new THREE.ShaderMaterial({
       glslVersion: THREE.GLSL3, uniforms: this.uniforms, vertexShader: edgeVertex, fragmentShader: edgeFragment,

@@ -28,8 +28,8 @@ function rayNearSphere(origin, direction, centre, radius) {
 }
 
 /**
- * Index of the first block along the ray (unit direction, model frame), or -1. `seen(block)` and `isCut(point)` say what
- * is not drawn.
+ * The first block along the ray (unit direction, model frame) and the distance to it: { block, t }, or { -1, Infinity }.
+ * `seen(block)` and `isCut(point)` say what is not drawn.
  */
 export function pickBlock(header, radius, frames, times, origin, direction, seen = () => true, isCut = () => false) {
   let best = -1, nearest = Infinity;
@@ -47,7 +47,7 @@ export function pickBlock(header, radius, frames, times, origin, direction, seen
       if (t < nearest && !isCut(add(origin, scale(direction, t)))) (nearest = t), (best = b);
     }
   }
-  return best;
+  return { block: best, t: nearest };
 }
 
 /** Index of the first joint patch along the ray, or -1; the next one when `after` is the first. */

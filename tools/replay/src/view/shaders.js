@@ -148,6 +148,35 @@ in vec4 vTint;
 out vec4 colour;
 void main() { ${cutDiscard} colour = vec4(vTint.rgb, vTint.a * strength); }`;
 
+/** Flat polygons fixed to blocks, coloured along a scale by a value that is linear on each triangle. */
+export const valueVertex = `${poseShader}
+in float block;
+in float value;
+out float vValue;
+out vec3 vPlace;
+void main() {
+  vValue = value;
+  vPlace = placed(position, int(block + 0.5));
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(vPlace, 1.0);
+}`;
+
+/** Drawn twice: where the value is positive, and where it is not (`drawsNone`). */
+export const valueFragment = `
+precision highp float;
+uniform sampler2D colours;
+uniform float most;
+uniform vec4 none;
+uniform bool drawsNone;
+${cutDeclaration}
+in float vValue;
+out vec4 colour;
+void main() {
+  ${cutDiscard}
+  if (vValue > 0.0 == drawsNone) discard;
+  float x = clamp(vValue / max(most, 1e-30), 0.0, 1.0);
+  colour = drawsNone ? none : vec4(texture(colours, vec2(0.5 / 256.0 + x * 255.0 / 256.0, 0.5)).rgb, 1.0);
+}`;
+
 /** One arrow an instance: its tip (or its tail, where pushing is 0) at a point of a block, along a force. */
 export const arrowVertex = `${poseShader}
 uniform float metresPerNewton;

@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 import { add, dot, get, poseOf, restOffset, scale, turn, upOf } from "../data/poses.js";
+import { wetPart } from "../data/wet.js";
 import { openJoint, rgb, used, water as waterColour } from "./colours.js";
 import { sheetFragment, sheetVertex } from "./shaders.js";
 
@@ -51,21 +52,6 @@ export function putPolygon(mesh, block, points, tints) {
 }
 
 // --- water ----------------------------------------------------------------------------------------------------------
-
-/** The part of a polygon where `depth` (linear, given at the corners) is positive, and its surface line. */
-function wetPart(points, depths) {
-  const part = [], values = [], surface = [];
-  points.forEach((p, k) => {
-    const next = (k + 1) % points.length;
-    if (depths[k] > 0) part.push(p), values.push(depths[k]);
-    if (depths[k] > 0 !== depths[next] > 0) {
-      const share = depths[k] / (depths[k] - depths[next]);
-      const cut = add(scale(p, 1 - share), scale(points[next], share));
-      part.push(cut), values.push(0), surface.push(cut);
-    }
-  });
-  return { part, values, surface };
-}
 
 export class WaterView extends Sheets {
   constructor(header, motion) {
@@ -140,14 +126,15 @@ export function patchPoint(header, full, i, xi, eta) {
   return restOffset(header, f.blockA[i], own);
 }
 
-/** Patches coloured by mobilised friction; open ones as outlines. `chosen` alone when only that one is shown. */
+/** Patches coloured by mobilised friction; open ones as outlines. `chosen` alone when only that one is shown, as an outline
+ * where another view colours the joints (`is_coloured`). */
 export class JointsView extends Sheets {
   constructor(header, motion) {
     super(motion, 10);
     this.header = header;
   }
 
-  show(full, sums, visible, chosen) {
+  show(full, sums, visible, chosen, is_coloured = false) {
     const triangles = emptyMesh(), lines = emptyMesh();
     const count = full ? full.interfaces.count : 0;
     for (let i = 0; i < count; ++i) {
@@ -156,7 +143,7 @@ export class JointsView extends Sheets {
       const open = sums[i].openShare >= 1;
       const colour = open ? rgb(openJoint) : used(sums[i].mobilised);
       const alpha = i === chosen ? 0.95 : open ? 0.1 : 0.8;
-      putPolygon(triangles, block, corners, corners.map(() => [...colour, alpha]));
+      if (!is_coloured) putPolygon(triangles, block, corners, corners.map(() => [...colour, alpha]));
       const ink = i === chosen ? [0.04, 0.42, 0.8, 1] : [...(open ? colour : [0.15, 0.18, 0.22]), open ? 0.9 : 0.5];
       corners.forEach((p, k) => {
         put(lines, block, p, ink), put(lines, block, corners[(k + 1) % corners.length], ink);
