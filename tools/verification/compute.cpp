@@ -9,10 +9,12 @@
 #include <mutex>
 
 #include "cli/failures.h"
+#include "talus/flow.h"
 #include "talus/limit_analysis.h"
 #include "talus/parallel.h"
 #include "talus/searches.h"
 #include "talus/simulation.h"
+#include "talus/storm.h"
 
 namespace talus::tools {
 
@@ -20,27 +22,37 @@ namespace {
 
 constexpr const char* kFalls = "falls_at_start";
 constexpr const char* kDecided = "decided";
+constexpr const char* kDischarge = "discharge_m3_s";
+constexpr const char* kLevel = "level_m";
+
+void timeHistory(const Control& control, Computed& computed);
+void flow(const Control& control, Computed& computed);
+void filling(const Control& control, Computed& computed);
 
 /// The analysis that gives a quantity.
 struct Analysis {
     const LoadSearch* search = nullptr;
-    const VariedQuantity* limit = nullptr;  ///< neither: a time history
+    const VariedQuantity* limit = nullptr;
+    void (*other)(const Control&, Computed&) = nullptr;  ///< neither of these
+    const char* other_key = "";
 
-    std::string key() const { return search ? search->name : limit ? limit->key : "run"; }
+    std::string key() const { return search ? search->name : limit ? limit->key : other_key; }
 };
 
 std::string limitQuantity(const VariedQuantity& load) { return std::string("limit_") + load.key; }
 
 Analysis analysisFor(const std::string& quantity) {
-    if (quantity == kFalls) return {loadSearch("critical-angle"), nullptr};
-    if (quantity == kDecided) return {loadSearch("safety-factor"), nullptr};
+    if (quantity == kFalls) return {.search = loadSearch("critical-angle")};
+    if (quantity == kDecided) return {.search = loadSearch("safety-factor")};
     for (const LoadSearch& search : loadSearches())
-        if (quantity == search.answer_key) return {&search, nullptr};
+        if (quantity == search.answer_key) return {.search = &search};
     for (const VariedQuantity& load : variedQuantities())
-        if (quantity == limitQuantity(load)) return {nullptr, &load};
+        if (quantity == limitQuantity(load)) return {.limit = &load};
+    if (quantity == kDischarge) return {.other = flow, .other_key = "flow"};
+    if (quantity == kLevel) return {.other = filling, .other_key = "storm"};
     for (const char* known : {"speed_m_s", "way_m", "lowest_at_s", "velocity_kept", "pull_stiffness_n_m",
                               "most_force_n", "energy_change", "energy_gain"})
-        if (quantity == known) return {};
+        if (quantity == known) return {.other = timeHistory, .other_key = "run"};
     throw BadInput(Error{"quantity", "there is no quantity \"" + quantity + "\""});
 }
 
@@ -56,7 +68,7 @@ std::string keyOf(const VerificationRow& row, const Analysis& analysis) {
     return row.scenario + "|" + row.set + "|" + analysis.key();
 }
 
-Analysis ceilingOf(const VerificationRow& row) { return {nullptr, analysisFor(row.quantity).search->load}; }
+Analysis ceilingOf(const VerificationRow& row) { return {.limit = analysisFor(row.quantity).search->load}; }
 
 std::map<std::string, Task> tasksOf(const std::vector<VerificationRow>& rows) {
     std::map<std::string, Task> tasks;
@@ -201,6 +213,21 @@ void timeHistory(const Control& control, Computed& computed) {
     computed.values["velocity_kept"] = swing.kept();
 }
 
+void flow(const Control&, Computed& computed) {
+    const Result<SteadyFlow> result = steadyFlow(computed.scenario.model);
+    if (!given(result, computed)) return;
+    computed.status = "finished";
+    computed.values[kDischarge] = result->inflow_sum;
+}
+
+/// The first water whose level changes, at the end of its tables.
+void filling(const Control& control, Computed& computed) {
+    const Result<StormResult> result = storm(computed.scenario.model, {}, control);
+    if (!given(result, computed)) return;
+    computed.status = result->interrupted ? "interrupted" : "finished";
+    if (!result->interrupted) computed.values[kLevel] = result->points.back().levels.front();
+}
+
 std::shared_ptr<Computed> compute(const Task& task, const Control& control) {
     auto computed = std::make_shared<Computed>();
     const auto begin = std::chrono::steady_clock::now();
@@ -215,7 +242,7 @@ std::shared_ptr<Computed> compute(const Task& task, const Control& control) {
     else if (task.analysis.limit)
         limit(*task.analysis.limit, control, *computed);
     else
-        timeHistory(control, *computed);
+        task.analysis.other(control, *computed);
     computed->wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return computed;
 }

@@ -15,6 +15,9 @@
 //   energy_change, energy_gain                      largest change, and largest gain between two frames, of
 //                                                   the kinetic, elastic and gravity energy, over the
 //                                                   largest kinetic one
+//   discharge_m3_s                                  of steady flow, into the network
+//   level_m                                         of the first water whose level changes, when its tables
+//                                                   end
 
 #include <atomic>
 #include <cmath>

@@ -29,8 +29,12 @@ double lowestHead(const Conditions& conditions) {
 }  // namespace
 
 Equations::Equations(const Network& network, const Conditions& conditions,
-                     const std::vector<double>& transmissivity)
-    : network_(&network), conditions_(&conditions), datum_(lowestHead(conditions)) {
+                     const std::vector<double>& transmissivity, const FreeSurface& surface)
+    : network_(&network),
+      conditions_(&conditions),
+      dry_share_(surface.dry_share),
+      structure_(network, conditions),
+      datum_(lowestHead(conditions)) {
     for (std::size_t t = 0; t < network.triangles.size(); ++t) {
         const Gradients g = gradientsOf(network, t);
         std::array<double, 3> between{};
@@ -84,7 +88,7 @@ std::array<double, 3> Equations::pressureHeads(const Vector& heads, std::size_t 
 std::vector<double> Equations::sharesOf(const Vector& heads, double ramp) const {
     std::vector<double> shares(triangles());
     for (std::size_t t = 0; t < shares.size(); ++t)
-        shares[t] = kDryShare + (1 - kDryShare) * wetShare(pressureHeads(heads, t), ramp);
+        shares[t] = dry_share_ + (1 - dry_share_) * wetShare(pressureHeads(heads, t), ramp);
     return shares;
 }
 
@@ -100,24 +104,27 @@ Vector Equations::inflows(const Vector& heads, const std::vector<double>& shares
     return sum;
 }
 
-/// Entries of held nodes are zero, so that the pattern stays as it is.
-void Equations::add(std::int32_t row, std::int32_t column, double value, Entries& entries) const {
-    entries.emplace_back(row, column, isHeld(at(row)) || isHeld(at(column)) ? 0.0 : value);
+/// Entries of held nodes stay zero, so that the structure stays as it is.
+void Equations::add(std::size_t triangle, std::size_t row, std::size_t column, double value,
+                    SparseMatrix& matrix) const {
+    const auto& corners = network_->triangles[triangle];
+    if (!isHeld(at(corners[row])) && !isHeld(at(corners[column])))
+        matrix.valuePtr()[structure_.entry(triangle, row, column)] += value;
 }
 
-void Equations::addConductance(const std::vector<double>& shares, Entries& entries) const {
+void Equations::addConductance(const std::vector<double>& shares, SparseMatrix& matrix) const {
     for (std::size_t t = 0; t < triangles(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::int32_t i = network_->triangles[t][k], j = network_->triangles[t][(k + 1) % 3];
+            const std::size_t next = (k + 1) % 3;
             const double c = shares[t] * stiffness_[t][k];
-            add(i, i, c, entries);
-            add(j, j, c, entries);
-            add(i, j, -c, entries);
-            add(j, i, -c, entries);
+            add(t, k, k, c, matrix);
+            add(t, next, next, c, matrix);
+            add(t, k, next, -c, matrix);
+            add(t, next, k, -c, matrix);
         }
 }
 
-void Equations::addShareSlopes(const Vector& heads, double ramp, Entries& entries) const {
+void Equations::addShareSlopes(const Vector& heads, double ramp, SparseMatrix& matrix) const {
     for (std::size_t t = 0; t < triangles(); ++t) {
         const std::array<double, 3> above = pressureHeads(heads, t);
         const double share = wetShare(above, ramp);
@@ -135,35 +142,31 @@ void Equations::addShareSlopes(const Vector& heads, double ramp, Entries& entrie
             std::array<double, 3> more = above, less = above;
             more[by] += step;
             less[by] -= step;
-            const double slope = (1 - kDryShare) * (wetShare(more, ramp) - wetShare(less, ramp)) / (2 * step);
-            for (std::size_t of = 0; of < 3; ++of)
-                add(network_->triangles[t][of], network_->triangles[t][by], slope * inflow[of], entries);
+            const double slope =
+                (1 - dry_share_) * (wetShare(more, ramp) - wetShare(less, ramp)) / (2 * step);
+            for (std::size_t of = 0; of < 3; ++of) add(t, of, by, slope * inflow[of], matrix);
         }
     }
 }
 
-SparseMatrix Equations::matrixOf(Entries& entries) const {
+SparseMatrix Equations::identityOfHeld() const {
+    SparseMatrix matrix = structure_.empty();
     for (std::size_t n = 0; n < held_.size(); ++n)
-        entries.emplace_back(static_cast<int>(n), static_cast<int>(n), isHeld(n) ? 1.0 : 0.0);
-    const auto size = static_cast<Eigen::Index>(held_.size());
-    SparseMatrix matrix(size, size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
+        if (isHeld(n)) matrix.valuePtr()[structure_.diagonal(n)] = 1;
     return matrix;
 }
 
 SparseMatrix Equations::conductance(const std::vector<double>& shares) const {
-    Entries entries;
-    entries.reserve(12 * triangles() + held_.size());
-    addConductance(shares, entries);
-    return matrixOf(entries);
+    SparseMatrix matrix = identityOfHeld();
+    addConductance(shares, matrix);
+    return matrix;
 }
 
 SparseMatrix Equations::derivative(const Vector& heads, double ramp) const {
-    Entries entries;
-    entries.reserve(16 * triangles() + held_.size());
-    addConductance(sharesOf(heads, ramp), entries);
-    addShareSlopes(heads, ramp, entries);
-    return matrixOf(entries);
+    SparseMatrix matrix = identityOfHeld();
+    addConductance(sharesOf(heads, ramp), matrix);
+    addShareSlopes(heads, ramp, matrix);
+    return matrix;
 }
 
 double Equations::imbalance(const Vector& inflow) const {

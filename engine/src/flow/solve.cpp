@@ -1,19 +1,16 @@
 #include "flow/solve.h"
 
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
-#include "flow/equations.h"
+#include "flow/linear_system.h"
 
 namespace talus::flow {
 namespace {
 
-// Of a patch's height: the pressure head below zero over which a joint runs dry, in the last stage at least.
-// A wider one raises the free surface by as much; a narrower one rarely converges.
-constexpr double kLastRamp = 1.0 / 32;
 constexpr int kBeginIterations = 60;  // before Newton's method; dams of 8,000 joints need 30
 constexpr double kBegun = 1e-3;       // of the inflow: imbalance from which Newton's method converges
 constexpr int kStageIterations = 60;  // most stages take ten
@@ -24,9 +21,11 @@ constexpr double kSlower = 0.5, kFaster = 1.2;  // what turns back moves more sl
 
 class Solver {
  public:
-    Solver(const Network& network, const Conditions& conditions, const std::vector<double>& transmissivity)
+    Solver(const Network& network, const Conditions& conditions, const std::vector<double>& transmissivity,
+           const FreeSurface& surface)
         : conditions_(conditions),
-          equations_(network, conditions, transmissivity),
+          last_ramp_(surface.last_ramp),
+          equations_(network, conditions, transmissivity, surface),
           heads_(Vector::Zero(static_cast<Eigen::Index>(network.nodes.size()))),
           shares_(network.triangles.size(), 1.0) {}
 
@@ -43,11 +42,11 @@ class Solver {
 
     /// In thick sections a ramp as high as a polygon may be too narrow to begin with.
     Heads withFreeSurface() {
-        const Equations equations = equations_;
+        const std::vector<char> held = equations_.held();
         const std::vector<double> shares = shares_;
         double ramp = 0;
         for (const double first : {equations_.height(), equations_.size()}) {
-            equations_ = equations;
+            equations_.setHeld(held);
             shares_ = shares;
             heads_.setZero();
             ramp = narrowestFrom(first);
@@ -79,11 +78,11 @@ class Solver {
     double narrowestFrom(double first) {
         begin(first);
         double found = 0;
-        for (double ramp = first; ramp >= kLastRamp * equations_.height(); ramp /= 2) {
-            const Equations equations = equations_;
+        for (double ramp = first; ramp >= last_ramp_ * equations_.height(); ramp /= 2) {
+            const std::vector<char> held = equations_.held();
             const Vector heads = heads_;
             if (!converge(ramp)) {
-                equations_ = equations;
+                equations_.setHeld(held);
                 heads_ = heads;
                 break;
             }
@@ -141,15 +140,14 @@ class Solver {
 
     /// False where the derivative has no inverse.
     bool step(double ramp) {
-        Eigen::SparseLU<SparseMatrix> factors(equations_.derivative(heads_, ramp));
-        if (factors.info() != Eigen::Success) return false;
         const Vector rest = unbalanced(heads_, equations_.sharesOf(heads_, ramp));
-        const Vector direction = factors.solve(rest);
+        const std::optional<Vector> direction = newton_.solve(equations_.derivative(heads_, ramp), rest);
+        if (!direction) return false;
         const double size = rest.norm();
         double length = 1;
         Vector trial;
         for (int k = 0; k < kLineSearch; ++k, length /= 2) {
-            trial = heads_ + length * direction;
+            trial = heads_ + length * *direction;
             if (unbalanced(trial, equations_.sharesOf(trial, ramp)).norm() < (1 - kArmijo * length) * size)
                 break;
         }
@@ -178,11 +176,13 @@ class Solver {
     }
 
     const Conditions& conditions_;
+    double last_ramp_;  ///< of a patch's height
     Equations equations_;
     Vector heads_;                ///< above the datum [m]
     std::vector<double> shares_;  ///< of each triangle
     Eigen::SimplicialLDLT<SparseMatrix> cholesky_;
     bool analysed_ = false;
+    LinearSystem newton_;
     int iterations_ = 0;
     double residual_ = 0;
 };
@@ -190,8 +190,8 @@ class Solver {
 }  // namespace
 
 Heads solveHeads(const Network& network, const Conditions& conditions,
-                 const std::vector<double>& transmissivity, bool free_surface) {
-    Solver solver(network, conditions, transmissivity);
+                 const std::vector<double>& transmissivity, bool free_surface, const FreeSurface& surface) {
+    Solver solver(network, conditions, transmissivity, surface);
     return free_surface ? solver.withFreeSurface() : solver.full();
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "flow/conditions.h"
+#include "flow/equations.h"
 
 namespace talus::flow {
 
@@ -27,6 +28,7 @@ struct Heads {
 
 /// \param transmissivity  of each triangle [m^2/s]
 Heads solveHeads(const Network& network, const Conditions& conditions,
-                 const std::vector<double>& transmissivity, bool free_surface);
+                 const std::vector<double>& transmissivity, bool free_surface,
+                 const FreeSurface& surface = {});
 
 }  // namespace talus::flow

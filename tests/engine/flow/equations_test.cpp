@@ -2,9 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/LU>
 #include <random>
 
 #include "build/build.h"
+#include "flow/linear_system.h"
 #include "flow/solve.h"
 #include "support/flows.h"
 
@@ -81,4 +83,24 @@ TEST_CASE("flow solution: outlets are under no pressure where water flows out, a
         (std::abs(pressure_head) < 1e-8 ? open : closed) += 1;
     }
     CHECK(open + closed > 0);
+}
+
+TEST_CASE("flow equations: a step of Newton's method is that of dense factors, also far from the solution") {
+    const Dam dam;
+    flow::LinearSystem system;
+    for (unsigned seed = 1; seed <= 10; ++seed)
+        for (const double ramp : {1.0, 0.03}) {
+            CAPTURE(seed);
+            const flow::Vector heads = dam.anyHeads(seed);
+            const flow::SparseMatrix derivative = dam.equations.derivative(heads, ramp);
+            flow::Vector right = -dam.equations.inflows(heads, dam.equations.sharesOf(heads, ramp));
+            for (Eigen::Index n = 0; n < right.size(); ++n)
+                if (dam.equations.isHeld(static_cast<std::size_t>(n))) right[n] = 0;
+            const auto step = system.solve(derivative, right);
+            REQUIRE(step.has_value());
+            const flow::Vector expected = Eigen::MatrixXd(derivative).fullPivLu().solve(right);
+            CHECK((*step - expected).norm() < 1e-8 * expected.norm());
+            for (Eigen::Index n = 0; n < right.size(); ++n)
+                if (dam.equations.isHeld(static_cast<std::size_t>(n))) CHECK((*step)[n] == 0);
+        }
 }
