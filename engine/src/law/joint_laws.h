@@ -18,7 +18,7 @@ void setRest(const Joint& joint, contact::JointLaw& law);
 std::vector<contact::JointLaw> jointLaws(const std::vector<Joint>& joints, double factor = 1.0,
                                          double time = 0.0);
 
-/// Brings the laws of joints whose strength changes to a time of a history [s].
+/// Brings the laws of joints whose strength changes to a time of a history [s]; curves in small steps.
 void followStrengths(const std::vector<Joint>& joints, double time, std::vector<contact::JointLaw>& laws);
 
 }  // namespace talus

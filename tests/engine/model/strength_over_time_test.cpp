@@ -91,14 +91,22 @@ TEST_SUITE("engine") {
             const auto made = jointLaws(joints, 1, time);
             for (std::size_t j = 0; j < joints.size(); ++j)
                 for (const auto& parameter : contact::kLawParameters<double>)
-                    CHECK(laws[j].*parameter.value == made[j].*parameter.value);
-            CHECK(shearStrengthOf(laws[1], 3e4) == shearStrengthOf(made[1], 3e4));
+                    CHECK(laws[j].*parameter.value ==
+                          doctest::Approx(made[j].*parameter.value).epsilon(j == 1 ? 1e-12 : 0));
+            CHECK(shearStrengthOf(laws[1], 3e4) ==
+                  doctest::Approx(shearStrengthOf(made[1], 3e4)).epsilon(1e-12));
             CHECK(shearStrengthOf(laws[1], 3e4) ==
                   doctest::Approx(strengthFactor(rock, time) * shearStrengthOf(before[1], 3e4)));
         }
         const double* curve = laws[1].curve.at;
         followStrengths(joints, 40, laws);
         CHECK(laws[1].curve.at == curve);  // the factor is constant beyond the table
+
+        followStrengths(joints, 1.2345, laws);  // 0.92593 of the strength
+        curve = laws[1].curve.at;
+        CHECK(laws[1].strength_factor == doctest::Approx(0.926).epsilon(1e-15));
+        followStrengths(joints, 1.2346, laws);
+        CHECK(laws[1].curve.at == curve);  // no new curve for less than a step of the factor
     }
 
     TEST_CASE("strength over time leaves what contact points remember as it is") {

@@ -93,7 +93,7 @@ TEST_CASE("storm: joints that lose strength over time, without water") {
     CHECK(contentOf(plot).find("factor of strength") != std::string::npos);
     const Outcome people = runTalus({"storm", slope, "--quiet"});
     CHECK(people.exit_code == 0);
-    CHECK(people.out.find("after 1.00 h, with 0.25 times the strength (") != std::string::npos);
+    CHECK(people.out.find("after 1.00 h, with 0.250 times the strength (") != std::string::npos);
 }
 
 TEST_CASE("storm: what it does not take") {
