@@ -22,7 +22,7 @@ struct FreeSurface {
     /// regular. The discharge through the dry part is about this share of that through the wet part.
     double dry_share = 1e-5;
     /// Of a patch's height: the pressure head below zero over which a joint runs dry, in the last stage at
-    /// least. A wider one raises the free surface by as much; a narrower one rarely converges.
+    /// least. A wider one raises the free surface by as much; a narrower one rarely converges in irregular networks.
     double last_ramp = 1.0 / 32;
 };
 
@@ -38,7 +38,7 @@ class Equations {
     double height() const { return network_->height; }  ///< of a patch [m]
     double datum() const { return datum_; }             ///< [m]
     bool isHeld(std::size_t node) const { return held_[node] != 0; }
-    /// Which outlets are open, to return to it.
+    /// Which nodes are held: outlets open and close, and a stage that fails takes that back.
     const std::vector<char>& held() const { return held_; }
     void setHeld(std::vector<char> held) { held_ = std::move(held); }
 

@@ -138,7 +138,8 @@ std::size_t UnpivotedLu::nested(std::size_t first) const {
     return count;
 }
 
-/// Subtractions come column by column in each row, as without bundles.
+/// N nested columns at once: each row is read and written once. Subtractions have the order that they have
+/// with one column at a time, so the bits are the same.
 template <std::size_t N>
 double UnpivotedLu::eliminateColumns(std::size_t k, std::size_t first, double pivot) {
     std::array<std::size_t, N> columns{}, next{};

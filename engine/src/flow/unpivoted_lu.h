@@ -5,7 +5,7 @@
 // network. Rows of L and columns of U are computed one after the other, each by a sparse triangular solution,
 // as T. A. Davis's LDL does for symmetric matrices (ACM Transactions on Mathematical Software 31, 587, 2005).
 //
-// No pivoting keeps that structure but bounds no rounding: see LinearSystem, which checks the solution.
+// Factors without pivoting keep that structure but do not bound rounding: LinearSystem checks the solution.
 
 #include <array>
 #include <cstdint>
@@ -44,7 +44,7 @@ class UnpivotedLu {
     struct Left {
         double lower = 0, upper = 0;
     };
-    static constexpr std::size_t kMostAtOnce = 4;  // columns: more do not stay in registers
+    static constexpr std::size_t kMostAtOnce = 4;  // columns; the values of more do not stay in registers
 
     void order(const SparseMatrix& structure);
     void mirror(const SparseMatrix& structure);

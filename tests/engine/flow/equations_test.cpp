@@ -5,29 +5,22 @@
 #include <Eigen/LU>
 #include <random>
 
-#include "build/build.h"
 #include "flow/linear_system.h"
 #include "flow/solve.h"
-#include "support/flows.h"
+#include "support/flow_network.h"
 
 using namespace talus;
 using namespace talus::test;
 
 namespace {
 
-/// A small dam, its network and the conditions on it.
-struct Dam {
-    Model model = gridDam(3, 3, 1, {1, 1, 1}, 2.4, 0.6);
-    Flow water = *model.flow;
-    State state = [this] {
-        Model dry = model;
-        dry.flow.reset();
-        return *buildState(std::move(dry), false);
-    }();
-    flow::Network network = flow::networkOf(state, 0);
-    flow::Conditions conditions = *flow::conditionsOf(network, water, model, Vec3::Zero(), 0);
-    std::vector<double> transmissivity = std::vector(network.triangles.size(), 1.0);
-    flow::Equations equations{network, conditions, transmissivity};
+/// A small dam and its equations.
+struct Dam : FlowNetwork {
+    Dam() : FlowNetwork(gridDam(3, 3, 1, {1, 1, 1}, 2.4, 0.6)) {}
+
+    // Of 1 m2/s each, so that differences of inflows compare with 1.
+    std::vector<double> unit = std::vector(network.triangles.size(), 1.0);
+    flow::Equations equations{network, conditions, unit};
 
     flow::Vector anyHeads(unsigned seed) const {
         std::mt19937 random(seed);
@@ -72,7 +65,7 @@ TEST_CASE("flow equations: inflows sum to zero, whatever the heads") {
 
 TEST_CASE("flow solution: outlets are under no pressure where water flows out, and closed elsewhere") {
     const Dam dam;
-    const flow::Heads found = flow::solveHeads(dam.network, dam.conditions, dam.transmissivity, true);
+    const flow::Heads found = flow::solveHeads(dam.network, dam.conditions, dam.unit, true);
     REQUIRE(found.found);
     std::size_t open = 0, closed = 0;
     for (std::size_t n = 0; n < found.head.size(); ++n) {
