@@ -150,6 +150,11 @@ void FailureKeeper::play(const FailingState& failing, KeptRun& kept, const Contr
     recorder_->finish(outcome);
     kept.bytes = recorder_->bytes();
     kept.run = valueOf(std::move(outcome), as_it_fails_);
+    const auto& flow = as_it_fails_.model.flow;
+    if (flow && !flow->coupled && load.varied == Varied::tilt)
+        kept.run.warnings.emplace_back(
+            "the flow of this run is that of the failing tilt; the search kept the flow of the scenario's "
+            "tilt. With flow.coupled = true the search follows the tilt");
     if (kept.run.interrupted) kept.exit_code = kInterrupted, kept.reason = "interrupted";
 }
 

@@ -78,3 +78,17 @@ TEST_CASE("the failure that a search keeps has the pressure of its flow") {
     REQUIRE(header.flow.has_value());
     CHECK(*std::max_element(header.flow->pressure.begin(), header.flow->pressure.end()) > 1e4);
 }
+
+TEST_CASE("the failing run of a search over tilt says that its flow is that of the failing tilt") {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("wet.toml", boxText(kFlow));
+    for (const char* search : {"critical-angle", "critical-acceleration"}) {
+        CAPTURE(search);
+        const Outcome outcome = runTalus({search, path, "--keep-run", folder / "kept.mcap", "--force",
+                                          "--keep-run-time", "0.01", "--json", "--quiet"});
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        const std::string warnings = outcome.json().at("kept_run").at("warnings").dump();
+        CHECK((warnings.find("failing tilt") != std::string::npos) == (search == std::string("critical-angle")));
+    }
+}
