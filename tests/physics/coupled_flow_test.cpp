@@ -5,6 +5,7 @@
 #include "support/flows.h"
 #include "support/models.h"
 #include "talus/analysis.h"
+#include "talus/limit_analysis.h"
 #include "talus/simulation.h"
 
 using namespace talus;
@@ -243,6 +244,18 @@ TEST_CASE("coupled flow: a history begins with the pressure of its equilibrium, 
     const std::vector<double>& push = last->memory[0].values;
     const double pushed = Vec3(push[6], push[7], push[8]).norm();  // of the box, the second block
     CHECK(pushed == doctest::Approx(uplift).epsilon(2e-3));
+}
+
+TEST_CASE("coupled flow: analyses without an equilibrium say that apertures are as stated") {
+    Model model = blockOnJoint(4e8, radians(10), 1.2, 40);
+    model.run.duration = 1e-3;
+    model.run.start = RunSettings::Start::unstressed;
+    const auto history = run(model, {}, {});
+    REQUIRE(history.ok());
+    CHECK(says(history->warnings, "flow.coupled: the history does not begin in equilibrium"));
+    const auto limit = limitAnalysis(model, Varied::factor);
+    REQUIRE(limit.ok());
+    CHECK(says(limit->warnings, "flow.coupled: joints do not open here"));
 }
 
 TEST_CASE("coupled flow: what does not converge within its passes says so") {

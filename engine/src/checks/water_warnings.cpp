@@ -216,10 +216,10 @@ std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, cons
     return warnings;
 }
 
-std::optional<std::string> flowAsStated(const Model& model) {
+std::optional<std::string> flowAsStated(const Model& model, const std::string& why) {
     if (!model.flow || !model.flow->coupled) return std::nullopt;
-    return model.flow->field +
-           ".coupled: joints do not open here; the pressure is that of the flow with the stated apertures";
+    return model.flow->field + ".coupled: " + why +
+           "; the pressure is that of the flow with the stated apertures";
 }
 
 }  // namespace talus::checks

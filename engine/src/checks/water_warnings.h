@@ -30,7 +30,8 @@ std::optional<std::string> pushedAway(const State& state);
 std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, const FlowCoupling& coupling,
                                     const Flow& flow);
 
-/// For an analysis without displacements, where flow is coupled.
-std::optional<std::string> flowAsStated(const Model& model);
+/// For an analysis that finds no equilibrium, where flow is coupled.
+inline constexpr const char* kNothingOpens = "joints do not open here";
+std::optional<std::string> flowAsStated(const Model& model, const std::string& why);
 
 }  // namespace talus::checks

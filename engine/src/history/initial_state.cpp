@@ -109,9 +109,7 @@ std::optional<Poses> findHeld(Model model, const Control& control, bool parallel
     return Poses{std::move(held->blocks.position), std::move(held->blocks.orientation)};
 }
 
-}  // namespace
-
-InitialState bringToStart(State& state, const Control& control, bool parallel) {
+InitialState findStart(State& state, const Control& control, bool parallel) {
     const std::shared_ptr<const Model> model = state.geometry->description;
     if (model->run.start == RunSettings::Start::unstressed || !(model->gravity.magnitude > 0))
         return InitialState::unstressed;
@@ -136,11 +134,21 @@ InitialState bringToStart(State& state, const Control& control, bool parallel) {
     Result<State> anew = buildState(model, parallel, control);
     if (!anew) return InitialState::unstressed;
     state = *std::move(anew);
-    if (auto stated = checks::flowAsStated(*model)) state.warnings.push_back(std::move(*stated));
     if (!held) return InitialState::unstressed;
     state.blocks.position = std::move(held->position);
     state.blocks.orientation = std::move(held->orientation);
     return InitialState::held;
+}
+
+}  // namespace
+
+InitialState bringToStart(State& state, const Control& control, bool parallel) {
+    const InitialState start = findStart(state, control, parallel);
+    if (start == InitialState::equilibrium || !state.geometry) return start;
+    constexpr const char* kWhy = "the history does not begin in equilibrium";
+    if (auto stated = checks::flowAsStated(state.geometry->model, kWhy))
+        state.warnings.push_back(std::move(*stated));
+    return start;
 }
 
 }  // namespace talus::history

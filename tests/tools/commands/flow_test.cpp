@@ -60,6 +60,28 @@ TEST_CASE("flow: files for ParaView, of a table, of a picture") {
         CHECK(poly.find("Name=\"" + std::string(name) + "\"") != std::string::npos);
 }
 
+TEST_CASE("flow: coupled, it is the flow of an equilibrium, and searches say how well it converged") {
+    const std::string coupled = TALUS_SOURCE_DIR "/bench/examples/coupled-flow.toml";
+    const Outcome outcome = runTalus({"flow", coupled, "--json"});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const auto json = outcome.json();
+    const auto& found = json.at("coupling");
+    CHECK(found.at("converged") == true);
+    CHECK(found.at("passes").get<int>() > 0);
+    CHECK(found.at("flows").get<int>() > found.at("passes").get<int>());
+    CHECK(found.at("last_change").get<double>() <= 1e-3);
+    CHECK(found.at("largest_change") == 0);
+    CHECK(runTalus({"flow", coupled}).out.find("apertures") != std::string::npos);
+    CHECK(runTalus({"flow", kSlope, "--json"}).json().at("coupling").is_null());
+    const Outcome searched = runTalus({"safety-factor", coupled, "--json", "--no-range"});
+    REQUIRE(searched.exit_code == 0);
+    CHECK(searched.json().at("flow_coupling").at("converged") == true);
+    const Outcome text = runTalus({"safety-factor", coupled, "--no-range"});
+    CHECK(text.out.find("coupled flow") != std::string::npos);
+    CHECK(text.out.find("left out: it opens no joints") != std::string::npos);
+}
+
 TEST_CASE("flow: a scenario without [flow], or a file of another kind, is refused") {
     CHECK(runTalus({"flow", TALUS_SOURCE_DIR "/bench/examples/uplift.toml"}).exit_code == 2);
     CHECK(runTalus({"flow", kSlope, "--picture", "picture.png"}).exit_code == 2);
