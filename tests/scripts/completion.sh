@@ -12,7 +12,7 @@ offered() {  # offered WORD... : what is offered for the last word
     printf '%s\n' "${COMPREPLY[@]}" | sort -u
 }
 # By other means than the completion's: whatever looks like an option at the start of a line.
-options_of() { "$talus" "$@" --help | grep -oE '^  -[-a-zA-Z,]+' | tr -d ' ' | tr ',' '\n' | grep -E '^-' | sort -u; }
+options_of() { "$talus" "$@" --help | grep -oE '^  -[-a-zA-Z0-9,]+' | tr -d ' ' | tr ',' '\n' | grep -E '^-' | sort -u; }
 
 commands=$("$talus" --help | awk '/^Subcommands:/ { on = 1; next } /^$/ { on = 0 } on && /^  [a-z]/ { print $1 }' | sort)
 [ "$(wc -w <<<"$commands")" -ge 6 ]

@@ -89,6 +89,7 @@ TEST_CASE("the failing run of a search over tilt says that its flow is that of t
         CAPTURE(outcome.err);
         REQUIRE(outcome.exit_code == 0);
         const std::string warnings = outcome.json().at("kept_run").at("warnings").dump();
-        CHECK((warnings.find("failing tilt") != std::string::npos) == (search == std::string("critical-angle")));
+        CHECK((warnings.find("failing tilt") != std::string::npos) ==
+              (search == std::string("critical-angle")));
     }
 }
