@@ -44,7 +44,7 @@ foreach(file IN LISTS fast_files)
     add_entry(${name} ${file} "--test-suite-exclude=slow*" "TIMEOUT ${FAST_TIMEOUT}")
 endforeach()
 # The longest begin first: else one of them runs on alone at the end. [s, about]
-set(cost_of_physics/large_displacement 460)
+set(cost_of_physics/large_displacement 200)
 set(cost_of_physics/toppling 230)
 set(cost_of_replay/page 150)
 set(cost_of_physics/independence 120)

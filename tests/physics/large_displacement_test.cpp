@@ -227,11 +227,11 @@ RunOn runOn(const Model& model) {
 }  // namespace
 
 TEST_SUITE("slow: physics") {
-    // The lowest 250 rocks: all 1,000 take ten times as long (`talus run bench/verification/pile.toml`; ten
+    // The lowest 125 rocks: all 1,000 take twenty times as long (`talus run bench/verification/pile.toml`; ten
     // such piles: `talus-piles 10`).
     TEST_CASE("a random pile of rocks dropped into a box reaches equilibrium") {
         Model model = verification("pile");
-        model.blocks.resize(5 + 250);  // behind floor and walls
+        model.blocks.resize(5 + 125);  // behind floor and walls
         model.run.duration = 2;        // one rock still topples after 1.75 s
         const RunOn on = runOn(model);
         State state = *buildState(model, false);
