@@ -34,6 +34,12 @@ std::vector<Vec3> outlineOf(const State& state, std::size_t i, const RelativePos
     return outline;
 }
 
+/// Bolts without pretension carry nothing until blocks move: limit equilibrium would leave them out.
+bool hasBoltsAtRest(const State& state) {
+    const auto& bolts = state.geometry->model.bolts;
+    return std::any_of(bolts.begin(), bolts.end(), [](const Bolt& bolt) { return !(bolt.pretension > 0); });
+}
+
 /// Nothing where a contact has more than friction, or is one of a vertex or of edges.
 std::optional<Touches> touchesOf(const State& state) {
     const Interfaces& f = state.interfaces;
@@ -45,7 +51,7 @@ std::optional<Touches> touchesOf(const State& state) {
         if (pose.gap.x() > kClosedGap * std::min(state.geometry->size[a], state.geometry->size[b])) continue;
         const Joint& joint = state.geometry->model.joints[static_cast<std::size_t>(f.joint[i])];
         if (isVertexEdge(f, i) || !isPlainCoulomb(joint) || !partsFreely(joint)) return std::nullopt;
-        const double tan_friction = std::tan(joint.friction);
+        const double tan_friction = std::tan(strengthAt(joint, state.load.time).friction);
         const std::vector<Vec3> outline = outlineOf(state, i, pose);
         touches[b].push_back({a, tan_friction, -pose.e3, outline});
         touches[a].push_back({b, tan_friction, pose.e3, outline});
@@ -157,11 +163,15 @@ std::optional<Vec2> baseNormalOf(const State& state, const std::vector<Touch>& t
     return best;
 }
 
-/// Whether fixed rock uphill is the step below the column behind. Rock that faces otherwise carries weight.
-bool isBesideNeighbour(const Stand& stand, const SectionPlane& plane) {
-    return std::all_of(stand.uphill.begin(), stand.uphill.end(), [&](const Touch* touch) {
-        return stand.behind.empty() || isParallel(plane.in(touch->out), plane.in(stand.behind.front()->out));
-    });
+/// Whether fixed rock uphill is a step or wall in line with the side faces. Rock that faces otherwise, as a
+/// roof, carries or presses.
+bool isStepBehind(const Stand& stand, const SectionPlane& plane) {
+    if (stand.uphill.empty()) return true;
+    if (stand.behind.empty() && stand.front.empty()) return false;
+    const Vec2 side = stand.behind.empty() ? Vec2(-plane.in(stand.front.front()->out))
+                                           : plane.in(stand.behind.front()->out);
+    return std::all_of(stand.uphill.begin(), stand.uphill.end(),
+                       [&](const Touch* touch) { return isParallel(plane.in(touch->out), side); });
 }
 
 /// Nothing where the block is no column: on no base, held from downhill, or with two neighbours on a side.
@@ -184,7 +194,7 @@ std::optional<Stand> standOf(const State& state, const std::vector<Touch>& touch
             stand.uphill.push_back(&touch);
         }
     }
-    if (!isBesideNeighbour(stand, plane)) return std::nullopt;
+    if (!isStepBehind(stand, plane)) return std::nullopt;
     return stand;
 }
 
@@ -204,6 +214,7 @@ std::optional<LeaningColumn> columnOf(const State& state, std::size_t block, con
     column.pivot = farthest(stand.base, plane, stand.downhill);
     column.base_normal = stand.base_normal;
     column.downhill = stand.downhill;
+    column.base_length = (column.pivot - farthest(stand.base, plane, -stand.downhill)).dot(stand.downhill);
     column.tan_friction = stand.base.front()->tan_friction;
     const Wrench other = blockForcesOn(state, block);
     const Vec3 force = state.blocks.mass[block] * acceleration + other.force;
@@ -219,6 +230,7 @@ std::optional<LeaningColumn> columnOf(const State& state, std::size_t block, con
         face.along = {-face.normal.y(), face.normal.x()};
         if (face.along.dot(column.base_normal) < 0) face.along = -face.along;
         face.top = farthest(stand.front, plane, face.along);
+        face.bottom = farthest(stand.front, plane, -face.along);
         face.tan_friction = stand.front.front()->tan_friction;
         column.front = face;
     }
@@ -251,7 +263,7 @@ double smallestSize(const State& state, const std::vector<std::size_t>& blocks) 
 
 std::optional<ColumnRow> columnRow(State& state) {
     const std::vector<std::size_t> free = freeBlocks(state);
-    if (free.size() < 2) return std::nullopt;
+    if (free.size() < 2 || hasBoltsAtRest(state)) return std::nullopt;
     const auto touches = touchesOf(state);
     const auto plane = touches ? sectionOf(*touches) : std::nullopt;
     if (!plane || !haveOneWidth(*touches, plane->across, kSame * smallestSize(state, free)))

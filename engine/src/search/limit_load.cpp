@@ -23,6 +23,7 @@ constexpr double kOfTolerance = 0.01;
 constexpr double kLeastReserve = -1;
 
 constexpr double kLeastFactor = 0.01;  // of safety: a row of columns with less is given no factor
+constexpr int kStepsDown = 10;  // from an answer to the start, where a stable row of columns is looked for
 
 /// The model under loads, each judged by block theory.
 class Groups {
@@ -139,10 +140,10 @@ std::optional<LimitEquilibrium> narrowed(const TryLoad& tryLoad, Trial stands, T
 }
 
 /// From a load where the slope is stable up to one where it fails, and between them.
-std::optional<LimitEquilibrium> limitAbove(const TryLoad& tryLoad, const LoadAxis& axis, double first,
-                                           double answer) {
-    auto stands = tryLoad(first);
+std::optional<LimitEquilibrium> limitAbove(const TryLoad& tryLoad, const LoadAxis& axis,
+                                           std::optional<Trial> stands, double answer) {
     if (!stands || !(stands->reserve > 0)) return std::nullopt;
+    const double first = stands->load;
     auto fails = tryLoad(answer);
     while (fails && fails->reserve > 0) {
         if (!(fails->load < axis.stop)) return std::nullopt;
@@ -152,6 +153,16 @@ std::optional<LimitEquilibrium> limitAbove(const TryLoad& tryLoad, const LoadAxi
     }
     if (!fails) return std::nullopt;
     return narrowed(tryLoad, std::move(*stands), std::move(*fails), kOfTolerance * axis.loading.cell);
+}
+
+/// The nearest load below the answer at which the slope is stable. Far below it a row of columns may lock, so
+/// that it cannot be judged.
+std::optional<Trial> stableBelow(const TryLoad& tryLoad, double first, double answer) {
+    for (int k = kStepsDown - 1; k >= 0; --k) {
+        auto trial = tryLoad(std::lerp(first, answer, static_cast<double>(k) / kStepsDown));
+        if (!trial || trial->reserve > 0) return trial;
+    }
+    return std::nullopt;
 }
 
 std::optional<LimitEquilibrium> leastFactor(const Groups& groups) {
@@ -166,21 +177,22 @@ std::optional<LimitEquilibrium> limitOfGroups(const LimitQuestion& question, con
                                               double answer) {
     const Groups groups(question);
     if (question.varied == Varied::factor) return leastFactor(groups);
-    return limitAbove([&](double load) { return tryGroups(groups, load); }, axis, axis.start, answer);
+    const TryLoad tryLoad = [&](double load) { return tryGroups(groups, load); };
+    return limitAbove(tryLoad, axis, tryLoad(axis.start), answer);
 }
 
 std::optional<LimitEquilibrium> limitOfColumns(const LimitQuestion& question, const LoadAxis& axis,
                                                double answer) {
     const Model& model = question.model;
-    if (question.varied == Varied::factor) {
-        const auto row = rowAt(question, 1);
-        return limitAbove([&](double factor) { return tryColumns(model, row, factor, factor); }, axis,
-                          kLeastFactor, answer);
-    }
+    const bool is_factor = question.varied == Varied::factor;
+    const auto built = is_factor ? rowAt(question, 1) : std::nullopt;
+    const TryLoad tryLoad = [&](double load) {
+        return is_factor ? tryColumns(model, built, load, load)
+                         : tryColumns(model, rowAt(question, load), load, 1);
+    };
     // On a level base no side is downhill.
-    const double first = axis.start + axis.loading.cell;
-    return limitAbove([&](double load) { return tryColumns(model, rowAt(question, load), load, 1); }, axis,
-                      first, answer);
+    const double first = is_factor ? kLeastFactor : axis.start + axis.loading.cell;
+    return limitAbove(tryLoad, axis, stableBelow(tryLoad, first, answer), answer);
 }
 
 }  // namespace

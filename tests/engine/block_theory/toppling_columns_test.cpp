@@ -56,7 +56,7 @@ std::optional<ColumnRow> rowOf(const Model& model) {
 
 /// The factor at which the toe column is at its limit.
 double factorOf(std::span<const LeaningColumn> columns) {
-    double low = 0.05, high = 50;
+    double low = 0.6, high = 3;
     while (high - low > 1e-10 * high) {
         const double middle = std::sqrt(low * high);
         (leaningAt(columns, middle)->excess > 0 ? high : low) = middle;
@@ -130,6 +130,7 @@ TEST_SUITE("block_theory") {
         lower.pivot = {0, 0};
         lower.base_normal = {0, 1};
         lower.downhill = {-1, 0};
+        lower.base_length = 2;
         LeaningColumn upper = lower;
         lower.tan_friction = upper.tan_friction = 0.5;
         lower.force = {-0.2, -2};
@@ -139,12 +140,53 @@ TEST_SUITE("block_theory") {
         upper.force = {-0.2, -1};
         upper.moment = 0.6;
         upper.arm = 1;
-        upper.front = SideFace{.top = {2, 2}, .normal = {-1, 0}, .along = {0, 1}, .tan_friction = 0};
+        upper.front = SideFace{.top = {2, 2}, .bottom = {2, 0}, .normal = {-1, 0}, .along = {0, 1}};
         const LeaningColumn both[] = {lower, upper};
         // It pushes with 0.6 / 2 = 0.3: 0.2 + 0.3 - 0.5 * 2 = -0.5 of a weight of sqrt(0.2^2 + 2^2).
         CHECK(leaningAt(both, 1)->excess == doctest::Approx(-0.5 / std::hypot(0.2, 2)));
         CHECK(leaningAt(both, 2)->excess == doctest::Approx(0.0).epsilon(1e-12));
         CHECK(leaningAt(both, 1)->moving == 2);
+    }
+
+    TEST_CASE("toppling columns: one that only slides pushes as low as it can, and no base pulls") {
+        LeaningColumn lower;
+        lower.pivot = {0, 0};
+        lower.base_normal = {0, 1};
+        lower.downhill = {-1, 0};
+        lower.base_length = lower.arm = 1;
+        lower.tan_friction = 0.5;
+        lower.force = {-0.2, -2};
+        lower.moment = -0.9;
+        LeaningColumn upper = lower;
+        upper.pivot = {1, 0};
+        upper.tan_friction = 0.3;
+        upper.force = {-0.8, -1};
+        upper.moment = -0.5;
+        upper.front = SideFace{.top = {1, 2}, .bottom = {1, 0}, .normal = {-1, 0}, .along = {0, 1}};
+        // It pushes with 0.8 - 0.3 = 0.5 at the foot; at the top that would topple the lower column.
+        const LeaningColumn low[] = {lower, upper};
+        CHECK(leaningAt(low, 1)->excess == doctest::Approx((0.2 + 0.5 - 0.5 * 2) / std::hypot(0.2, 2)));
+        CHECK_FALSE(leaningAt(low, 1)->topples);
+        // With a moment of 0.2 it would topple unless the push acts 0.4 above its foot.
+        upper.moment = 0.2;
+        const LeaningColumn higher[] = {lower, upper};
+        lower.moment = -0.1;
+        const LeaningColumn weak[] = {lower, upper};
+        CHECK(leaningAt(higher, 1)->excess < 0);
+        CHECK(leaningAt(weak, 1)->excess == doctest::Approx((-0.1 + 0.5 * 0.4) / std::hypot(0.2, 2)));
+        // The base would have to press 1.5 from the pivot, and is 1 long.
+        upper.moment = -1.5;
+        const LeaningColumn beyond[] = {lower, upper};
+        CHECK_FALSE(leaningAt(beyond, 1).has_value());
+    }
+
+    TEST_CASE("toppling columns: strength is that of the time, as joints over time say") {
+        Model model = columnsModel(38.6598);
+        const double factor = factorOf(model);
+        Joint& joint = model.joints[0];
+        joint.friction = joint.residual_friction = std::atan(0.5 * std::tan(radians(38.6598)));
+        joint.strength_over_time = {{0, 2}};
+        CHECK(factorOf(model) == doctest::Approx(factor).epsilon(1e-9));
     }
 
     TEST_CASE("toppling columns: nothing depends on where the slope looks, on size, or on order") {
@@ -190,5 +232,25 @@ TEST_SUITE("block_theory") {
         CHECK_FALSE(rowOf(across).has_value());
 
         CHECK_FALSE(rowOf(columnsModel(38.15, 1)).has_value());
+
+        const double top = kStep * (kColumns - 1) + heightOf(kColumns), end = kWidth * kColumns;
+        Model roofed = columnsModel(38.15);
+        roofed.blocks.push_back(
+            box("roof", {end - kWidth, 0, top}, {end, kThick, top + 1}, 2700, Motion::fixed));
+        CHECK_FALSE(rowOf(roofed).has_value());
+        Model walled = columnsModel(38.15);
+        walled.blocks.push_back(box("wall", {end, 0, 0}, {end + 1, kThick, top}, 2700, Motion::fixed));
+        CHECK(rowOf(walled).has_value());
+
+        // Bolts without pretension carry nothing yet.
+        Model bolted = columnsModel(38.15);
+        Bolt bolt;
+        bolt.name = "A1";
+        bolt.head = {-0.0, 0.5, 2};
+        bolt.end = {5, 0.5, -5};
+        bolt.area = 8e-4;
+        bolt.modulus = 2e11;
+        bolted.bolts = {bolt};
+        CHECK_FALSE(rowOf(bolted).has_value());
     }
 }
